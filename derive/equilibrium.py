@@ -1,0 +1,76 @@
+"""The balance of forces at rest on the moving belt, (12)–(20) and (22)–(25), as one family in n̄.
+
+n̄ = 1 is contact, n̄ = 0 lift-off. ``c, s, L`` are polar coordinates about the spring's anchor: x = cos θ₀ − L cos θ and
+y = sin θ₀ − L sin θ. From here on μ₀ stands for the friction coefficient at steady sliding; that it equals
+μ₀ (1 − exp(−d V)) exactly is the row ``eq-12`` of the ledger.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from . import mechanics
+from . import nomenclature as nm
+
+CONTACT = {nm.nbar: 1}
+LIFTOFF = {nm.nbar: 0}
+
+#: The shorthands of the elimination in terms of the parameters.
+SHORTHANDS: dict[sp.Symbol, sp.Expr] = {
+    nm.B: nm.beta + nm.nbar,
+    nm.M: nm.mu0 * nm.nbar,
+    nm.p: nm.alpha + nm.sigma,
+    nm.q: nm.B + nm.sigma,
+}
+
+
+def spell_out(expression: sp.Expr) -> sp.Expr:
+    """Replace every shorthand by what it stands for, until only parameters and the state are left."""
+    while expression.free_symbols & SHORTHANDS.keys():
+        expression = expression.subs(SHORTHANDS, simultaneous=True)
+    return expression
+
+
+def displacement() -> tuple[sp.Expr, sp.Expr]:
+    """x and y from the spring's length and direction: (4) and (5)."""
+    return nm.c0 - nm.L * nm.c, nm.s0 - nm.L * nm.s
+
+
+@cache
+def balance_cartesian() -> tuple[sp.Expr, sp.Expr]:
+    """(12) and (13) in x, y and L: (8) and (9) at rest, with μ₀ for the friction at steady sliding."""
+    equations = mechanics.motion()
+    rest = {equations.ax: 0, equations.ay: 0, nm.vx: 0, nm.vy: 0, nm.mu: nm.mu0, nm.n: mechanics.contact_family()}
+    return equations.x.subs(rest), equations.y.subs(rest)
+
+
+@cache
+def balance() -> tuple[sp.Expr, sp.Expr]:
+    """F_x and F_y in c, s and L: (14) and (15) for n̄ = 1."""
+    x, y = displacement()
+    along, across = balance_cartesian()
+    return sp.expand(along.subs({nm.x: x, nm.y: y})), sp.expand(across.subs({nm.x: x, nm.y: y}))
+
+
+@cache
+def matrix_form() -> tuple[sp.Matrix, sp.Matrix]:
+    """D and b of D (cos θ, sin θ)ᵀ = b: (16)–(19) and (22), (24), (25)."""
+    direction = sp.Matrix([nm.c, nm.s])
+    forces = sp.Matrix(balance())
+    D = forces.jacobian(direction)
+    b = -forces.subs({nm.c: 0, nm.s: 0})
+    if sp.expand(forces - (D * direction - b)) != sp.zeros(2, 1):
+        raise ArithmeticError("the balance of forces is not linear in cos θ and sin θ: (16) has no D and b")
+    return D, b
+
+
+@cache
+def matrix_A() -> sp.Matrix:
+    """A of D = σ I + L A, (17) and (18)."""
+    D, _ = matrix_form()
+    A = D.diff(nm.L)
+    if sp.expand(D - (nm.sigma * sp.eye(2) + nm.L * A)) != sp.zeros(2, 2):
+        raise ArithmeticError("D is not σ I + L A: (17) does not hold")
+    return A

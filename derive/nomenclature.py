@@ -1,0 +1,101 @@
+"""Every symbol of the model, once: SymPy symbol, code name, the article's name, meaning, unit, domain.
+
+Angles enter the algebra only through their cosine and sine, so ``c`` and ``s`` stand for cos θ and sin θ, ``c0``
+and ``s0`` for cos θ₀ and sin θ₀; what ties each pair together is :data:`UNIT_CIRCLES`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One entry of the nomenclature; ``str(symbol)`` is the name in generated code."""
+
+    symbol: sp.Symbol
+    article: str
+    meaning: str
+    unit: str = "1"
+    domain: str = "real"
+
+
+_QUANTITIES: dict[sp.Symbol, Quantity] = {}
+
+
+def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str = "real") -> sp.Symbol:
+    # Nonnegative is as much as SymPy needs to simplify the square root in the spring length; signs that a
+    # proof relies on are stated in that proof.
+    symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
+    _QUANTITIES[symbol] = Quantity(symbol, article, meaning, unit, domain)
+    return symbol
+
+
+# Dimensional data.
+m_mass = _define("m", "m", "mass", "kg", "> 0")
+k = _define("k", "k", "stiffness of the inclined spring", "N/m", "> 0")
+k_x = _define("k_x", "k_x", "stiffness to ground along the belt", "N/m", ">= 0")
+k_y = _define("k_y", "k_y", "stiffness to ground across the belt", "N/m", ">= 0")
+k_c = _define("k_c", "k_c", "contact stiffness", "N/m", "> 0")
+F_L = _define("F_L", "F_L", "preload that presses the mass on the belt", "N", "> 0")
+L_0 = _define("L_0", "L_o", "undeformed length of the inclined spring", "m", "> 0")
+N = _define("N", "N", "contact force on the mass", "N", ">= 0")
+V_dim = _define("V_dim", "V", "belt speed", "m/s")
+d_dim = _define("d_dim", "d", "steepness of the friction law in creep", "s/m", "> 0")
+t = _define("time", "t", "time", "s")
+
+# Dimensionless parameters, in the order in which every public function takes them.
+theta0 = _define("theta0", r"\theta_o", "inclination of the undeformed spring", "rad", "(0, pi)")
+c0 = _define("cos0", r"\cos\theta_o", "cos θ₀", domain="[-1, 1]")
+s0 = _define("sin0", r"\sin\theta_o", "sin θ₀", domain="[-1, 1]")
+mu0 = _define("mu0", r"\mu_o", "friction coefficient at full slip", domain=">= 0")
+kappa = _define("kappa", r"\kappa", "preload F_L / (k_c L_0)", domain="> 0")
+alpha = _define("alpha", r"\alpha", "stiffness ratio k_x / k_c", domain=">= 0")
+sigma = _define("sigma", r"\sigma", "stiffness ratio k / k_c", domain="> 0")
+beta = _define("beta", r"\beta", "stiffness ratio k_y / k_c", domain=">= 0")
+V = _define("V", "V", "belt speed over L_0 sqrt(k_c/m)")
+creep = _define("d_creep", "d", "steepness of the friction law in creep, times L_0 sqrt(k_c/m)", domain="> 0")
+nbar = _define("nbar", r"\overline{n}", "1 in contact, 0 in lift-off", domain="{0, 1}")
+
+# State.
+theta = _define("theta", r"\theta", "current inclination of the spring", "rad")
+c = _define("cos", r"\cos\theta", "cos θ", domain="[-1, 1]")
+s = _define("sin", r"\sin\theta", "sin θ", domain="[-1, 1]")
+L = _define("L", "L", "spring length over L_0", domain="> 0")
+x = _define("x", "x", "displacement along the belt over L_0")
+y = _define("y", "y", "displacement across the belt over L_0, negative into the belt")
+vx = _define("vx", "x'", "dx/dτ")
+vy = _define("vy", "y'", "dy/dτ")
+mu = _define("mu", r"\mu", "friction coefficient at the current sliding speed")
+n = _define("n", "n", "contact force N / (k_c L_0)", domain=">= 0")
+tt = _define("t", "t", "tan(θ/2)")
+
+# Shorthands. They are symbols too, so that the elimination can be read, and emitted, in their terms.
+B = _define("B", r"\beta + \overline{n}", "stiffness across the belt, contact included")
+M = _define("M", r"\mu_o \overline{n}", "friction per unit of penetration")
+p = _define("p", r"\alpha + \sigma", "α + σ")
+q = _define("q", r"\beta + \overline{n} + \sigma", "B + σ")
+b1 = _define("b1", "b_1", "first component of b")
+b2 = _define("b2", "b_2", "second component of b")
+b3 = _define("b3", "b_3", "first component of b in lift-off")
+b4 = _define("b4", "b_4", "second component of b in lift-off")
+fa = _define("a", "a", "coefficient of sin θ cos θ in f")
+fb = _define("b", "b", "coefficient of cos θ in f")
+fd = _define("d", "d", "coefficient of sin θ in f")
+fm = _define("m_f", "m", "coefficient of −sin² θ in f")
+
+PARAMETERS = (mu0, kappa, alpha, sigma, beta)
+UNIT_CIRCLES = ((c, s), (c0, s0))
+
+
+def quantity(symbol: sp.Symbol) -> Quantity:
+    """The nomenclature's entry for a symbol."""
+    return _QUANTITIES[symbol]
+
+
+def latex(expression: object) -> str:
+    """LaTeX in the article's notation."""
+    names = {symbol: entry.article for symbol, entry in _QUANTITIES.items()}
+    return str(sp.latex(expression, symbol_names=names))

@@ -1,0 +1,150 @@
+"""One or three: for 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 the number of steady-sliding equilibria,
+counted with multiplicity, is one or three, and of three different ones the middle one is divergent.
+
+An equilibrium in contact is a root of f with L > 0 and y < 0, that is, with s > s* = s₀ − κ/σ. Each step names what it
+claims and decides it by exact algebra: an identity, or a polynomial in nonnegative quantities with nonnegative
+coefficients and a term that is positive.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import elimination, equilibrium, stability
+from . import nomenclature as nm
+from .algebra import manifestly_positive
+
+
+@dataclass(frozen=True)
+class Step:
+    """A claim and whether exact algebra confirms it."""
+
+    claim: str
+    holds: bool
+
+
+def one_or_three() -> tuple[Step, ...]:
+    """The proof, step by step."""
+    return (*_quartic(), *_threshold_below_zero(), *_threshold_above_zero(), *_middle())
+
+
+# What the steps know to be positive (κ, σ, s₀ and L − 1 where it occurs) or not negative (α, β).
+_kappa, _sigma, _s0 = sp.symbols("kappa sigma s_0", positive=True)
+_alpha, _beta = sp.symbols("alpha beta", nonnegative=True)
+_POSITIVE = {nm.kappa: _kappa, nm.sigma: _sigma, nm.s0: _s0, nm.alpha: _alpha, nm.beta: _beta, nm.nbar: 1}
+
+
+def _in_contact(expression: sp.Expr) -> sp.Expr:
+    return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(_POSITIVE)
+
+
+def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
+    """Numerator and denominator of L(θ)."""
+    return sp.fraction(sp.together(elimination.state()[nm.L]))  # type: ignore[no-any-return]
+
+
+def _penetration() -> sp.Expr:
+    """−q y(θ), positive in contact."""
+    return -nm.q * elimination.state()[nm.y]
+
+
+def _quartic() -> tuple[Step, ...]:
+    quartic = elimination.quartic_in_t()
+    t = sp.Symbol("t", positive=True)
+    sine = sp.expand_trig(sp.sin(2 * sp.atan(t)))
+    return (
+        Step(
+            "−b is positive: a polynomial with positive coefficients in κ, σ, s₀ > 0 and α, β ≥ 0",
+            manifestly_positive(
+                _in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)
+            ),
+        ),
+        Step(
+            "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive at ±∞, so that it has an "
+            "odd number of roots on either side of 0, and at most three positive ones",
+            len(quartic) == 5 and quartic[4] == -nm.fb and quartic[0] == nm.fb,
+        ),
+        Step(
+            "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x adds no root",
+            elimination.f_form.subs(nm.s, 0) == nm.fb * nm.c,
+        ),
+        Step("t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0),
+    )
+
+
+def _threshold_below_zero() -> tuple[Step, ...]:
+    """s* ≤ 0: the equilibria in contact are exactly the roots with t > 0."""
+    s, u = sp.symbols("s u", positive=True)
+    depth = sp.Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
+    numerator, denominator = (_in_contact(part) for part in _length_fraction())
+    every = (_kappa, _sigma, _s0, _alpha, _beta)
+    penetration = _in_contact(_penetration())
+    # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the second.
+    conflict = (numerator - penetration).subs(nm.s, -u)
+    return (
+        Step(
+            "s > 0 gives L > 0",
+            manifestly_positive(numerator.subs(nm.s, s), (s, *every), strict_symbols=(s, _sigma))
+            and manifestly_positive(denominator.subs(nm.s, s), (s, *every), strict_symbols=(s, _sigma)),
+        ),
+        Step(
+            "s > 0 ≥ s* gives y < 0",
+            manifestly_positive(
+                penetration.subs(nm.s, s).subs(_kappa, _sigma * (_s0 + depth)),
+                (s, depth, _sigma, _s0),
+                strict_symbols=(s, _sigma),
+            ),
+        ),
+        Step(
+            "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ (s − s₀) + κ positive, "
+            "but the first is larger than the second by (B + σ) s₀",
+            manifestly_positive(conflict, (_sigma, _s0, _beta), strict_symbols=(_sigma, _s0)),
+        ),
+    )
+
+
+def _threshold_above_zero() -> tuple[Step, ...]:
+    """s* > 0: f has opposite signs at the two ends of the arc s > s*, where y = 0."""
+    threshold, excess, stretch = sp.symbols("s_star excess stretch", positive=True)
+    on_arc = {_s0: threshold + excess, _kappa: _sigma * excess}  # s₀ − s* = κ/σ
+    numerator, denominator = (_in_contact(part).subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
+
+    along, _ = equilibrium.balance()
+    P = nm.sigma - nm.p * nm.L
+    at_end = along.subs(nm.s0, nm.L * nm.s) - equilibrium.spell_out(P * nm.c + nm.alpha * nm.c0)
+    return (
+        Step(
+            "at the ends L = s₀/s*, which exceeds 1",
+            sp.simplify(numerator / denominator - (threshold + excess) / threshold) == 0,
+        ),
+        Step("there F_x = P cos θ + α cos θ₀ with P = σ − p L, whatever the friction", sp.expand(at_end) == 0),
+        Step(
+            "−P > α, since −P − α = p (L − 1)",
+            manifestly_positive(
+                _in_contact(-P).subs(nm.L, 1 + stretch) - _alpha,
+                (stretch, _sigma, _alpha),
+                strict_symbols=(stretch, _sigma),
+            ),
+        ),
+        Step(
+            "cos² θ* > cos² θ₀, since s₀² > s*²: then |P cos θ*| > α |cos θ₀|, and F_x is negative at θ* and positive at "
+            "π − θ*: an odd number of roots between, all with t > 0 and L > 0, hence one or three",
+            manifestly_positive(
+                (threshold + excess) ** 2 - threshold**2, (threshold, excess), strict_symbols=(threshold, excess)
+            ),
+        ),
+    )
+
+
+def _middle() -> tuple[Step, ...]:
+    quartic = elimination.quartic_in_t()
+    return (
+        Step("L det K = f′ at every equilibrium", stability.slope_identity()),
+        Step(
+            "f is negative before the first root in contact (b at θ = 0, F_x < 0 at θ*) and positive after the last, so "
+            "that f′ < 0 at the second of three: det K < 0",
+            elimination.f_form.subs({nm.s: 0, nm.c: 1}) == quartic[0],
+        ),
+    )

@@ -25,12 +25,26 @@ def reduce_circles(polynomial: sp.Expr) -> sp.Expr:
 
 
 def difference(left: sp.Expr, right: sp.Expr) -> sp.Expr:
-    """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit circles."""
-    numerator, denominator = sp.fraction(sp.together(sp.sympify(left) - sp.sympify(right)))
+    """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit circles.
+
+    Roots, exponentials, absolute values and signs count as unknowns of their own, so that nothing is taken for equal that
+    is not equal term by term.
+    """
+    unknowns: dict[sp.Expr, sp.Dummy] = {}
+    gap = (sp.sympify(left) - sp.sympify(right)).replace(
+        _is_transcendental, lambda node: unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
+    )
+    numerator, denominator = sp.fraction(sp.together(gap))
     numerator = reduce_circles(numerator)
     if numerator == 0:
         return sp.S.Zero
-    return numerator / sp.factor(denominator)
+    return (numerator / sp.factor(denominator)).subs({dummy: node for node, dummy in unknowns.items()})
+
+
+def _is_transcendental(node: sp.Basic) -> bool:
+    return isinstance(node, sp.exp | sp.Abs | sp.sign | sp.Piecewise) or (
+        isinstance(node, sp.Pow) and not node.exp.is_Integer
+    )
 
 
 def equal(left: sp.Expr, right: sp.Expr) -> bool:

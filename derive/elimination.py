@@ -154,7 +154,7 @@ def identities() -> dict[str, bool]:
         )
         == 0,
         "the resolvent cubic has the discriminant of the t-quartic": sp.expand(
-            in_t.discriminant() - 4096 * cubic.discriminant() / 16
+            in_t.discriminant() - 4096 * cubic.discriminant()
         )
         == 0,
     }

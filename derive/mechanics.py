@@ -170,21 +170,32 @@ def friction() -> sp.Expr:
     return friction_law(nm.V - nm.vx, nm.mu0, nm.creep)
 
 
+def smooth_friction(side: sp.Expr) -> sp.Expr:
+    """(10) where sgn(V − x') = ``side``, without the absolute value and the sign that kink it at V = x'."""
+    slip = sp.Symbol("slip", positive=True)
+    return side * friction_law(slip, nm.mu0, nm.creep).subs(slip, side * (nm.V - nm.vx))
+
+
 @cache
 def sliding_forces() -> tuple[sp.Expr, sp.Expr]:
-    """Left sides of (8) and (9) without the accelerations, about steady sliding: 0 < x' + (V − x') = V.
-
-    The belt outruns the mass near steady sliding, so that sgn(V − x') = 1 and (10) is smooth there.
-    """
-    slip = sp.Symbol("slip", positive=True)
-    smooth = friction_law(slip, nm.mu0, nm.creep).subs(slip, nm.V - nm.vx)
+    """Left sides of (8) and (9) without the accelerations, near steady sliding, where the belt outruns the mass."""
     equations = motion()
-    sliding = {AX: 0, AY: 0, nm.mu: smooth, nm.n: contact_family()}
+    sliding = {AX: 0, AY: 0, nm.mu: smooth_friction(sp.S.One), nm.n: contact_family()}
     return equations.x.subs(sliding), equations.y.subs(sliding)
 
 
 @cache
 def steady_friction() -> sp.Expr:
-    """μ at steady sliding, x' = 0: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12) takes."""
-    slip = sp.Symbol("slip", positive=True)
-    return friction_law(slip, nm.mu0, nm.creep).subs(slip, nm.V)
+    """μ at steady sliding, x' = 0 < V: μ₀ (1 − exp(−d V)) exactly, μ₀ in the limit that (12) takes."""
+    return smooth_friction(sp.S.One).subs(nm.vx, 0)
+
+
+@cache
+def energy() -> sp.Expr:
+    """Kinetic and potential energy over k_c L_0², with the preload and, for n̄ = 1, the contact spring."""
+    length, force = scales()["length"], scales()["force"]
+    ratios = {dimensional: symbol * scale for symbol, (dimensional, scale) in groups().items()}
+    scaled = {nm.x: length * nm.x, nm.y: length * nm.y}
+    stored = potential_energy(nm.x, nm.y).subs(scaled, simultaneous=True).subs(ratios, simultaneous=True) / (force * length)
+    preload_and_contact = sp.integrate(nm.kappa - contact_family(), nm.y)
+    return replace_length(sp.simplify(stored)) + preload_and_contact + (nm.vx**2 + nm.vy**2) / 2

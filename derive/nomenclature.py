@@ -56,7 +56,7 @@ alpha = _define("alpha", r"\alpha", "stiffness ratio k_x / k_c", domain=">= 0")
 sigma = _define("sigma", r"\sigma", "stiffness ratio k / k_c", domain="> 0")
 beta = _define("beta", r"\beta", "stiffness ratio k_y / k_c", domain=">= 0")
 V = _define("V", "V", "belt speed over L_0 sqrt(k_c/m)")
-creep = _define("d_creep", "d", "steepness of the friction law in creep, times L_0 sqrt(k_c/m)", domain="> 0")
+creep = _define("d", "d", "steepness of the friction law in creep, times L_0 sqrt(k_c/m)", domain="> 0")
 nbar = _define("nbar", r"\overline{n}", "1 in contact, 0 in lift-off", domain="{0, 1}")
 
 # State.
@@ -73,17 +73,17 @@ n = _define("n", "n", "contact force N / (k_c L_0)", domain=">= 0")
 tt = _define("t", "t", "tan(θ/2)")
 
 # Shorthands. They are symbols too, so that the elimination can be read, and emitted, in their terms.
-B = _define("B", r"\beta + \overline{n}", "stiffness across the belt, contact included")
-M = _define("M", r"\mu_o \overline{n}", "friction per unit of penetration")
-p = _define("p", r"\alpha + \sigma", "α + σ")
-q = _define("q", r"\beta + \overline{n} + \sigma", "B + σ")
+B = _define("B", "B", "β + n̄, the stiffness across the belt with the contact")
+M = _define("M", "M", "μ₀ n̄, friction per unit of penetration")
+p = _define("p", "p", "α + σ")
+q = _define("q", "q", "B + σ")
 b1 = _define("b1", "b_1", "first component of b")
 b2 = _define("b2", "b_2", "second component of b")
 b3 = _define("b3", "b_3", "first component of b in lift-off")
 b4 = _define("b4", "b_4", "second component of b in lift-off")
-fa = _define("a", "a", "coefficient of sin θ cos θ in f")
-fb = _define("b", "b", "coefficient of cos θ in f")
-fd = _define("d", "d", "coefficient of sin θ in f")
+fa = _define("a_f", "a", "coefficient of sin θ cos θ in f")
+fb = _define("b_f", "b", "coefficient of cos θ in f")
+fd = _define("d_f", "d", "coefficient of sin θ in f")
 fm = _define("m_f", "m", "coefficient of −sin² θ in f")
 
 PARAMETERS = (mu0, kappa, alpha, sigma, beta)
@@ -98,4 +98,7 @@ def quantity(symbol: sp.Symbol) -> Quantity:
 def latex(expression: object) -> str:
     """LaTeX in the article's notation."""
     names = {symbol: entry.article for symbol, entry in _QUANTITIES.items()}
-    return str(sp.latex(expression, symbol_names=names))
+    spelled = sp.sympify(expression).subs(
+        {c: sp.cos(theta), s: sp.sin(theta), c0: sp.cos(theta0), s0: sp.sin(theta0)}, simultaneous=True
+    )
+    return str(sp.latex(spelled, symbol_names=names))

@@ -57,22 +57,34 @@ def flutter_discriminant(K: sp.Matrix) -> sp.Expr:
 
 
 @cache
+def flutter_point() -> tuple[sp.Expr, sp.Expr]:
+    """sin θ₀ and M at a flutter onset with spring length L in direction θ: zero discriminant, and balance across the belt."""
+    (friction,) = sp.solve(flutter_discriminant(_in_shorthand(stiffness())), nm.M)
+    (s0,) = sp.solve(elimination.state()[nm.L] - nm.L, nm.s0)
+    arranged = (
+        ((nm.q * nm.L - nm.sigma) * nm.s - nm.kappa) / nm.B,
+        -(((nm.alpha - nm.B) * nm.L + nm.sigma * (nm.c**2 - nm.s**2)) ** 2 + 4 * (nm.sigma * nm.s * nm.c) ** 2)
+        / (4 * nm.sigma * nm.s * nm.c * nm.L),
+    )
+    if not all(algebra.equal(ours, derived) for ours, derived in zip(arranged, (s0, friction), strict=True)):
+        raise ArithmeticError("the flutter onset is not what stability.py arranges")
+    return arranged
+
+
+@cache
 def flutter_sextic() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of the polynomial in L whose roots are the flutter onsets at a given θ.
 
-    Zero discriminant gives M, the balance across the belt gives sin θ₀, the one along it cos θ₀; what is left is
-    cos² θ₀ + sin² θ₀ = 1, of degree 6 in L. Contact only: B > 0.
+    :func:`flutter_point` gives M and sin θ₀, the balance along the belt cos θ₀; what is left is cos² θ₀ + sin² θ₀ = 1, of
+    degree 6 in L. Contact only: B > 0.
     """
-    K = _in_shorthand(stiffness())
-    M_onset = sp.solve(flutter_discriminant(K), nm.M)[0]
-    s0 = sp.solve(elimination.state()[nm.L] - nm.L, nm.s0)[0]
+    s0, friction = flutter_point()
     along, _ = equilibrium.balance()
     along = along.subs(nm.mu0 * nm.nbar, nm.M).subs({nm.nbar: 0})  # every n̄ of (14) stands beside μ₀
-    scale = 4 * nm.s * nm.c * nm.L * nm.sigma * nm.B * nm.q
-    without_c0 = sp.cancel(scale * along.subs(nm.c0, 0).subs(nm.M, M_onset).subs(nm.s0, s0))
+    scale = 4 * nm.s * nm.c * nm.L * nm.sigma * nm.B
+    without_c0 = sp.cancel(scale * along.subs(nm.c0, 0).subs(nm.M, friction).subs(nm.s0, s0))
     condition = without_c0**2 - scale**2 * nm.alpha**2 * (1 - s0**2)
-    numerator = sp.fraction(sp.cancel(condition))[0]
-    polynomial = sp.Poly(numerator, nm.L)
+    polynomial = sp.Poly(sp.fraction(sp.cancel(condition))[0], nm.L)
     return tuple(reversed(polynomial.all_coeffs()))
 
 

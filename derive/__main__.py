@@ -1,0 +1,78 @@
+"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+try:
+    import sympy  # noqa: F401  # here only to be missed early, with a remedy
+except ModuleNotFoundError:
+    sys.exit("derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'")
+
+from . import catastrophe, check, elimination, equilibrium, linear_sprag, mechanics, stability, theorem
+from .emit import ledger, write
+
+T = TypeVar("T")
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Exit code 0: written; 1: a check failed and nothing was written; 2: usage."""
+    parser = argparse.ArgumentParser(prog="python -m derive", description="Derive the model, check the article, emit generated/.")
+    parser.add_argument("--out", type=Path, default=Path(__file__).parent.parent / "generated", help="folder to write")
+    parser.add_argument(
+        "--variant",
+        action="store_true",
+        help="write even if printed rows no longer hold, as when an assumption in mechanics.py was changed on purpose",
+    )
+    options = parser.parse_args(arguments)
+
+    _step("equations of motion (1)–(11)", mechanics.motion)
+    _step("balance and matrix form (12)–(25)", equilibrium.matrix_form)
+    identities = _step("elimination (20)–(26), f, the quartic in t", elimination.identities)
+    _step("stability (27)–(29)", stability.stiffness)
+    identities |= _step("surface, folds, cusps", catastrophe.identities)
+    identities |= _step("linear sprag model", linear_sprag.identities)
+    proof = _step("one or three", theorem.one_or_three)
+    rows = tuple(_step("check against the article", check.run))
+    outcome = ledger.Ledger(rows, identities, proof)
+
+    unproved = [claim for claim, holds in identities.items() if not holds]
+    unproved += [step.claim for step in proof if not step.holds]
+    failed = check.failures(rows)
+    for claim in unproved:
+        print(f"not proved: {claim}", file=sys.stderr)
+    for row in failed:
+        print(f"{row.id} ({row.where}): {row.note}\n  printed:    {row.printed}\n  derived:    {row.derived}\n"
+              f"  difference: {row.difference}", file=sys.stderr)  # fmt: skip
+    if unproved or (failed and not options.variant):
+        print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
+        return 1
+    files = _step("emit", lambda: write.render(outcome))
+    write.write(files, options.out)
+    counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
+    print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities and {len(proof)} steps of the count theorem proved")
+    for row in rows:
+        if row.status in ("corrected", check.FAILED):
+            print(f"  {row.id:6} {row.status}: {row.cause or row.note}")
+    print(f"wrote {len(files)} files to {options.out.name}/")
+    return 0
+
+
+def _step(title: str, work: Callable[[], T]) -> T:
+    """Run one step of the argument and say how long it took."""
+    begin = time.perf_counter()
+    result = work()
+    print(f"{time.perf_counter() - begin:6.2f} s  {title}", flush=True)
+    return result
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit("derive: interrupted; nothing was written")

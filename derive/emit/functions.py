@@ -1,0 +1,420 @@
+"""Which functions are generated: name, arguments, results, and the algebra of each, taken from the derivation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from .. import catastrophe, elimination, equilibrium, linear_sprag, mechanics, stability
+from .. import nomenclature as nm
+
+#: Nested results: an expression, or a tuple of such.
+Results = sp.Expr | tuple["Results", ...]
+
+
+@dataclass(frozen=True)
+class Function:
+    """One generated function.
+
+    ``results`` are written in the ``arguments`` and in shorthands, each defined in ``shorthands`` (in terms of arguments and
+    of earlier shorthands). ``transcendental`` functions take the namespace of their square roots and exponentials.
+    """
+
+    name: str
+    summary: str
+    equations: str
+    arguments: tuple[sp.Symbol, ...]
+    results: Results
+    returns: str
+    shorthands: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    transcendental: bool = False
+
+
+@dataclass(frozen=True)
+class Module:
+    """One generated module."""
+
+    name: str
+    summary: str
+    functions: tuple[Function, ...]
+
+
+_ANGLE0 = (nm.c0, nm.s0)
+_ANGLE = (nm.c, nm.s)
+_STIFFNESS = (nm.alpha, nm.sigma, nm.beta)
+_PARAMETERS = (nm.mu0, nm.kappa, *_STIFFNESS)
+_F = (nm.fa, nm.fb, nm.fd, nm.fm)
+
+
+def _nested(matrix: sp.Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
+    return tuple(tuple(matrix.row(row)) for row in range(matrix.rows))
+
+
+def _shorthands(case: dict[sp.Symbol, int] | None = None, *names: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
+    """Definitions of the shorthands, in contact, in lift-off, or in n̄."""
+    definitions = {**equilibrium.SHORTHANDS, **elimination.f_coefficients()}
+    return {symbol: value.subs(case or {}) for symbol, value in definitions.items() if not names or symbol in names}
+
+
+def modules() -> tuple[Module, ...]:
+    """Everything that is generated."""
+    return (_scales(), _equilibrium(), _stability(), _catastrophe(), _linear_sprag(), _motion())
+
+
+# ------------------------------------------------------------------------------------------------------ scales
+
+
+def _scales() -> Module:
+    scales, groups = mechanics.scales(), mechanics.groups()
+    dimensionless = (nm.kappa, nm.alpha, nm.sigma, nm.beta, nm.V, nm.creep)
+    dimensional = tuple(groups[symbol][0] for symbol in dimensionless)
+    return Module(
+        "scales",
+        "Between newtons, metres and seconds and the dimensionless model: text after (9).",
+        (
+            Function(
+                "scales", "Scales of length, time and force.", "text after (9)", (nm.m_mass, nm.k_c, nm.L_0),
+                (scales["length"], scales["time"], scales["force"]), "length, time, force", transcendental=True,
+            ),
+            Function(
+                "dimensionless_groups", "The dimensionless parameters of dimensional data.", "text after (9)",
+                (nm.m_mass, nm.k_c, nm.L_0, *dimensional),
+                tuple(groups[symbol][0] / groups[symbol][1] for symbol in dimensionless),
+                ", ".join(str(symbol) for symbol in dimensionless), transcendental=True,
+            ),
+        ),
+    )  # fmt: skip
+
+
+# ------------------------------------------------------------------------------------------------- equilibrium
+
+
+def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """The quartic in L in the arrangement that keeps its squares together, and its shorthands."""
+    b1, b2, p, q, M, sigma = nm.b1, nm.b2, nm.p, nm.q, nm.M, nm.sigma
+    arranged = (
+        sigma**2 * (b1**2 + b2**2 - sigma**2),
+        2 * sigma * (M * b1 * b2 - q * (b1**2 - sigma**2) - p * (b2**2 - sigma**2)),
+        (M * b2 - q * b1) ** 2 + p**2 * b2**2 - sigma**2 * (p**2 + q**2 + 4 * p * q),
+        2 * sigma * p * q * (p + q),
+        -((p * q) ** 2),
+    )
+    for ours, derived in zip(arranged, elimination.quartic_in_L_shorthand(), strict=True):
+        if sp.expand(ours - derived) != 0:
+            raise ArithmeticError("the arrangement of the quartic in L is not the quartic")
+    _, b = equilibrium.matrix_form()
+    names = {nm.mu0 * nm.nbar: nm.M}
+    shorthands = {
+        **_shorthands(case, nm.B, nm.M, nm.p, nm.q),
+        nm.b1: -(nm.alpha * nm.c0 + nm.M * nm.s0),
+        nm.b2: -(nm.B * nm.s0 + nm.kappa),
+    }
+    for symbol, derived in zip((nm.b1, nm.b2), b, strict=True):
+        if sp.expand(equilibrium.spell_out(shorthands[symbol]) - derived) != 0 or not names:
+            raise ArithmeticError(f"{symbol} is not the right side of (16)")
+    if case[nm.nbar] == 0:
+        arranged = tuple(value.subs(nm.M, 0) for value in arranged)
+        shorthands[nm.b1] = shorthands[nm.b1].subs(nm.M, 0)
+        del shorthands[nm.M]
+    return arranged, shorthands
+
+
+def _equilibrium() -> Module:
+    D, b = equilibrium.matrix_form()
+    contact, liftoff = equilibrium.CONTACT, equilibrium.LIFTOFF
+    contact_quartic, contact_names = _quartic(contact)
+    liftoff_quartic, liftoff_names = _quartic(liftoff)
+    state = elimination.state()
+    along, across = equilibrium.balance()
+    singular = elimination.singular_lengths()
+    f = elimination.f_form
+    return Module(
+        "equilibrium",
+        "The balance of forces at steady sliding (n̄ = 1) and in lift-off (n̄ = 0), and the polynomials that hold its roots.",
+        (
+            Function("contact_matrix", "D of the balance in contact.", "(17), (18)", (nm.L, nm.mu0, *_STIFFNESS),
+                     _nested(D.subs(contact)), "((D11, D12), (D21, D22))"),
+            Function("contact_vector", "b of the balance in contact.", "(19), (A10), (A11)",
+                     (*_ANGLE0, nm.mu0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(contact)), "b1, b2"),
+            Function("contact_quartic", "Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact.",
+                     "(21), (A1)–(A5)", (*_ANGLE0, *_PARAMETERS), contact_quartic, "c0, c1, c2, c3, c4", contact_names),
+            Function("liftoff_matrix", "D of the balance in lift-off.", "(24)", (nm.L, *_STIFFNESS),
+                     _nested(D.subs(liftoff)), "((D11, D12), (D21, D22))"),
+            Function("liftoff_vector", "b of the balance in lift-off.", "(25), (A12), (A13)",
+                     (*_ANGLE0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(liftoff)), "b3, b4"),
+            Function("liftoff_quartic", "Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived.",
+                     "(26), (A1) corrected, (A6)–(A9)", (*_ANGLE0, nm.kappa, *_STIFFNESS), liftoff_quartic,
+                     "d0, d1, d2, d3, d4", liftoff_names),
+            Function("singular_lengths", "Spring lengths at which D is singular and (20) cannot give the state.", "(17)",
+                     (*_STIFFNESS, nm.nbar), singular, "L at which D11 = 0, L at which D22 = 0"),
+            Function("f_coefficients", "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).",
+                     "(12), (13) eliminated", (*_ANGLE0, *_PARAMETERS, nm.nbar), _F, "a, b, d, m", _shorthands()),
+            Function("f", "The scalar function whose roots are the equilibria.", "(12), (13) eliminated", (*_ANGLE, *_F), f, "f"),
+            Function("f_slope", "df/dθ, which is L det K at an equilibrium.", "(12), (13) eliminated", (*_ANGLE, *_F),
+                     sp.collect(catastrophe.slope, nm.s), "f′"),
+            Function("f_curvature", "d²f/dθ².", "(12), (13) eliminated", (*_ANGLE, *_F), catastrophe.curvature, "f″"),
+            Function("f_third", "d³f/dθ³.", "(12), (13) eliminated", (*_ANGLE, *_F), catastrophe.third, "f‴"),
+            Function("t_quartic", "Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = tan(θ/2).",
+                     "(12), (13) eliminated", _F, elimination.quartic_in_t(), "e0, e1, e2, e3, e4"),
+            Function("resolvent", "Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t.",
+                     "(12), (13) eliminated", _F, _resolvent(), "r0, r1, r2"),
+            Function("state", "Spring length and displacement at an equilibrium with direction θ.", "(4), (5), (13) or (15)",
+                     (*_ANGLE, *_ANGLE0, nm.kappa, nm.sigma, nm.beta, nm.nbar), (nm.L, state[nm.x], state[nm.y]), "L, x, y",
+                     {**_shorthands(None, nm.B, nm.q), nm.L: state[nm.L]}),
+            Function("residuals", "F_x and F_y at spring length L and direction θ.", "(12)–(15)",
+                     (*_ANGLE, nm.L, *_ANGLE0, *_PARAMETERS, nm.nbar), _residuals(along, across), "F_x, F_y"),
+        ),
+    )  # fmt: skip
+
+
+def _resolvent() -> tuple[sp.Expr, ...]:
+    r0, r1, r2, one = elimination.resolvent_cubic()
+    if one != 1:
+        raise ArithmeticError("the resolvent is not monic")
+    return sp.factor(r0), sp.factor(r1), r2
+
+
+def _residuals(along: sp.Expr, across: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    x, y = equilibrium.displacement()
+    arranged = (
+        nm.sigma * (1 - nm.L) * nm.c + nm.alpha * x + nm.mu0 * nm.nbar * y,
+        nm.sigma * (1 - nm.L) * nm.s + (nm.beta + nm.nbar) * y + nm.kappa,
+    )
+    if any(sp.expand(ours - derived) != 0 for ours, derived in zip(arranged, (along, across), strict=True)):
+        raise ArithmeticError("the arrangement of the residuals is not (14), (15)")
+    return arranged
+
+
+# --------------------------------------------------------------------------------------------------- stability
+
+
+def _stability() -> Module:
+    K = stability.stiffness()
+    pull = nm.sigma / nm.L
+    arranged = sp.Matrix([
+        [nm.p - pull * nm.s**2, pull * nm.s * nm.c + nm.M],
+        [pull * nm.s * nm.c, nm.q - pull * nm.c**2],
+    ])  # fmt: skip
+    for ours, derived in zip(arranged, K, strict=True):
+        if sp.simplify(sp.expand((equilibrium.spell_out(ours) - derived).subs(nm.c**2, 1 - nm.s**2))) != 0:
+            raise ArithmeticError("the arrangement of K is not (28)")
+    entries = sp.symbols("K11 K12 K21 K22")
+    C = stability.damping()
+    generic = sp.Matrix(2, 2, entries)
+    C11 = sp.Symbol("C11")
+    characteristic = sp.Poly(stability.characteristic(generic, sp.diag(C11, 0)), stability.lam).all_coeffs()
+    if C[0, 1] != 0 or C[1, 0] != 0 or C[1, 1] != 0:
+        characteristic = sp.Poly(stability.characteristic(generic, C), stability.lam).all_coeffs()
+    determinant = stability.determinant(generic)
+    return Module(
+        "stability",
+        "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
+        (
+            Function("stiffness", "K, the Jacobian of (F_x, F_y).", "(28)",
+                     (*_ANGLE, nm.L, nm.mu0, *_STIFFNESS, nm.nbar), _nested(arranged), "((K11, K12), (K21, K22))",
+                     _shorthands(None, nm.B, nm.M, nm.p, nm.q)),
+            Function("invariants", "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
+                     "(27)", entries, (stability.trace(generic), determinant, stability.flutter_discriminant(generic)),
+                     "trace, determinant, discriminant"),
+            Function("damping", "∂F_x/∂x' at steady sliding.", "(8), (10) linearized",
+                     tuple(symbol for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar) if C[0, 0].has(symbol)),
+                     C[0, 0], "C11", transcendental=True),
+            Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
+                     "(27) with damping", (*entries, C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
+            Function("flutter_sextic", "Coefficients of e0 + … + e6 L⁶, whose roots are the flutter onsets in contact at a given θ.",
+                     "(27)", (*_ANGLE, nm.kappa, *_STIFFNESS), tuple(map(sp.factor, stability.flutter_sextic())),
+                     "e0, e1, e2, e3, e4, e5, e6", _shorthands(equilibrium.CONTACT, nm.B, nm.q)),
+            Function("flutter_point", "sin θ₀ and μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27), (15)",
+                     (*_ANGLE, nm.L, nm.kappa, *_STIFFNESS), stability.flutter_point(), "sin0, mu0",
+                     _shorthands(equilibrium.CONTACT, nm.B, nm.q)),
+        ),
+    )  # fmt: skip
+
+
+# ------------------------------------------------------------------------------------------------- catastrophe
+
+
+def _line(relation: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+    """u and w of ``relation = u + w · symbol``."""
+    slope = sp.diff(relation, symbol)
+    if slope.has(symbol):
+        raise ArithmeticError(f"the fold relations are not linear in {symbol}")
+    return sp.factor_terms(relation.subs(symbol, 0)), sp.factor_terms(slope)
+
+
+def _catastrophe() -> Module:
+    contact = _shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa)
+    s0, c0 = catastrophe.fold_angles()
+    spelled = [
+        sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()
+    ]
+    in_parameters = (*_ANGLE, *_ANGLE0, nm.mu0, nm.kappa, *_STIFFNESS)
+    lines = tuple(
+        Function(
+            f"fold_lines_{symbol}",
+            f"The two fold relations as lines in {symbol}: u1 + w1 {symbol} = 0 and u2 + w2 {symbol} = 0.", "f = f′ = 0",
+            tuple(other for other in in_parameters if other != symbol),
+            tuple(part for relation in spelled for part in _line(relation, symbol)), "u1, w1, u2, w2",
+        )
+        for symbol in _PARAMETERS
+    )  # fmt: skip
+    friction, quartic, quartic_names = _fold_quartic(s0, c0)
+    cusp_s0, cusp_ratio = catastrophe.cusp_angles()
+    cusp_mu = catastrophe.cusp_friction() / nm.c / nm.sigma
+    return Module(
+        "catastrophe",
+        "The equilibrium surface, its folds (f = f′ = 0) and cusps (f″ = 0 as well), in contact.",
+        (
+            Function("surface", "μ₀ on the equilibrium surface over (θ, θ₀): f is linear in μ₀.", "(14), (15)",
+                     (*_ANGLE, *_ANGLE0, nm.kappa, *_STIFFNESS), catastrophe.surface_in_coefficients(), "mu0",
+                     {**contact, nm.fb: _shorthands()[nm.fb]}),
+            Function("fold_residuals", "Both are zero exactly where f = f′ = 0.", "f = f′ = 0", (nm.c, nm.s, *_F),
+                     tuple(symbol - value for symbol, value in catastrophe.fold_relations().items()), "b − b(fold), d − d(fold)"),
+            *lines,
+            Function("fold_angles", "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.", "f = f′ = 0",
+                     (*_ANGLE, nm.mu0, nm.kappa, *_STIFFNESS), friction, "sin0, cos0", contact),
+            Function("fold_quartic", "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
+                     "f = f′ = 0", (*_ANGLE, nm.kappa, *_STIFFNESS), quartic, "e0, e1, e2, e3, e4", quartic_names),
+            Function("fold_quadratic", "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.", "f = f′ = 0",
+                     (*_ANGLE, nm.kappa, nm.sigma, nm.beta),
+                     tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
+                     "e0, e1, e2", _shorthands(equilibrium.CONTACT, nm.B)),
+            Function("cusp_polynomial", "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
+                     "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", (nm.kappa, *_STIFFNESS),
+                     tuple(map(sp.factor, catastrophe.cusp_polynomial())), "e0, …, e9", _shorthands(equilibrium.CONTACT, nm.B)),
+            Function("cusp_cubic", "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.", "f = f′ = f″ = 0",
+                     (nm.kappa, nm.sigma, nm.beta), tuple(map(sp.factor, catastrophe.cusp_cubic())), "e0, e1, e2, e3",
+                     _shorthands(equilibrium.CONTACT, nm.B)),
+            Function("cusp_point", "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
+                     "f = f′ = f″ = 0", (nm.s, nm.kappa, *_STIFFNESS), (cusp_s0, cusp_ratio, cusp_mu),
+                     "sin0, cos0/cos, mu0/cos", contact),
+            Function("cusp_sine", "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.", "f = f′ = f″ = 0",
+                     (nm.s, nm.kappa, *_STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
+        ),
+    )  # fmt: skip
+
+
+def _fold_quartic(
+    s0: sp.Expr, c0: sp.Expr
+) -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """sin θ₀ and cos θ₀ on a fold as polynomials in friction with named coefficients, and the quartic that they make.
+
+    Dividing by p B and q α first keeps every coefficient of the quartic a sum of a few squares and products.
+    """
+    line = sp.symbols("u0 u1")
+    parabola = sp.symbols("g0 g1 g2")
+    s0_terms = sp.Poly(s0, nm.M).all_coeffs()[::-1]
+    c0_terms = sp.Poly(sp.cancel(c0.subs(nm.s0, line[0] + line[1] * nm.M)), nm.M).all_coeffs()[::-1]
+    shorthands = {
+        **_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
+        **{name: sp.factor_terms(value) for name, value in zip(line, s0_terms, strict=True)},
+        **{name: sp.factor_terms(value) for name, value in zip(parabola, c0_terms, strict=True)},
+    }
+    u0, u1 = line
+    g0, g1, g2 = parabola
+    quartic = (u0**2 + g0**2 - 1, 2 * (u0 * u1 + g0 * g1), u1**2 + g1**2 + 2 * g0 * g2, 2 * g1 * g2, g2**2)
+    scale = (nm.p * nm.B * nm.q * nm.alpha) ** 2
+    for ours, derived in zip(quartic, catastrophe.fold_quartic(), strict=True):
+        named = {name: shorthands[name] for name in (*line, *parabola)}
+        if sp.simplify(sp.expand(scale * ours.subs(named).subs(named)) - derived) != 0:
+            raise ArithmeticError("the arrangement of the fold quartic is not the fold quartic")
+    in_mu = {nm.M: nm.mu0}
+    return (sp.factor_terms(s0.subs(in_mu)), c0.subs(nm.s0, s0).subs(in_mu)), quartic, shorthands
+
+
+# ------------------------------------------------------------------------------------------------ linear model
+
+
+def _linear_sprag() -> Module:
+    x, y = linear_sprag.equilibrium()
+    determinant = sp.Symbol("determinant")
+    K = linear_sprag.stiffness()
+    arranged = (nm.kappa * K[0, 1] / determinant, -nm.kappa * K[0, 0] / determinant)
+    names = {determinant: stability.determinant(K)}
+    if any(sp.simplify(ours.subs(names) - derived) != 0 for ours, derived in zip(arranged, (x, y), strict=True)):
+        raise ArithmeticError("the arrangement of the linear displacement is not the derived one")
+    factored = sp.collect(sp.expand(stability.determinant(K)), nm.mu0)
+    if sp.expand(factored - names[determinant]) != 0:
+        raise ArithmeticError("the determinant of the linear model is not the derived one")
+    return Module(
+        "linear_sprag",
+        "The constant-angle model of the article's reference [17]: displacement, poles, critical friction.",
+        (
+            Function("displacement", "x and y at steady sliding with the spring's angle held at θ₀.", "(12), (13) linearized",
+                     (*_ANGLE0, *_PARAMETERS), arranged, "x, y", {determinant: factored}),
+            Function("pole_quadratic", "Coefficients of e0 + e1 T + e2 T², whose roots T = tan θ₀ are the poles.",
+                     "determinant of the linear model", (nm.mu0, *_STIFFNESS), linear_sprag.pole_quadratic(), "e0, e1, e2"),
+            Function("pole_friction", "μ₀ with a pole at T = tan θ₀.", "determinant of the linear model",
+                     (linear_sprag.T, *_STIFFNESS), sp.factor_terms(linear_sprag.pole_friction()), "mu0"),
+            Function("critical_friction_squared", "μ_cr²: there is a pole if and only if μ₀ ≥ μ_cr.", "article, Section 3",
+                     _STIFFNESS, linear_sprag.critical_friction_squared(), "mu_cr²"),
+        ),
+    )  # fmt: skip
+
+
+# ------------------------------------------------------------------------------------------------------ motion
+
+
+def _motion() -> Module:
+    side = sp.Symbol("side")
+    state = (nm.x, nm.y, nm.vx, nm.vy)
+    length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
+    equations = mechanics.motion()
+    lengths = {nm.L: length}
+    regime = {
+        nm.mu: mechanics.smooth_friction(side),
+        nm.n: mechanics.contact_family(),
+    }
+    accelerations = {
+        equations.ax: sp.solve(equations.x, equations.ax)[0],
+        equations.ay: sp.solve(equations.y, equations.ay)[0],
+    }
+    arranged = _accelerations()
+    for ours, derived in zip(arranged, accelerations.values(), strict=True):
+        if sp.expand(ours - derived) != 0:
+            raise ArithmeticError("the arrangement of the accelerations is not (8), (9)")
+    in_regime = tuple(value.subs(regime, simultaneous=True) for value in arranged)
+    everywhere = tuple(
+        value.subs({nm.mu: mechanics.friction(), nm.n: (sp.Abs(nm.y) - nm.y) / 2}, simultaneous=True) for value in arranged
+    )
+    jacobian = tuple(
+        tuple(
+            sp.factor_terms(sp.expand(sp.diff(value, symbol) + sp.diff(value, nm.L) * mechanics.replace_length(sp.diff(length, symbol))))
+            for symbol in state
+        )
+        for value in in_regime
+    )
+    parameters = (*_ANGLE0, *_PARAMETERS, nm.V, nm.creep)
+    energy = mechanics.energy()
+    return Module(
+        "motion",
+        "The equations of motion (8)–(11): everywhere, and in each regime in which they are smooth.",
+        (
+            Function("spring_length", "Length of the inclined spring.", "(6) corrected", (nm.x, nm.y, *_ANGLE0), length, "L",
+                     transcendental=True),
+            Function("accelerations", "x″ and y″ for a given friction coefficient and contact force.", "(8), (9) corrected",
+                     (nm.x, nm.y, nm.L, nm.mu, nm.n, *_ANGLE0, nm.kappa, *_STIFFNESS), arranged, "x″, y″"),
+            Function("friction", "The friction coefficient at the speed x' of the mass.", "(10)", (nm.vx, nm.mu0, nm.V, nm.creep),
+                     mechanics.friction(), "mu", transcendental=True),
+            Function("rhs", "x″ and y″, kinked where y = 0 and where x' = V.", "(8)–(11)",
+                     (*state, *parameters), everywhere, "x″, y″", lengths, transcendental=True),
+            Function("regime_rhs", "x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (−1).",
+                     "(8)–(10)", (*state, *parameters, nm.nbar, side), in_regime, "x″, y″", lengths, transcendental=True),
+            Function("regime_jacobian", "Derivatives of regime_rhs with respect to x, y, x', y'.", "(8)–(10)",
+                     (*state, *parameters, nm.nbar, side), jacobian, "((∂x″/∂x, …), (∂y″/∂x, …))", lengths, transcendental=True),
+            Function("energy", "Kinetic and stored energy, the preload's included, over k_c L_0².", "(1), (2)",
+                     (*state, *_ANGLE0, nm.kappa, *_STIFFNESS, nm.nbar), energy, "energy", lengths, transcendental=True),
+            Function("friction_power", "Rate at which friction changes that energy.", "(8)",
+                     (nm.y, nm.vx, nm.mu0, nm.V, nm.creep, nm.nbar, side),
+                     (regime[nm.mu] * regime[nm.n] * nm.vx), "power", transcendental=True),
+        ),
+    )  # fmt: skip
+
+
+def _accelerations() -> tuple[sp.Expr, sp.Expr]:
+    spring = nm.sigma * (nm.L - 1) / nm.L
+    return (
+        spring * (nm.c0 - nm.x) - nm.alpha * nm.x + nm.mu * nm.n,
+        spring * (nm.s0 - nm.y) - nm.beta * nm.y + nm.n - nm.kappa,
+    )

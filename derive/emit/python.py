@@ -1,0 +1,205 @@
+"""Python modules of plain algebra, for any number type that has + − × ÷ and integer powers."""
+
+from __future__ import annotations
+
+import textwrap
+
+import sympy as sp
+from sympy.printing.str import StrPrinter
+
+from .. import nomenclature as nm
+from .functions import Function, Module, Results
+from .statements import straight_line
+
+_WIDTH = 112
+
+
+class AlgebraPrinter(StrPrinter):
+    """Python source in which a rational coefficient stays a multiplication and a division by integers."""
+
+    def _print_Rational(self, expression: sp.Rational) -> str:
+        # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
+        raise ArithmeticError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
+
+    def _print_Float(self, expression: sp.Float) -> str:
+        raise ArithmeticError(f"the float {expression} has no place in exact algebra")
+
+    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
+        if expression.exp == sp.S.Half:
+            return f"xp.sqrt({self._print(expression.base)})"
+        if expression.exp == -sp.S.Half:
+            return f"1/xp.sqrt({self._print(expression.base)})"
+        if not expression.exp.is_Integer:
+            raise ArithmeticError(f"{expression} is not an integer power or a square root")
+        return str(super()._print_Pow(expression, rational=rational))
+
+    def _print_exp(self, expression: sp.exp) -> str:
+        return f"xp.exp({self._print(expression.args[0])})"
+
+    def _print_Abs(self, expression: sp.Abs) -> str:
+        return f"abs({self._print(expression.args[0])})"
+
+    def _print_sign(self, expression: sp.sign) -> str:
+        return f"xp.sign({self._print(expression.args[0])})"
+
+
+_PRINTER = AlgebraPrinter({"order": None})
+
+
+def render(module: Module, header: str) -> str:
+    """Source text of one generated module."""
+    needs_namespace = any(function.transcendental for function in module.functions)
+    imports = ["from ._broadcast import Number, broadcasting"]
+    if needs_namespace:
+        imports = ["from types import ModuleType", "", "import numpy", "", *imports]
+    names = ",\n".join(f'    "{function.name}"' for function in module.functions)
+    parts = [
+        f'"""{module.summary}\n\n{textwrap.fill(header, 110)}\n"""',
+        "from __future__ import annotations",
+        "\n".join(imports),
+        f"__all__ = [\n{names},\n]",
+        *(_function(function) for function in module.functions),
+    ]
+    return "\n\n".join(parts[:4]) + "\n\n\n" + "\n\n\n".join(parts[4:]) + "\n"
+
+
+def _function(function: Function) -> str:
+    body = straight_line(function)
+    arguments = [f"{symbol}: Number" for symbol in function.arguments]
+    if function.transcendental:
+        arguments += ["*", "xp: ModuleType = numpy"]
+    signature = f"def {function.name}({', '.join(arguments)}) -> {_annotation(function.results)}:"
+    if len(signature) > _WIDTH:
+        listed = "".join(f"    {argument},\n" for argument in arguments)
+        signature = f"def {function.name}(\n{listed}) -> {_annotation(function.results)}:"
+    lines = [
+        "@broadcasting",
+        signature,
+        textwrap.indent(_docstring(function, body.operations), "    "),
+        *(_wrap(f"    {symbol} = {_PRINTER.doprint(expression)}") for symbol, expression in body.assignments),
+        _wrap(f"    return {_tuple(body.results)}"),
+    ]
+    return "\n".join(lines)
+
+
+def _annotation(results: Results) -> str:
+    if not isinstance(results, tuple):
+        return "Number"
+    return f"tuple[{', '.join(_annotation(item) for item in results)}]"
+
+
+def _tuple(results: Results) -> str:
+    if not isinstance(results, tuple):
+        return str(_PRINTER.doprint(results))
+    return f"({', '.join(_tuple(item) for item in results)})"
+
+
+def _wrap(line: str) -> str:
+    """Break a long statement at operators between blanks, inside brackets."""
+    if len(line) <= _WIDTH:
+        return line
+    head, separator, rest = line.partition(" = ")
+    if not separator or line.lstrip().startswith("return"):
+        head, separator, rest = "    return", " ", line.strip().removeprefix("return ").strip()
+    inner = rest[1:-1] + "," if rest.startswith("(") and line.lstrip().startswith("return") and _encloses(rest) else rest
+    pieces = textwrap.wrap(inner, _WIDTH - 8, break_long_words=False, break_on_hyphens=False)
+    return f"{head}{separator}(\n" + "\n".join(f"        {piece}" for piece in pieces) + "\n    )"
+
+
+def _encloses(text: str) -> bool:
+    """Whether the first bracket closes at the end."""
+    depth = 0
+    for position, letter in enumerate(text):
+        depth += (letter == "(") - (letter == ")")
+        if depth == 0:
+            return position == len(text) - 1
+    return False
+
+
+def _docstring(function: Function, operations: int) -> str:
+    described = []
+    for symbol in function.arguments:
+        meaning, unit = _meaning(symbol)
+        described.append(f"{symbol} : number or array\n    {meaning}" + (f" [{unit}]" if unit != "1" else ""))
+    if function.transcendental:
+        described.append("xp : module\n    Namespace with ``sqrt``, ``exp`` and ``sign`` for the number type: numpy, mpmath.")
+    returned = "number or array" if not isinstance(function.results, tuple) else "tuple"
+    return (
+        f'"""{textwrap.fill(function.summary, _WIDTH - 8)}\n\n'
+        "Parameters\n----------\n" + "\n".join(described) + "\n\n"
+        f"Returns\n-------\n{returned}\n    {function.returns}, of the shape of all arguments together.\n\n"
+        f"Notes\n-----\nSource: {function.equations}. Operations: {operations}.\n"
+        '"""'
+    )
+
+
+_LOCAL_MEANINGS = {
+    "side": ("sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead", "1"),
+    "T": ("tan θ₀", "1"),
+    "C11": ("damping ∂F_x/∂x'", "1"),
+    **{name: (f"entry {name[1]}, {name[2]} of the stiffness matrix", "1") for name in ("K11", "K12", "K21", "K22")},
+}
+
+
+def _meaning(symbol: sp.Symbol) -> tuple[str, str]:
+    if str(symbol) in _LOCAL_MEANINGS:
+        return _LOCAL_MEANINGS[str(symbol)]
+    entry = nm.quantity(symbol)
+    return entry.meaning, entry.unit
+
+
+BROADCAST_SOURCE = '''"""Shape of results: whatever a result depends on, it has the shape of all arguments together.
+
+{header}
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, ParamSpec, TypeAlias, TypeVar
+
+import numpy as np
+
+#: Anything with + − × ÷ and integer powers: float, array, Fraction, mpmath number or interval, Arb ball, expression.
+Number: TypeAlias = Any
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def broadcasting(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Give every result the common shape of the arguments, constants included.
+
+    The undecorated algebra is ``function.__wrapped__``, for compilers.
+    """
+
+    @wraps(function)
+    def shaped(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+        result: Any = function(*args, **kwargs)
+        numbers = [value for name, value in kwargs.items() if name != "xp"]
+        numbers += args
+        shapes = {{np.shape(value) for value in numbers if isinstance(value, np.ndarray)}}
+        if shapes:
+            return _fill(result, np.broadcast_shapes(*shapes))  # type: ignore[no-any-return]
+        return _typed(result, numbers[0])  # type: ignore[no-any-return]
+
+    return shaped
+
+
+def _fill(result: Any, shape: tuple[int, ...]) -> Any:
+    if isinstance(result, tuple):
+        return tuple(_fill(item, shape) for item in result)
+    if np.shape(result) == shape:
+        return np.asarray(result)
+    filled = np.empty(shape, dtype=np.result_type(result, float) if isinstance(result, int) else np.asarray(result).dtype)
+    filled[...] = result
+    return filled
+
+
+def _typed(result: Any, like: Any) -> Any:
+    """Constants of the algebra in the number type of the arguments."""
+    if isinstance(result, tuple):
+        return tuple(_typed(item, like) for item in result)
+    return result + 0 * like if isinstance(result, int) and not isinstance(like, int) else result
+'''

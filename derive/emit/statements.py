@@ -1,0 +1,139 @@
+"""From a function's algebra to straight-line code: shorthands in order, powers as products, shared subexpressions once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .functions import Function, Results
+
+
+@dataclass(frozen=True)
+class Body:
+    """Assignments in order, then results of the same nesting as the function's, each printable as it stands."""
+
+    assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    results: Results
+    operations: int
+
+
+def flatten(results: Results) -> Iterator[sp.Expr]:
+    """Leaves of a nested result, in order."""
+    if isinstance(results, tuple):
+        for item in results:
+            yield from flatten(item)
+    else:
+        yield results
+
+
+def straight_line(function: Function) -> Body:
+    """Assignments and results of a function, with every shared subexpression computed once."""
+    leaves = tuple(flatten(function.results))
+    named = _needed(leaves, function)
+    powers = _Powers()
+    expressions = [powers.replace(expression) for _, expression in named]
+    leaves = tuple(powers.replace(leaf) for leaf in leaves)
+    definitions = dict(powers.definitions)
+    temporaries, reduced = sp.cse(
+        [*expressions, *definitions.values(), *leaves], symbols=sp.numbered_symbols("w"), order="canonical"
+    )
+    count, extra = len(expressions), len(definitions)
+    available = dict(temporaries)
+    available.update(zip((symbol for symbol, _ in named), reduced[:count], strict=True))
+    available.update(zip(definitions, reduced[count : count + extra], strict=True))
+    outputs = reduced[count + extra :]
+
+    ordered: dict[sp.Symbol, sp.Expr] = {}
+    for root in [*(symbol for symbol, _ in named), *outputs]:
+        _place(root, available, ordered)
+    ordered, outputs = _inline_single_use(ordered, outputs)
+    operations = sum(int(sp.count_ops(expression)) for expression in [*ordered.values(), *outputs])
+    return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), operations)
+
+
+def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
+    """The shorthands that the results rest on, each after those that it rests on itself."""
+    ordered: dict[sp.Symbol, sp.Expr] = {}
+
+    def visit(expression: sp.Expr) -> None:
+        for symbol in sorted(expression.free_symbols, key=str):
+            if symbol in function.arguments or symbol in ordered:
+                continue
+            if symbol not in function.shorthands:
+                raise ArithmeticError(f"{function.name}: {symbol} is neither an argument nor a shorthand")
+            visit(function.shorthands[symbol])
+            ordered[symbol] = function.shorthands[symbol]
+
+    for leaf in leaves:
+        visit(leaf)
+    return list(ordered.items())
+
+
+class _Powers:
+    """Integer powers of symbols as products of smaller ones, so that no number type needs a general power."""
+
+    def __init__(self) -> None:
+        self.definitions: dict[sp.Symbol, sp.Expr] = {}
+
+    def replace(self, expression: sp.Expr) -> sp.Expr:
+        return sp.sympify(expression).replace(
+            lambda node: isinstance(node, sp.Pow) and node.exp.is_Integer and abs(node.exp) > 1, self._named
+        )
+
+    def _named(self, node: sp.Pow) -> sp.Expr:
+        power = self._power(node.base, abs(int(node.exp)))
+        return power if node.exp > 0 else 1 / power
+
+    def _power(self, base: sp.Expr, exponent: int) -> sp.Expr:
+        if exponent == 1:
+            return base
+        if not base.is_Symbol:
+            if exponent == 2:
+                return base**2
+            symbol = sp.Symbol(f"base{len(self.definitions)}", real=True)
+            self.definitions[symbol] = base
+            base = symbol
+        # Symbols of one name but other assumptions must not be mixed: the derived symbol takes those of its base.
+        symbol = sp.Symbol(f"{base}_{exponent}", real=True)
+        if symbol not in self.definitions:
+            low, high = exponent // 2, exponent - exponent // 2
+            halves = self._power(base, low), self._power(base, high)
+            self.definitions[symbol] = sp.Pow(halves[0], 2) if low == high else sp.Mul(*halves)
+        return symbol
+
+
+def _place(root: sp.Expr, available: dict[sp.Symbol, sp.Expr], ordered: dict[sp.Symbol, sp.Expr]) -> None:
+    if root.is_Symbol:
+        if root in available and root not in ordered:
+            _place_parts(available[root], available, ordered)
+            ordered[root] = available[root]
+        return
+    _place_parts(root, available, ordered)
+
+
+def _place_parts(expression: sp.Expr, available: dict[sp.Symbol, sp.Expr], ordered: dict[sp.Symbol, sp.Expr]) -> None:
+    for symbol in sorted(expression.free_symbols, key=str):
+        _place(symbol, available, ordered)
+
+
+def _inline_single_use(
+    ordered: dict[sp.Symbol, sp.Expr], outputs: list[sp.Expr]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """A square that is used once reads better where it is used."""
+    uses = [*ordered.values(), *outputs]
+    for symbol, expression in list(ordered.items()):
+        is_square = expression.is_Pow and expression.exp == 2 and expression.base.is_Symbol
+        places = [place for place in uses if place.has(symbol)]
+        if is_square and len(places) == 1 and places[0].count(symbol) == 1:
+            ordered = {key: value.subs(symbol, expression) for key, value in ordered.items() if key != symbol}
+            outputs = [value.subs(symbol, expression) for value in outputs]
+            uses = [*ordered.values(), *outputs]
+    return ordered, outputs
+
+
+def _refill(shape: Results, leaves: Iterator[sp.Expr]) -> Results:
+    if isinstance(shape, tuple):
+        return tuple(_refill(item, leaves) for item in shape)
+    return next(leaves)

@@ -1,0 +1,102 @@
+"""A second route to what the check decides: Newton's law on the free body, in complex numbers, at 50 digits.
+
+Nothing here uses the symbolic derivation. The spring's pull is a vector along the line to its anchor, equilibria are found
+by Newton's method on the sum of forces, and the forces themselves are held against differences of the energy. It backs the
+algebra of a corrected row and says what a misprint would cost.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+
+import mpmath
+
+from . import article
+from . import nomenclature as nm
+
+DIGITS = 50
+
+
+@dataclass(frozen=True)
+class Point:
+    """Numbers for the parameters; ``theta0_deg`` in degrees, the rest exact rationals."""
+
+    theta0_deg: Fraction = Fraction(article.BASE_ANGLE_DEG)
+    mu0: Fraction = Fraction(str(article.BASE[nm.mu0]))
+    kappa: Fraction = Fraction(str(article.BASE[nm.kappa]))
+    alpha: Fraction = Fraction(str(article.BASE[nm.alpha]))
+    sigma: Fraction = Fraction(str(article.BASE[nm.sigma]))
+    beta: Fraction = Fraction(str(article.BASE[nm.beta]))
+
+    def number(self, name: str) -> mpmath.mpf:
+        """A parameter in the working precision; the angle in radians."""
+        value = getattr(self, "theta0_deg" if name == "theta0" else name)
+        exact = mpmath.mpf(value.numerator) / value.denominator
+        return mpmath.radians(exact) if name == "theta0" else exact
+
+
+def anchor(point: Point) -> mpmath.mpc:
+    """Where the inclined spring is held, over L_0."""
+    return mpmath.expj(point.number("theta0"))
+
+
+def forces(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
+    """Minus the sum of forces on the mass at rest, over k_c L_0; ``contact`` is the contact stiffness over k_c."""
+    spring = anchor(point) - mpmath.mpc(x, y)
+    pull = point.number("sigma") * (abs(spring) - 1) * spring / abs(spring)
+    push = -contact * y
+    return (
+        point.number("alpha") * x - pull.real - point.number("mu0") * push,
+        point.number("beta") * y - pull.imag - push + point.number("kappa"),
+    )
+
+
+def energy_slope_y(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf) -> mpmath.mpf:
+    """∂/∂y of the energy of springs, contact and preload, by numerical differentiation."""
+
+    def energy(height: mpmath.mpf) -> mpmath.mpf:
+        stretch = abs(anchor(point) - mpmath.mpc(x, height)) - 1
+        springs = point.number("sigma") * stretch**2 + (point.number("beta") + contact) * height**2
+        return springs / 2 + point.number("kappa") * height
+
+    return mpmath.diff(energy, y)
+
+
+@cache
+def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpmath.mpf, mpmath.mpf]]:
+    """Rest positions (x, y) in contact, or in lift-off for ``contact=0``, sorted by x.
+
+    Newton's method from a grid of starting points, in the precision of the first call: evidence for the states it finds, not for their number.
+    """
+    stiffness = mpmath.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
+
+    def residual(x: mpmath.mpf, y: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
+        return forces(point, x, y, stiffness)
+
+    found: list[tuple[mpmath.mpf, mpmath.mpf]] = []
+    for start in _STARTS:
+        with mpmath.workdps(15):
+            position = anchor(point) - start
+            try:
+                rough = mpmath.findroot(residual, (position.real, position.imag), maxsteps=30)
+            except (ValueError, ZeroDivisionError):
+                continue
+        if (rough[1] < 0) == (stiffness > 0) and all(abs(rough[0] - x) + abs(rough[1] - y) > 1e-7 for x, y in found):
+            found.append(tuple(mpmath.findroot(residual, tuple(rough))))
+    return sorted(found)
+
+
+#: Spring vectors to start from: directions all around, two lengths.
+_STARTS = [mpmath.rect(length, (2 * step + 1) * mpmath.pi / 8) for length in (1, 0.5) for step in range(8)]
+
+
+def spring_length(point: Point, x: mpmath.mpf, y: mpmath.mpf) -> mpmath.mpf:
+    """Distance from the anchor to the mass, as a distance in the complex plane."""
+    return abs(anchor(point) - mpmath.mpc(x, y))
+
+
+def show(value: mpmath.mpf, digits: int = 12) -> str:
+    """A number for the ledger."""
+    return str(mpmath.nstr(value, digits))

@@ -1,0 +1,239 @@
+"""What we say about the rows that are not simply confirmed: corrections, approximations and definitions.
+
+A correction holds the right form, which the check holds against the derived one; a second derivation; and what the misprint
+would cost at the article's base values. An explanation of a difference that is zero fails the check.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+
+import mpmath
+import sympy as sp
+from sympy.physics import units
+from sympy.physics.units.systems.si import dimsys_SI
+
+from . import article, evidence, mechanics
+from . import nomenclature as nm
+from .evidence import DIGITS, Point, show
+
+
+@dataclass(frozen=True)
+class Correction:
+    """The right form of a misprint, its likely cause, evidence by another route, and its consequence in numbers."""
+
+    latex: str
+    expression: sp.Expr | tuple[sp.Expr, ...]
+    cause: str
+    evidence: Callable[[], tuple[bool, str]]
+    consequence: Callable[[], str]
+
+
+@dataclass(frozen=True)
+class Approximation:
+    """A form that the printed one tends to; ``limit`` says in which limit, ``vanishes`` proves it of the difference."""
+
+    limit: str
+    vanishes: Callable[[sp.Expr], bool]
+
+
+# ------------------------------------------------------------------------------------------------ corrections
+
+
+def _at_base(function: Callable[[Point], str]) -> Callable[[], str]:
+    def evaluated() -> str:
+        with mpmath.workdps(DIGITS):
+            return function(Point())
+
+    return evaluated
+
+
+def _length_evidence() -> tuple[bool, str]:
+    with mpmath.workdps(DIGITS):
+        point = Point(theta0_deg=Fraction(62))
+        x, y = mpmath.mpf(3) / 10, -mpmath.mpf(1) / 7
+        theta0 = point.number("theta0")
+        pythagoras = mpmath.sqrt((mpmath.cos(theta0) - x) ** 2 + (mpmath.sin(theta0) - y) ** 2)
+        gap = abs(pythagoras - evidence.spring_length(point, x, y))
+        return gap < mpmath.mpf(10) ** (5 - DIGITS), "the distance in the complex plane agrees to 45 digits"
+
+
+def _length_consequence(point: Point) -> str:
+    ((x, y),) = evidence.equilibria(point)
+    length = evidence.spring_length(point, x, y)
+    theta = mpmath.arg(evidence.anchor(point) - mpmath.mpc(x, y))
+    printed = mpmath.sqrt((mpmath.cos(theta) - x) ** 2 + (mpmath.sin(theta) - y) ** 2)
+    return (
+        f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = {show(printed)} "
+        f"where L = {show(length)}"
+    )
+
+
+def _preload_evidence() -> tuple[bool, str]:
+    with mpmath.workdps(DIGITS):
+        point = Point(theta0_deg=Fraction(71), beta=Fraction(1, 3))
+        x, y, one = mpmath.mpf(2) / 7, -mpmath.mpf(1) / 9, mpmath.mpf(1)
+        gap = abs(evidence.forces(point, x, y, one)[1] - evidence.energy_slope_y(point, x, y, one))
+        return gap < mpmath.mpf(10) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
+
+
+def _preload_consequence(point: Point) -> str:
+    (with_preload,) = evidence.equilibria(point)
+    # Without κ, (13) is solved by the undeformed state, where the contact force is zero as well.
+    residual = evidence.forces(Point(kappa=Fraction(0)), mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(1))
+    return (
+        f"the undeformed state x = y = 0 would be an equilibrium (residual {show(abs(residual[0]) + abs(residual[1]), 2)}) "
+        f"without any contact force, where the base equilibrium (θ₀ = {point.theta0_deg}°) is "
+        f"x = {show(with_preload[0])}, y = {show(with_preload[1])}"
+    )
+
+
+def _force_scale_evidence() -> tuple[bool, str]:
+    contact_stiffness = units.force / units.length
+    dimensions = {
+        name: dimsys_SI.get_dimensional_dependencies(units.force / scale)
+        for name, scale in (("printed", contact_stiffness), ("right", contact_stiffness * units.length))
+    }
+    holds = dimensions["right"] == {} and dimensions["printed"] == {units.length: 1}
+    return holds, "dimensional analysis: N/k_c is a length, N/(k_c L_o) a number"
+
+
+def _force_scale_consequence(point: Point) -> str:
+    (right,) = evidence.equilibria(point)
+    (literal,) = evidence.equilibria(point, Fraction(1, 10))
+    return (
+        "none for L_o = 1 in the unit of length in use; taken literally with L_o = 0.1 m, n is a tenth of −y and the base "
+        f"equilibrium (θ₀ = {point.theta0_deg}°) moves from x = {show(right[0])} to {show(literal[0])} and from "
+        f"y = {show(right[1])} to {show(literal[1])}"
+    )
+
+
+def _liftoff_polynomial(point: Point, constant: str) -> list[mpmath.mpf]:
+    """Lift-off coefficients d₄ … d₀ written out from A6–A9, with the constant term of either reading."""
+    theta0 = point.number("theta0")
+    alpha, sigma, beta, kappa, mu0 = (point.number(name) for name in ("alpha", "sigma", "beta", "kappa", "mu0"))
+    c0, s0 = mpmath.cos(theta0), mpmath.sin(theta0)
+    p, q, b3, b4 = alpha + sigma, beta + sigma, -alpha * c0, -beta * s0 - kappa
+    first, second = (b3, b4) if constant == "right" else (-alpha * c0 - mu0 * s0, -(beta + 1) * s0 - kappa)
+    return [
+        -((p * q) ** 2),
+        2 * sigma * p * q * (p + q),
+        (b4**2 - sigma**2) * p**2 - 4 * sigma**2 * p * q + (b3**2 - sigma**2) * q**2,
+        2 * sigma * (p * (sigma**2 - b4**2) + q * (sigma**2 - b3**2)),
+        (first**2 + second**2) * sigma**2 - sigma**4,
+    ]
+
+
+def _constant_evidence() -> tuple[bool, str]:
+    with mpmath.workdps(DIGITS):
+        point = Point()
+        lengths = [evidence.spring_length(point, x, y) for x, y in evidence.equilibria(point, contact=0)]
+        residuals = {
+            reading: max(abs(mpmath.polyval(_liftoff_polynomial(point, reading), length)) for length in lengths)
+            for reading in ("right", "printed")
+        }
+    return (
+        bool(lengths) and residuals["right"] < mpmath.mpf(10) ** -40 and residuals["printed"] > 1e-6,
+        f"at the lift-off equilibrium of the free body the quartic is {show(residuals['right'], 2)} with the right d_0 and "
+        f"{show(residuals['printed'], 3)} with the printed one",
+    )
+
+
+def _constant_consequence(point: Point) -> str:
+    values = {reading: _liftoff_polynomial(point, reading)[-1] for reading in ("right", "printed")}
+    roots = mpmath.polyroots(_liftoff_polynomial(point, "printed"), maxsteps=200, extraprec=200)
+    real = [show(mpmath.re(root), 6) for root in roots if abs(mpmath.im(root)) < 1e-20]
+    ((x, y),) = evidence.equilibria(point, contact=0)
+    return (
+        f"d_0 = {show(values['printed'])} instead of {show(values['right'])}; the lift-off length at θ₀ = "
+        f"{point.theta0_deg}° is L = {show(evidence.spring_length(point, x, y))}, the printed quartic has the real roots "
+        f"{', '.join(real) or 'none'}"
+    )
+
+
+CORRECTIONS: dict[str, Correction] = {
+    "eq-6": Correction(
+        latex=r"L = \sqrt{\left(L_o \cos \theta_o - x\right)^2 + \left(L_o \sin \theta_o - y\right)^2}",
+        expression=sp.sqrt((nm.L_0 * nm.c0 - nm.x) ** 2 + (nm.L_0 * nm.s0 - nm.y) ** 2),
+        cause="the index o of θ_o is missing: (4) and (5), squared and added, give the form with θ_o",
+        evidence=_length_evidence,
+        consequence=_at_base(_length_consequence),
+    ),
+    "eq-9": Correction(
+        latex=r"y'' + \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
+        expression=mechanics.AY + nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa,
+        cause="the preload F_L of (2) is lost on the way; it is back in (15) as −κ",
+        evidence=_preload_evidence,
+        consequence=_at_base(_preload_consequence),
+    ),
+    "eq-13": Correction(
+        latex=r"F_y = \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
+        expression=nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa,
+        cause="copied from (9) with the preload missing; (15) has it as −κ",
+        evidence=_preload_evidence,
+        consequence=_at_base(_preload_consequence),
+    ),
+    "def-n": Correction(
+        latex=r"n = N/(k_c L_o)",
+        expression=nm.N / (nm.k_c * nm.L_0),
+        cause="L_o is missing: every force is scaled by k_c L_o, as κ = F_L/(k_c L_o) shows",
+        evidence=_force_scale_evidence,
+        consequence=_at_base(_force_scale_consequence),
+    ),
+    "A1-d0": Correction(
+        latex=r"d_0 = \left(b_3^2 + b_4^2\right)\sigma^2 - \sigma^4",
+        expression=(nm.b3**2 + nm.b4**2) * nm.sigma**2 - nm.sigma**4,
+        cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand in contact",
+        evidence=_constant_evidence,
+        consequence=_at_base(_constant_consequence),
+    ),
+}
+
+# --------------------------------------------------------------------------------------------- approximations
+
+
+def _vanishes_at_full_slip(difference: sp.Expr) -> bool:
+    """Whether an expression tends to 0 as V → ∞, and as d → ∞ with V > 0."""
+    d, V = sp.symbols("d V", positive=True)
+    plain = difference.subs({nm.creep: d, nm.V: V})
+    return plain.has(V) and sp.limit(sp.expand(plain), V, sp.oo) == 0 and sp.limit(sp.expand(plain), d, sp.oo) == 0
+
+
+APPROXIMATIONS: dict[str, Approximation] = {
+    "eq-12": Approximation(
+        limit="d |V| → ∞: at steady sliding (10) gives μ = μ_o (1 − exp(−d |V|)), not μ_o. From here on μ_o stands for the "
+        "friction at steady sliding, which makes every later row exact",
+        vanishes=_vanishes_at_full_slip,
+    ),
+    "eq-27": Approximation(
+        limit="d |V| → ∞: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, from ∂μ/∂x'",
+        vanishes=_vanishes_at_full_slip,
+    ),
+}
+
+# ------------------------------------------------------------------------------------------------ definitions
+
+DEFINITIONS: dict[str, str] = {
+    "eq-3": "names the compression of the inclined spring",
+    "eq-4": "defines θ, with (5): the spring's direction from the mass to its anchor",
+    "eq-5": "defines θ, with (4)",
+    "eq-7": "the contact law, an assumption",
+    "eq-10": "the friction law, an assumption. Its form is the same with and without dimensions, since d |V − dx/dt| is a "
+    "number; in (10) the dot stands for the prime of (8)",
+    "def-prime": "names the derivative with respect to τ",
+}
+
+NOTES: dict[str, str] = {
+    "eq-1": "Δ and θ by (3)–(5)",
+    "eq-2": "Δ and θ by (3)–(5)",
+    "eq-18": "μ here is the friction at steady sliding, written μ_o in (14) and in Appendix A",
+    "eq-19": "μ here is the friction at steady sliding, written μ_o in (14) and in Appendix A",
+    "A3": "μ_o² σ² cancels against −μ_o² σ² in the last product",
+    "A4": "the terms in μ_o² cancel",
+}
+
+_IDS = {entry.id for entry in article.PRINTED}
+if not (CORRECTIONS.keys() | APPROXIMATIONS.keys() | DEFINITIONS.keys() | NOTES.keys()) <= _IDS:
+    raise LookupError("an explanation names a row that article.py does not have")

@@ -131,24 +131,25 @@ def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
 def cusp_polynomial() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of the polynomial in s = sin θ whose real roots in (−1, 1) are all the cusps.
 
-    sin² θ₀ + cos² θ₀ = 1 on a cusp. Contact only, α > 0 and a ≠ 0; degree 9 (see :func:`identities`).
+    It is (B p α q)² (3 s² − 2)⁴ (sin² θ₀ + cos² θ₀ − 1) with :func:`cusp_angles`. Contact only, α > 0 and a ≠ 0; the terms of
+    degree 10 cancel.
     """
     s0, ratio = cusp_angles()
-    condition = sp.together(s0**2 + (1 - nm.s**2) * ratio**2 - 1)
-    numerator, _ = sp.fraction(sp.cancel(condition.subs(_POLES)))
-    polynomial = sp.Poly(sp.expand(numerator), nm.s)
+    scale = nm.B * nm.p * nm.alpha * nm.q * (3 * nm.s**2 - 2) ** 2
+    condition = sp.cancel(scale * s0) ** 2 + (1 - nm.s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
+    polynomial = sp.Poly(sp.expand(condition.subs(_POLES)), nm.s)
     return tuple(reversed(polynomial.all_coeffs()))
 
 
 @cache
 def cusp_cubic() -> tuple[sp.Expr, ...]:
-    """The same for α = 0, where cos θ₀ is free and d − d(fold) = 0 is a cubic in s."""
-    _, across = fold_residuals()
-    s0, _ = cusp_angles()
-    friction = {nm.M: cusp_friction().subs(nm.fa, elimination.f_coefficients()[nm.fa]) / nm.sigma}
-    condition = sp.cancel(across.subs(friction).subs(nm.s0, s0).subs(_POLES).subs(nm.alpha, 0) / nm.c)
-    numerator, _ = sp.fraction(sp.cancel(algebra.reduce_circles(sp.fraction(condition)[0]) / sp.fraction(condition)[1]))
-    polynomial = sp.Poly(sp.expand(numerator), nm.s)
+    """The same for α = 0, where cos θ₀ is free and what is left of d − d(fold) = 0 is a cubic in s.
+
+    The numerator of cos θ₀ in :func:`cusp_angles`, which must vanish with α, over B − α.
+    """
+    _, ratio = cusp_angles()
+    numerator = sp.cancel(ratio * nm.B * nm.alpha * nm.p * nm.q * (3 * nm.s**2 - 2) ** 2 / (nm.B - nm.alpha))
+    polynomial = sp.Poly(sp.expand(numerator.subs(_POLES).subs(nm.alpha, 0) / nm.sigma), nm.s)
     return tuple(reversed(polynomial.all_coeffs()))
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from .. import catastrophe, elimination, equilibrium, linear_sprag, mechanics, stability
+from .. import algebra, catastrophe, elimination, equilibrium, linear_sprag, mechanics, stability
 from .. import nomenclature as nm
 
 #: Nested results: an expression, or a tuple of such.
@@ -49,6 +49,15 @@ _F = (nm.fa, nm.fb, nm.fd, nm.fm)
 
 def _nested(matrix: sp.Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
     return tuple(tuple(matrix.row(row)) for row in range(matrix.rows))
+
+
+def _same(what: str, arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...], names: dict[sp.Symbol, sp.Expr] | None = None) -> None:
+    """Refuse an arrangement for emission that is not, exactly, what was derived."""
+    for ours, theirs in zip(arranged, derived, strict=True):
+        for _ in range(3):
+            ours = ours.subs(names or {})
+        if not algebra.equal(equilibrium.spell_out(ours), equilibrium.spell_out(theirs)):
+            raise ArithmeticError(f"{what}: the arrangement for emission is not what was derived")
 
 
 def _shorthands(case: dict[sp.Symbol, int] | None = None, *names: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
@@ -100,24 +109,26 @@ def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.S
         2 * sigma * p * q * (p + q),
         -((p * q) ** 2),
     )
-    for ours, derived in zip(arranged, elimination.quartic_in_L_shorthand(), strict=True):
-        if sp.expand(ours - derived) != 0:
-            raise ArithmeticError("the arrangement of the quartic in L is not the quartic")
+    _same("quartic in L", arranged, elimination.quartic_in_L_shorthand())
     _, b = equilibrium.matrix_form()
-    names = {nm.mu0 * nm.nbar: nm.M}
     shorthands = {
         **_shorthands(case, nm.B, nm.M, nm.p, nm.q),
         nm.b1: -(nm.alpha * nm.c0 + nm.M * nm.s0),
         nm.b2: -(nm.B * nm.s0 + nm.kappa),
     }
-    for symbol, derived in zip((nm.b1, nm.b2), b, strict=True):
-        if sp.expand(equilibrium.spell_out(shorthands[symbol]) - derived) != 0 or not names:
-            raise ArithmeticError(f"{symbol} is not the right side of (16)")
+    _same("right side of (16)", (shorthands[nm.b1], shorthands[nm.b2]), tuple(b))
     if case[nm.nbar] == 0:
         arranged = tuple(value.subs(nm.M, 0) for value in arranged)
         shorthands[nm.b1] = shorthands[nm.b1].subs(nm.M, 0)
         del shorthands[nm.M]
     return arranged, shorthands
+
+
+def _matrix(D: sp.Matrix, case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], ...]:
+    """D of (18) or (24) with p and q kept together."""
+    arranged = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
+    _same("D", tuple(arranged), tuple(D))
+    return _nested(arranged if case[nm.nbar] else arranged.subs(nm.M, 0))
 
 
 def _equilibrium() -> Module:
@@ -134,13 +145,13 @@ def _equilibrium() -> Module:
         "The balance of forces at steady sliding (n̄ = 1) and in lift-off (n̄ = 0), and the polynomials that hold its roots.",
         (
             Function("contact_matrix", "D of the balance in contact.", "(17), (18)", (nm.L, nm.mu0, *_STIFFNESS),
-                     _nested(D.subs(contact)), "((D11, D12), (D21, D22))"),
+                     _matrix(D, contact), "((D11, D12), (D21, D22))", _shorthands(contact, nm.B, nm.M, nm.p, nm.q)),
             Function("contact_vector", "b of the balance in contact.", "(19), (A10), (A11)",
                      (*_ANGLE0, nm.mu0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(contact)), "b1, b2"),
             Function("contact_quartic", "Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact.",
                      "(21), (A1)–(A5)", (*_ANGLE0, *_PARAMETERS), contact_quartic, "c0, c1, c2, c3, c4", contact_names),
             Function("liftoff_matrix", "D of the balance in lift-off.", "(24)", (nm.L, *_STIFFNESS),
-                     _nested(D.subs(liftoff)), "((D11, D12), (D21, D22))"),
+                     _matrix(D, liftoff), "((D11, D12), (D21, D22))", _shorthands(liftoff, nm.B, nm.M, nm.p, nm.q)),
             Function("liftoff_vector", "b of the balance in lift-off.", "(25), (A12), (A13)",
                      (*_ANGLE0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(liftoff)), "b3, b4"),
             Function("liftoff_quartic", "Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived.",
@@ -181,8 +192,7 @@ def _residuals(along: sp.Expr, across: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         nm.sigma * (1 - nm.L) * nm.c + nm.alpha * x + nm.mu0 * nm.nbar * y,
         nm.sigma * (1 - nm.L) * nm.s + (nm.beta + nm.nbar) * y + nm.kappa,
     )
-    if any(sp.expand(ours - derived) != 0 for ours, derived in zip(arranged, (along, across), strict=True)):
-        raise ArithmeticError("the arrangement of the residuals is not (14), (15)")
+    _same("residuals (14), (15)", arranged, (along, across))
     return arranged
 
 
@@ -196,9 +206,7 @@ def _stability() -> Module:
         [nm.p - pull * nm.s**2, pull * nm.s * nm.c + nm.M],
         [pull * nm.s * nm.c, nm.q - pull * nm.c**2],
     ])  # fmt: skip
-    for ours, derived in zip(arranged, K, strict=True):
-        if sp.simplify(sp.expand((equilibrium.spell_out(ours) - derived).subs(nm.c**2, 1 - nm.s**2))) != 0:
-            raise ArithmeticError("the arrangement of K is not (28)")
+    _same("K (28)", tuple(arranged), tuple(K))
     entries = sp.symbols("K11 K12 K21 K22")
     C = stability.damping()
     generic = sp.Matrix(2, 2, entries)
@@ -207,6 +215,7 @@ def _stability() -> Module:
     if C[0, 1] != 0 or C[1, 0] != 0 or C[1, 1] != 0:
         characteristic = sp.Poly(stability.characteristic(generic, C), stability.lam).all_coeffs()
     determinant = stability.determinant(generic)
+    sextic, sextic_names = _flutter_sextic()
     return Module(
         "stability",
         "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
@@ -223,13 +232,46 @@ def _stability() -> Module:
             Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
                      "(27) with damping", (*entries, C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
             Function("flutter_sextic", "Coefficients of e0 + … + e6 L⁶, whose roots are the flutter onsets in contact at a given θ.",
-                     "(27)", (*_ANGLE, nm.kappa, *_STIFFNESS), tuple(map(sp.factor, stability.flutter_sextic())),
-                     "e0, e1, e2, e3, e4, e5, e6", _shorthands(equilibrium.CONTACT, nm.B, nm.q)),
+                     "(27)", (*_ANGLE, nm.kappa, *_STIFFNESS), sextic, "e0, e1, e2, e3, e4, e5, e6", sextic_names),
             Function("flutter_point", "sin θ₀ and μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27), (15)",
                      (*_ANGLE, nm.L, nm.kappa, *_STIFFNESS), stability.flutter_point(), "sin0, mu0",
                      _shorthands(equilibrium.CONTACT, nm.B, nm.q)),
         ),
     )  # fmt: skip
+
+
+def _flutter_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """h(L)² − (4 σ s c α L)² (1 − sin² θ₀) with sin θ₀ = r0 + r1 L and h the cubic 4 σ s c L (F_x − α cos θ₀) at the onset."""
+    r0, r1, y1, g0, g1, cosine = sp.symbols("r0 r1 y1 g0 g1 width")
+    h = sp.symbols("h0 h1 h2 h3")
+    c, s, sigma = nm.c, nm.s, nm.sigma
+    names = {
+        **_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
+        r0: -(sigma * s + nm.kappa) / nm.B,
+        r1: nm.q * s / nm.B,
+        y1: sigma * s / nm.B,  # y = r0 + y1 L
+        g0: sigma * (c**2 - s**2),
+        g1: nm.alpha - nm.B,  # K11 − K22 = (g0 + g1 L)/L, and g0² + 4 σ² s² c² = σ²
+        h[0]: -(sigma**2) * r0,
+        h[1]: sigma**2 * (4 * s * c**2 - y1) - 2 * g0 * g1 * r0,
+        h[2]: -4 * sigma * nm.p * s * c**2 - g1 * (2 * g0 * y1 + g1 * r0),
+        h[3]: -(g1**2) * y1,
+        cosine: (4 * sigma * s * c * nm.alpha) ** 2,
+    }
+    sextic = (
+        h[0] ** 2,
+        2 * h[0] * h[1],
+        h[1] ** 2 + 2 * h[0] * h[2] - cosine * (1 - r0**2),
+        2 * (h[0] * h[3] + h[1] * h[2] + cosine * r0 * r1),
+        h[2] ** 2 + 2 * h[1] * h[3] + cosine * r1**2,
+        2 * h[2] * h[3],
+        h[3] ** 2,
+    )
+    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
+    derived = stability.flutter_sextic()
+    scale = nm.B**2  # the derived polynomial is free of denominators
+    _same("flutter sextic", tuple(scale * value for value in sextic), derived, local)
+    return sextic, names
 
 
 # ------------------------------------------------------------------------------------------------- catastrophe
@@ -260,7 +302,8 @@ def _catastrophe() -> Module:
         for symbol in _PARAMETERS
     )  # fmt: skip
     friction, quartic, quartic_names = _fold_quartic(s0, c0)
-    cusp_s0, cusp_ratio = catastrophe.cusp_angles()
+    cusp_polynomial, cusp_names = _cusp_polynomial()
+    cusp_s0, cusp_ratio = _cusp_angles()
     cusp_mu = catastrophe.cusp_friction() / nm.c / nm.sigma
     return Module(
         "catastrophe",
@@ -282,7 +325,7 @@ def _catastrophe() -> Module:
                      "e0, e1, e2", _shorthands(equilibrium.CONTACT, nm.B)),
             Function("cusp_polynomial", "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
                      "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", (nm.kappa, *_STIFFNESS),
-                     tuple(map(sp.factor, catastrophe.cusp_polynomial())), "e0, …, e9", _shorthands(equilibrium.CONTACT, nm.B)),
+                     cusp_polynomial, "e0, …, e9", cusp_names),
             Function("cusp_cubic", "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.", "f = f′ = f″ = 0",
                      (nm.kappa, nm.sigma, nm.beta), tuple(map(sp.factor, catastrophe.cusp_cubic())), "e0, e1, e2, e3",
                      _shorthands(equilibrium.CONTACT, nm.B)),
@@ -293,6 +336,47 @@ def _catastrophe() -> Module:
                      (nm.s, nm.kappa, *_STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
         ),
     )  # fmt: skip
+
+
+def _cusp_angles() -> tuple[sp.Expr, sp.Expr]:
+    """sin θ₀ and cos θ₀/cos θ on a cusp with the factor 3 s² − 2 kept together."""
+    S, s = 3 * nm.s**2 - 2, nm.s
+    s0 = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
+    G = 3 * nm.kappa * nm.p * nm.q * s * S - 4 * nm.B * nm.p * nm.sigma * (1 - s**2) + 3 * nm.sigma * nm.alpha * nm.q * s**4
+    ratio = (nm.B - nm.alpha) * G / (nm.B * nm.alpha * nm.p * nm.q * S**2)
+    _same("cusp angles", (s0, ratio), catastrophe.cusp_angles())
+    return s0, ratio
+
+
+def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """(α q)² N² S² + (B − α)² (1 − s²) G² − (B p α q)² S⁴ with S = 3 s² − 2, N = a s³ − κ p S, and G of cos θ₀; degree 9."""
+    n0, n2, n3, g0, g1, g4, r, N, G, width, k = sp.symbols("n0 n2 n3 g0 g1 g4 r N G width k")
+    s = nm.s
+    names = {
+        **_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa),
+        r: nm.alpha * nm.q,
+        k: nm.kappa * nm.p,
+        g0: -4 * nm.B * nm.p * nm.sigma,
+        g1: -6 * k * nm.q,
+        g4: 3 * nm.sigma * r,
+        width: nm.B - nm.alpha,
+    }
+    S, first = 3 * s**2 - 2, nm.fa * s**3 - k * (3 * s**2 - 2)
+    second = g0 * (1 - s**2) + g1 * (s - sp.Rational(3, 2) * s**3) + g4 * s**4
+    expanded = sp.expand(
+        (r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (nm.B * nm.p * r) ** 2 * S**4
+    )
+    coefficients = sp.Poly(expanded, s).all_coeffs()[::-1]
+    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
+    derived = catastrophe.cusp_polynomial()
+    _same("cusp polynomial", tuple(coefficients), (*derived, sp.S.Zero), local)
+    return tuple(_over_one_denominator(value) for value in coefficients[:10]), names
+
+
+def _over_one_denominator(value: sp.Expr) -> sp.Expr:
+    """A polynomial with rational coefficients as an integer one over an integer."""
+    numerator, denominator = sp.fraction(sp.together(value))
+    return sp.factor_terms(sp.expand(numerator)) / denominator
 
 
 def _fold_quartic(
@@ -371,20 +455,12 @@ def _motion() -> Module:
         equations.ay: sp.solve(equations.y, equations.ay)[0],
     }
     arranged = _accelerations()
-    for ours, derived in zip(arranged, accelerations.values(), strict=True):
-        if sp.expand(ours - derived) != 0:
-            raise ArithmeticError("the arrangement of the accelerations is not (8), (9)")
+    _same("accelerations (8), (9)", arranged, tuple(accelerations.values()))
     in_regime = tuple(value.subs(regime, simultaneous=True) for value in arranged)
     everywhere = tuple(
         value.subs({nm.mu: mechanics.friction(), nm.n: (sp.Abs(nm.y) - nm.y) / 2}, simultaneous=True) for value in arranged
     )
-    jacobian = tuple(
-        tuple(
-            sp.factor_terms(sp.expand(sp.diff(value, symbol) + sp.diff(value, nm.L) * mechanics.replace_length(sp.diff(length, symbol))))
-            for symbol in state
-        )
-        for value in in_regime
-    )
+    jacobian, jacobian_names = _regime_jacobian(in_regime, side)
     parameters = (*_ANGLE0, *_PARAMETERS, nm.V, nm.creep)
     energy = mechanics.energy()
     return Module(
@@ -402,7 +478,7 @@ def _motion() -> Module:
             Function("regime_rhs", "x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (−1).",
                      "(8)–(10)", (*state, *parameters, nm.nbar, side), in_regime, "x″, y″", lengths, transcendental=True),
             Function("regime_jacobian", "Derivatives of regime_rhs with respect to x, y, x', y'.", "(8)–(10)",
-                     (*state, *parameters, nm.nbar, side), jacobian, "((∂x″/∂x, …), (∂y″/∂x, …))", lengths, transcendental=True),
+                     (*state, *parameters, nm.nbar, side), jacobian, "((∂x″/∂x, …), (∂y″/∂x, …))", jacobian_names, transcendental=True),
             Function("energy", "Kinetic and stored energy, the preload's included, over k_c L_0².", "(1), (2)",
                      (*state, *_ANGLE0, nm.kappa, *_STIFFNESS, nm.nbar), energy, "energy", lengths, transcendental=True),
             Function("friction_power", "Rate at which friction changes that energy.", "(8)",
@@ -410,6 +486,47 @@ def _motion() -> Module:
                      (regime[nm.mu] * regime[nm.n] * nm.vx), "power", transcendental=True),
         ),
     )  # fmt: skip
+
+
+def _regime_jacobian(
+    accelerations: tuple[sp.Expr, ...], side: sp.Symbol
+) -> tuple[tuple[tuple[sp.Expr, ...], ...], dict[sp.Symbol, sp.Expr]]:
+    """Derivatives of the accelerations in terms of −K and of the friction and its slope, held against direct differentiation."""
+    state = (nm.x, nm.y, nm.vx, nm.vy)
+    mu, slope, pull = sp.Symbol("mu", real=True), sp.Symbol("slope"), sp.Symbol("pull")
+    length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
+    friction = mechanics.smooth_friction(side)
+    force = mechanics.contact_family()
+    names = {
+        nm.L: length,
+        nm.c: (nm.c0 - nm.x) / nm.L,
+        nm.s: (nm.s0 - nm.y) / nm.L,
+        pull: nm.sigma / nm.L,
+        mu: friction,
+        slope: sp.diff(friction, nm.vx),
+    }
+    stiffness_x, stiffness_y = (
+        [sp.diff(value, symbol) + sp.diff(value, nm.L) * mechanics.replace_length(sp.diff(length, symbol)) for symbol in state[:2]]
+        for value in accelerations
+    )
+    derived = (
+        (*stiffness_x, *(sp.diff(accelerations[0], symbol) for symbol in state[2:])),
+        (*stiffness_y, *(sp.diff(accelerations[1], symbol) for symbol in state[2:])),
+    )
+    coupling = -pull * nm.s * nm.c
+    arranged = (
+        (pull * nm.s**2 - nm.alpha - nm.sigma, coupling + mu * sp.diff(force, nm.y), slope * force, sp.S.Zero),
+        (coupling, pull * nm.c**2 - nm.beta - nm.nbar - nm.sigma, sp.S.Zero, sp.S.Zero),
+    )
+    polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
+    values = {pull: names[pull], mu: friction, slope: names[slope]}
+    for ours, theirs in zip(arranged, derived, strict=True):
+        _same(
+            "Jacobian of the motion",
+            tuple(entry.subs(values).subs(polar) for entry in ours),
+            tuple(sp.sympify(entry).subs(polar) for entry in theirs),
+        )
+    return arranged, names
 
 
 def _accelerations() -> tuple[sp.Expr, sp.Expr]:

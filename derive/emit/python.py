@@ -77,7 +77,7 @@ def _function(function: Function) -> str:
         signature,
         textwrap.indent(_docstring(function, body.operations), "    "),
         *(_wrap(f"    {symbol} = {_PRINTER.doprint(expression)}") for symbol, expression in body.assignments),
-        _wrap(f"    return {_tuple(body.results)}"),
+        _return(body.results),
     ]
     return "\n".join(lines)
 
@@ -94,26 +94,24 @@ def _tuple(results: Results) -> str:
     return f"({', '.join(_tuple(item) for item in results)})"
 
 
+def _return(results: Results) -> str:
+    """The return statement, on one line or one result a line."""
+    line = f"    return {_tuple(results)}"
+    if len(line) <= _WIDTH or not isinstance(results, tuple):
+        return _wrap(line)
+    return "    return (\n" + "".join(f"{_wrap(' ' * 8 + _tuple(item))},\n" for item in results) + "    )"
+
+
 def _wrap(line: str) -> str:
-    """Break a long statement at operators between blanks, inside brackets."""
+    """Break a long statement between terms, inside brackets."""
     if len(line) <= _WIDTH:
         return line
-    head, separator, rest = line.partition(" = ")
-    if not separator or line.lstrip().startswith("return"):
-        head, separator, rest = "    return", " ", line.strip().removeprefix("return ").strip()
-    inner = rest[1:-1] + "," if rest.startswith("(") and line.lstrip().startswith("return") and _encloses(rest) else rest
-    pieces = textwrap.wrap(inner, _WIDTH - 8, break_long_words=False, break_on_hyphens=False)
-    return f"{head}{separator}(\n" + "\n".join(f"        {piece}" for piece in pieces) + "\n    )"
-
-
-def _encloses(text: str) -> bool:
-    """Whether the first bracket closes at the end."""
-    depth = 0
-    for position, letter in enumerate(text):
-        depth += (letter == "(") - (letter == ")")
-        if depth == 0:
-            return position == len(text) - 1
-    return False
+    indent = " " * (len(line) - len(line.lstrip()))
+    head, separator, rest = line.strip().rpartition(" = ")
+    if line.strip().startswith("return "):
+        head, separator, rest = "return", " ", line.strip().removeprefix("return ")
+    pieces = textwrap.wrap(rest, _WIDTH - len(indent) - 4, break_long_words=False, break_on_hyphens=False)
+    return f"{indent}{head}{separator}(\n" + "\n".join(f"{indent}    {piece}" for piece in pieces) + f"\n{indent})"
 
 
 def _docstring(function: Function, operations: int) -> str:

@@ -29,6 +29,8 @@ class Function:
     returns: str
     shorthands: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
     transcendental: bool = False
+    #: Without shared subexpressions, where each quotient should be rounded once.
+    share: bool = True
 
 
 @dataclass(frozen=True)
@@ -84,13 +86,13 @@ def _scales() -> Module:
         (
             Function(
                 "scales", "Scales of length, time and force.", "text after (9)", (nm.m_mass, nm.k_c, nm.L_0),
-                (scales["length"], scales["time"], scales["force"]), "length, time, force", transcendental=True,
+                (scales["length"], scales["time"], scales["force"]), "length, time, force", transcendental=True, share=False,
             ),
             Function(
                 "dimensionless_groups", "The dimensionless parameters of dimensional data.", "text after (9)",
                 (nm.m_mass, nm.k_c, nm.L_0, *dimensional),
                 tuple(groups[symbol][0] / groups[symbol][1] for symbol in dimensionless),
-                ", ".join(str(symbol) for symbol in dimensionless), transcendental=True,
+                ", ".join(str(symbol) for symbol in dimensionless), transcendental=True, share=False,
             ),
         ),
     )  # fmt: skip

@@ -36,9 +36,8 @@ def straight_line(function: Function) -> Body:
     expressions = [powers.replace(expression) for _, expression in named]
     leaves = tuple(powers.replace(leaf) for leaf in leaves)
     definitions = dict(powers.definitions)
-    temporaries, reduced = sp.cse(
-        [*expressions, *definitions.values(), *leaves], symbols=sp.numbered_symbols("w"), order="canonical"
-    )
+    everything = [*expressions, *definitions.values(), *leaves]
+    temporaries, reduced = sp.cse(everything, symbols=sp.numbered_symbols("w")) if function.share else ([], everything)
     count, extra = len(expressions), len(definitions)
     available = dict(temporaries)
     available.update(zip((symbol for symbol, _ in named), reduced[:count], strict=True))

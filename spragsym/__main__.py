@@ -1,0 +1,7 @@
+"""``python -m spragsym``."""
+
+import sys
+
+from .cli import main
+
+sys.exit(main())

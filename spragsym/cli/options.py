@@ -1,0 +1,55 @@
+"""Options that commands share: one name and one meaning everywhere."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import click
+
+from ..parameters import ARTICLE, Parameters
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+_PARAMETER_HELP = {
+    "mu0": "Friction coefficient.",
+    "kappa": "Preload F_L / (k_c L_0).",
+    "alpha": "Stiffness along the belt, k_x / k_c.",
+    "sigma": "Stiffness of the inclined spring, k / k_c.",
+    "beta": "Stiffness across the belt, k_y / k_c.",
+}
+
+
+def parameters(function: F) -> F:
+    """``--mu0 --kappa --alpha --sigma --beta``, with the article's base values as defaults."""
+    for name, text in reversed(_PARAMETER_HELP.items()):
+        function = click.option(f"--{name}", type=float, default=ARTICLE[name], show_default=True, help=text)(function)
+    return function
+
+
+def theta0(function: F) -> F:
+    """``--theta0`` in degrees."""
+    return click.option(
+        "--theta0", "theta0_deg", type=float, required=True, help="Inclination of the undeformed spring, degrees."
+    )(function)
+
+
+def belt(function: F) -> F:
+    """``-V --creep``: belt speed and steepness of the friction law, which the article does not state."""
+    function = click.option(
+        "--creep", "-d", "d", type=float, default=10.0, show_default=True, help="Steepness d of the friction law. Our assumption."
+    )(function)
+    return click.option("--speed", "-V", "V", type=float, default=0.5, show_default=True, help="Belt speed V. Our assumption.")(
+        function
+    )
+
+
+def as_json(function: F) -> F:
+    """``--json``."""
+    return click.option("--json", "json_output", is_flag=True, help="Print JSON instead of a table.")(function)
+
+
+def build(theta0_deg: float | None, **values: float) -> Parameters:
+    """Parameters from the options of a command."""
+    return Parameters(theta0=None if theta0_deg is None else math.radians(theta0_deg), **values)

@@ -1,0 +1,29 @@
+"""Errors: each says which argument, its value, what is allowed, and what to do."""
+
+from __future__ import annotations
+
+
+class SpragsymError(Exception):
+    """Base of every error that this package raises on purpose."""
+
+
+class ParameterError(SpragsymError, ValueError):
+    """An argument has a value that the model does not have."""
+
+
+class ParameterTypeError(SpragsymError, TypeError):
+    """An argument is not a number, or not numbers of the kind that is needed."""
+
+
+class ConvergenceError(SpragsymError, RuntimeError):
+    """A computation could not reach what it promises."""
+
+
+class MissingExtraError(SpragsymError, ImportError):
+    """A feature needs a package that is not installed."""
+
+    def __init__(self, feature: str, module: str, extra: str) -> None:
+        super().__init__(
+            f"{feature} needs {module}, which is not installed; install the extra that brings it: "
+            f"pip install 'spragsym[{extra}]'"
+        )

@@ -1,0 +1,329 @@
+"""Parameters of the model, dimensionless and in newtons, metres and seconds, validated once."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields, replace
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .errors import ParameterError, ParameterTypeError
+from .generated import scales as _scales
+
+FloatArray: TypeAlias = NDArray[np.float64]
+
+#: Names of the dimensionless parameters, in the order in which every function takes them.
+NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+
+#: The article's base values (Section 3); its θ₀ is the control parameter.
+ARTICLE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
+
+
+@dataclass(frozen=True)
+class Range:
+    """Allowed values of an argument."""
+
+    low: float
+    high: float = math.inf
+    open_low: bool = False
+    remedy: str = ""
+
+    def __str__(self) -> str:
+        low = "(" if self.open_low or math.isinf(self.low) else "["
+        return f"{low}{self.low:g}, {self.high:g})"
+
+
+POSITIVE = Range(0.0, open_low=True)
+NOT_NEGATIVE = Range(0.0)
+FINITE = Range(-math.inf)
+
+_RANGES = {
+    "theta0": Range(
+        0.0, math.pi, open_low=True, remedy="angles are radians, strictly between 0 and pi; use numpy.radians for degrees"
+    ),
+    "mu0": Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0"),
+    "kappa": Range(0.0, open_low=True, remedy="without preload nothing presses the mass on the belt"),
+    "alpha": NOT_NEGATIVE,
+    "sigma": Range(0.0, open_low=True, remedy="without the inclined spring there is no sprag"),
+    "beta": NOT_NEGATIVE,
+}
+
+
+def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
+    """``value`` as a float64 array of any shape, or an error that names the argument.
+
+    Parameters
+    ----------
+    name : str
+        Name of the argument, for the error.
+    value : array_like
+        Real numbers: int, float32 and float64 are taken; a masked array only if nothing in it is masked.
+    allowed : Range
+        Where every number must lie.
+
+    Raises
+    ------
+    ParameterTypeError
+        For strings, booleans, complex numbers, objects, ragged lists and masked values.
+    ParameterError
+        For NaN, infinities and numbers out of range.
+    """
+    if isinstance(value, np.ma.MaskedArray):
+        if np.ma.is_masked(value):
+            raise ParameterTypeError(
+                f"{name} has {np.ma.count_masked(value)} masked values, and a masked value has no equilibria; "
+                f"use {name}.compressed(), or {name}.filled(...) with a number"
+            )
+        value = value.data
+    try:
+        array = np.asarray(value)
+    except ValueError as error:
+        raise ParameterTypeError(f"{name} is not an array of numbers ({error}); give one number or a regular array") from error
+    if array.dtype.kind not in "iuf":
+        raise ParameterTypeError(f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, not {_kind(array)}")
+    array = array.astype(np.float64)
+    finite = np.isfinite(array)
+    inside = finite & (array > allowed.low if allowed.open_low else array >= allowed.low) & (array < allowed.high)
+    if not inside.all():
+        index = tuple(int(i) for i in np.argwhere(~inside)[0]) if array.ndim else ()
+        place = f"{name}[{', '.join(map(str, index))}]" if index else name
+        more = int(np.count_nonzero(~inside)) - 1
+        raise ParameterError(
+            f"{place} = {array[index]:.17g} is not in {allowed}"
+            + (f", nor are {more} more of its values" if more else "")
+            + (f": {allowed.remedy}" if allowed.remedy else "")
+        )
+    array.setflags(write=False)
+    return array
+
+
+def as_number(name: str, value: ArrayLike, allowed: Range = FINITE) -> float:
+    """``value`` as one float; as :func:`as_numbers`, and an error for anything but a single number."""
+    array = as_numbers(name, value, allowed)
+    if array.ndim:
+        raise ParameterTypeError(f"{name} has the shape {array.shape}; one number is needed here")
+    return float(array)
+
+
+def _short(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def _kind(array: NDArray[Any]) -> str:
+    return {"U": "text", "S": "bytes", "b": "booleans", "c": "complex numbers", "O": "objects or ragged lists"}.get(
+        array.dtype.kind, str(array.dtype)
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Parameters:
+    """Dimensionless parameters, scalars or arrays that broadcast together.
+
+    Parameters
+    ----------
+    theta0 : array_like, optional
+        Inclination θ₀ of the undeformed spring, radians, in (0, π). May be left out for functions that span it.
+    mu0 : array_like, optional
+        Friction coefficient μ₀ ≥ 0. May be left out for functions that span it.
+    kappa : array_like
+        Preload κ = F_L / (k_c L_0) > 0.
+    alpha, beta : array_like
+        Stiffness ratios α = k_x / k_c ≥ 0 and β = k_y / k_c ≥ 0.
+    sigma : array_like
+        Stiffness ratio σ = k / k_c > 0.
+
+    Raises
+    ------
+    ParameterError
+        For a value out of range, or shapes that do not broadcast.
+    ParameterTypeError
+        For anything but real numbers.
+
+    Notes
+    -----
+    Source: text after (9), with n = N / (k_c L_0) as derived.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> p = Parameters.article(theta0=np.radians([30.0, 49.0]), mu0=0.7)
+    >>> p.shape
+    (2,)
+    >>> float(p.kappa)
+    0.007
+    """
+
+    theta0: Any = None
+    mu0: Any = None
+    kappa: Any = None
+    alpha: Any = None
+    sigma: Any = None
+    beta: Any = None
+
+    def __post_init__(self) -> None:
+        for name in NAMES:
+            value = getattr(self, name)
+            if value is None:
+                if name not in ("theta0", "mu0"):
+                    raise ParameterError(f"{name} is missing; give it, or start from Parameters.article(...)")
+                continue
+            object.__setattr__(self, name, as_numbers(name, value, _RANGES[name]))
+        self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    @classmethod
+    def article(cls, **changes: ArrayLike | None) -> Parameters:
+        """The article's base values, μ₀ = 0.5, κ = α = 0.007, σ = 0.1, β = 0, with changes."""
+        unknown = changes.keys() - set(NAMES)
+        if unknown:
+            raise ParameterTypeError(f"{', '.join(sorted(unknown))} is not a parameter; the parameters are {', '.join(NAMES)}")
+        return cls(**{**ARTICLE, **changes})
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Common shape of all parameters."""
+        given = {name: getattr(self, name).shape for name in NAMES if getattr(self, name) is not None}
+        try:
+            return np.broadcast_shapes(*given.values())
+        except ValueError as error:
+            listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
+            raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+
+    def replace(self, **changes: ArrayLike | None) -> Parameters:
+        """A copy with other values."""
+        return replace(self, **changes)
+
+    def require(self, *names: str) -> None:
+        """Raise unless the named parameters are given."""
+        for name in names:
+            if getattr(self, name) is None:
+                raise ParameterError(f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)")
+
+    def scalars(self, *names: str) -> tuple[float, ...]:
+        """The named parameters as floats; an error if one is missing or an array."""
+        self.require(*names)
+        return tuple(as_number(name, getattr(self, name)) for name in names)
+
+    def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
+        """The named parameters, read-only, each of the common shape."""
+        self.require(*names)
+        return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
+
+    def __repr__(self) -> str:
+        given = ((name, getattr(self, name)) for name in NAMES)
+        return f"Parameters({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Parameters):
+            return NotImplemented
+        return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def _plain(value: FloatArray) -> str:
+    return repr(value.item()) if value.ndim == 0 else f"array{value.shape}"
+
+
+def _equal(one: FloatArray | None, other: FloatArray | None) -> bool:
+    if one is None or other is None:
+        return one is other
+    return bool(np.array_equal(one, other))
+
+
+@dataclass(frozen=True)
+class Scales:
+    """What one dimensionless unit is, in the units of the data."""
+
+    length: float
+    time: float
+    force: float
+
+
+@dataclass(frozen=True)
+class PhysicalParameters:
+    """The model in newtons, metres, kilograms and seconds, or any consistent system of units.
+
+    Parameters
+    ----------
+    m : float
+        Mass.
+    k, k_x, k_y, k_c : float
+        Stiffness of the inclined spring, along the belt, across it, and of the contact.
+    F_L : float
+        Preload.
+    L_0 : float
+        Length of the undeformed inclined spring.
+    theta0 : float
+        Its inclination, radians, in (0, π).
+    mu0 : float
+        Friction coefficient.
+    V : float, optional
+        Belt speed.
+    d : float, optional
+        Steepness of the friction law in creep, per unit of speed.
+
+    Notes
+    -----
+    Source: text after (9). Lengths are measured in L_0, time in sqrt(m/k_c), forces in k_c L_0.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> brake = PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=radians(49), mu0=0.5, V=20)
+    >>> brake.dimensionless()
+    Parameters(theta0=0.8552113334772214, mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0.0)
+    >>> brake.scales.force
+    50000.0
+    """
+
+    m: float
+    k: float
+    k_x: float
+    k_y: float
+    k_c: float
+    F_L: float
+    L_0: float
+    theta0: float
+    mu0: float
+    V: float | None = None
+    d: float | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("m", "k", "k_c", "F_L", "L_0"):
+            object.__setattr__(self, name, as_number(name, getattr(self, name), POSITIVE))
+        for name in ("k_x", "k_y"):
+            object.__setattr__(self, name, as_number(name, getattr(self, name), NOT_NEGATIVE))
+        for name in ("theta0", "mu0"):
+            object.__setattr__(self, name, as_number(name, getattr(self, name), _RANGES[name]))
+        if self.V is not None:
+            object.__setattr__(self, "V", as_number("V", self.V))
+        if self.d is not None:
+            object.__setattr__(self, "d", as_number("d", self.d, POSITIVE))
+
+    @property
+    def scales(self) -> Scales:
+        """Scales of length, time and force: multiply a dimensionless result by its scale."""
+        return Scales(*(float(value) for value in _scales.scales(self.m, self.k_c, self.L_0)))
+
+    def dimensionless(self) -> Parameters:
+        """The same system as :class:`Parameters`."""
+        kappa, alpha, sigma, beta, _, _ = self._groups()
+        return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta)
+
+    def belt(self) -> dict[str, float]:
+        """Dimensionless ``V`` and ``d``, as :func:`spragsym.simulate` takes them; an error if one was not given."""
+        for name in ("V", "d"):
+            if getattr(self, name) is None:
+                raise ParameterError(f"{name} is missing from the physical parameters, and the motion in time needs it")
+        *_, V, d = self._groups()
+        return {"V": float(V), "d": float(d)}
+
+    def _groups(self) -> tuple[float, ...]:
+        absent = 0.0  # V and d enter their own groups only
+        return _scales.dimensionless_groups(  # type: ignore[no-any-return]
+            self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y,
+            absent if self.V is None else self.V, absent if self.d is None else self.d,
+        )  # fmt: skip

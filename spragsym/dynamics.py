@@ -1,0 +1,366 @@
+"""Motion in time: trajectories, what happens along them, and what they settle to."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import integrators
+from .errors import ParameterError
+from .generated import motion
+from .integrators import DEGREE, Event, Problem
+from .parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, Range, as_number, as_numbers
+
+__all__ = ["Event", "Events", "Trajectory", "simulate"]
+
+BELT_SPEED = Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x")
+CREEP = Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction")
+TOLERANCE = Range(1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most")
+
+#: The tightest that SciPy takes, for the second run of an error estimate.
+TIGHTEST = 2.3e-14
+
+#: Quantities of a trajectory.
+QUANTITIES = ("x", "y", "vx", "vy")
+
+
+@dataclass(frozen=True, eq=False)
+class Events:
+    """Where the motion passed a kink of the field, in order of time.
+
+    Attributes
+    ----------
+    t : ndarray, shape (k,)
+        Time.
+    state : ndarray, shape (k, 4)
+        x, y, x', y' there: y = 0 or x' = V to 1e-12.
+    which : ndarray of int, shape (k,)
+        Codes of :class:`Event`.
+    """
+
+    t: FloatArray
+    state: FloatArray
+    which: NDArray[np.intp]
+
+    def __len__(self) -> int:
+        return len(self.t)
+
+    def of(self, *kinds: Event) -> Events:
+        """The events of some kinds only."""
+        chosen = np.isin(self.which, kinds)
+        return Events(self.t[chosen], self.state[chosen], self.which[chosen])
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """A motion in time, as accurate between the samples as on them.
+
+    The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events among them:
+    ``degree + 1`` to a step, consecutive steps sharing one. The motion is the polynomial through them, so that integrals
+    and values in between lose nothing against the integration.
+
+    Attributes
+    ----------
+    t, x, y, vx, vy : ndarray, shape (n,)
+        Time in sqrt(m/k_c), displacements in L_0, speeds in L_0 sqrt(k_c/m).
+    events : Events or None
+        Contact lost and regained (y = 0), slip reversed (x' = V); None when not asked for.
+    p : Parameters
+        The parameters, scalars.
+    V, d, rtol : float
+        Belt speed, steepness of the friction law, tolerance.
+    backend : str
+        Which integrator ran.
+    error : ndarray, shape (n,), or None
+        Largest of the four |differences| to a second run at a tighter tolerance; None when not asked for.
+    """
+
+    t: FloatArray
+    x: FloatArray
+    y: FloatArray
+    vx: FloatArray
+    vy: FloatArray
+    events: Events | None
+    p: Parameters
+    V: float
+    d: float
+    rtol: float
+    backend: str
+    error: FloatArray | None = None
+
+    @property
+    def state(self) -> FloatArray:
+        """x, y, x', y' at the samples, shape (4, n)."""
+        return np.array([self.x, self.y, self.vx, self.vy])
+
+    @property
+    def weights(self) -> FloatArray:
+        """Quadrature weights: ``(weights * f).sum()`` is the integral of f over the trajectory, shape (n,)."""
+        _, unit = integrators.lobatto()
+        weights = np.zeros_like(self.t)
+        steps = self.t[::DEGREE]
+        for j, weight in enumerate(unit):
+            weights[j : len(self.t) - DEGREE + j : DEGREE] += weight * np.diff(steps) / 2
+        return weights
+
+    def integral(self, values: ArrayLike) -> float:
+        """Integral over time of ``values``, given at the samples."""
+        return float(np.sum(self.weights * np.asarray(values)))
+
+    def __call__(self, t: ArrayLike) -> FloatArray:
+        """x, y, x', y' at any times within the trajectory, shape (4, …)."""
+        times = as_numbers("t", t)
+        if times.size and not (self.t[0] <= times.min() and times.max() <= self.t[-1]):
+            raise ParameterError(
+                f"t = {times.min():g} … {times.max():g} is not within the trajectory, [{self.t[0]:g}, {self.t[-1]:g}]; "
+                "simulate with a larger t_end"
+            )
+        return self._at(self._step_of(times), times)
+
+    def after(self, transient: float) -> Trajectory:
+        """What follows the time ``transient``, as a trajectory; an error if nothing does."""
+        transient = as_number("transient", transient, NOT_NEGATIVE)
+        if transient >= self.t[-1]:
+            raise ParameterError(
+                f"transient = {transient:g} leaves nothing of a trajectory that ends at {self.t[-1]:g}; "
+                "give a smaller transient, or simulate with a larger t_end"
+            )
+        if transient <= self.t[0]:
+            return self
+        step = int(self._step_of(np.array(transient)))
+        end = (step + 1) * DEGREE
+        points, _ = integrators.lobatto()
+        t = transient + (points + 1) / 2 * (self.t[end] - transient)
+        t[-1] = self.t[end]
+        state = np.concatenate([self._at(np.full(t.shape, step), t)[:, :-1], self.state[:, end:]], axis=1)
+        t = np.concatenate([t[:-1], self.t[end:]])
+        error = None if self.error is None else np.interp(t, self.t, self.error)
+        events = self.events
+        if events is not None:
+            late = events.t >= transient
+            events = Events(events.t[late], events.state[late], events.which[late])
+        return replace(self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error)
+
+    def mean(self, transient: float = 1500.0, *, of: str = "x") -> float:
+        """Time average of x (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
+        late = self.after(transient)
+        return late.integral(late._values(of)) / (late.t[-1] - late.t[0])
+
+    def rms(self, transient: float = 1500.0, *, of: str = "x", about: str = "zero") -> float:
+        """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
+
+        The article's Figure 7b shows the root mean square of x, from zero.
+        """
+        late = self.after(transient)
+        deviation = late._values(of) - late._centre(of, about)
+        return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
+
+    def amplitude(self, transient: float = 1500.0, *, of: str = "x", about: str = "zero") -> float:
+        """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
+        late = self.after(transient)
+        return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
+
+    def period(self, transient: float = 1500.0, *, tol: float = 1e-6) -> float:
+        """Time after which the motion after ``transient`` repeats itself; NaN if it does not, and at rest.
+
+        Passages are those of x upwards through its mean. The motion repeats after k of them, k as small as possible, when
+        all states there come back within ``tol``, relative to how far the motion reaches.
+        """
+        return self.after(transient)._recurrence(as_number("tol", tol, POSITIVE))
+
+    def converged(self, transient: float = 1500.0, *, tol: float = 1e-6) -> bool:
+        """Whether the motion after ``transient`` is at rest or repeats itself, within ``tol`` (see :meth:`period`)."""
+        late = self.after(transient)
+        return late._at_rest(as_number("tol", tol, POSITIVE)) or bool(np.isfinite(late._recurrence(tol)))
+
+    def energy(self) -> FloatArray:
+        """Kinetic and stored energy, the contact's and the preload's included, over k_c L_0², at the samples: (1), (2)."""
+        cos0, sin0, _, *stiffnesses = _constants(self.p)
+        return motion.energy(*self.state, cos0, sin0, *stiffnesses, self.y < 0)  # type: ignore[no-any-return]
+
+    def friction_power(self) -> FloatArray:
+        """Rate at which friction changes that energy, at the samples: positive where the belt drives the mass."""
+        side = np.where(self.vx <= self.V, 1, -1)
+        (mu0,) = self.p.scalars("mu0")
+        return motion.friction_power(self.y, self.vx, mu0, self.V, self.d, self.y < 0, side)  # type: ignore[no-any-return]
+
+    # ----------------------------------------------------------------------------------------------- inner parts
+
+    def _values(self, of: str) -> FloatArray:
+        if of not in QUANTITIES:
+            raise ParameterError(f"of = {of!r} is not one of {', '.join(QUANTITIES)}")
+        return getattr(self, of)  # type: ignore[no-any-return]
+
+    def _centre(self, of: str, about: str) -> float:
+        if about not in ("zero", "mean"):
+            raise ParameterError(f"about = {about!r} is neither 'zero' nor 'mean'")
+        return self.mean(0.0, of=of) if about == "mean" else 0.0
+
+    def _step_of(self, times: FloatArray) -> NDArray[np.intp]:
+        steps = self.t[::DEGREE]
+        return np.clip(np.searchsorted(steps, times, side="right") - 1, 0, len(steps) - 2)
+
+    def _at(self, step: NDArray[np.intp], times: FloatArray) -> FloatArray:
+        """States at times within given steps, by Lagrange's polynomials in barycentric form."""
+        points, _ = integrators.lobatto()
+        index = step[..., None] * DEGREE + np.arange(DEGREE + 1)
+        begin, end = self.t[index[..., 0]], self.t[index[..., -1]]
+        distance = (2 * (times - begin) / (end - begin) - 1)[..., None] - points
+        hit = distance == 0
+        share = _barycentric() / np.where(hit, 1.0, distance)
+        share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
+        return (self.state[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)  # type: ignore[no-any-return]
+
+    def _passages(self, values: FloatArray, function: Callable[[FloatArray], FloatArray]) -> FloatArray:
+        """Times where ``values`` goes from negative to not negative, by bisection of the polynomials."""
+        (before,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
+        step, low, high = before // DEGREE, self.t[before], self.t[before + 1]
+        for _ in range(52):
+            middle = (low + high) / 2
+            negative = function(self._at(step, middle)) < 0
+            low, high = np.where(negative, middle, low), np.where(negative, high, middle)
+        return high
+
+    def _extrema(self, of: str) -> FloatArray:
+        """Values at the ends and at all local extrema of x or y; the samples themselves for speeds."""
+        row = QUANTITIES.index(of)
+        values = self._values(of)
+        if row > 1:
+            return values
+        speed = self.state[row + 2]
+        turns = [self._passages(sign * speed, lambda state, sign=sign: sign * state[row + 2]) for sign in (1, -1)]  # type: ignore[misc]
+        return np.concatenate([values[[0, -1]], self(np.concatenate(turns))[row]])
+
+    def _reach(self) -> FloatArray:
+        """Extent of the motion in each of the four quantities."""
+        return np.ptp(self.state, axis=1)
+
+    def _at_rest(self, tol: float) -> bool:
+        return bool(self._reach().max() <= tol)
+
+    def _recurrence(self, tol: float) -> float:
+        centre = self.mean(0.0)
+        t = self._passages(self.x - centre, lambda state: state[0] - centre)
+        if len(t) < 3 or self._at_rest(tol):
+            return float("nan")
+        states = self(t)
+        for k in range(1, len(t) // 2 + 1):
+            if (np.abs(states[:, k:] - states[:, :-k]).max(axis=1) <= tol * self._reach()).all():
+                return float((t[-1] - t[(len(t) - 1) % k]) / ((len(t) - 1) // k))
+        return float("nan")
+
+
+def _barycentric() -> FloatArray:
+    """Barycentric weights of the Lobatto points."""
+    points, weights = integrators.lobatto()
+    return np.sqrt(weights) * (-1.0) ** np.arange(len(points))
+
+
+def simulate(
+    p: Parameters,
+    *,
+    V: float,
+    d: float,
+    x0: float = 0.0,
+    y0: float = 0.0,
+    vx0: float = 0.0,
+    vy0: float = 0.0,
+    t_end: float = 2000.0,
+    rtol: float = 1e-10,
+    events: bool = True,
+    estimate_error: bool = False,
+    backend: str | None = None,
+) -> Trajectory:
+    """Integrate the motion (8)–(11) from an initial state.
+
+    The integrator is restarted at every kink of the field, y = 0 and x' = V, whether or not the events are kept.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars.
+    V : float
+        Belt speed over L_0 sqrt(k_c/m), V ≥ 0. The article states none; 0.5 is this package's assumption for its Figure 7.
+    d : float
+        Steepness of the friction law (10), times L_0 sqrt(k_c/m), d > 0. Likewise; 10 is the assumption.
+    x0, y0, vx0, vy0 : float
+        Initial state; rest at x = y = 0 by default, which lies on a kink.
+    t_end : float
+        Until when, in sqrt(m/k_c).
+    rtol : float
+        Relative tolerance of a step, in [1e-13, 1e-2]; the absolute one is a thousandth of it.
+    events : bool
+        Keep the events.
+    estimate_error : bool
+        Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``.
+    backend : {"heyoka", "scipy"}, optional
+        Taylor series (extra ``fast``) or DOP853; by default heyoka where it is installed. They agree to the tolerance.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and an initial state at the spring's anchor, where L = 0 and (8) is singular.
+    ConvergenceError
+        When the integrator cannot go on.
+    MissingExtraError
+        When the backend asked for is not installed.
+
+    Notes
+    -----
+    Source: (8)–(11).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.dynamics import simulate
+    >>> tr = simulate(ss.Parameters.article(theta0=np.radians(49)), V=0.5, d=10.0)
+    >>> round(tr.rms(transient=1500.0), 4), len(tr.events)
+    (1.8052, 259)
+    """
+    problem = prepare(p, V=V, d=d, start=(x0, y0, vx0, vy0), t_end=t_end, t_record=0.0, rtol=rtol)
+    chosen = integrators.choose(backend)
+    trajectory = run(p, problem, chosen)
+    if estimate_error:
+        reference = run(p, replace(problem, rtol=max(problem.rtol / 100, TIGHTEST)), chosen)
+        difference = np.abs(trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))).max(axis=0)
+        trajectory = replace(trajectory, error=difference)
+    return trajectory if events else replace(trajectory, events=None)
+
+
+def prepare(
+    p: Parameters, *, V: float, d: float, start: tuple[Any, ...], t_end: float, t_record: float, rtol: float
+) -> Problem:
+    """Validated arguments of a motion."""
+    cos0, sin0, *rest = _constants(p)
+    state = tuple(as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True))
+    if state[:2] == (cos0, sin0):
+        raise ParameterError(
+            f"x0 = {state[0]:.17g}, y0 = {state[1]:.17g} is the spring's anchor (cos theta0, sin theta0), where L = 0 and the "
+            "spring has no direction; start anywhere else"
+        )
+    t_end = as_number("t_end", t_end, POSITIVE)
+    return Problem(
+        cos0, sin0, *rest, as_number("V", V, BELT_SPEED), as_number("d", d, CREEP), state,  # type: ignore[arg-type]
+        t_end, t_record, as_number("rtol", rtol, TOLERANCE),
+    )  # fmt: skip
+
+
+def run(p: Parameters, problem: Problem, backend: str) -> Trajectory:
+    """The motion of a validated problem."""
+    result = integrators.integrate(problem, backend)
+    events = Events(result.event_t, result.event_states, result.event_kinds)
+    return Trajectory(result.t, *result.states, events, p, problem.V, problem.d, problem.rtol, backend)
+
+
+def _constants(p: Parameters) -> tuple[float, ...]:
+    theta0, *rest = p.scalars("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+    return (float(np.cos(theta0)), float(np.sin(theta0)), *rest)

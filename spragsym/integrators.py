@@ -1,0 +1,376 @@
+"""Existing integrators, restarted wherever the field of (8)–(11) has a kink.
+
+The field is continuous, and analytic in each of four regimes: contact or not (``nbar``), belt ahead of the mass or
+behind (``side``). Both backends integrate one regime's analytic continuation, find where the motion leaves it, and go
+on in the next. A regime is left :data:`GAP` beyond its border, so that two crossings are never closer than 2 GAP: that
+ends chatter by rounding, lets a motion start exactly on a kink, and costs an error of the order of GAP², or GAP^1.5
+where the motion only grazes the border, far below rounding.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import threading
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cache
+from types import SimpleNamespace
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import ConvergenceError, MissingExtraError, ParameterError
+from .generated import motion
+from .parameters import FloatArray
+
+State: TypeAlias = tuple[float, float, float, float]
+
+#: How far beyond its border a regime is left, in L_0 and in units of speed.
+GAP = 1e-12
+
+#: Polynomial degree to which each step is stored; 12 holds a Taylor step of order 20 to rounding, DOP853's is 7.
+DEGREE = 12
+
+BACKENDS = ("heyoka", "scipy")
+
+
+class Event(IntEnum):
+    """What happens at an event."""
+
+    CONTACT_LOST = 0
+    CONTACT_REGAINED = 1
+    MASS_OVERTAKES = 2
+    BELT_OVERTAKES = 3
+
+
+@dataclass(frozen=True)
+class Problem:
+    """One motion: constants of (8)–(11), initial state, and what to keep of it."""
+
+    cos0: float
+    sin0: float
+    mu0: float
+    kappa: float
+    alpha: float
+    sigma: float
+    beta: float
+    V: float
+    d: float
+    start: State
+    t_end: float
+    t_record: float
+    rtol: float
+
+    @property
+    def constants(self) -> tuple[float, ...]:
+        """In the order in which the generated functions take them."""
+        return (self.cos0, self.sin0, self.mu0, self.kappa, self.alpha, self.sigma, self.beta, self.V, self.d)
+
+    @property
+    def fastest(self) -> float:
+        """A bound on the angular frequencies, for the limits on steps and events."""
+        return math.sqrt(1 + self.mu0 + self.alpha + self.beta + 2 * self.sigma)
+
+    @property
+    def event_limit(self) -> int:
+        """No mode crosses a border more than about four times a period: ten times that is no motion of the model."""
+        return int(1000 + 10 * self.fastest * self.t_end)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A motion as polynomials of degree :data:`DEGREE`, by their values at the Lobatto points of every step."""
+
+    t: FloatArray
+    states: FloatArray
+    event_t: FloatArray
+    event_states: FloatArray
+    event_kinds: NDArray[np.intp]
+
+
+@cache
+def lobatto() -> tuple[FloatArray, FloatArray]:
+    """Gauss–Lobatto points in [−1, 1], ends included, and their weights."""
+    legendre = np.polynomial.Legendre.basis(DEGREE)
+    points = np.concatenate([[-1.0], np.sort(legendre.deriv().roots().real), [1.0]])
+    weights = 2 / (DEGREE * (DEGREE + 1) * legendre(points) ** 2)
+    return points, weights
+
+
+def choose(backend: str | None) -> str:
+    """The backend that will run: heyoka where it is installed, else SciPy; a named one or an error."""
+    if backend is None:
+        return "heyoka" if importlib.util.find_spec("heyoka") else "scipy"
+    if backend not in BACKENDS:
+        raise ParameterError(f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest installed")
+    if backend == "heyoka" and not importlib.util.find_spec("heyoka"):
+        raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
+    return backend
+
+
+def integrate(problem: Problem, backend: str) -> Motion:
+    """Integrate ``problem`` from 0 to ``t_end`` and keep what follows ``t_record``."""
+    return {"heyoka": _heyoka, "scipy": _scipy}[backend](problem)
+
+
+def _initial_regime(problem: Problem) -> tuple[int, int]:
+    """On a border either side is right, as the field is continuous: contact, and the belt ahead."""
+    _, y, vx, _ = problem.start
+    return int(y <= 0), 1 if vx <= problem.V else -1
+
+
+def _after(kind: Event, nbar: int, side: int) -> tuple[int, int]:
+    """The regime that an event leads to."""
+    if kind in (Event.CONTACT_LOST, Event.CONTACT_REGAINED):
+        return int(kind == Event.CONTACT_REGAINED), side
+    return nbar, 1 if kind == Event.BELT_OVERTAKES else -1
+
+
+def _assemble(
+    times: list[FloatArray], states: list[FloatArray], events: list[tuple[float, State, Event]], t_record: float
+) -> Motion:
+    kept = [event for event in events if event[0] >= t_record]
+    return Motion(
+        np.concatenate([*(t[:-1] for t in times), times[-1][-1:]]),
+        np.concatenate([*(s[:, :-1] for s in states), states[-1][:, -1:]], axis=1),
+        np.array([t for t, _, _ in kept]),
+        np.array([state for _, state, _ in kept]).reshape(-1, 4),
+        np.array([kind for _, _, kind in kept], dtype=np.intp),
+    )
+
+
+def _too_many(what: str, problem: Problem, t: float) -> ConvergenceError:
+    return ConvergenceError(
+        f"more than {problem.event_limit} {what} by t = {t:.6g} of {problem.t_end:g}: the motion cannot be followed with "
+        f"V = {problem.V:g}, d = {problem.d:g}, rtol = {problem.rtol:g}; use a larger rtol, or a smaller d if it makes the problem stiff"
+    )
+
+
+# ------------------------------------------------------------------------------------------------------ SciPy
+
+# The continuation of a regime grows without bound far outside it. Trial steps that go there are rejected,
+# whatever the size of the number: it must only be finite.
+_FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
+_ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
+
+#: Each step is searched for crossings on this many intervals, and between them at extrema.
+_SEARCH = np.linspace(0.0, 1.0, 9)
+
+
+def _scipy(problem: Problem) -> Motion:
+    """DOP853, restarted at every crossing."""
+    from scipy.integrate import DOP853
+
+    unit = (lobatto()[0] + 1) / 2
+    regime, state, clock, first_step = _initial_regime(problem), np.array(problem.start), 0.0, None
+    times: list[FloatArray] = []
+    states: list[FloatArray] = []
+    events: list[tuple[float, State, Event]] = []
+    steps = 0
+
+    def keep(begin: float, end: float, dense: Callable[[Any], FloatArray]) -> None:
+        begin = max(begin, problem.t_record - clock)
+        if end > begin:
+            local = begin + unit * (end - begin)
+            local[-1] = end
+            times.append(clock + local)
+            states.append(dense(local))
+
+    while clock < problem.t_end:
+        # Time runs from 0 in every regime: the closer to the crossing, the more digits it has.
+        bound = problem.t_end - clock
+        solver = DOP853(
+            _field(problem, regime), 0.0, state, bound, rtol=problem.rtol, atol=problem.rtol * 1e-3,
+            first_step=None if first_step is None else min(first_step, bound),
+        )  # fmt: skip
+        crossing = None
+        while solver.status == "running" and crossing is None:
+            message = solver.step()
+            if solver.status == "failed":
+                raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol")
+            steps += 1
+            if steps > 100 * problem.event_limit:
+                raise _too_many("steps per hundred", problem, clock + solver.t)
+            dense, begin, end = solver.dense_output(), solver.t_old, solver.t
+            crossing = _first_crossing(problem, regime, dense, begin, end)
+            keep(begin, end if crossing is None else crossing[0], dense)
+        if crossing is None:
+            break
+        end, kind = crossing
+        first_step, state, clock = solver.step_size, dense(end), clock + end
+        regime = _after(kind, *regime)
+        events.append((clock, tuple(state.tolist()), kind))
+        if len(events) > problem.event_limit:
+            raise _too_many("events", problem, clock)
+    return _assemble(times, states, events, problem.t_record)
+
+
+def _field(problem: Problem, regime: tuple[int, int]) -> Callable[[float, FloatArray], State]:
+    algebra: Any = motion.regime_rhs.__wrapped__  # type: ignore[attr-defined]
+    constants = (*problem.constants, *regime)
+
+    def field(_: float, state: FloatArray) -> State:
+        x, y, vx, vy = state.tolist()
+        return (vx, vy, *algebra(x, y, vx, vy, *constants, xp=_FLOATS))
+
+    return field
+
+
+def _clearances(problem: Problem, regime: tuple[int, int], states: FloatArray) -> FloatArray:
+    """Distance from the two borders of a regime, negative beyond them, and its rate: shape (2, 2, …)."""
+    nbar, side = regime
+    _, y, vx, vy = states
+    x_accel, _ = motion.regime_rhs(*states, *problem.constants, nbar, side, xp=_ARRAYS)  # type: ignore[arg-type]
+    inward = -1 if nbar else 1
+    return np.array([[inward * y + GAP, inward * vy], [side * (problem.V - vx) + GAP, -side * x_accel]])
+
+
+def _first_crossing(
+    problem: Problem, regime: tuple[int, int], dense: Callable[[Any], FloatArray], begin: float, end: float
+) -> tuple[float, Event] | None:
+    """Where, within a step, the motion first leaves its regime."""
+    grid = begin + _SEARCH * (end - begin)
+    clearances = _clearances(problem, regime, dense(grid))
+    nbar, side = regime
+    kinds = (
+        Event.CONTACT_LOST if nbar else Event.CONTACT_REGAINED,
+        Event.MASS_OVERTAKES if side > 0 else Event.BELT_OVERTAKES,
+    )
+    found = []
+    for row, kind in enumerate(kinds):
+        bracket = _bracket(
+            grid, *clearances[row], lambda t, row=row: _clearances(problem, regime, dense(np.array(t)))[row]  # type: ignore[misc]
+        )  # fmt: skip
+        if bracket is not None:
+            found.append((_root(lambda t, row=row: _clearances(problem, regime, dense(np.array(t)))[row, 0], *bracket), kind))  # type: ignore[misc]
+    return min(found, default=None)
+
+
+def _bracket(
+    grid: FloatArray, value: FloatArray, rate: FloatArray, both: Callable[[float], FloatArray]
+) -> tuple[float, float] | None:
+    """An interval with ``value`` ≥ 0 at its begin and < 0 at its end, the first of the grid; dips between points count."""
+    if value.min() > np.abs(rate).max() * (grid[1] - grid[0]):
+        return None
+    for i in range(len(grid) - 1):
+        if value[i + 1] < 0:
+            return float(grid[i]), float(grid[i + 1])
+        if rate[i] < 0 < rate[i + 1]:
+            lowest = _root(lambda t: both(t)[1], float(grid[i]), float(grid[i + 1]))
+            if both(lowest)[0] < 0:
+                return float(grid[i]), lowest
+    return None
+
+
+def _root(function: Callable[[float], float], begin: float, end: float) -> float:
+    from scipy.optimize import brentq
+
+    if function(begin) * function(end) > 0:  # the motion begins beyond the border, by rounding: it is left at once
+        return begin
+    return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
+
+
+# ----------------------------------------------------------------------------------------------------- heyoka
+
+
+class _Compiled:
+    """A compiled Taylor integrator: parameters and regime are its ``par[]``, and it is used again and again."""
+
+    def __init__(self, rtol: float) -> None:
+        import heyoka as hy
+
+        x, y, vx, vy = hy.make_vars("x", "y", "vx", "vy")
+        constants = [hy.par[i] for i in range(9)]
+        nbar, side, V = hy.par[9], hy.par[10], constants[7]
+        algebra: Any = motion.regime_rhs.__wrapped__  # type: ignore[attr-defined]
+        ax, ay = algebra(x, y, vx, vy, *constants, nbar, side, xp=SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
+        borders = {self._contact: y + GAP * (1 - 2 * nbar), self._slip: V - vx + GAP * side}
+        self.log: list[tuple[float, State, Event]] = []
+        self.stray: float | None = None
+        self.limit = 0
+        # The gap keeps one crossing from being found twice, which is what a cooldown is for.
+        self.solver = hy.taylor_adaptive(
+            [(x, vx), (y, vy), (vx, ax), (vy, ay)], [0.0] * 4, pars=[0.0] * 11, tol=rtol,
+            t_events=[hy.t_event(border, callback=callback, cooldown=0.0) for callback, border in borders.items()],
+        )  # fmt: skip
+
+    def __deepcopy__(self, _: object) -> _Compiled:
+        """heyoka copies its callbacks; they must go on to write here."""
+        return self
+
+    def _contact(self, solver: Any, direction: int) -> bool:
+        kind = Event.CONTACT_REGAINED if direction < 0 else Event.CONTACT_LOST
+        return self._switch(solver, kind, expected=int(kind == Event.CONTACT_LOST) == solver.pars[9])
+
+    def _slip(self, solver: Any, direction: int) -> bool:
+        kind = Event.BELT_OVERTAKES if direction > 0 else Event.MASS_OVERTAKES
+        return self._switch(solver, kind, expected=(1 if kind == Event.MASS_OVERTAKES else -1) == solver.pars[10])
+
+    def _switch(self, solver: Any, kind: Event, *, expected: bool) -> bool:
+        """Go over to the next regime; stop if it is not next, for then a crossing was missed."""
+        if not expected:
+            self.stray = solver.time
+            return False
+        solver.pars[9:11] = _after(kind, *solver.pars[9:11])
+        self.log.append((solver.time, tuple(solver.state.tolist()), kind))
+        return len(self.log) <= self.limit
+
+    def run(self, problem: Problem) -> Motion:
+        solver = self.solver
+        regime = _initial_regime(problem)
+        self.log, self.stray, self.limit = [], None, problem.event_limit
+        solver.time = 0.0
+        solver.state[:] = problem.start
+        solver.pars[:] = (*problem.constants, *regime)
+        solver.reset_cooldowns()
+        if problem.t_record > 0:
+            self._go(problem, problem.t_record, record=False)
+        output = self._go(problem, problem.t_end, record=True)
+        times, states = _sampled(output)
+        return _assemble(times, states, self.log, problem.t_record)
+
+    def _go(self, problem: Problem, t: float, *, record: bool) -> Any:
+        import heyoka as hy
+
+        result = self.solver.propagate_until(t, c_output=record, max_steps=100 * problem.event_limit)
+        outcome, output = result[0], result[4]
+        clearance = _clearances(problem, tuple(int(v) for v in self.solver.pars[9:11]), self.solver.state)[:, 0]  # type: ignore[arg-type]
+        if outcome == hy.taylor_outcome.step_limit:
+            raise _too_many("steps per hundred", problem, self.solver.time)
+        if self.stray is not None or clearance.min() < -GAP:
+            raise ConvergenceError(f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'")
+        if len(self.log) > self.limit:
+            raise _too_many("events", problem, self.solver.time)
+        if outcome != hy.taylor_outcome.time_limit:
+            raise ConvergenceError(f"heyoka stopped at t = {self.solver.time:.6g} with {outcome}; use backend='scipy'")
+        return output
+
+
+def _sampled(output: Any) -> tuple[list[FloatArray], list[FloatArray]]:
+    """Values of a heyoka continuous output at the Lobatto points of its steps."""
+    coefficients, begin, step = output.tcs, output.times[:-1, None], np.diff(output.times)[:, None]
+    unit = (lobatto()[0] + 1) / 2
+    order = np.arange(coefficients.shape[2])
+    states = (coefficients * step[:, :, None] ** order) @ unit ** order[:, None]
+    t = begin + step * unit
+    t[:, -1] = output.times[1:]
+    return list(t), list(states)
+
+
+_CACHE = threading.local()
+
+
+def _heyoka(problem: Problem) -> Motion:
+    """heyoka's Taylor method with terminal events, compiled once per tolerance and thread."""
+    compiled: dict[float, _Compiled] = _CACHE.__dict__.setdefault("compiled", {})
+    if problem.rtol not in compiled:
+        compiled[problem.rtol] = _Compiled(problem.rtol)
+    return compiled[problem.rtol].run(problem)
+
+
+def pieces(t: FloatArray) -> Iterator[slice]:
+    """Slices of the samples that hold one step each."""
+    return (slice(i, i + DEGREE + 1) for i in range(0, len(t) - 1, DEGREE))

@@ -163,6 +163,9 @@ def _equilibrium() -> Module:
                      (*_STIFFNESS, nm.nbar), singular, "L at which D11 = 0, L at which D22 = 0"),
             Function("f_coefficients", "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).",
                      "(12), (13) eliminated", (*_ANGLE0, *_PARAMETERS, nm.nbar), _F, "a, b, d, m", _shorthands()),
+            Function("f_magnitudes", "Sums of the absolute values of the terms of a and d, against which their rounding errors are "
+                     "measured.", "rounding-error analysis", (*_ANGLE0, *_PARAMETERS, nm.nbar), _magnitudes(), "|a|, |d|",
+                     _shorthands(None, nm.B, nm.M, nm.q)),
             Function("f", "The scalar function whose roots are the equilibria.", "(12), (13) eliminated", (*_ANGLE, *_F), f, "f"),
             Function("f_slope", "df/dθ, which is L det K at an equilibrium.", "(12), (13) eliminated", (*_ANGLE, *_F),
                      sp.collect(catastrophe.slope, nm.s), "f′"),
@@ -186,6 +189,15 @@ def _resolvent() -> tuple[sp.Expr, ...]:
     if one != 1:
         raise ArithmeticError("the resolvent is not monic")
     return sp.factor(r0), sp.factor(r1), r2
+
+
+def _magnitudes() -> tuple[sp.Expr, sp.Expr]:
+    """a and d with every term made positive, for 0 < θ₀ < π and parameters that are not negative."""
+    coefficients = elimination.f_coefficients()
+    return (
+        coefficients[nm.fa].subs(nm.alpha, -nm.alpha),
+        coefficients[nm.fd].subs({nm.c0: sp.Abs(nm.c0), nm.kappa: -nm.kappa}),
+    )
 
 
 def _residuals(along: sp.Expr, across: sp.Expr) -> tuple[sp.Expr, sp.Expr]:

@@ -1,0 +1,322 @@
+"""All equilibria of many parameter points, each with its stability and a bound on its error."""
+
+from __future__ import annotations
+
+import enum
+import itertools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import kernel
+from .generated import stability as _stability
+from .parameters import FloatArray, Parameters
+
+#: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
+TOLERANCE = 1e-12
+#: Points solved at a time, so that intermediate arrays stay in cache.
+BLOCK = 4096
+
+
+class Stability(enum.IntEnum):
+    """Type of an equilibrium by the roots λ of det(λ² I + K) = 0, (27)."""
+
+    NONE = 0  #: no equilibrium in this slot
+    STABLE = 1  #: all λ imaginary
+    DIVERGENT = 2  #: a real positive λ
+    FLUTTER = 3  #: a complex pair with a positive real part
+
+
+@dataclass(frozen=True)
+class Equilibria:
+    """Every equilibrium of every parameter point.
+
+    Attributes
+    ----------
+    count : ndarray of int
+        Number of equilibria; the shape of the parameters.
+    theta, L, x, y : ndarray
+        Direction of the spring in radians, its length and the displacement, over L_0. One more axis than the parameters, of
+        length 3 in contact and 4 in lift-off; ascending ``theta``, NaN beyond ``count``.
+    stability : ndarray of int8
+        Codes of :class:`Stability`, of the shape of ``theta``.
+    error : ndarray
+        Bound on |error| / max(1, |value|) of theta, L, x and y, the largest of the four.
+    escalated : ndarray of bool
+        Points that float64 could not settle and more digits did.
+    fold : ndarray of bool
+        Points that are a fold to the last digit that could be tried: one state stands in two slots.
+    """
+
+    parameters: Parameters
+    contact: bool
+    count: NDArray[np.int64]
+    theta: FloatArray
+    L: FloatArray
+    x: FloatArray
+    y: FloatArray
+    stability: NDArray[np.int8]
+    error: FloatArray
+    escalated: NDArray[np.bool_]
+    fold: NDArray[np.bool_]
+
+    @cached_property
+    def eigenvalues(self) -> NDArray[np.complex128]:
+        """The four λ of (27) at every equilibrium, on one more axis; NaN beyond ``count``."""
+        p = self.parameters
+        mu0, alpha, sigma, beta = (value[..., None] for value in p.broadcast("mu0", "alpha", "sigma", "beta"))
+        K = _stability.stiffness(np.cos(self.theta), np.sin(self.theta), self.L, mu0, alpha, sigma, beta, int(self.contact))
+        trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
+        # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
+        root = np.sqrt(discriminant.astype(complex))
+        large = 0.5 * (trace + np.where(trace < 0, -root, root))
+        small = determinant / large
+        frequencies = np.stack([np.sqrt(-large), np.sqrt(-small)], axis=-1)
+        return np.concatenate([frequencies, -frequencies], axis=-1)
+
+
+def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
+    """All equilibria: steady sliding in contact, or at rest in lift-off.
+
+    Parameters
+    ----------
+    p : Parameters
+        Any shape; ``theta0`` and ``mu0`` are needed.
+    contact : bool
+        True for n̄ = 1 (y < 0), False for n̄ = 0 (y ≥ 0).
+
+    Returns
+    -------
+    Equilibria
+        One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|).
+
+    Notes
+    -----
+    Source: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated; stability by (27)–(28). The count is proved:
+    the sign of the discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64 can't, the
+    point is solved again with more digits: extended precision where the machine has it, then intervals (python-flint's Arb with
+    the extra ``certify``, otherwise mpmath).
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> eq = equilibria(Parameters.article(theta0=np.radians([30.0, 49.0])))
+    >>> eq.count
+    array([3, 1])
+    >>> eq.stability[0]
+    array([1, 2, 1], dtype=int8)
+    >>> print(np.round(eq.x[1], 6))
+    [1.217424      nan      nan]
+    """
+    p.require("theta0", "mu0")
+    shape, slots = p.shape, 3 if contact else 4
+    size = int(np.prod(shape))
+    out = _Slots(size, slots)
+    with np.errstate(all="ignore"):
+        # glibc gives freed memory back to the system and faults it in again until it has seen one large block freed.
+        np.empty(1 << 19)
+        for begin, columns in _blocks(p, size):
+            end = begin + columns.size
+            unsettled = begin + solve(columns, contact, out.rows(begin, end), np.float64)
+            if unsettled.size:
+                _escalate(p, contact, out, unsettled)
+    return Equilibria(
+        parameters=p,
+        contact=contact,
+        count=out.count.reshape(shape),
+        **{name: getattr(out, name).reshape(*shape, slots) for name in ("theta", "L", "x", "y", "stability", "error")},
+        escalated=out.escalated.reshape(shape),
+        fold=out.fold.reshape(shape),
+    )
+
+
+# ------------------------------------------------------------------------------------------------- the storage
+
+
+class _Slots:
+    """Result arrays, one row a point."""
+
+    _COLUMNS = ("theta", "L", "x", "y", "stability", "error", "count", "escalated", "fold")
+
+    def __init__(self, size: int, slots: int) -> None:
+        self.theta, self.L, self.x, self.y, self.error = (np.full((size, slots), np.nan) for _ in range(5))
+        self.stability = np.zeros((size, slots), dtype=np.int8)
+        self.count = np.zeros(size, dtype=np.int64)
+        self.escalated = np.zeros(size, dtype=np.bool_)
+        self.fold = np.zeros(size, dtype=np.bool_)
+
+    def rows(self, begin: int, end: int) -> _Slots:
+        """A view of some rows."""
+        view = object.__new__(_Slots)
+        for name in self._COLUMNS:
+            setattr(view, name, getattr(self, name)[begin:end])
+        return view
+
+    def put(self, rows: NDArray[np.int64], other: _Slots) -> None:
+        """Copy all rows of ``other`` into the given rows."""
+        for name in self._COLUMNS:
+            getattr(self, name)[rows] = getattr(other, name)
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Parameters of one block, each an array of its length or one number for all."""
+
+    size: int
+    cos0: Any
+    sin0: Any
+    mu0: Any
+    kappa: Any
+    alpha: Any
+    sigma: Any
+    beta: Any
+
+    def values(self) -> tuple[Any, ...]:
+        """In the order that the kernel takes."""
+        return self.cos0, self.sin0, self.mu0, self.kappa, self.alpha, self.sigma, self.beta
+
+    def take(self, rows: NDArray[Any]) -> Columns:
+        """Some of the points."""
+        return Columns(int(rows.size), *(value[rows] if np.ndim(value) else value for value in self.values()))
+
+
+def _blocks(p: Parameters, size: int) -> Iterator[tuple[int, Columns]]:
+    """Blocks of points in C order; cos θ₀ and sin θ₀ are computed once for each distinct θ₀ given."""
+    given = [np.cos(p.theta0), np.sin(p.theta0), p.mu0, p.kappa, p.alpha, p.sigma, p.beta]
+    flat = [
+        value.item() if value.size == 1 else value.reshape(-1) if value.shape == p.shape else np.broadcast_to(value, p.shape).flat
+        for value in given
+    ]
+    for begin in range(0, size, BLOCK):
+        end = min(begin + BLOCK, size)
+        yield begin, Columns(end - begin, *(value if isinstance(value, float) else value[begin:end] for value in flat))
+
+
+# ----------------------------------------------------------------------------------------------- one float type
+
+
+def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[Any]]) -> NDArray[np.int64]:
+    """Solve a block in one float type, write what is settled to ``out``, and return the indices of what is not."""
+    n, nbar = columns.size, int(contact)
+    u = dtype(np.finfo(dtype).eps / 2)
+    values = columns.values()
+    trig = np.broadcast_arrays(*kernel.f_coefficients(*values, nbar), *kernel.f_magnitudes(*values, nbar), np.empty(n))[:-1]
+    a, b, d, m, a_sum, d_sum = trig
+    D, D_error = kernel.discriminant(a, b, d, m, a_sum, d_sum, u)
+    p1, q1, p2, q2 = kernel.factors(a, b, d, m)
+    large, small, _ = kernel.root_pair(p1, q1)
+
+    def at(t: Any, rows: NDArray[np.int64] | None = None) -> Any:
+        if rows is None:
+            return kernel.at_root(t, *trig, *values, nbar, u)
+        return kernel.at_root(t, *(value[rows] for value in trig), *columns.take(rows).values(), nbar, u)
+
+    # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
+    # if they are positive, since no equilibrium in contact has sin θ < 0.
+    ts = [np.where(large > 0.0, large, small)]
+    paired = ~(D > D_error)
+    if contact:
+        paired &= ~(p2 > 0.0)
+    else:
+        ts.insert(0, np.where(large > 0.0, small, large))
+    settled = _fill(out, slice(None), [at(t) for t in ts], ~paired, contact, u)
+    pairs = np.flatnonzero(paired)
+    if pairs.size:
+        one, other, square = kernel.root_pair(p2[pairs], q2[pairs])
+        one = np.where(square < 0.0, np.nan, one)
+        roots = _ascending([*(t[pairs] for t in ts), one, other])
+        settled[pairs] = _fill(out, pairs, [at(t, pairs) for t in roots], True, contact, u)
+    return np.flatnonzero(~settled)
+
+
+def _ascending(values: list[Any]) -> list[Any]:
+    """Each point's values in ascending order: bubble sort over arrays, for three or four of them. NaN spreads."""
+    values = list(values)
+    for last in range(len(values) - 1, 0, -1):
+        for i in range(last):
+            values[i], values[i + 1] = np.minimum(values[i], values[i + 1]), np.maximum(values[i], values[i + 1])
+    return values
+
+
+def _fill(
+    out: _Slots, rows: Any, roots: list[tuple[Any, ...]], wanted: Any, contact: bool, u: np.floating[Any]
+) -> NDArray[np.bool_]:
+    """Put the equilibria among the roots of each wanted point, given in ascending order, into its slots.
+
+    Returns which points are settled: every root an equilibrium with its digits or certainly none, all of them different, and
+    in contact an odd number of equilibria.
+    """
+    rounding = 0.0 if u > 1e-17 else 1.2e-16  # what is lost when a wider type is stored as float64
+    settled, count = wanted, 0
+    for theta, _, _, _, radius, error, member, outsider, code in roots:
+        settled = settled & ((member & (error <= TOLERANCE - rounding) & (code > 0)) | outsider)
+        count = count + member
+    if contact:
+        settled = settled & (count % 2 == 1)
+    for (theta, *_, radius, _, _, _, _), (above, *_, above_radius, _, _, _, _) in itertools.pairwise(roots):
+        # Two proved roots are different when the intervals that hold them are.
+        settled = settled & (above - theta > radius + above_radius)
+
+    if len(roots) == 1:
+        ((theta, L, x, y, _, error, _, _, code),) = roots
+        for name, values in (("theta", theta), ("L", L), ("x", x), ("y", y), ("error", error + rounding)):
+            getattr(out, name)[rows, 0] = np.where(settled, values, np.nan)
+        out.stability[rows, 0] = np.where(settled, code, 0)
+    else:
+        place, index = np.zeros(len(settled), dtype=np.int64), np.arange(len(out.count))[rows]
+        for theta, L, x, y, _, error, member, _, code in roots:
+            here = np.flatnonzero(settled & member)
+            at = index[here], place[here]
+            for name, values in (("theta", theta), ("L", L), ("x", x), ("y", y), ("error", error + rounding), ("stability", code)):
+                getattr(out, name)[at] = values[here]
+            place += member
+    out.count[rows] = np.where(settled, count, 0)
+    return settled
+
+
+# -------------------------------------------------------------------------------------------------- more digits
+
+
+def _escalate(p: Parameters, contact: bool, out: _Slots, rows: NDArray[np.int64]) -> None:
+    """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals."""
+    theta0, mu0, kappa, alpha, sigma, beta = (
+        np.broadcast_to(getattr(p, name), p.shape).flat[rows]
+        for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+    )
+    out.escalated[rows] = True
+    left = np.arange(rows.size)
+    if _extended_precision():
+        wide = theta0.astype(np.longdouble)
+        columns = Columns(
+            rows.size, np.cos(wide), np.sin(wide), *(value.astype(np.longdouble) for value in (mu0, kappa, alpha, sigma, beta))
+        )
+        again = _Slots(rows.size, out.theta.shape[-1])
+        again.escalated[:] = True
+        left = solve(columns, contact, again, np.longdouble)
+        out.put(rows, again)
+    if left.size:
+        from . import ladder
+
+        for row in left:
+            found = ladder.equilibria(
+                *(float(value[row]) for value in (theta0, mu0, kappa, alpha, sigma, beta)), contact=contact
+            )
+            _store(out, int(rows[row]), found)
+
+
+def _extended_precision() -> bool:
+    """Whether long double is the 80-bit type, with its 64-bit significand."""
+    return bool(np.finfo(np.longdouble).nmant == 63)
+
+
+def _store(out: _Slots, row: int, found: Any) -> None:
+    out.count[row] = len(found.states)
+    out.fold[row] = found.fold
+    for slot, state in enumerate(found.states):
+        out.theta[row, slot], out.L[row, slot], out.x[row, slot], out.y[row, slot] = state.theta, state.L, state.x, state.y
+        out.stability[row, slot] = state.stability
+        out.error[row, slot] = state.error

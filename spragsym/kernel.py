@@ -1,0 +1,201 @@
+"""The equilibrium solver for one point, in elementwise operations.
+
+Every function runs on arrays of any float type and, compiled, on scalars: no branches, no loops over points, no state; ``u`` is
+the unit roundoff of the type. The algebra of the model is :mod:`spragsym.generated`; here is only how its quartic is solved, and
+how far the result can be trusted.
+
+The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² + p2 t + q2) with real factors,
+q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one. The
+split comes from the root of the resolvent cubic that lies farthest from the mean of the three. At a fold that root stays simple,
+so that the two roots about to meet sit together in the second factor, which is then as accurate as the problem allows.
+"""
+
+from __future__ import annotations
+
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from .generated import equilibrium as _equilibrium
+from .generated import stability as _stability
+
+#: A float, an array, or a compiled scalar.
+Value: TypeAlias = Any
+
+f_coefficients = _equilibrium.f_coefficients.__wrapped__  # type: ignore[attr-defined]
+f_magnitudes = _equilibrium.f_magnitudes.__wrapped__  # type: ignore[attr-defined]
+resolvent = _equilibrium.resolvent.__wrapped__  # type: ignore[attr-defined]
+t_quartic = _equilibrium.t_quartic.__wrapped__  # type: ignore[attr-defined]
+f = _equilibrium.f.__wrapped__  # type: ignore[attr-defined]
+f_slope = _equilibrium.f_slope.__wrapped__  # type: ignore[attr-defined]
+state = _equilibrium.state.__wrapped__  # type: ignore[attr-defined]
+stiffness = _stability.stiffness.__wrapped__  # type: ignore[attr-defined]
+invariants = _stability.invariants.__wrapped__  # type: ignore[attr-defined]
+
+# Bounds on rounding errors, in units of u, each relative to the same expression with all of its terms positive. They count the
+# operations that lead there, parameters taken as exact, cos θ₀ and sin θ₀ as good to 2 u.
+IN_F = 16.0
+IN_P = 20.0
+IN_Q = 24.0
+IN_STATE = 16.0
+#: Largest h = |f| max|f″| / f′² for which the radius below is taken: Kantorovich asks for 1/2.
+KANTOROVICH = 0.05
+
+
+def factors(a: Value, b: Value, d: Value, m: Value) -> tuple[Value, Value, Value, Value]:
+    """p1, q1, p2, q2 of the two real quadratic factors of the quartic in t."""
+    e0, e1, e2, e3, e4 = t_quartic(a, b, d, m)
+    scale = 1.0 / e4
+    A1, A2, A3 = e1 * scale, e2 * scale, e3 * scale
+    y = -4.0 * scale * simple_root(a, b, d, m)
+
+    width = np.sqrt(y * y + 4.0)  # q2 − q1
+    large = 0.5 * (np.abs(y) + width)
+    small = 1.0 / large
+    q2 = np.where(y > 0.0, large, small)
+    q1 = -np.where(y > 0.0, small, large)
+    inverse = 1.0 / width
+    p1 = (A1 - A3 * q1) * inverse
+    p2 = (A3 * q2 - A1) * inverse
+    p1, q1, p2, q2 = polish(A1, A2, A3, p1, q1, p2, q2)
+    return polish(A1, A2, A3, p1, q1, p2, q2)
+
+
+def simple_root(a: Value, b: Value, d: Value, m: Value) -> Value:
+    """The real root of the resolvent cubic farthest from the mean of the three."""
+    r0, r1, r2 = resolvent(a, b, d, m)
+    P, Q = depressed(r0, r1, r2)
+    D = P * P * P + Q * Q
+    size = np.abs(Q)
+
+    # One real root: Cardano, in the form that does not cancel for P > 0.
+    u = np.cbrt(size + np.sqrt(np.maximum(D, 0.0)))
+    v = P / u
+    alone = np.where(P > 0.0, 2.0 * size / (u * u + P + v * v), u - v)
+
+    # Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 w³ − 3 w = cos φ on [√3/2, 1], where Newton converges at once.
+    root = np.sqrt(np.maximum(-P, 0.0))
+    cosine = np.minimum(size / (root * root * root), 1.0)
+    w = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine)
+    w = w - ((4.0 * w * w - 3.0) * w - cosine) / (12.0 * w * w - 3.0)
+    w = w - ((4.0 * w * w - 3.0) * w - cosine) / (12.0 * w * w - 3.0)
+    z = -np.copysign(np.where(D < 0.0, 2.0 * root * w, alone), Q)
+
+    x = z - r2 / 3.0
+    slope = (3.0 * x + 2.0 * r2) * x + r1
+    step = (((x + r2) * x + r1) * x + r0) / slope
+    return x - np.where(np.abs(step) < np.abs(z), step, 0.0)
+
+
+def depressed(r0: Value, r1: Value, r2: Value) -> tuple[Value, Value]:
+    """P and Q of z³ + 3 P z + 2 Q, the resolvent shifted to the mean of its roots; P³ + Q² < 0: four real roots in t."""
+    mean = r2 / 3.0
+    return (r1 - r2 * mean) / 3.0, 0.5 * (r0 - mean * (r1 - 2.0 * mean * mean))
+
+
+def discriminant(a: Value, b: Value, d: Value, m: Value, a_sum: Value, d_sum: Value, u: Value) -> tuple[Value, Value]:
+    """P³ + Q², negative for four real roots in t and positive for two, and a bound on its rounding error."""
+    P, Q = depressed(*resolvent(a, b, d, m))
+    # r0, r1, r2 with every term positive, and the same for P and Q.
+    size = np.abs(m)
+    R1 = 0.25 * (a_sum * a_sum + b * b + d_sum * d_sum)
+    R0 = 0.25 * np.abs(b) * (a_sum * d_sum + size * np.abs(b))
+    mean = size / 3.0
+    P_sum = (R1 + size * mean) / 3.0
+    Q_sum = 0.5 * (R0 + mean * (R1 + 2.0 * mean * mean))
+    P_bound = np.abs(P) + IN_P * u * P_sum
+    Q_bound = np.abs(Q) + IN_Q * u * Q_sum
+    error = u * (P_bound * P_bound * P_sum * (3.0 * IN_P + 4.0) + Q_bound * Q_sum * (2.0 * IN_Q + 4.0))
+    return P * P * P + Q * Q, error
+
+
+def polish(
+    A1: Value, A2: Value, A3: Value, p1: Value, q1: Value, p2: Value, q2: Value
+) -> tuple[Value, Value, Value, Value]:
+    """One Newton step on both factors at once: the change of the second is the remainder over the first, modulo the second."""
+    r3 = A3 - (p1 + p2)
+    r2 = A2 - (q1 + q2) - p1 * p2
+    r1 = A1 - p1 * q2 - p2 * q1
+    r0 = -1.0 - q1 * q2
+    s1 = r3 * (p2 * p2 - q2) - r2 * p2 + r1
+    s0 = (r3 * p2 - r2) * q2 + r0
+    du = p1 - p2
+    dv = q1 - q2
+    dw = dv - du * p2
+    inverse = 1.0 / (dv * dw + du * du * q2)
+    dp2 = (s1 * dv - s0 * du) * inverse
+    dq2 = (s0 * dw + s1 * du * q2) * inverse
+    dp1 = r3 - dp2
+    return p1 + dp1, q1 + (r2 - dq2 - p2 * dp1 - p1 * dp2), p2 + dp2, q2 + dq2
+
+
+def root_pair(p: Value, q: Value) -> tuple[Value, Value, Value]:
+    """The two roots of t² + p t + q, the one of larger magnitude first, and the discriminant, negative if they are not real."""
+    half = 0.5 * p
+    square = half * half - q
+    large = -(half + np.copysign(np.sqrt(np.maximum(square, 0.0)), half))
+    return large, q / large, square
+
+
+def at_root(
+    t: Value, a: Value, b: Value, d: Value, m: Value, a_sum: Value, d_sum: Value,
+    cos0: Value, sin0: Value, mu0: Value, kappa: Value, alpha: Value, sigma: Value, beta: Value, nbar: Value, u: Value,
+) -> tuple[Value, Value, Value, Value, Value, Value, Value, Value, Value]:  # fmt: skip
+    """State, error bounds and linearization at a root of f that is proved to lie near t.
+
+    Returns θ, L, x, y; the radius around θ that holds the root, NaN where none is proved; a bound on the error of the four
+    over max(1, |value|); whether the state is certainly an equilibrium (L > 0, and y on the side that n̄ says); whether it
+    certainly is none; and the stability code, 0 where rounding errors could change it.
+    """
+    inverse = 1.0 / (1.0 + t * t)
+    s = 2.0 * t * inverse
+    c = (1.0 - t) * (1.0 + t) * inverse
+    size_s, size_c = np.abs(s), np.abs(c)
+    size_b, size_m = np.abs(b), np.abs(m)
+
+    # Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|.
+    value = np.abs(f(c, s, a, b, d, m)) + IN_F * u * f(size_c, size_s, a_sum, size_b, d_sum, -size_m)
+    slope = f_slope(c, s, a, b, d, m)
+    steepness = np.abs(slope) - IN_F * u * (a_sum + size_b * size_s + d_sum * size_c + 2.0 * size_m * size_s)
+    bend = 2.0 * (a_sum + size_m) + size_b + d_sum
+    newton = value / steepness
+    proved = (steepness > 0.0) & (newton * bend < KANTOROVICH * steepness) & (newton < 1e-3 * size_s)
+    radius = np.where(proved, 1.06 * newton, np.nan)
+
+    L, x, y = state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
+    theta = 2.0 * np.arctan(t)
+    stiff = beta + nbar + sigma
+    L_sum = (sigma * size_s + (beta + nbar) * sin0 + kappa) / (stiff * size_s)
+    relative = radius / size_s
+    swing = relative * (size_c + relative)
+    L_error = L_sum * (1.01 * swing + IN_STATE * u)
+    x_error = L_sum * (1.01 * (swing * size_c + relative * relative + radius * size_s) + IN_STATE * u * size_c) + IN_STATE * u
+    y_error = (1.01 * sigma * radius * (size_c + radius) + IN_STATE * u * (sigma * (sin0 + size_s) + kappa)) / stiff
+    error = np.maximum(
+        np.maximum(radius + 4.0 * u * np.abs(theta), L_error / np.maximum(1.0, np.abs(L))),
+        np.maximum(x_error / np.maximum(1.0, np.abs(x)), y_error / np.maximum(1.0, np.abs(y))),
+    )
+    beyond = np.where(nbar == 0, y, -y)  # positive on the side of the belt that n̄ says
+    member = (L > L_error) & (beyond > y_error)
+    outsider = (L < -L_error) | (beyond < -y_error)
+    code = stability(c, s, L, slope, relative + 8.0 * u, mu0, alpha, sigma, beta, nbar)
+    return theta, L, x, y, radius, error, member, outsider, code
+
+
+def stability(
+    c: Value, s: Value, L: Value, slope: Value, uncertainty: Value,
+    mu0: Value, alpha: Value, sigma: Value, beta: Value, nbar: Value,
+) -> Value:  # fmt: skip
+    """1 stable, 2 divergent, 3 flutter, as :class:`spragsym.Stability` has it; 0 where rounding errors could change it.
+
+    The sign of det K is that of f′, which :func:`at_root` proves along with the root.
+    """
+    (K11, K12), (K21, K22) = stiffness(c, s, L, mu0, alpha, sigma, beta, nbar)
+    trace, _, flutter = invariants(K11, K12, K21, K22)
+    size = alpha + beta + nbar + 2.0 * sigma + 3.0 * sigma / np.abs(L)
+    margin = 8.0 * uncertainty * size
+    divergent = (slope < 0.0) | (trace < 0.0)
+    code = np.where(flutter < 0.0, 3, np.where(divergent, 2, 1))
+    # Far from a vanishing discriminant; and from a vanishing trace, which decides only where det K > 0.
+    safe = (np.abs(flutter) > margin * (size + 2.0 * mu0 * nbar)) & ((slope < 0.0) | (np.abs(trace) > margin))
+    return np.where(safe, code, 0)

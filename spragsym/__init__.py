@@ -7,8 +7,8 @@ Examples
 --------
 >>> import numpy as np, spragsym as ss
 >>> p = ss.Parameters.article(theta0=np.radians(49))
->>> p.shape
-()
+>>> ss.equilibria(p).count
+array(1)
 """
 
 from __future__ import annotations
@@ -21,10 +21,18 @@ from .errors import ConvergenceError, MissingExtraError, ParameterError, Paramet
 from .parameters import Parameters, PhysicalParameters, Scales
 
 if TYPE_CHECKING:
-    pass
+    from . import precise as precise
+    from .solver import Equilibria as Equilibria
+    from .solver import Stability as Stability
+    from .solver import equilibria as equilibria
 
 #: Public name → module that defines it. A module's own name stands for the module.
-_LAZY: dict[str, str] = {}
+_LAZY: dict[str, str] = {
+    "Equilibria": "solver",
+    "Stability": "solver",
+    "equilibria": "solver",
+    "precise": "precise",
+}
 
 __all__ = [
     "ConvergenceError",
@@ -44,7 +52,7 @@ def __getattr__(name: str) -> Any:
     if name not in _LAZY:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     module = importlib.import_module(f".{_LAZY[name]}", __name__)
-    value = module if name == _LAZY[name] else getattr(module, name)
+    value = getattr(module, name, module)  # a module's own name, such as precise, stands for the module
     globals()[name] = value
     return value
 

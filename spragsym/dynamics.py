@@ -216,14 +216,23 @@ class Trajectory:
         return (self.state[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)  # type: ignore[no-any-return]
 
     def _passages(self, values: FloatArray, function: Callable[[FloatArray], FloatArray]) -> FloatArray:
-        """Times where ``values`` goes from negative to not negative, by bisection of the polynomials."""
+        """Times where ``values``, a ``function`` of the state, goes from negative to not negative: regula falsi, Illinois."""
         (before,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
         step, low, high = before // DEGREE, self.t[before], self.t[before + 1]
-        for _ in range(52):
-            middle = (low + high) / 2
-            negative = function(self._at(step, middle)) < 0
-            low, high = np.where(negative, middle, low), np.where(negative, high, middle)
-        return high
+        below, above = values[before], values[before + 1]
+        root, was_left, was_right = high, np.zeros(len(high), dtype=bool), np.zeros(len(high), dtype=bool)
+        for _ in range(60):
+            last, root = root, high - above * (high - low) / (above - below)
+            value = function(self._at(step, root))
+            left = value < 0
+            # An end that stays a second time counts half, so that it will not stay for ever.
+            above = np.where(left, np.where(was_left, above / 2, above), value)
+            below = np.where(left, value, np.where(was_right, below / 2, below))
+            low, high = np.where(left, root, low), np.where(left, high, root)
+            was_left, was_right = left, ~left
+            if np.all(np.abs(root - last) <= 1e-15 * (1 + np.abs(root))):
+                break
+        return root
 
     def _extrema(self, of: str) -> FloatArray:
         """Values at the ends and at all local extrema of x or y; the samples themselves for speeds."""

@@ -106,7 +106,8 @@ def _approximate_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[mp
     """
     middles = [_middle(arith, value) for value in trig]
     e0, e1, e2, e3, e4 = kernel.t_quartic(*middles)
-    split = [mpmath.mpf(float(value)) for value in kernel.factors(*(np.float64(value) for value in middles))]
+    with np.errstate(all="ignore"):
+        split = [mpmath.mpf(float(value)) for value in kernel.factors(*(np.float64(value) for value in middles))]
     if all(map(mpmath.isfinite, split)):
         for _ in range(12):
             before, split = split, list(kernel.polish(e1 / e4, e2 / e4, e3 / e4, *split))

@@ -39,7 +39,7 @@ POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
 
-_RANGES = {
+RANGES = {
     "theta0": Range(
         0.0, math.pi, open_low=True, remedy="angles are radians, strictly between 0 and pi; use numpy.radians for degrees"
     ),
@@ -170,7 +170,7 @@ class Parameters:
                 if name not in ("theta0", "mu0"):
                     raise ParameterError(f"{name} is missing; give it, or start from Parameters.article(...)")
                 continue
-            object.__setattr__(self, name, as_numbers(name, value, _RANGES[name]))
+            object.__setattr__(self, name, as_numbers(name, value, RANGES[name]))
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     @classmethod
@@ -297,7 +297,7 @@ class PhysicalParameters:
         for name in ("k_x", "k_y"):
             object.__setattr__(self, name, as_number(name, getattr(self, name), NOT_NEGATIVE))
         for name in ("theta0", "mu0"):
-            object.__setattr__(self, name, as_number(name, getattr(self, name), _RANGES[name]))
+            object.__setattr__(self, name, as_number(name, getattr(self, name), RANGES[name]))
         if self.V is not None:
             object.__setattr__(self, "V", as_number("V", self.V))
         if self.d is not None:

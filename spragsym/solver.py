@@ -74,7 +74,8 @@ class Equilibria:
         # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
         root = np.sqrt(discriminant.astype(complex))
         large = 0.5 * (trace + np.where(trace < 0, -root, root))
-        small = determinant / large
+        with np.errstate(invalid="ignore"):  # empty slots
+            small = determinant / large
         frequencies = np.stack([np.sqrt(-large), np.sqrt(-small)], axis=-1)
         return np.concatenate([frequencies, -frequencies], axis=-1)
 

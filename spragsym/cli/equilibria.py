@@ -1,0 +1,60 @@
+"""``spragsym equilibria``: a table of all equilibria of one point."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import click
+
+from .options import as_json, build, parameters, theta0
+
+
+@click.command()
+@theta0
+@parameters
+@as_json
+def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
+    """All equilibria at one point, in contact and in lift-off, stable and unstable.
+
+    \b
+    Examples:
+      spragsym equilibria --theta0 49
+      spragsym equilibria --theta0 30 --mu0 0.7 --json
+    """
+    rows = _rows(theta0_deg, values)
+    if json_output:
+        click.echo(json.dumps({"parameters": {"theta0_deg": theta0_deg, **values}, "equilibria": rows}, indent=1))
+        return
+    from rich.console import Console
+    from rich.table import Table
+
+    table = Table("state", "stability", "theta, deg", "L", "x", "y", "error", box=None, pad_edge=False)
+    for row in rows:
+        numbers = (f"{row[name]:.12g}" for name in ("theta_deg", "L", "x", "y"))
+        table.add_row(row["state"], row["stability"], *numbers, f"{row['error']:.1e}")
+    Console().print(table)
+
+
+def _rows(theta0_deg: float, values: dict[str, float]) -> list[dict[str, Any]]:
+    import numpy as np
+
+    from ..solver import Stability
+    from ..solver import equilibria as solve
+
+    p = build(theta0_deg, **values)
+    rows = []
+    for contact in (True, False):
+        eq = solve(p, contact=contact)
+        for slot in range(int(eq.count)):
+            rows.append({
+                "state": "contact" if contact else "lift-off",
+                "stability": Stability(int(eq.stability[slot])).name.lower(),
+                "theta_deg": math.degrees(eq.theta[slot]),
+                **{name: float(getattr(eq, name)[slot]) for name in ("L", "x", "y")},
+                "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in eq.eigenvalues[slot]],
+                "error": float(eq.error[slot]),
+                "fold": bool(eq.fold),
+            })  # fmt: skip
+    return rows

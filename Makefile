@@ -1,0 +1,82 @@
+# `make derive` and `make test` do everything on a machine with Python >= 3.11 and make.
+
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+
+# One stamp for each set of extras, remade when what it was installed from changes.
+DERIVE := $(VENV)/.derive
+TEST := $(VENV)/.test
+DOCS := $(VENV)/.docs
+SOURCES := pyproject.toml constraints.txt
+
+# As many workers as cores, at most four.
+WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
+
+.PHONY: help derive test check lint regenerate bench figures docs check-claims clean
+.DEFAULT_GOAL := help
+
+help:
+	@echo "make derive        derive, check against the article, write generated/"
+	@echo "make test          run the tests"
+	@echo "make check         what CI runs: lint, types, tests, generated/ as committed"
+	@echo "make bench         time the solvers"
+	@echo "make figures       draw the article's figures into figures/"
+	@echo "make docs          build the documentation into docs/_build/"
+	@echo "make check-claims  hold the article's statements against computation"
+	@echo "make clean         remove what the other targets made, .venv included"
+
+$(VENV)/.made:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' \
+		|| { echo "$(PYTHON) is older than 3.11; name a newer one: make PYTHON=python3.12" >&2; exit 1; }
+	@echo "setting up $(VENV)"
+	@$(PYTHON) -m venv $(VENV)
+	@touch $@
+
+$(DERIVE): $(SOURCES) | $(VENV)/.made
+	@$(PIP) install -e '.[derive]' -c constraints.txt
+	@touch $@
+
+$(TEST): $(SOURCES) | $(VENV)/.made
+	@$(PIP) install -e '.[all,test]' -c constraints.txt
+	@touch $@ $(DERIVE)
+
+$(DOCS): $(SOURCES) | $(VENV)/.made
+	@$(PIP) install -e '.[all,docs]' -c constraints.txt
+	@touch $@
+
+derive: $(DERIVE)
+	$(BIN)/python -m derive
+
+test: $(TEST)
+	$(BIN)/python -m pytest -n $(WORKERS)
+
+lint: $(TEST)
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+# Stands alone, so that CI can say which of the two went wrong: the derivation or the committed bytes.
+regenerate: $(DERIVE)
+	$(BIN)/python -m derive
+	git diff --exit-code -- generated/
+	@test -z "$$(git status --porcelain -- generated/)" || { git status --short -- generated/; exit 1; }
+
+check: lint test regenerate
+
+bench: $(TEST)
+	$(BIN)/python -m benchmarks
+
+figures: $(TEST)
+	$(BIN)/spragsym figures --out figures
+
+docs: $(DOCS)
+	$(BIN)/sphinx-build -W docs docs/_build
+
+check-claims: $(TEST)
+	$(BIN)/spragsym check --claims
+
+clean:
+	rm -rf $(VENV) build dist figures docs/_build docs/jupyter_execute *.egg-info
+	rm -rf .pytest_cache .mypy_cache .ruff_cache .hypothesis .coverage htmlcov
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

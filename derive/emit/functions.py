@@ -247,11 +247,24 @@ def _stability() -> Module:
                      "(27) with damping", (*entries, C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
             Function("flutter_sextic", "Coefficients of e0 + … + e6 L⁶, whose roots are the flutter onsets in contact at a given θ.",
                      "(27)", (*_ANGLE, nm.kappa, *_STIFFNESS), sextic, "e0, e1, e2, e3, e4, e5, e6", sextic_names),
-            Function("flutter_point", "sin θ₀ and μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27), (15)",
-                     (*_ANGLE, nm.L, nm.kappa, *_STIFFNESS), stability.flutter_point(), "sin0, mu0",
-                     _shorthands(equilibrium.CONTACT, nm.B, nm.q)),
+            Function("flutter_point", "sin θ₀, α cos θ₀ and μ₀ at a flutter onset with spring length L in direction θ, in contact.",
+                     "(27), (14), (15)", (*_ANGLE, nm.L, nm.kappa, *_STIFFNESS), _flutter_point(), "sin0, alpha cos0, mu0",
+                     {**_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q), **_flutter_names()}),
         ),
     )  # fmt: skip
+
+
+def _flutter_names() -> dict[sp.Symbol, sp.Expr]:
+    s0, friction = stability.flutter_point()
+    return {nm.s0: s0, nm.mu0: friction}
+
+
+def _flutter_point() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """sin θ₀, α cos θ₀ and μ₀, the second from the balance along the belt."""
+    along, _ = equilibrium.balance()
+    arranged = -(nm.sigma - nm.p * nm.L) * nm.c - nm.mu0 * (nm.s0 - nm.L * nm.s)
+    _same("balance along the belt", (nm.alpha * nm.c0 - arranged,), (along.subs(equilibrium.CONTACT),))
+    return nm.s0, arranged, nm.mu0
 
 
 def _flutter_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
@@ -346,10 +359,27 @@ def _catastrophe() -> Module:
             Function("cusp_point", "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
                      "f = f′ = f″ = 0", (nm.s, nm.kappa, *_STIFFNESS), (cusp_s0, cusp_ratio, cusp_mu),
                      "sin0, cos0/cos, mu0/cos", contact),
+            Function("unfolding", "∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn.", "f = f′ = 0",
+                     (*_ANGLE, *_ANGLE0, *_PARAMETERS), _unfolding(), "((f_θ₀, f′_θ₀), …, (f_β, f′_β))",
+                     _shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)),
             Function("cusp_sine", "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.", "f = f′ = f″ = 0",
                      (nm.s, nm.kappa, *_STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
         ),
     )  # fmt: skip
+
+
+def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    """How f and f′ in contact change with each parameter: what makes a cusp a versal one."""
+    f = elimination.f_in_parameters().subs(equilibrium.SHORTHANDS).subs(equilibrium.SHORTHANDS).subs(equilibrium.CONTACT)
+    pairs = []
+    for parameter in (nm.theta0, *_PARAMETERS):
+        if parameter == nm.theta0:
+            change = sp.diff(f, nm.s0) * nm.c0 - sp.diff(f, nm.c0) * nm.s0
+        else:
+            change = sp.diff(f, parameter)
+        pair = change, algebra.rotate_derivative(change)
+        pairs.append(tuple(sp.factor_terms(sp.collect(sp.expand(part), (nm.c, nm.s))) for part in pair))
+    return tuple(pairs)
 
 
 def _cusp_angles() -> tuple[sp.Expr, sp.Expr]:

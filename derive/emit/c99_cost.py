@@ -1,0 +1,72 @@
+"""Worst-case operations of C functions, counted in their text: both sides of every branch, every pass of every loop."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+
+#: Calls that are listed by name; ``fabs`` and ``isfinite`` count as one operation each.
+LIBM = ("sqrt", "cbrt", "exp", "sin", "cos", "acos", "atan")
+
+_OPERATOR = re.compile(r"(?<= )(?:[-+*/<>]|[<>]=|[-+*/]=)(?= )")
+_LOOP = re.compile(r"for \(int \w+ = \w+; \w+ < (\w+); \w+\+\+\) \{")
+_CALL = re.compile(r"\b([a-z]\w*)\(")
+_FUNCTION = re.compile(r"^(?!typedef)[\w *]*?\b(\w+)\([^;{]*\) \{", re.MULTILINE)
+
+#: Loops over all items of an array whose length is an argument run over at most so many in the algorithms.
+_LONGEST_ARRAY = 4
+
+
+def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
+    """Cost of each function of ``source``; that of the ``emitted`` ones is their operation count and their calls of libm."""
+    source = re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL)
+    constants = {name: int(value) for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)}
+    known: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
+    known |= {name: Counter({"operations": 1}) for name in ("fabs", "isfinite")}
+    for match in _FUNCTION.finditer(source):
+        name, body = match[1], source[match.end() : _closing(source, match.end())]
+        if name in emitted:
+            known[name] = Counter({"operations": emitted[name]}) + _calls(body, {key: known[key] for key in LIBM})
+        else:
+            known[name] = _block(body, known, constants)
+    return known
+
+
+def describe(cost: Counter[str]) -> str:
+    """``123 operations, 4 sqrt, 1 cos``."""
+    return ", ".join(f"{cost[name]} {name}" for name in ("operations", *LIBM) if cost[name])
+
+
+def _closing(text: str, start: int) -> int:
+    depth = 1
+    for position in range(start, len(text)):
+        depth += {"{": 1, "}": -1}.get(text[position], 0)
+        if not depth:
+            return position
+    raise ArithmeticError("the C template has a block that does not end")
+
+
+def _block(text: str, known: dict[str, Counter[str]], constants: dict[str, int]) -> Counter[str]:
+    total: Counter[str] = Counter()
+    while loop := _LOOP.search(text):
+        end = _closing(text, loop.end())
+        once = _block(text[loop.end() : end], known, constants)
+        passes = _passes(loop[1], constants)
+        total += Counter({name: passes * count for name, count in once.items()})
+        text = text[: loop.start()] + text[end + 1 :]
+    if re.search(r"\b(for|while|do|goto)\b", text):
+        raise ArithmeticError("the C template has a loop whose passes can't be counted")
+    return total + Counter({"operations": len(_OPERATOR.findall(text))}) + _calls(text, known)
+
+
+def _passes(bound: str, constants: dict[str, int]) -> int:
+    if bound.isdigit():
+        return int(bound)
+    return _LONGEST_ARRAY if bound == "length" else constants[bound]
+
+
+def _calls(text: str, known: dict[str, Counter[str]]) -> Counter[str]:
+    total: Counter[str] = Counter()
+    for name in _CALL.findall(text):
+        total += known.get(name, Counter())
+    return total

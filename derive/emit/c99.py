@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -17,7 +17,7 @@ import sympy as sp
 from .. import nomenclature as nm
 from . import c99_cost as cost
 from . import c99_template as template
-from .functions import Function, modules
+from .functions import Function, Module
 from .python import AlgebraPrinter
 from .python import _meaning as meaning
 from .statements import flatten, straight_line
@@ -93,9 +93,9 @@ class _Emitted:
     operations: int
 
 
-def render(header: str) -> dict[str, str]:
+def render(modules: Iterable[Module], header: str) -> dict[str, str]:
     """``c/spragsym.h``, ``c/spragsym.c`` and the example that an export brings along, by path."""
-    known = {function.name: function for module in modules() for function in module.functions}
+    known = {function.name: function for module in modules for function in module.functions}
     public = [known[name] for name in _PUBLIC]
     statics = [_static(f"algebra_{function.name}", function) for function in public]
     statics += [_static(name, function) for name, function in _internal(known).items()]

@@ -44,7 +44,7 @@ def render(outcome: Ledger) -> dict[str, str]:
         "py.typed": "",
         "_broadcast.py": python.BROADCAST_SOURCE.format(header=header),
         **{f"{module.name}.py": python.render(module, header) for module in names},
-        **c99.render(header.replace("``", "")),
+        **c99.render(names, header.replace("``", "")),
         "ledger.json": json.dumps(ledger.as_dict(outcome, digest), indent=1, ensure_ascii=False) + "\n",
         "LEDGER.md": ledger.markdown(outcome, header),
     }

@@ -9,10 +9,11 @@ where the motion only grazes the border, far below rounding.
 
 from __future__ import annotations
 
+import importlib.metadata
 import importlib.util
 import math
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cache
@@ -109,6 +110,11 @@ def choose(backend: str | None) -> str:
     if backend == "heyoka" and not importlib.util.find_spec("heyoka"):
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
     return backend
+
+
+def version(backend: str) -> str:
+    """Name and version of the integrator, which decide the last bits of a result."""
+    return f"{backend} {importlib.metadata.version(backend)}"
 
 
 def integrate(problem: Problem, backend: str) -> Motion:
@@ -370,7 +376,3 @@ def _heyoka(problem: Problem) -> Motion:
         compiled[problem.rtol] = _Compiled(problem.rtol)
     return compiled[problem.rtol].run(problem)
 
-
-def pieces(t: FloatArray) -> Iterator[slice]:
-    """Slices of the samples that hold one step each."""
-    return (slice(i, i + DEGREE + 1) for i in range(0, len(t) - 1, DEGREE))

@@ -1,0 +1,619 @@
+"""Many motions: root mean squares and final regimes over parameters and initial states, resumable, on any number of cores."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import integrators, storage
+from .dynamics import BELT_SPEED, CREEP, TOLERANCE, Trajectory, prepare, run
+from .errors import ParameterError, ParameterTypeError
+from .generated import motion
+from .integrators import Event
+from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers
+from .storage import Record
+
+__all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "basin", "rms_sweep", "sensitivity"]
+
+#: An int, or a map-like callable such as ``pool.imap`` or the ``map`` of a dask.distributed client.
+Workers: TypeAlias = int | Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
+
+#: What is measured of every motion, in the order of a record.
+MEASURED = (
+    "rms", "spread", "amplitude", "mean", "mean_y", "period", "x_min", "x_max", "y_min", "y_max", "trend", "rest",
+    "contact_lost", "slip_reversed",
+)  # fmt: skip
+
+#: What of that a file and a result hold.
+REPORTED = ("rms", "spread", "amplitude", "mean", "mean_y", "period", "trend", "contact_lost", "slip_reversed")
+
+INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
+
+#: A motion repeats itself, or rests, within this share of its reach.
+REPEATS = 1e-4
+#: A motion decays if its kinetic energy falls by more than this share from one half of the window to the other.
+DECAYS = 5e-3
+
+
+class Regime(IntEnum):
+    """What a motion settles to, as far as its last part shows."""
+
+    FAILED = 0
+    """There is no result; the reason says why."""
+    EQUILIBRIUM = 1
+    """At rest, or decaying about one stable steady-sliding equilibrium with no other equilibrium within its reach."""
+    LIMIT_CYCLE = 2
+    """Repeats itself."""
+    LIFT_OFF = 3
+    """Has no contact with the belt any more."""
+    UNSETTLED = 4
+    """None of these yet: a slow transient, quasi-periodic or irregular."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What all motions of a sweep share."""
+
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep:
+    """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
+
+    Attributes
+    ----------
+    inputs : dict of str to ndarray
+        θ₀, μ₀, κ, α, σ, β, V, d, x0, y0, vx0, vy0 as they were given, which broadcast together.
+    rms, spread, amplitude, mean, mean_y : ndarray
+        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|; means of x and y.
+    period : ndarray
+        NaN for a motion that does not repeat itself to 1e-4 of its reach.
+    trend : ndarray
+        Mean kinetic energy in the second half of the window over that in the first.
+    contact_lost, slip_reversed : ndarray
+        How often, after the transient.
+    regime : ndarray of int8
+        Codes of :class:`Regime`.
+    equilibrium : ndarray of int8
+        For ``Regime.EQUILIBRIUM`` its index among ``equilibria(p)``; −1 otherwise.
+    reason : ndarray of str
+        Why a motion failed.
+    """
+
+    inputs: dict[str, FloatArray]
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+    rms: FloatArray
+    spread: FloatArray
+    amplitude: FloatArray
+    mean: FloatArray
+    mean_y: FloatArray
+    period: FloatArray
+    trend: FloatArray
+    contact_lost: FloatArray
+    slip_reversed: FloatArray
+    regime: NDArray[np.int8]
+    equilibrium: NDArray[np.int8]
+    reason: NDArray[np.str_]
+
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
+
+        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, ….
+        """
+        dims = _dimensions(self.inputs, self.rms.shape)
+        # One number is kept as such, an axis as a coordinate, a table as a table of the full shape.
+        inputs = {
+            name: ((), float(values.flat[0])) if values.size == 1
+            else (name, values.ravel()) if name in dims
+            else (dims, np.broadcast_to(values, self.rms.shape).copy())
+            for name, values in self.inputs.items()
+        }  # fmt: skip
+        results = {name: (dims, getattr(self, name)) for name in (*REPORTED, "regime", "equilibrium")}
+        results["reason"] = (dims, self.reason.astype(object))
+        dataset = storage.xarray().Dataset(results, coords=inputs, attrs=self._attributes())
+        for name in dataset.variables:
+            dataset[name].attrs = storage.attributes(name)
+        dataset["regime"].attrs |= {
+            "flag_values": np.array(list(Regime), dtype=np.int8), "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
+        }  # fmt: skip
+        return dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
+        storage.write(Path(path), self.to_dataset, self._columns, self._attributes())
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self.inputs.items()}
+        return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
+
+    def _attributes(self) -> dict[str, Any]:
+        settings = {"t_end": self.t_end, "transient": self.transient, "rtol": self.rtol, "backend": self.backend}
+        return {**storage.provenance(), **settings, "fingerprint": _fingerprint(self.inputs, Settings(**settings))}  # type: ignore[arg-type]
+
+
+def rms_sweep(
+    p: Parameters,
+    V: ArrayLike,
+    d: ArrayLike,
+    *,
+    x0: ArrayLike = 0.0,
+    y0: ArrayLike = 0.0,
+    vx0: ArrayLike = 0.0,
+    vy0: ArrayLike = 0.0,
+    t_end: float = 2000.0,
+    transient: float = 1500.0,
+    rtol: float = 1e-10,
+    backend: str | None = None,
+    workers: Workers = 1,
+    progress: bool = False,
+    store: str | os.PathLike[str] | None = None,
+) -> Sweep:
+    """Simulate every point of a broadcast of parameters and initial states, and tell what each motion comes to.
+
+    Parameters
+    ----------
+    p : Parameters
+        Any shape.
+    V, d, x0, y0, vx0, vy0 : array_like
+        As for :func:`~spragsym.simulate`; they broadcast with ``p``. The article states neither V nor d.
+    t_end, transient : float
+        Until when to integrate, and what to leave out of every result.
+    rtol : float
+        Relative tolerance.
+    backend : {"heyoka", "scipy"}, optional
+        As for :func:`~spragsym.simulate`.
+    workers : int or map-like callable
+        Processes, −1 for one a core; or ``map(function, points)`` of an engine, which may give results or futures with a
+        ``result()``. Results are the same to the last bit for any. Processes import the main module: a script needs
+        ``if __name__ == "__main__":``.
+    progress : bool
+        Show a bar with the estimated end on stderr.
+    store : path, optional
+        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` as they come. The same call resumes from there after
+        a kill, and loads the file when it is finished.
+
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        Before the work starts, for arguments that make no sense and files that cannot be written. A motion that fails is NaN,
+        with its reason, and stops nothing.
+
+    Notes
+    -----
+    Source: (8)–(11); the article's Figure 7b. Which equilibrium: with μ(V), (10), for μ₀, which is where the motion can rest.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.sweeps import rms_sweep
+    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([42, 43, 44, 45])), V=0.5, d=10.0)
+    >>> np.round(sweep.rms, 2)
+    array([0.17, 0.19, 1.69, 1.63])
+    """
+    p.require(*NAMES)
+    given = {name: getattr(p, name) for name in NAMES}
+    given |= {"V": as_numbers("V", V, BELT_SPEED), "d": as_numbers("d", d, CREEP)}
+    given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
+    inputs = {name: given[name] for name in INPUTS}
+    settings = _settings(t_end, transient, rtol, backend)
+    shape = _common_shape(inputs)
+    points = _points(inputs, shape)
+    if store is None:
+        return _result(inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None))
+    target = Path(store)
+    key = _fingerprint(inputs, settings)
+    if target.exists():
+        return _finished(target, key, inputs, shape, settings)
+    storage.check_target(target, 100_000 + 1000 * len(points))
+    with storage.journal(target, {"fingerprint": key}) as (done, append):
+        sweep = _result(inputs, shape, settings, _records(points, settings, workers, progress, done, append))
+        sweep.save(target)
+    return sweep
+
+
+# ------------------------------------------------------------------------------------------------ one motion
+
+
+def _measure(settings: Settings, point: tuple[float, ...]) -> Record:
+    """One record; whatever goes wrong is its reason."""
+    try:
+        *parameters, V, d, x0, y0, vx0, vy0 = point
+        p = Parameters(*parameters)
+        problem = prepare(
+            p, V=V, d=d, start=(x0, y0, vx0, vy0), t_end=settings.t_end, t_record=settings.transient, rtol=settings.rtol
+        )
+        values = [float(value) for value in _values(run(p, problem, settings.backend))]
+        if not np.isfinite(values[:5]).all():
+            return [], "ArithmeticError: the motion left the range of numbers"
+        return values, ""
+    except Exception as error:  # one motion must not stop the others, whatever it is
+        return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
+
+
+def _values(late: Trajectory) -> tuple[float, ...]:
+    """The measured values of what follows the transient, in the order of MEASURED."""
+    x, y = late._extrema("x"), late._extrema("y")
+    assert late.events is not None
+    lost, *reversals = (len(late.events.of(kind)) for kind in (Event.CONTACT_LOST, Event.MASS_OVERTAKES, Event.BELT_OVERTAKES))
+    return (
+        late.rms(0.0), late.rms(0.0, about="mean"), float(np.abs(x).max()), late.mean(0.0), late.mean(0.0, of="y"),
+        late.period(0.0, tol=REPEATS), x.min(), x.max(), y.min(), y.max(), _trend(late), float(late._at_rest(REPEATS)),
+        lost, sum(reversals),
+    )  # fmt: skip
+
+
+def _trend(late: Trajectory) -> float:
+    """Mean kinetic energy of the second half over that of the first; a Hann window keeps unfinished periods from counting."""
+    share = (late.t - late.t[0]) / (late.t[-1] - late.t[0])
+    hann = np.sin(2 * np.pi * share) ** 2
+    energy = late.weights * hann * (late.vx**2 + late.vy**2)
+    first = energy[share < 0.5].sum()
+    return float(energy[share >= 0.5].sum() / first) if first > 0 else 1.0
+
+
+# --------------------------------------------------------------------------------------------- all the motions
+
+
+def _settings(t_end: float, transient: float, rtol: float, backend: str | None) -> Settings:
+    t_end, transient = as_number("t_end", t_end, POSITIVE), as_number("transient", transient, NOT_NEGATIVE)
+    if transient >= t_end:
+        raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
+    return Settings(t_end, transient, as_number("rtol", rtol, TOLERANCE), integrators.choose(backend))
+
+
+def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*(values.shape for values in inputs.values()))
+    except ValueError as error:
+        listed = ", ".join(f"{name} {values.shape}" for name, values in inputs.items() if values.shape)
+        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+
+
+def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple[float, ...]]:
+    columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
+    return list(zip(*columns, strict=True))
+
+
+def _records(
+    points: list[tuple[float, ...]],
+    settings: Settings,
+    workers: Workers,
+    progress: bool,
+    done: dict[int, Record],
+    append: Callable[[int, Record], None],
+) -> list[Record]:
+    """Every record: those that are done, and the others, appended as they come."""
+    missing = [i for i in range(len(points)) if i not in done]
+    with _advance(progress, len(points), len(done)) as advance:
+        found = _map(workers, partial(_measure, settings), [points[i] for i in missing])
+        for i, record in zip(missing, found, strict=True):
+            done[i] = record
+            append(i, record)
+            advance()
+    return [done[i] for i in range(len(points))]
+
+
+def _map(workers: Workers, function: Callable[[Any], Any], points: list[Any]) -> Iterator[Any]:
+    """Results in the order of the points, each as soon as it and those before it are there."""
+    if callable(workers):
+        for item in workers(function, points):
+            yield item.result() if hasattr(item, "result") else item
+        return
+    count = _count(workers)
+    if count == 1 or len(points) < 2:
+        yield from map(function, points)
+        return
+    # Compiled code and its threads do not survive a fork.
+    with multiprocessing.get_context("spawn").Pool(min(count, len(points)), _ignore_interrupts) as pool:
+        yield from pool.imap(function, points, chunksize=max(1, min(16, len(points) // (8 * count))))
+
+
+def _count(workers: int) -> int:
+    if isinstance(workers, bool) or not isinstance(workers, int):
+        raise ParameterTypeError(f"workers = {workers!r} is neither an int nor a map-like callable")
+    if workers == -1:
+        return os.cpu_count() or 1
+    if workers < 1:
+        raise ParameterError(f"workers = {workers} is neither positive nor -1, which stands for one a core")
+    return workers
+
+
+def _ignore_interrupts() -> None:
+    """Ctrl-C is the parent's to handle."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextmanager
+def _advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
+    """A function to call after every point, which moves the bar if there is one."""
+    if not progress:
+        yield lambda: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeElapsedColumn, TimeRemainingColumn
+
+    columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), "ends in", TimeRemainingColumn())
+    with Progress(*columns, console=Console(stderr=True)) as bar:
+        task = bar.add_task("", total=total, completed=done)
+        yield lambda: bar.advance(task)
+
+
+def _fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
+    """Of all that decides the bits of a result."""
+    versions = {"fields": MEASURED, "integrator": integrators.version(settings.backend), "degree": integrators.DEGREE}
+    return storage.fingerprint(inputs, {**vars(settings), **versions})
+
+
+# -------------------------------------------------------------------------------------------- what they come to
+
+
+def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
+    table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
+    measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
+    regime, equilibrium = _regimes(inputs, shape, measured)
+    return Sweep(
+        inputs, **vars(settings), **{name: measured[name] for name in REPORTED}, regime=regime, equilibrium=equilibrium,
+        reason=np.array([reason for _, reason in records], dtype=np.str_).reshape(shape),
+    )  # fmt: skip
+
+
+def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
+    """The sweep that a file holds, if it is this one."""
+    columns, attributes = storage.read(path)
+    if attributes.get("fingerprint") != key:
+        raise ParameterError(f"{path} exists and holds something else; remove it, or give another path")
+
+    def column(name: str, dtype: Any) -> NDArray[Any]:
+        return columns[name].astype(dtype).reshape(shape)
+
+    return Sweep(
+        inputs, **vars(settings), **{name: column(name, float) for name in REPORTED},
+        regime=column("regime", np.int8), equilibrium=column("equilibrium", np.int8), reason=column("reason", np.str_),
+    )  # fmt: skip
+
+
+def _regimes(
+    inputs: dict[str, FloatArray], shape: tuple[int, ...], measured: dict[str, FloatArray]
+) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
+    """Codes of the final regimes, and which equilibrium: the only one within reach of a motion that decays."""
+    from .solver import Stability, equilibria
+
+    if not np.prod(shape):
+        return np.zeros(shape, dtype=np.int8), np.full(shape, -1, dtype=np.int8)
+    values = {name: np.broadcast_to(value, shape) for name, value in inputs.items()}
+    # The motion can rest where friction is μ(V), (10), not its limit μ₀, which (12) takes.
+    mu = motion.friction(np.zeros(shape), values["mu0"], values["V"], values["d"])
+    p = Parameters(**{**{name: values[name] for name in NAMES}, "mu0": mu})
+    sliding, lifted = equilibria(p), equilibria(p, contact=False)
+    box = {name: measured[name][..., None] for name in ("x_min", "x_max", "y_min", "y_max")}
+
+    def within(x: FloatArray, y: FloatArray) -> NDArray[np.bool_]:
+        return (box["x_min"] <= x) & (x <= box["x_max"]) & (box["y_min"] <= y) & (y <= box["y_max"])
+
+    inside = within(sliding.x, sliding.y)
+    alone = (inside.sum(axis=-1) == 1) & ~within(lifted.x, lifted.y).any(axis=-1)
+    distance = np.hypot(sliding.x - measured["mean"][..., None], sliding.y - measured["mean_y"][..., None])
+    nearest = np.argmin(np.where(np.isnan(distance), np.inf, distance), axis=-1)
+    rest = measured["rest"] == 1
+    which = np.where(rest, nearest, np.argmax(inside, axis=-1))
+    stable = np.take_along_axis(sliding.stability, which[..., None], axis=-1)[..., 0] == Stability.STABLE
+    lift_off = measured["y_min"] > 0
+    settles = ~lift_off & (rest | (alone & stable & (measured["trend"] < 1 - DECAYS)))
+    regime = np.select(
+        [np.isnan(measured["rms"]), lift_off, settles, np.isfinite(measured["period"])],
+        [Regime.FAILED, Regime.LIFT_OFF, Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE], Regime.UNSETTLED,
+    )  # fmt: skip
+    return regime.astype(np.int8), np.where(settles, which, -1).astype(np.int8)
+
+
+def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """A name for every axis: the input that alone varies along it, and along no other axis."""
+
+    def axes(values: FloatArray) -> tuple[int, ...]:
+        lead = len(shape) - values.ndim
+        return tuple(lead + i for i, size in enumerate(values.shape) if size > 1)
+
+    along = {name: axes(values) for name, values in inputs.items()}
+    names = []
+    for axis in range(len(shape)):
+        candidates = [name for name, varied in along.items() if axis in varied]
+        alone = len(candidates) == 1 and along[candidates[0]] == (axis,)
+        names.append(candidates[0] if alone else f"axis_{axis}")
+    return tuple(names)
+
+
+# ---------------------------------------------------------------------------------------------------- attractors
+
+
+@dataclass(frozen=True, eq=False)
+class Basin:
+    """Which attractor each initial state reaches: arrays of shape (len(x), len(vx)).
+
+    Attributes
+    ----------
+    x, vx : ndarray
+        Initial displacements and speeds along the belt.
+    attractor : ndarray of int
+        Row of ``attractors`` that the motion reaches; −1 where it failed.
+    attractors : tuple of (Regime, int, float, float)
+        Final regime, index of the equilibrium or −1, and for a limit cycle its mean and RMS of x about it, else NaN.
+    sweep : Sweep
+        Everything that was measured.
+    """
+
+    x: FloatArray
+    vx: FloatArray
+    attractor: NDArray[np.int64]
+    attractors: tuple[tuple[Regime, int, float, float], ...]
+    sweep: Sweep
+
+
+def basin(
+    p: Parameters, V: float, d: float, *, x: ArrayLike, vx: ArrayLike, y0: float = 0.0, vy0: float = 0.0, **options: Any
+) -> Basin:
+    """Which attractor is reached from a grid of initial displacements and speeds along the belt.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars.
+    V, d : float
+        As for :func:`~spragsym.simulate`.
+    x, vx : array_like, one axis each
+        Initial states: every x with every vx.
+    y0, vy0 : float
+        Initial state across the belt.
+    **options
+        As for :func:`rms_sweep`. A motion that has settled to nothing by ``t_end`` is ``Regime.UNSETTLED``: damping is weak
+        where exp(−d V) is small, so that this takes tens of thousands of time units.
+
+    Returns
+    -------
+    Basin
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.sweeps import basin
+    >>> p = ss.Parameters.article(theta0=np.radians(30))
+    >>> found = basin(p, V=0.5, d=2.0, x=[0.0, 0.1, 1.6], vx=[0.0])
+    >>> [(regime.name, which) for regime, which, *_ in found.attractors]
+    [('EQUILIBRIUM', 2), ('EQUILIBRIUM', 0)]
+    >>> found.attractor[:, 0]
+    array([0, 0, 1])
+    """
+    p.scalars(*NAMES)
+    starts = [np.atleast_1d(as_numbers(name, values)) for name, values in (("x", x), ("vx", vx))]
+    for name, values in zip(("x", "vx"), starts, strict=True):
+        if values.ndim != 1:
+            raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
+    sweep = rms_sweep(p, V, d, x0=starts[0][:, None], vx0=starts[1], y0=y0, vy0=vy0, **options)
+    labels, attractors = _attractors(sweep)
+    return Basin(starts[0], starts[1], labels, attractors, sweep)
+
+
+def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, int, float, float], ...]]:
+    """Group motions by final regime and equilibrium, and limit cycles by mean and RMS about it, to one percent."""
+    labels = np.full(sweep.rms.shape, -1)
+    attractors: list[tuple[Regime, int, float, float]] = []
+    for index in np.ndindex(sweep.rms.shape):
+        regime = Regime(sweep.regime[index])
+        if regime == Regime.FAILED:
+            continue
+        cycle = regime == Regime.LIMIT_CYCLE
+        mean, spread = (float(sweep.mean[index]), float(sweep.spread[index])) if cycle else (np.nan, np.nan)
+        found = (regime, int(sweep.equilibrium[index]), mean, spread)
+        same = (
+            i for i, known in enumerate(attractors)
+            if known[:2] == found[:2] and (not cycle or np.hypot(known[2] - mean, known[3] - spread) < 0.01 * spread)
+        )  # fmt: skip
+        label = next(same, len(attractors))
+        if label == len(attractors):
+            attractors.append(found)
+        labels[index] = label
+    return labels, tuple(attractors)
+
+
+# --------------------------------------------------------------------------------------------------- sensitivity
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivity:
+    """Where the RMS of x jumps as θ₀ grows, for every V (first axis) with every d (second).
+
+    Attributes
+    ----------
+    V, d : ndarray
+        Belt speeds, steepnesses.
+    theta0 : ndarray, shape (len(V), len(d))
+        Where the RMS jumps, radians: the middle of an interval of half-width ``width``.
+    before, after : ndarray, of that shape
+        RMS on the two sides of the jump.
+    width : float
+        Half-width of the interval, radians.
+    sweep : Sweep
+        The sweep over θ₀ that the jump was looked for in, shape (len(V), len(d), number of angles).
+    """
+
+    V: FloatArray
+    d: FloatArray
+    theta0: FloatArray
+    before: FloatArray
+    after: FloatArray
+    width: float
+    sweep: Sweep
+
+
+def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, **options: Any) -> Sensitivity:
+    """What V and d, which the article does not state, do to the jump of its Figure 7b.
+
+    Parameters
+    ----------
+    p : Parameters
+        With ``theta0`` an ascending axis of at least two angles, equally spaced, and the rest scalars.
+    V, d : array_like, one axis each
+        Every V with every d.
+    refine : int
+        How often to halve the interval that holds the jump.
+    **options
+        As for :func:`rms_sweep`, but ``store``.
+
+    Returns
+    -------
+    Sensitivity
+
+    Notes
+    -----
+    The jump is the largest step between neighbouring angles. Bisection keeps the half over which the RMS steps more.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.sweeps import sensitivity
+    >>> table = sensitivity(ss.Parameters.article(theta0=np.radians([40, 42, 44, 46])), V=[0.5], d=[10.0], refine=2)
+    >>> np.round(np.degrees(table.theta0), 2)
+    array([[43.75]])
+    """
+    angles = p.theta0
+    if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
+        raise ParameterError("theta0 must be an ascending axis of at least two angles; use p.replace(theta0=numpy.linspace(...))")
+    speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
+    belt = (speeds[:, None, None], creeps[None, :, None])
+    sweep = rms_sweep(p, *belt, **options)
+    step = np.abs(np.diff(sweep.rms, axis=-1))
+    at = np.argmax(np.where(np.isnan(step), -1.0, step), axis=-1)[..., None]
+    low, high = angles[at], angles[at + 1]
+    before, after = (np.take_along_axis(sweep.rms, at + k, axis=-1) for k in (0, 1))
+    for _ in range(refine):
+        middle = (low + high) / 2
+        between = rms_sweep(p.replace(theta0=middle), *belt, **options).rms
+        upper = np.abs(after - between) > np.abs(between - before)
+        low, before = np.where(upper, middle, low), np.where(upper, between, before)
+        high, after = np.where(upper, high, middle), np.where(upper, after, between)
+    theta0, before, after = ((low + high)[..., 0] / 2, before[..., 0], after[..., 0])
+    return Sensitivity(speeds, creeps, theta0, before, after, float(np.max(high - low)) / 2, sweep)

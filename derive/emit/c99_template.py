@@ -156,6 +156,7 @@ ALGORITHM = r"""
 #define SMALLEST_RATIO 1e-60
 #define SMALLEST_SCALE 1e-200
 #define LARGEST_SCALE 1e200
+#define CHORD_STEPS 2
 #define CUBIC_STEPS 2
 #define FACTOR_STEPS 2
 #define ROOT_STEPS 2
@@ -280,22 +281,27 @@ static double outermost(double P, double Q) {
     } else {
         const double radius = sqrt(fabs(third));
         const double cosine = half / (radius * radius * radius);
-        z = 2.0 * radius * cos(acos((cosine < 1.0) ? cosine : 1.0) / 3.0);
+        /* 2 cos(acos(cosine)/3) is the root of v^3 - 3 v = 2 cosine next to this chord. */
+        double v = 1.7320508075688772 + 0.26794919243112270 * ((cosine < 1.0) ? cosine : 1.0);
+        for (int i = 0; i < CHORD_STEPS; i++) {
+            v -= (v * v * v - 3.0 * v - 2.0 * cosine) / (3.0 * v * v - 3.0);
+        }
+        z = radius * v;
     }
     return (Q > 0.0) ? 0.0 - z : z;
 }
 
 /* That root of the resolvent itself, to full relative accuracy, which the shift of the depressed cubic may have cost. */
 static double isolated_root(const double cubic[3], const double depressed[2]) {
-    double root = outermost(depressed[0], depressed[1]) - cubic[2] / 3.0;
+    double isolated = outermost(depressed[0], depressed[1]) - cubic[2] / 3.0;
     for (int i = 0; i < CUBIC_STEPS; i++) {
-        const double value = ((root + cubic[2]) * root + cubic[1]) * root + cubic[0];
-        const double slope = (3.0 * root + 2.0 * cubic[2]) * root + cubic[1];
+        const double value = ((isolated + cubic[2]) * isolated + cubic[1]) * isolated + cubic[0];
+        const double slope = (3.0 * isolated + 2.0 * cubic[2]) * isolated + cubic[1];
         if (fabs(slope) > 0.0) {
-            root -= value / slope;
+            isolated -= value / slope;
         }
     }
-    return root;
+    return isolated;
 }
 
 /* One Newton step on both factors at once: what F1 F2 lacks of t^4 + A3 t^3 + A2 t^2 + A1 t - 1, divided by F2 modulo F1.
@@ -498,7 +504,7 @@ static int guesses(const line *f, double roots[MAX_ROOTS], int *certain) {
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
                                     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
     line f;
-    double t[MAX_ROOTS];
+    double t[MAX_ROOTS] = {0.0, 0.0, 0.0, 0.0};
     double previous_end = 0.0 - HUGE_VAL;
     int certain;
     int found = 0;
@@ -510,7 +516,9 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
     }
     const int real = guesses(&f, t, &certain);
     for (int i = 0; i < MAX_ROOTS; i++) {
-        if (i < real) {
+        /* Of one negative root nothing more need be known in contact: with sin theta < 0 < L, y = sin theta0 - L sin theta > 0. */
+        const int needed = i < real && (regime == SPRAGSYM_LIFTOFF || t[i] > 0.0 || t[1] < 0.0);
+        if (needed) {
             const root at = locate(t[i], &f);
             /* In t the radius is (1 + t^2)/2 times that of the angle; twice that covers its growth. */
             const double reach = at.radius * (1.0 + at.t * at.t);

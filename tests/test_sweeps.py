@@ -1,0 +1,339 @@
+"""Sweeps: the same bits whoever computes them and however often they are interrupted."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections import namedtuple
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from spragsym import storage, sweeps
+from spragsym.cli.motion import sweep as sweep_command
+from spragsym.dynamics import Event, simulate
+from spragsym.solver import equilibria
+from spragsym.sweeps import Regime, Sweep, basin, rms_sweep, sensitivity
+
+pytest.importorskip("xarray")
+P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
+SHORT = {"V": 0.5, "d": 10.0, "t_end": 60.0, "transient": 20.0}
+
+
+def assert_same(one: Sweep, other: Sweep) -> None:
+    """To the last bit."""
+    for name in (*sweeps.REPORTED, "regime", "equilibrium", "reason"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
+
+
+def test_a_sweep_is_a_map_of_simulate() -> None:
+    found = rms_sweep(P, **SHORT, rtol=1e-13)
+    for i, theta0 in enumerate(P.theta0):
+        tr = simulate(P.replace(theta0=theta0), V=0.5, d=10.0, t_end=60.0, rtol=1e-13).after(20.0)
+        assert found.rms[i] == pytest.approx(tr.rms(0.0), rel=1e-10)
+        assert found.spread[i] == pytest.approx(tr.rms(0.0, about="mean"), rel=1e-10)
+        assert found.amplitude[i] == pytest.approx(tr.amplitude(0.0), rel=1e-10)
+        assert found.mean[i] == pytest.approx(tr.mean(0.0), rel=1e-10)
+        assert found.contact_lost[i] == len(tr.events.of(Event.CONTACT_LOST))
+
+
+def test_results_broadcast() -> None:
+    p = ss.Parameters.article(theta0=P.theta0[:2, None, None])
+    found = rms_sweep(p, np.array([0.2, 0.5, 1.0])[:, None], 10.0, x0=[0.0, 0.1], t_end=20.0, transient=5.0)
+    assert found.rms.shape == (2, 3, 2)
+    single = rms_sweep(p.replace(theta0=P.theta0[1]), 1.0, 10.0, x0=0.1, t_end=20.0, transient=5.0)
+    assert found.rms[1, 2, 1] == single.rms
+    assert found.to_dataset().rms.dims == ("theta0", "V", "x0")
+
+
+def test_an_empty_sweep_is_empty() -> None:
+    assert rms_sweep(P.replace(theta0=np.zeros(0)), **SHORT).rms.shape == (0,)
+
+
+def test_the_same_bits_from_any_map() -> None:
+    one = rms_sweep(P, **SHORT)
+    assert_same(one, rms_sweep(P, **SHORT, workers=2))
+    assert_same(one, rms_sweep(P, **SHORT, workers=map))
+    with ThreadPoolExecutor(3) as pool:
+        assert_same(one, rms_sweep(P, **SHORT, workers=pool.map))
+        # Futures, as an engine's own map gives them.
+        assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
+
+
+def test_the_same_bits_from_dask() -> None:
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, processes=False) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        assert_same(rms_sweep(P, **SHORT), rms_sweep(P, **SHORT, workers=client.map))
+
+
+def test_a_point_that_fails_is_nan_with_its_reason_and_stops_nothing() -> None:
+    anchor = float(np.cos(P.theta0[1])), float(np.sin(P.theta0[1]))
+    found = rms_sweep(P, **SHORT, x0=anchor[0], y0=anchor[1])
+    failed = np.arange(6) == 1
+    np.testing.assert_array_equal(np.isnan(found.rms), failed)
+    np.testing.assert_array_equal(found.regime == Regime.FAILED, failed)
+    assert "L = 0" in found.reason[1]
+    assert (found.reason[~failed] == "").all()
+
+
+def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> None:
+    # Not at the fold, 44.56 degrees: from rest at x = y = 0 the mass overshoots the middle equilibrium before that.
+    theta0 = np.radians(np.arange(40.0, 44.1, 0.5))
+    p = ss.Parameters.article(theta0=theta0)
+    found = rms_sweep(p, 0.5, 10.0)
+    middle = equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0)))).x[:, 1]
+    small = found.rms < 0.5
+    assert small.any()
+    assert (~small).any()
+    np.testing.assert_array_equal(small, found.amplitude < middle)
+    assert (np.diff(small.astype(int)) <= 0).all()  # once it jumps it stays
+    assert found.rms[~small].min() > 5 * found.rms[small].max()
+
+
+def test_final_regimes() -> None:
+    p = ss.Parameters.article(theta0=np.radians(30))
+    rest = equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0))))
+    still = rms_sweep(p, 0.5, 10.0, x0=rest.x[[0, 2]], y0=rest.y[[0, 2]], t_end=200.0, transient=100.0)
+    assert still.regime.tolist() == [Regime.EQUILIBRIUM] * 2
+    assert still.equilibrium.tolist() == [0, 2]
+    np.testing.assert_allclose(still.mean, rest.x[[0, 2]], atol=1e-6)
+    flying = rms_sweep(p, 0.5, 10.0, x0=0.1, y0=0.5, t_end=3.0, transient=1.0)
+    assert flying.regime == Regime.LIFT_OFF
+    decaying = rms_sweep(p, 0.5, 4.0)
+    assert (decaying.regime, decaying.equilibrium) == (Regime.EQUILIBRIUM, 0)
+    assert np.isnan(decaying.period)
+
+
+def test_the_limit_cycle_of_figure_7_comes_late() -> None:
+    pytest.importorskip("heyoka")
+    p = ss.Parameters.article(theta0=np.radians(49))
+    assert rms_sweep(p, 0.5, 10.0).regime == Regime.UNSETTLED
+    late = rms_sweep(p, 0.5, 10.0, t_end=2e4, transient=1.9e4)
+    later = rms_sweep(p, 0.5, 10.0, t_end=2.3e4, transient=2.2e4, rtol=1e-12)
+    assert late.regime == Regime.LIMIT_CYCLE
+    assert late.period == pytest.approx(float(later.period), rel=1e-5)
+
+
+def test_basin() -> None:
+    p = ss.Parameters.article(theta0=np.radians(30))
+    found = basin(p, 0.5, 4.0, x=[0.0, 0.3, 1.6], vx=[0.0, 0.01])
+    assert found.attractor.shape == (3, 2)
+    assert (found.attractor[0] == found.attractor[1]).all()
+    assert (found.attractor[0] != found.attractor[2]).all()
+    assert found.attractors[found.attractor[0, 0]][:2] == (Regime.EQUILIBRIUM, 0)
+
+
+def test_sensitivity_brackets_the_jump() -> None:
+    p = ss.Parameters.article(theta0=np.radians([38.0, 40.0, 42.0, 44.0]))
+    table = sensitivity(p, V=[0.5, 1.0], d=[10.0], refine=4)
+    assert table.theta0.shape == (2, 1)
+    assert table.width == pytest.approx(np.radians(2.0) / 2**5)
+    for V, theta0 in zip(table.V, table.theta0[:, 0], strict=True):
+        beside = rms_sweep(p.replace(theta0=theta0 + np.array([-1, 1]) * table.width * 1.0001), V, 10.0)
+        assert beside.rms[1] > 3 * beside.rms[0]
+
+
+# ------------------------------------------------------------------------------------------------------- the store
+
+
+def _interrupt(path: Path, points: int) -> None:
+    """Leave a sweep to ``path`` as a kill does, after some points."""
+
+    def some(function: object, tasks: list[object]) -> Iterator[object]:
+        for i, task in enumerate(tasks):
+            if i == points:
+                raise KeyboardInterrupt
+            yield function(task)  # type: ignore[operator]
+
+    with pytest.raises(KeyboardInterrupt):
+        rms_sweep(P, **SHORT, store=path, workers=some)
+
+
+@pytest.mark.parametrize("ending", ["nc", "csv"])
+@pytest.mark.parametrize("cut", [0, 1, 7])
+def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int) -> None:
+    whole, path = tmp_path / f"whole.{ending}", tmp_path / f"rms.{ending}"
+    expected = rms_sweep(P, **SHORT, store=whole)
+    _interrupt(path, 3)
+    partial = path.with_name(path.name + ".partial")
+    if cut:  # a kill in the middle of a line
+        partial.write_bytes(partial.read_bytes()[:-cut])
+    assert not path.exists()
+    computed = []
+
+    def counting(function: object, tasks: list[object]) -> Iterator[object]:
+        for task in tasks:
+            computed.append(task)
+            yield function(task)  # type: ignore[operator]
+
+    assert_same(expected, rms_sweep(P, **SHORT, store=path, workers=counting))
+    assert len(computed) == (4 if cut else 3)
+    assert path.read_bytes() == whole.read_bytes()
+    assert not partial.exists()
+    assert_same(expected, rms_sweep(P, **SHORT, store=path, workers=counting))  # finished: loaded
+    assert len(computed) == (4 if cut else 3)
+
+
+def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
+    path = tmp_path / "rms.nc"
+    _interrupt(path, 2)
+    with pytest.raises(ss.ParameterError, match="belongs to another sweep"):
+        rms_sweep(P, **{**SHORT, "V": 0.4}, store=path)
+    rms_sweep(P, **SHORT, store=path)
+    before = path.read_bytes()
+    with pytest.raises(ss.ParameterError, match="holds something else"):
+        rms_sweep(P, **{**SHORT, "V": 0.4}, store=path)
+    assert path.read_bytes() == before
+
+
+@cache
+def _command(path: str) -> list[str]:
+    grid = ["--theta0", "1:179:181", "--t-end", "2000"]
+    return [sys.executable, "-m", "spragsym", "sweep", *grid, "-q", "-o", path]
+
+
+def _undisturbed(folder: Path) -> tuple[bytes, float]:
+    begin = time.perf_counter()
+    subprocess.run(_command(str(folder / "whole.nc")), check=True, capture_output=True)
+    return (folder / "whole.nc").read_bytes(), time.perf_counter() - begin
+
+
+@pytest.mark.parametrize("kills", [2, pytest.param(20, marks=pytest.mark.slow)])
+def test_killed_at_any_moment_it_resumes_to_the_same_file(tmp_path: Path, kills: int) -> None:
+    expected, seconds = _undisturbed(tmp_path)
+    rng = np.random.default_rng(kills)
+    resumed = 0
+    for i in range(kills):
+        path = tmp_path / f"rms{i}.nc"
+        process = subprocess.Popen(_command(str(path)), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        time.sleep(rng.uniform(0.3, 1.0) * seconds)
+        process.kill()
+        process.wait()
+        resumed += path.with_name(path.name + ".partial").exists()
+        subprocess.run(_command(str(path)), check=True, capture_output=True)
+        assert path.read_bytes() == expected
+    print(f"{kills} kills, {resumed} of them in the middle of the work")
+    assert resumed or kills < 20
+
+
+def test_ctrl_c_ends_cleanly(tmp_path: Path) -> None:
+    path = tmp_path / "rms.nc"
+    command = [*_command(str(path)), "-j", "2", "--t-end", "20000"]
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    partial = path.with_name("rms.nc.partial")
+    deadline = time.monotonic() + 30
+    while time.monotonic() < deadline and not (partial.exists() and partial.stat().st_size > 1000):
+        time.sleep(0.02)
+    os.kill(process.pid, signal.SIGINT)
+    _, stderr = process.communicate(timeout=30)
+    assert process.returncode == 130
+    assert stderr.strip() == "spragsym: interrupted"
+    done = partial.read_text().splitlines()
+    assert len(done) > 1
+    assert [json.loads(line)[0] for line in done[1:]] == list(range(len(done) - 1))
+
+
+def test_files_say_what_they_hold(tmp_path: Path) -> None:
+    import xarray
+
+    found = rms_sweep(P, **SHORT, store=tmp_path / "rms.nc")
+    with xarray.open_dataset(tmp_path / "rms.nc", engine="h5netcdf") as data:
+        np.testing.assert_array_equal(data.rms, found.rms)
+        np.testing.assert_array_equal(data.theta0, P.theta0)
+        assert data.rms.dims == ("theta0",)
+        assert data.mu0 == 0.5
+        assert all("units" in variable.attrs for variable in data.variables.values())
+        assert data.attrs["generated_from"] == storage.SOURCE_HASH
+        assert ss.__version__ in data.attrs["source"]
+    found.save(tmp_path / "rms.csv")
+    lines = [line for line in (tmp_path / "rms.csv").read_text().splitlines() if not line.startswith("#")]
+    column = lines[0].split(",").index("rms")
+    assert [float(line.split(",")[column]) for line in lines[1:]] == found.rms.tolist()
+
+
+@pytest.mark.parametrize(
+    ("name", "message"),
+    [("rms.txt", "neither in .nc nor in .csv"), ("missing/rms.nc", "does not exist"), ("folder.nc", "is a folder")],
+)
+def test_unwritable_paths_are_errors_before_the_work(tmp_path: Path, name: str, message: str) -> None:
+    (tmp_path / "folder.nc").mkdir()
+    with pytest.raises(ss.ParameterError, match=message):
+        rms_sweep(P, **SHORT, store=tmp_path / name, workers=_never)
+
+
+def test_a_read_only_folder_is_an_error_before_the_work() -> None:
+    with pytest.raises(ss.ParameterError, match="cannot be written"):
+        rms_sweep(P, **SHORT, store="/proc/rms.nc" if Path("/proc").is_dir() else "/rms.nc", workers=_never)
+
+
+def test_a_full_disk_is_an_error_before_the_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    usage = namedtuple("usage", "total used free")
+    monkeypatch.setattr(shutil, "disk_usage", lambda path: usage(10**9, 10**9, 0))
+    with pytest.raises(ss.ParameterError, match="0 MB are free; make room"):
+        rms_sweep(P, **SHORT, store=tmp_path / "rms.nc", workers=_never)
+
+
+def _never(function: object, points: object) -> Iterator[object]:
+    raise AssertionError("the work has started")
+
+
+@pytest.mark.parametrize(
+    ("bad", "message"),
+    [
+        ({"V": [0.5, -1.0]}, r"V\[1\] = -1"),
+        ({"d": np.nan}, "d = nan"),
+        ({"V": [0.5, 0.6]}, "do not broadcast"),
+        ({"transient": 60.0}, "transient = 60 is not below t_end = 60"),
+        ({"workers": 0}, "workers = 0"),
+        ({"rtol": 0.0}, "rtol = 0"),
+        ({"x0": np.inf}, "x0 = inf"),
+    ],
+)
+def test_bad_arguments(bad: dict[str, object], message: str) -> None:
+    with pytest.raises(ss.ParameterError, match=message):
+        rms_sweep(P, **{**SHORT, **bad})
+
+
+def test_bad_types_and_missing_parameters() -> None:
+    with pytest.raises(ss.ParameterTypeError, match="workers = 1.5"):
+        rms_sweep(P, **SHORT, workers=1.5)
+    with pytest.raises(ss.ParameterError, match="theta0 is missing"):
+        rms_sweep(ss.Parameters.article(), 0.5, 10.0)
+    with pytest.raises(ss.ParameterError, match="ascending axis"):
+        sensitivity(P.replace(theta0=0.5), V=[0.5], d=[10.0])
+    with pytest.raises(ss.ParameterTypeError, match="one axis"):
+        basin(P.replace(theta0=0.5), 0.5, 10.0, x=[[0.0]], vx=0.0)
+
+
+def test_command(tmp_path: Path) -> None:
+    path = tmp_path / "rms.csv"
+    options = ["--theta0", "35,40", "-V", "0.2:0.4:3", "--t-end", "60", "--transient", "20", "-q", "-o", str(path)]
+    CliRunner().invoke(sweep_command, options, catch_exceptions=False)
+    columns, _ = storage.read(path)
+    expected = rms_sweep(
+        ss.Parameters.article(theta0=np.radians([[35.0], [40.0]])), np.linspace(0.2, 0.4, 3), 10.0, t_end=60.0, transient=20.0
+    )
+    np.testing.assert_array_equal(columns["rms"].astype(float), expected.rms.ravel())
+
+
+def test_progress_goes_to_stderr_only_when_asked(capsys: pytest.CaptureFixture[str]) -> None:
+    rms_sweep(P, **SHORT)
+    assert capsys.readouterr() == ("", "")
+    rms_sweep(P, **SHORT, progress=True)
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert "6/6" in err

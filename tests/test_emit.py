@@ -1,0 +1,239 @@
+"""``make derive``: the same bytes always, all or nothing, and a plain word when something is missing."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import sympy as sp
+
+from spragsym.derive import __main__ as command
+from spragsym.derive import article, check, elimination, stability, theorem
+from spragsym.derive import nomenclature as nm
+from spragsym.derive.emit import python, write
+
+ROOT = Path(__file__).resolve().parent.parent
+COMMITTED = ROOT / "generated"
+
+
+def files_of(folder: Path) -> dict[str, bytes]:
+    """Every generated file below a folder, by relative path; not what the interpreter leaves there."""
+    paths = (path for path in folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts)
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
+
+
+def test_regeneration_is_byte_identical(tmp_path: Path) -> None:
+    """Under three hash seeds, one of them from another working directory; all at the same time."""
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
+    runs = []
+    for seed, folder in (("0", ROOT), ("1", ROOT), ("12345", elsewhere)):
+        target = tmp_path / f"seed-{seed}"
+        environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
+        call = [sys.executable, "-m", "derive", "--out", str(target)]
+        process = subprocess.Popen(
+            call, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        )
+        runs.append((target, process))
+    for _, process in runs:
+        output, _ = process.communicate(timeout=300)
+        assert process.returncode == 0, output
+    committed = files_of(COMMITTED)
+    assert {"equilibrium.py", "ledger.json", "LEDGER.md", "py.typed"} <= committed.keys()
+    for target, _ in runs:
+        fresh = files_of(target)
+        assert fresh.keys() == committed.keys()
+        assert [name for name in fresh if fresh[name] != committed[name]] == []
+
+
+@pytest.fixture
+def target(tmp_path: Path) -> Path:
+    """A folder with an older generation in it."""
+    folder = tmp_path / "generated"
+    folder.mkdir()
+    (folder / "old.py").write_text("old\n", encoding="utf-8")
+    return folder
+
+
+def untouched(target: Path) -> bool:
+    """Whether the older generation is all there is, and nothing was left beside it."""
+    return files_of(target) == {"old.py": b"old\n"} and list(target.parent.iterdir()) == [target]
+
+
+# --------------------------------------------------------------------------------------------- a failed check
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave out the steps before the check, which other tests run."""
+    for module in (command.elimination, command.catastrophe, command.linear_sprag):
+        monkeypatch.setattr(module, "identities", lambda: {})
+
+
+def print_wrongly(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Set (A2) with a sign turned."""
+    printed = tuple(
+        article._appendix("A2", entry.latex, -entry.expression) if entry.id == "A2" else entry
+        for entry in article.APPENDIX
+    )
+    changed = tuple(entry for entry in printed if entry.id in ("A2", "A5"))
+    monkeypatch.setattr(check, "run", lambda: _run(changed))
+
+
+_run = check.run
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_failed_check_writes_nothing_and_names_the_row(
+    target: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    print_wrongly(monkeypatch)
+    assert command.main(["--out", str(target)]) == 1
+    assert untouched(target)
+    told = capsys.readouterr().err
+    assert "A2 (Appendix A, (A2))" in told
+    assert "A5" not in told
+    assert "difference:" in told
+    assert "untouched" in told
+
+
+@pytest.mark.usefixtures("quick")
+def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    print_wrongly(monkeypatch)
+    monkeypatch.setattr(write, "render", lambda outcome: {"new.py": "new\n"})
+    assert command.main(["--out", str(target), "--variant"]) == 0
+    assert files_of(target) == {"new.py": b"new\n"}
+
+
+@pytest.mark.usefixtures("quick")
+@pytest.mark.parametrize("options", [[], ["--variant"]])
+def test_a_step_that_is_not_proved_writes_nothing(
+    options: list[str], target: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(check, "run", lambda: [])
+    monkeypatch.setattr(theorem, "one_or_three", lambda: (theorem.Step("two and two are five", False),))
+    assert command.main(["--out", str(target), *options]) == 1
+    assert untouched(target)
+    assert "not proved: two and two are five" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("quick")
+def test_an_identity_that_is_not_proved_writes_nothing(
+    target: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(check, "run", lambda: [])
+    monkeypatch.setattr(theorem, "one_or_three", lambda: ())
+    monkeypatch.setattr(elimination, "identities", lambda: {"black is white": False})
+    assert command.main(["--out", str(target)]) == 1
+    assert untouched(target)
+    assert "not proved: black is white" in capsys.readouterr().err
+
+
+def test_an_arrangement_that_is_not_what_was_derived_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    from spragsym.derive.emit import functions
+
+    wrong = stability.stiffness().copy()
+    wrong[1, 0] = -wrong[1, 0]
+    monkeypatch.setattr(stability, "stiffness", lambda: wrong)
+    with pytest.raises(ArithmeticError, match=r"K \(28\)"):
+        functions._stability()
+
+
+# ----------------------------------------------------------------------------------------- interrupted writes
+
+
+@pytest.mark.parametrize("error", [KeyboardInterrupt, OSError, MemoryError])
+def test_an_interrupted_write_leaves_the_old_files(
+    error: type[BaseException], target: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_text = Path.write_text
+
+    def interrupted(self: Path, text: str, **options: str) -> int:
+        if self.name == "second.py":
+            write_text(self, text[:1])
+            raise error
+        return write_text(self, text, **options)
+
+    monkeypatch.setattr(Path, "write_text", interrupted)
+    with pytest.raises(error):
+        write.write({"first.py": "1\n", "second.py": "2\n"}, target)
+    assert untouched(target)
+
+
+def test_a_failed_exchange_brings_the_old_files_back(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    rename = Path.rename
+
+    def failing(self: Path, to: Path) -> Path:
+        if Path(to) == target and not self.name.endswith("-old"):
+            raise OSError("no")
+        return rename(self, to)
+
+    monkeypatch.setattr(Path, "rename", failing)
+    with pytest.raises(OSError, match="no"):
+        write.write({"new.py": "new\n"}, target)
+    assert untouched(target)
+
+
+def test_ctrl_c_during_the_exchange_waits_for_its_end(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import signal
+
+    rename = Path.rename
+
+    def interrupted(self: Path, to: Path) -> Path:
+        signal.raise_signal(signal.SIGINT)
+        return rename(self, to)
+
+    monkeypatch.setattr(Path, "rename", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        write.write({"new.py": "new\n"}, target)
+    assert files_of(target) == {"new.py": b"new\n"}
+    assert list(target.parent.iterdir()) == [target]
+
+
+def test_a_write_replaces_everything(target: Path) -> None:
+    write.write({"new.py": "a\n", "c/deep.h": "b\n"}, target)
+    assert files_of(target) == {"new.py": b"a\n", "c/deep.h": b"b\n"}
+    assert list(target.parent.iterdir()) == [target]
+
+
+# ------------------------------------------------------------------------------------------------ the printer
+
+
+@pytest.mark.parametrize(
+    "expression", [nm.x + sp.Rational(1, 2), sp.Float(0.5) * nm.x, nm.x ** sp.Rational(1, 3)]
+)
+def test_what_would_be_rounded_is_refused(expression: sp.Expr) -> None:
+    with pytest.raises(ArithmeticError):
+        python.AlgebraPrinter({"order": None}).doprint(expression)
+
+
+# ---------------------------------------------------------------------------------------------- missing SymPy
+
+
+def test_missing_sympy_names_the_extra(tmp_path: Path) -> None:
+    hidden = "import runpy, sys; sys.modules['sympy'] = None; runpy.run_module('derive', run_name='__main__')"
+    outcome = subprocess.run(
+        [sys.executable, "-c", hidden, "--out", str(tmp_path / "out")],
+        cwd=ROOT, capture_output=True, text=True, timeout=60, check=False,
+    )  # fmt: skip
+    assert outcome.returncode == 1
+    assert (
+        outcome.stderr.strip()
+        == "derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'"
+    )
+    assert not (tmp_path / "out").exists()
+
+
+def test_usage_is_exit_code_2(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as stop:
+        command.main(["--no-such-option"])
+    assert stop.value.code == 2
+    assert "usage" in capsys.readouterr().err
+
+
+def test_users_import_no_sympy() -> None:
+    code = "import spragsym, spragsym.generated.equilibrium, sys; sys.exit('sympy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], timeout=60, check=False).returncode == 0

@@ -1,0 +1,733 @@
+"""Generated functions: one algebra for every number type, and the numbers of the un-eliminated equations."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import pkgutil
+import random
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+
+from spragsym import generated
+from spragsym.derive import catastrophe as folds
+from spragsym.derive import elimination
+from spragsym.derive import equilibrium as balance
+from spragsym.derive import linear_sprag as linear_model
+from spragsym.derive import nomenclature as nm
+from spragsym.derive import stability as linearized
+from spragsym.generated import catastrophe, equilibrium, linear_sprag, motion, scales, stability
+
+EPS = 2.0**-53
+
+# -------------------------------------------------------------------------------------------------- discovery
+
+
+@dataclass(frozen=True)
+class Generated:
+    """One generated function and what its signature says."""
+
+    module: str
+    name: str
+    call: Callable[..., Any]
+
+    @cached_property
+    def arguments(self) -> tuple[str, ...]:
+        return tuple(name for name in inspect.signature(self.call).parameters if name != "xp")
+
+    @cached_property
+    def transcendental(self) -> bool:
+        return "xp" in inspect.signature(self.call).parameters
+
+    def __call__(self, values: dict[str, Any], xp: Any = None) -> list[Any]:
+        """All results, flat."""
+        options = {"xp": xp} if self.transcendental and xp is not None else {}
+        return list(flat(self.call(*(values[name] for name in self.arguments), **options)))
+
+
+def flat(result: Any) -> Iterator[Any]:
+    if isinstance(result, tuple):
+        for item in result:
+            yield from flat(item)
+    else:
+        yield result
+
+
+MODULES = [
+    module.name for module in pkgutil.iter_modules(generated.__path__) if not module.name.startswith("_")
+]
+FUNCTIONS = [
+    Generated(name, function, getattr(module, function))
+    for name, module in ((name, importlib.import_module(f"spragsym.generated.{name}")) for name in MODULES)
+    for function in module.__all__
+]
+each_function = pytest.mark.parametrize("function", FUNCTIONS, ids=lambda f: f"{f.module}.{f.name}")
+
+
+def test_discovery() -> None:
+    assert {"equilibrium", "stability", "catastrophe", "linear_sprag", "motion", "scales"} <= set(MODULES)
+    assert len({(function.module, function.name) for function in FUNCTIONS}) == len(FUNCTIONS)
+
+
+# ---------------------------------------------------------------------------------------------------- numbers
+
+_RANGES: dict[str, tuple[float, float]] = {
+    "L": (0.3, 1.8), "mu0": (0.05, 1.5), "mu": (0.05, 1.5), "n": (0, 0.5), "kappa": (0.002, 0.3),
+    "alpha": (0.005, 0.9), "sigma": (0.02, 1.5),
+    "beta": (0, 2), "a_f": (-1, 1), "b_f": (-1, -0.01), "d_f": (-1, 1), "m_f": (0, 1),
+    "K11": (-1, 1), "K12": (-1, 1), "K21": (-1, 1), "K22": (-1, 1), "C11": (-0.1, 0.1), "T": (0.1, 4),
+    "x": (-0.2, 0.3), "y": (-0.3, -0.01), "vx": (-0.4, 0.4), "vy": (-0.4, 0.4), "V": (0.5, 1), "d": (0.5, 3),
+    "m": (0.2, 5), "k_c": (5, 500), "L_0": (0.1, 2), "F_L": (0.1, 3), "k_x": (0.1, 10), "k": (0.5, 50),
+    "k_y": (0.1, 10), "V_dim": (0.1, 2), "d_dim": (0.1, 9),
+}  # fmt: skip
+
+
+def rationals(seed: int) -> dict[str, Fraction]:
+    """Random rationals for every argument there is; cosines and sines on the unit circle, 0 < θ, θ₀ < π."""
+    generator = random.Random(seed)
+    point = {}
+    for name, (low, high) in _RANGES.items():
+        point[name] = Fraction(low).limit_denominator(1000) + Fraction(high - low).limit_denominator(
+            1000
+        ) * Fraction(generator.randint(1, 96), 97)
+    for cosine, sine in (("cos", "sin"), ("cos0", "sin0")):
+        half = Fraction(generator.randint(8, 90), 32)
+        point[cosine], point[sine] = (1 - half**2) / (1 + half**2), 2 * half / (1 + half**2)
+    point["nbar"], point["side"] = Fraction(generator.randint(0, 1)), Fraction(generator.choice([-1, 1]))
+    return point
+
+
+SEEDS = range(6)
+
+
+def floats(seed: int) -> dict[str, float]:
+    """The same, rounded: numbers that every binary precision holds exactly."""
+    return {name: float(value) for name, value in rationals(seed).items()}
+
+
+def exact(function: Generated, values: dict[str, Any], digits: int) -> list[mpmath.mpf]:
+    with mpmath.workdps(digits):
+        given = {name: mpmath.mpf(value) for name, value in values.items()}
+        return [+mpmath.mpf(item) for item in function(given, mpmath)]
+
+
+def conditions(function: Generated, values: dict[str, float]) -> list[mpmath.mpf]:
+    """|f| + Σ |xᵢ ∂f/∂xᵢ| for each result: what relative errors of size 1 in the arguments would do to it."""
+    with mpmath.workdps(60):
+        centre = exact(function, values, 60)
+        total = [abs(item) for item in centre]
+        step = mpmath.mpf(10) ** -20
+        for name in function.arguments:
+            if name in ("nbar", "side") or values[name] == 0:  # given exactly
+                continue
+            moved = {**{key: mpmath.mpf(value) for key, value in values.items()}}
+            moved[name] *= 1 + step
+            for place, item in enumerate(function(moved, mpmath)):
+                total[place] += abs(item - centre[place]) / step
+        return total
+
+
+@each_function
+def test_float64_is_within_a_few_ulp(function: Generated) -> None:
+    """Errors are a modest multiple of what rounding the arguments costs, and inside of the enclosure."""
+    for seed in SEEDS:
+        values = floats(seed)
+        truth = exact(function, values, 50)
+        with mpmath.workprec(53):
+            mpmath.iv.prec = 53
+            enclosures = function(
+                {name: mpmath.iv.mpf(value) for name, value in values.items()}, interval_namespace()
+            )
+        for got, right, condition, enclosure in zip(
+            function(values), truth, conditions(function, values), enclosures, strict=True
+        ):
+            assert isinstance(got, float), type(got)
+            with mpmath.workdps(50):
+                assert abs(got - right) <= 8 * EPS * condition, (
+                    seed,
+                    got,
+                    right,
+                    abs(got - right) / EPS / condition,
+                )
+                low, high = ends(enclosure)
+                slack = 4 * EPS * abs(right)  # a library's exponential is not rounded outwards
+                assert low - slack <= got <= high + slack, (seed, got, enclosure)
+
+
+def interval_namespace() -> Any:
+    """mpmath.iv with the sign that it lacks."""
+
+    class Namespace:
+        sqrt, exp = staticmethod(mpmath.iv.sqrt), staticmethod(mpmath.iv.exp)
+
+        @staticmethod
+        def sign(value: Any) -> Any:
+            assert 0 not in value, "the sign of an interval around zero"
+            return mpmath.iv.mpf(1 if value > 0 else -1)
+
+    return Namespace
+
+
+def ends(interval: Any) -> tuple[mpmath.mpf, mpmath.mpf]:
+    interval = mpmath.iv.convert(interval)
+    return mpmath.mpf(interval.a.mid), mpmath.mpf(interval.b.mid)
+
+
+@each_function
+def test_50_digits_are_50_digits(function: Generated) -> None:
+    for seed in SEEDS:
+        values = floats(seed)
+        fifty, eighty = exact(function, values, 50), exact(function, values, 80)
+        for low, high, condition in zip(fifty, eighty, conditions(function, values), strict=True):
+            with mpmath.workdps(80):
+                assert abs(low - high) <= mpmath.mpf(10) ** -48 * condition
+
+
+@each_function
+def test_intervals_enclose(function: Generated) -> None:
+    for seed in SEEDS:
+        values = floats(seed)
+        truth = exact(function, values, 80)
+        mpmath.iv.prec = 120
+        try:
+            given = {name: mpmath.iv.mpf(value) for name, value in values.items()}
+            for enclosure, right in zip(function(given, interval_namespace()), truth, strict=True):
+                with mpmath.workdps(80):
+                    low, high = ends(enclosure)
+                    assert low <= right <= high
+                    assert high - low <= 1e-28 * (1 + abs(right)), "an enclosure that says nothing"
+        finally:
+            mpmath.iv.prec = 53
+
+
+@each_function
+def test_intervals_of_arguments_enclose(function: Generated) -> None:
+    """Arguments a percent wide: the enclosure holds the values inside, and not only the one in the middle."""
+    for seed in SEEDS:
+        values = rationals(seed)
+        wide = {
+            name: mpmath.iv.mpf(
+                [float(value) - abs(float(value)) / 200, float(value) + abs(float(value)) / 200]
+            )
+            for name, value in values.items()
+        }
+        for name in ("nbar", "side"):
+            wide[name] = mpmath.iv.mpf(int(values[name]))
+        try:
+            enclosures = function(wide, interval_namespace())
+        except ZeroDivisionError:
+            continue
+        generator = random.Random(seed)
+        for _ in range(3):
+            inside = {
+                name: values[name]
+                if name in ("nbar", "side")
+                else value * (1 + Fraction(generator.randint(-9, 9), 2000))
+                for name, value in values.items()
+            }
+            with mpmath.workdps(30):
+                given = {
+                    name: mpmath.mpf(value.numerator) / value.denominator for name, value in inside.items()
+                }
+                for enclosure, right in zip(enclosures, function(given, mpmath), strict=True):
+                    low, high = ends(enclosure)
+                    assert low <= right <= high
+
+
+@each_function
+def test_fractions_stay_exact(function: Generated) -> None:
+    if function.transcendental:
+        return
+    for seed in SEEDS:
+        values = rationals(seed)
+        results = function(values)
+        assert all(isinstance(item, Fraction) for item in results), [type(item) for item in results]
+        for item, right in zip(results, exact_from(function, values), strict=True):
+            with mpmath.workdps(60):
+                assert abs(mpmath.mpf(item.numerator) / item.denominator - right) <= mpmath.mpf(10) ** -50 * (
+                    1 + abs(right)
+                )
+
+
+def exact_from(function: Generated, values: dict[str, Fraction]) -> list[mpmath.mpf]:
+    with mpmath.workdps(70):
+        return function(
+            {name: mpmath.mpf(value.numerator) / value.denominator for name, value in values.items()}
+        )
+
+
+# ----------------------------------------------------------------------------------------------------- arrays
+
+
+@each_function
+def test_arrays_broadcast_constants_included(function: Generated) -> None:
+    values = floats(1)
+    expected = function(values)
+    for name in function.arguments:  # each argument in turn is the only array
+        given = {**values, name: np.full((3, 1, 2), values[name])}
+        for item, scalar in zip(function(given), expected, strict=True):
+            assert isinstance(item, np.ndarray)
+            assert item.shape == (3, 1, 2), name
+            assert item.dtype == float
+            np.testing.assert_allclose(item, scalar, rtol=1e-12, atol=1e-13)
+    if len(function.arguments) > 1:
+        first, second, *_ = function.arguments
+        columns = np.array([[values[first]], [values[first] * 1.01]])
+        rows = np.array([values[second], values[second] * 1.02, values[second] * 1.03])
+        for item in (table := function({**values, first: columns, second: rows})):
+            assert item.shape == (2, 3)
+        for i in range(2):
+            for j in range(3):
+                alone = function({**values, first: columns[i, 0], second: rows[j]})
+                np.testing.assert_allclose([item[i, j] for item in table], alone, rtol=1e-12, atol=1e-13)
+
+
+def test_empty_arrays_keep_their_shape() -> None:
+    empty = np.empty((0, 2))
+    (_, d12), (d21, _) = equilibrium.contact_matrix(empty, 0.5, 0.007, 0.1, 0.0)
+    assert d12.shape == d21.shape == (0, 2)
+
+
+def test_keyword_arguments_count_as_arguments() -> None:
+    coefficients = equilibrium.contact_quartic(
+        0.6, 0.8, mu0=0.5, kappa=np.array([0.007, 0.008]), alpha=0.007, sigma=0.1, beta=0.0
+    )
+    assert [item.shape for item in coefficients] == [(2,)] * 5
+    assert equilibrium.contact_matrix(L=Fraction(1), mu0=0, alpha=0, sigma=0, beta=0)[1][0] == 0
+
+
+def test_shapes_that_do_not_fit_are_refused() -> None:
+    with pytest.raises(ValueError, match="broadcast"):
+        equilibrium.liftoff_vector(0.6, 0.8, 0.007, np.zeros(2), np.zeros(3))
+
+
+# ---------------------------------------------------------------------------- against the derived expressions
+
+
+def _spelled(values: Iterable[Any], case: dict[Any, int] | None = None) -> tuple[sp.Expr, ...]:
+    return tuple(balance.spell_out(sp.sympify(value)).subs(case or {}) for value in values)
+
+
+def _state() -> tuple[sp.Expr, ...]:
+    state = elimination.state()
+    return state[nm.L], state[nm.x].subs(nm.L, state[nm.L]), state[nm.y]
+
+
+def _cusp_point() -> tuple[sp.Expr, ...]:
+    sin0, ratio = folds.cusp_angles()
+    return sin0, ratio, (folds.cusp_friction() / nm.c / nm.sigma).subs(elimination.f_coefficients())
+
+
+def _flutter_point() -> tuple[sp.Expr, ...]:
+    sin0, friction = linearized.flutter_point()
+    along = balance.balance()[0].subs(CONTACT)
+    return sin0, (nm.alpha * nm.c0 - along).expand().subs({nm.s0: sin0, nm.mu0: friction}), friction
+
+
+CONTACT, LIFTOFF = balance.CONTACT, balance.LIFTOFF
+#: What the derivation gives, before it is arranged for emission; spelled out in parameters.
+DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
+    "contact_matrix": lambda: _spelled(balance.matrix_form()[0], CONTACT),
+    "contact_vector": lambda: _spelled(balance.matrix_form()[1], CONTACT),
+    "liftoff_matrix": lambda: _spelled(balance.matrix_form()[0], LIFTOFF),
+    "liftoff_vector": lambda: _spelled(balance.matrix_form()[1], LIFTOFF),
+    "contact_quartic": lambda: _spelled(elimination.quartic_in_L(), CONTACT),
+    "liftoff_quartic": lambda: _spelled(elimination.quartic_in_L(), LIFTOFF),
+    "singular_lengths": lambda: _spelled(elimination.singular_lengths()),
+    "f_coefficients": lambda: _spelled(
+        elimination.f_coefficients()[name] for name in (nm.fa, nm.fb, nm.fd, nm.fm)
+    ),
+    "f": lambda: (elimination.f_form,),
+    "t_quartic": elimination.quartic_in_t,
+    "resolvent": lambda: elimination.resolvent_cubic()[:3],
+    "state": lambda: _spelled(_state()),
+    "residuals": lambda: _spelled(balance.balance()),
+    "stiffness": lambda: _spelled(linearized.stiffness()),
+    "flutter_sextic": lambda: _spelled(linearized.flutter_sextic(), CONTACT),
+    "flutter_point": lambda: _spelled(_flutter_point(), CONTACT),
+    "surface": lambda: _spelled([folds.surface()], CONTACT),
+    "fold_residuals": lambda: tuple(name - value for name, value in folds.fold_relations().items()),
+    "fold_angles": lambda: _spelled(
+        (folds.fold_angles()[0], folds.fold_angles()[1].subs(nm.s0, folds.fold_angles()[0])), CONTACT
+    ),
+    "fold_quartic": lambda: _spelled(folds.fold_quartic(), CONTACT),
+    "fold_quadratic": lambda: tuple(
+        value.subs(nm.alpha, 0) for value in _spelled(folds.fold_quadratic(), CONTACT)
+    ),
+    "cusp_polynomial": lambda: _spelled(folds.cusp_polynomial(), CONTACT),
+    "cusp_cubic": lambda: _spelled(folds.cusp_cubic(), CONTACT),
+    "cusp_point": lambda: _spelled(_cusp_point(), CONTACT),
+    "cusp_sine": lambda: _spelled(_cusp_point()[::2], CONTACT),
+    "displacement": linear_model.equilibrium,
+    "pole_quadratic": linear_model.pole_quadratic,
+    "pole_friction": lambda: (linear_model.pole_friction(),),
+    "critical_friction_squared": lambda: (linear_model.critical_friction_squared(),),
+}
+#: Emitted up to a factor that is free of the unknown.
+UP_TO_A_FACTOR = {"flutter_sextic", "fold_quartic"}
+
+
+@pytest.mark.parametrize("name", DERIVED)
+def test_fractions_equal_the_derived_value(name: str) -> None:
+    (function,) = (function for function in FUNCTIONS if function.name == name)
+    expressions = DERIVED[name]()
+    for seed in SEEDS[:3]:
+        values = rationals(seed)
+        by_name = {key: sp.Rational(value.numerator, value.denominator) for key, value in values.items()}
+        ours = [sp.Rational(item.numerator, item.denominator) for item in function(values)]
+        derived = [
+            item.xreplace({symbol: by_name[symbol.name] for symbol in item.free_symbols})
+            for item in expressions
+        ]
+        if name in UP_TO_A_FACTOR:
+            derived = [item * ours[-1] / derived[-1] for item in derived]
+        assert ours == derived
+
+
+# --------------------------------------------------------------- against the un-eliminated equations, by hand
+
+
+def forces(point: dict[str, Any], x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
+    """F_x and F_y of (12) and (13): minus the sum of forces, written out from the figure of the model."""
+    anchor_x, anchor_y = point["cos0"] - x, point["sin0"] - y
+    length = mpmath.sqrt(anchor_x**2 + anchor_y**2)
+    tension = point["sigma"] * (length - 1)
+    contact = -point["nbar"] * y
+    return (
+        point["alpha"] * x - tension * anchor_x / length - mu * contact,
+        point["beta"] * y - tension * anchor_y / length - contact + point["kappa"],
+    )
+
+
+def equilibrium_points(contact: int) -> Iterator[tuple[dict[str, Any], Any, Any]]:
+    """Random parameters with the equilibria that Newton's method finds on (12) and (13), at 50 digits."""
+    for seed in range(8 if contact else 20):
+        generator = random.Random(seed)
+        point = {
+            name: mpmath.mpf(value.numerator) / value.denominator for name, value in rationals(seed).items()
+        }
+        theta0 = mpmath.mpf(generator.randint(10, 170)) * mpmath.pi / 180
+        point |= {"cos0": mpmath.cos(theta0), "sin0": mpmath.sin(theta0), "nbar": mpmath.mpf(contact)}
+        point["alpha"] /= 10
+        if not contact:  # springs weak enough for the mass to stand above the anchor, off the belt
+            point["beta"], point["kappa"] = point["beta"] / 50, point["kappa"] / 20
+        for direction in range(6):
+            angle = (direction + mpmath.mpf("0.37")) * mpmath.pi / (3 if contact == 0 else 6)
+            start = point["cos0"] - mpmath.cos(angle), point["sin0"] - mpmath.sin(angle)
+            try:
+                x, y = mpmath.findroot(lambda x, y, p=point: forces(p, x, y, p["mu0"]), start, maxsteps=60)
+            except (ValueError, ZeroDivisionError):
+                continue
+            if (y < 0) == (contact == 1):
+                yield point, x, y
+
+
+@pytest.mark.parametrize("contact", [1, 0], ids=["contact", "liftoff"])
+def test_equilibria_of_the_uneliminated_equations(contact: int) -> None:
+    found = 0
+    tiny = mpmath.mpf(10) ** -44
+    with mpmath.workdps(50):
+        for point, x, y in equilibrium_points(contact):
+            found += 1
+            length = mpmath.hypot(point["cos0"] - x, point["sin0"] - y)
+            here = {
+                **point,
+                "L": length,
+                "cos": (point["cos0"] - x) / length,
+                "sin": (point["sin0"] - y) / length,
+            }
+
+            def call(function: Callable[..., Any], values: dict[str, Any] = here) -> Any:
+                return function(*(values[name] for name in inspect.signature(function).parameters))
+
+            quartic = call(equilibrium.contact_quartic if contact else equilibrium.liftoff_quartic)
+            assert abs(mpmath.polyval(quartic[::-1], length)) < tiny * max(map(abs, quartic))
+            a_f, b_f, d_f, m_f = call(equilibrium.f_coefficients)
+            here |= {"a_f": a_f, "b_f": b_f, "d_f": d_f, "m_f": m_f}
+            assert abs(call(equilibrium.f, here)) < tiny
+            t = here["sin"] / (1 + here["cos"])
+            assert (
+                abs(mpmath.polyval(equilibrium.t_quartic(a_f, b_f, d_f, m_f)[::-1], t))
+                < tiny * (1 + abs(t)) ** 4
+            )
+            for ours, right in zip(call(equilibrium.state), (length, x, y), strict=True):
+                assert abs(ours - right) < tiny
+            assert all(abs(value) < tiny for value in call(equilibrium.residuals))
+            matrix = call(equilibrium.contact_matrix if contact else equilibrium.liftoff_matrix)
+            vector = call(equilibrium.contact_vector if contact else equilibrium.liftoff_vector)
+            for row, side in zip(matrix, vector, strict=True):
+                assert abs(row[0] * here["cos"] + row[1] * here["sin"] - side) < tiny
+            if contact and abs(here["cos"]) > 0.01:
+                assert abs(call(catastrophe.surface) - point["mu0"]) < tiny * 1000
+
+            def force(row: int, p: dict[str, Any] = point) -> Callable[[Any, Any], Any]:
+                return lambda u, v: forces(p, u, v, p["mu0"])[row]
+
+            K = [[mpmath.diff(force(row), (x, y), order) for order in ((1, 0), (0, 1))] for row in range(2)]
+            for ours, right in zip(
+                flat(call(stability.stiffness)), (K[0][0], K[0][1], K[1][0], K[1][1]), strict=True
+            ):
+                assert abs(ours - right) < mpmath.mpf(10) ** -40
+            determinant = K[0][0] * K[1][1] - K[0][1] * K[1][0]
+            assert abs(call(equilibrium.f_slope, here) - length * determinant) < mpmath.mpf(10) ** -40
+    assert found >= 8
+
+
+def slope_of(function: Generated, point: dict[str, Any], name: str) -> Any:
+    return mpmath.diff(lambda value: function({**point, name: value}, mpmath)[0], point[name])
+
+
+def test_motion_is_newtons_second_law() -> None:
+    """Away from equilibrium, on both sides of V = x' and of y = 0, with the friction law written out."""
+    tiny = mpmath.mpf(10) ** -45
+    with mpmath.workdps(50):
+        for seed in range(12):
+            point = {
+                name: mpmath.mpf(value.numerator) / value.denominator
+                for name, value in rationals(seed).items()
+            }
+            point["vx"] = point["V"] - point["side"] * mpmath.mpf("0.3")
+            if point["nbar"] == 0:
+                point["y"] = -point["y"]
+
+            def friction(vx: Any, p: dict[str, Any] = point) -> Any:
+                slip = p["V"] - vx
+                return p["mu0"] * (1 - mpmath.exp(-p["d"] * abs(slip))) * mpmath.sign(slip)
+
+            def acceleration(x: Any, y: Any, vx: Any, vy: Any, p: dict[str, Any] = point) -> Any:
+                return [-value for value in forces(p, x, y, friction(vx))]
+
+            state = tuple(point[name] for name in ("x", "y", "vx", "vy"))
+            right = acceleration(*state)
+            for name in ("rhs", "regime_rhs"):
+                (function,) = (item for item in FUNCTIONS if item.name == name)
+                for ours, theirs in zip(function(point, mpmath), right, strict=True):
+                    assert abs(ours - theirs) < tiny
+            (function,) = (item for item in FUNCTIONS if item.name == "regime_jacobian")
+            orders = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
+            slopes = [
+                mpmath.diff(lambda *s, i=i: acceleration(*s)[i], state, order)
+                for i in range(2)
+                for order in orders
+            ]
+            for ours, theirs in zip(function(point, mpmath), slopes, strict=True):
+                assert abs(ours - theirs) < mpmath.mpf(10) ** -40
+
+            # Energy changes at the rate of the friction's power, and of nothing else.
+            (energy,) = (item for item in FUNCTIONS if item.name == "energy")
+            gradient = [slope_of(energy, point, name) for name in ("x", "y", "vx", "vy")]
+            rate = mpmath.fdot(gradient, (point["vx"], point["vy"], *right))
+            (power,) = (item for item in FUNCTIONS if item.name == "friction_power")
+            assert abs(rate - power(point, mpmath)[0]) < mpmath.mpf(10) ** -40
+            (law,) = (item for item in FUNCTIONS if item.name == "friction")
+            assert abs(law(point, mpmath)[0] - friction(point["vx"])) < tiny
+            (damping,) = (item for item in FUNCTIONS if item.name == "damping")
+            rest = {**point, "vx": mpmath.mpf(0)}
+            slope = -rest["nbar"] * -rest["y"] * slope_of(law, rest, "vx")
+            assert abs(damping(rest, mpmath)[0] - slope) < mpmath.mpf(10) ** -40
+
+
+def test_linear_sprag_against_its_linear_balance() -> None:
+    with mpmath.workdps(50):
+        for seed in range(6):
+            point = {
+                name: mpmath.mpf(value.numerator) / value.denominator
+                for name, value in rationals(seed).items()
+            }
+            c0, s0, sigma, mu0 = (point[name] for name in ("cos0", "sin0", "sigma", "mu0"))
+            x, y = linear_sprag.displacement(
+                c0, s0, mu0, point["kappa"], point["alpha"], sigma, point["beta"]
+            )
+            along_spring = sigma * (x * c0 + y * s0)
+            assert abs(point["alpha"] * x + along_spring * c0 + mu0 * y) < mpmath.mpf(10) ** -45
+            assert abs((point["beta"] + 1) * y + along_spring * s0 + point["kappa"]) < mpmath.mpf(10) ** -45
+            # At the friction of a pole that balance is singular, and the quadratic in tan θ₀ vanishes.
+            T = abs(s0 / c0)
+            stiffnesses = point["alpha"], sigma, point["beta"]
+            pole = linear_sprag.pole_friction(T, *stiffnesses)
+            cosine = 1 / mpmath.sqrt(1 + T**2)
+            matrix = mpmath.matrix([
+                [point["alpha"] + sigma * cosine**2, sigma * cosine**2 * T + pole],
+                [sigma * cosine**2 * T, point["beta"] + 1 + sigma * (T * cosine) ** 2],
+            ])  # fmt: skip
+            assert abs(mpmath.det(matrix)) < mpmath.mpf(10) ** -45
+            e0, e1, e2 = linear_sprag.pole_quadratic(pole, *stiffnesses)
+            assert abs(e0 + e1 * T + e2 * T**2) < mpmath.mpf(10) ** -44
+            # μ_cr is the least friction of a pole.
+            critical = mpmath.sqrt(linear_sprag.critical_friction_squared(*stiffnesses))
+            least = linear_sprag.pole_friction(mpmath.sqrt(e0 / e2), *stiffnesses)
+            assert abs(critical - least) < mpmath.mpf(10) ** -45
+            assert pole >= critical
+
+
+BASE = {"kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0", "nbar": "1"}
+
+
+@pytest.mark.parametrize("degrees", ["44.559317702565", "155.059418789789"])
+def test_folds_of_the_uneliminated_equations(degrees: str) -> None:
+    """F_x = F_y = det K = 0 solved for x, y, θ₀ at the base values and μ₀ = 0.5; then every fold formula."""
+    with mpmath.workdps(40):
+        point: dict[str, Any] = {name: mpmath.mpf(value) for name, value in BASE.items()} | {
+            "mu0": mpmath.mpf("0.5")
+        }
+
+        def at(x: Any, y: Any, theta0: Any) -> dict[str, Any]:
+            cos0, sin0 = mpmath.cos(theta0), mpmath.sin(theta0)
+            length = mpmath.hypot(cos0 - x, sin0 - y)
+            return {
+                **point,
+                "cos0": cos0,
+                "sin0": sin0,
+                "cos": (cos0 - x) / length,
+                "sin": (sin0 - y) / length,
+                "L": length,
+            }
+
+        def fold(x: Any, y: Any, theta0: Any) -> tuple[Any, Any, Any]:
+            here = at(x, y, theta0)
+            pull = here["sigma"] / here["L"]
+            along = here["alpha"] + here["sigma"] - pull * here["sin"] ** 2
+            across = here["beta"] + 1 + here["sigma"] - pull * here["cos"] ** 2
+            coupling = pull * here["sin"] * here["cos"]
+            return *forces(here, x, y, here["mu0"]), along * across - (coupling + here["mu0"]) * coupling
+
+        start = best_start(fold, mpmath.radians(mpmath.mpf(degrees)))
+        x, y, theta0 = mpmath.findroot(fold, start)
+        assert abs(mpmath.degrees(theta0) - mpmath.mpf(degrees)) < mpmath.mpf(10) ** -11
+        here = at(x, y, theta0)
+
+        def call(function: Callable[..., Any]) -> Any:
+            return function(*(here[name] for name in inspect.signature(function).parameters))
+
+        tiny = mpmath.mpf(10) ** -34
+        assert abs(mpmath.polyval(call(catastrophe.fold_quartic)[::-1], here["mu0"])) < tiny * 1e4
+        sin0, cos0 = call(catastrophe.fold_angles)
+        assert abs(sin0 - here["sin0"]) < tiny
+        assert abs(cos0 - here["cos0"]) < tiny * 100
+        for name in ("mu0", "kappa", "alpha", "sigma", "beta"):
+            u1, w1, u2, w2 = call(getattr(catastrophe, f"fold_lines_{name}"))
+            assert abs(u1 + w1 * here[name]) < tiny
+            assert abs(u2 + w2 * here[name]) < tiny
+        here |= dict(zip(("a_f", "b_f", "d_f", "m_f"), call(equilibrium.f_coefficients), strict=True))
+        assert all(abs(value) < tiny for value in call(catastrophe.fold_residuals))
+        assert abs(call(equilibrium.f)) < tiny
+        assert abs(call(equilibrium.f_slope)) < tiny
+
+
+def best_start(fold: Callable[..., tuple[Any, Any, Any]], theta0: Any) -> tuple[Any, Any, Any]:
+    """The coarse grid point with the least residual at a given θ₀."""
+    grid = [
+        (mpmath.cos(theta0) - mpmath.cos(angle) * 1, mpmath.mpf(depth) / 200)
+        for angle in (mpmath.pi * step / 40 for step in range(1, 40))
+        for depth in range(-12, 0)
+    ]
+    x, y = min(grid, key=lambda place: max(abs(value) for value in fold(*place, theta0)))
+    return x, y, theta0
+
+
+def test_cusp_at_the_base_values() -> None:
+    """Against what continuation programs agree on: θ₀ = 68.0209585077443°, μ₀ = 0.200931781805090."""
+    with mpmath.workdps(40):
+        kappa, alpha, sigma, beta = (mpmath.mpf(BASE[name]) for name in ("kappa", "alpha", "sigma", "beta"))
+        coefficients = catastrophe.cusp_polynomial(kappa, alpha, sigma, beta)
+        roots = mpmath.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
+        found = []
+        for root in roots:
+            if abs(mpmath.im(root)) > 1e-25 or abs(mpmath.re(root)) >= 1:
+                continue
+            s = mpmath.re(root)
+            sin0, cosine_ratio, mu_ratio = catastrophe.cusp_point(s, kappa, alpha, sigma, beta)
+            for ours, same in zip(
+                catastrophe.cusp_sine(s, kappa, alpha, sigma, beta), (sin0, mu_ratio), strict=True
+            ):
+                assert abs(ours - same) < mpmath.mpf(10) ** -35
+            for c in (mpmath.sqrt(1 - s**2), -mpmath.sqrt(1 - s**2)):
+                mu0, cos0 = mu_ratio * c, cosine_ratio * c
+                assert abs(sin0**2 + cos0**2 - 1) < mpmath.mpf(10) ** -25
+                f = equilibrium.f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, mpmath.mpf(1))
+                for derivative in (equilibrium.f, equilibrium.f_slope, equilibrium.f_curvature):
+                    assert abs(derivative(c, s, *f)) < mpmath.mpf(10) ** -25
+                if mu0 > 0:
+                    found.append((mpmath.degrees(mpmath.atan2(sin0, cos0)), mu0))
+        theta0, mu0 = min(found, key=lambda cusp: abs(cusp[0] - 68))
+        assert abs(theta0 - mpmath.mpf("68.0209585077443")) < 1e-12
+        assert abs(mu0 - mpmath.mpf("0.200931781805090")) < 1e-14
+
+
+def test_flutter_onsets() -> None:
+    """A root L of the sextic gives sin θ₀ and μ₀, the balance cos θ₀; there the eigenvalues of −K meet."""
+    checked = 0
+    with mpmath.workdps(40):
+        for seed in range(10):
+            point = {
+                name: mpmath.mpf(value.numerator) / value.denominator
+                for name, value in rationals(seed).items()
+            }
+            stiffnesses = tuple(point[name] for name in ("kappa", "alpha", "sigma", "beta"))
+            c, s = point["cos"], point["sin"]
+            sextic = stability.flutter_sextic(c, s, *stiffnesses)
+            for root in mpmath.polyroots(sextic[::-1], maxsteps=300, extraprec=300, error=False):
+                length = mpmath.re(root)
+                if abs(mpmath.im(root)) > 1e-20 or length <= 0:
+                    continue
+                sin0, weighted_cos0, mu0 = stability.flutter_point(c, s, length, *stiffnesses)
+                # cos θ₀ from the balance along the belt, by hand.
+                cos0 = (
+                    length * c
+                    - (point["sigma"] * (1 - length) * c + mu0 * (sin0 - length * s)) / point["alpha"]
+                )
+                assert abs(weighted_cos0 - point["alpha"] * cos0) < mpmath.mpf(10) ** -35
+                assert abs(sin0**2 + cos0**2 - 1) < mpmath.mpf(10) ** -20
+                x, y = cos0 - length * c, sin0 - length * s
+                here = {**point, "cos0": cos0, "sin0": sin0, "nbar": mpmath.mpf(1)}
+                assert max(abs(value) for value in forces(here, x, y, mu0)) < mpmath.mpf(10) ** -20
+                K = stability.stiffness(c, s, length, mu0, *stiffnesses[1:], mpmath.mpf(1))
+                _, _, discriminant = stability.invariants(*flat(K))
+                assert abs(discriminant) < mpmath.mpf(10) ** -20
+                checked += 1
+    assert checked >= 3
+
+
+def test_scales_make_the_unit_coefficients() -> None:
+    """Mass, contact stiffness and undeformed length are 1, and the groups are the article's ratios."""
+    m, k_c, L_0, F_L, k_x, k, k_y, V, d = (Fraction(n) for n in (3, 200, 2, 5, 7, 11, 13, 17, 19))
+    with mpmath.workdps(30):
+        numbers = [mpmath.mpf(int(value)) for value in (m, k_c, L_0, F_L, k_x, k, k_y, V, d)]
+        length, time, force = scales.scales(*numbers[:3], xp=mpmath)
+        assert length == 2
+        assert abs(time - mpmath.sqrt(mpmath.mpf(3) / 200)) < 1e-28
+        assert force == 400
+        groups = scales.dimensionless_groups(*numbers, xp=mpmath)
+        right = (
+            numbers[3] / 400,
+            numbers[4] / 200,
+            numbers[5] / 200,
+            numbers[6] / 200,
+            17 * time / 2,
+            19 * 2 / time,
+        )
+        assert all(abs(ours - theirs) < 1e-27 for ours, theirs in zip(groups, right, strict=True))
+
+
+def test_spring_length_and_accelerations() -> None:
+    assert motion.spring_length(0.6, -0.2, 0.6, 0.8) == pytest.approx(1.0, abs=EPS)
+    # At rest, out of contact and undeformed, the preload alone accelerates.
+    assert motion.accelerations(0.0, 0.0, 1.0, 0.3, 0.0, 0.6, 0.8, 0.007, 0.1, 0.2, 0.3) == (0.0, -0.007)
+
+
+def test_docstrings_count_operations_and_name_their_source() -> None:
+    for function in FUNCTIONS:
+        documentation = inspect.getdoc(function.call) or ""
+        assert "Source: " in documentation, function.name
+        assert "Operations: " in documentation, function.name
+        assert all(f"\n{name} : number or array\n" in documentation for name in function.arguments), (
+            function.name
+        )

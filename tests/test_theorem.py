@@ -1,0 +1,134 @@
+"""One or three: every step holds, a broken assumption is noticed, and exact counts agree."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from spragsym.derive import elimination, equilibrium, stability, theorem
+from spragsym.derive import nomenclature as nm
+from spragsym.generated import equilibrium as generated
+
+
+def test_every_step_holds() -> None:
+    steps = theorem.one_or_three()
+    assert len(steps) >= 10
+    assert len({step.claim for step in steps}) == len(steps)
+    assert [step.claim for step in steps if not step.holds] == []
+
+
+def _broken_steps() -> list[str]:
+    return [step.claim for step in theorem.one_or_three() if not step.holds]
+
+
+def _coefficient(symbol: sp.Symbol, value: sp.Expr) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
+    changed = elimination.f_coefficients() | {symbol: value}
+    return lambda: changed
+
+
+def _state(symbol: sp.Symbol, value: sp.Expr) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
+    changed = elimination.state() | {symbol: value}
+    return lambda: changed
+
+
+LENGTH, HEIGHT = elimination.state()[nm.L], elimination.state()[nm.y]
+ALONG, ACROSS = equilibrium.balance()
+QUARTIC = elimination.quartic_in_t()
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "changed", "claim"),
+    [
+        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, -elimination.f_coefficients()[nm.fb]),
+                     "−b is positive", id="sign of b"),
+        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, -nm.p * (nm.B * nm.s0 - nm.kappa)),
+                     "−b is positive", id="sign of the preload in b"),
+        pytest.param(elimination, "quartic_in_t", lambda: (-QUARTIC[0], *QUARTIC[1:]),
+                     "begins with −b t⁴", id="sign of the constant term"),
+        pytest.param(elimination, "quartic_in_t", lambda: (*QUARTIC[:4], -QUARTIC[4]),
+                     "begins with −b t⁴", id="sign of the leading term"),
+        pytest.param(elimination, "f_form", elimination.f_form + nm.fm,
+                     "f = b cos θ ≠ 0 where sin θ = 0", id="a term without sine"),
+        pytest.param(elimination, "state", _state(nm.L, LENGTH.subs(nm.sigma, -nm.sigma)),
+                     "s > 0 gives L > 0", id="sign of the spring in L"),
+        pytest.param(elimination, "state", _state(nm.y, -HEIGHT), "s > 0 ≥ s* gives y < 0", id="sign of y"),
+        pytest.param(elimination, "state", _state(nm.y, HEIGHT.subs(nm.kappa, -nm.kappa)),
+                     "s > 0 ≥ s* gives y < 0", id="sign of the preload in y"),
+        pytest.param(elimination, "state", _state(nm.L, LENGTH + nm.kappa),
+                     "at the ends L = s₀/s*", id="length at the ends"),
+        pytest.param(equilibrium, "balance", lambda: (ALONG - 2 * nm.alpha * nm.c0, ACROSS),
+                     "there F_x = P cos θ + α cos θ₀", id="sign of the spring to ground"),
+        pytest.param(stability, "slope_identity", lambda: False, "L det K = f′", id="slope"),
+    ],
+)  # fmt: skip
+def test_a_broken_assumption_is_noticed(
+    module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, name, changed)
+    assert any(claim in broken for broken in _broken_steps())
+
+
+def test_slope_identity_notices_a_wrong_stiffness(monkeypatch: pytest.MonkeyPatch) -> None:
+    wrong = stability.stiffness().copy()
+    wrong[0, 1] = -wrong[0, 1]
+    stability.slope_identity.cache_clear()
+    monkeypatch.setattr(stability, "stiffness", lambda: wrong)
+    try:
+        assert not stability.slope_identity()
+    finally:
+        stability.slope_identity.cache_clear()
+
+
+def _contact_roots(cos0: Fraction, sin0: Fraction, *parameters: Fraction) -> int:
+    """Roots of the quartic in t with y < 0 and L > 0, counted with multiplicity by exact isolation."""
+    mu0, kappa, alpha, sigma, beta = parameters
+    coefficients = generated.t_quartic(
+        *generated.f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, Fraction(1))
+    )
+    t = sp.Symbol("t")
+    polynomial = sp.Poly(
+        [sp.Rational(value.numerator, value.denominator) for value in reversed(coefficients)], t
+    )
+    # With s = 2t/(1+t²), y < 0 and L > 0 are polynomial inequalities in t.
+    push = sp.Poly(kappa * (1 + t**2) - sigma * (sin0 * (1 + t**2) - 2 * t), t)
+    length = sp.Poly((2 * sigma * t + ((beta + 1) * sin0 + kappa) * (1 + t**2)) * t, t)
+    count = 0
+    for (low, high), multiplicity in polynomial.intervals(eps=sp.Rational(1, 10**30)):
+        values = [value for side in (push, length) for value in (side.eval(low), side.eval(high))]
+        assert all(value != 0 for value in values)
+        assert (values[0] > 0) == (values[1] > 0), "a root too close to y = 0 to tell"
+        count += multiplicity if values[0] > 0 and values[2] > 0 else 0
+    return count
+
+
+def test_counts_at_random_parameters() -> None:
+    """Exact counts, on both sides of κ = σ s₀, with α = 0 and with folds among them."""
+    generator = random.Random(8)
+    seen = set()
+    for trial in range(60):
+        half = Fraction(generator.randint(1, 80), 40)  # 0 < θ₀ < π
+        cos0, sin0 = (1 - half**2) / (1 + half**2), 2 * half / (1 + half**2)
+        sigma = Fraction(generator.randint(1, 40), 20)
+        kappa = sigma * sin0 * (Fraction(1) if trial % 10 == 0 else Fraction(generator.randint(1, 300), 200))
+        alpha = Fraction(0) if trial % 4 == 1 else Fraction(generator.randint(1, 100), 1000)
+        mu0, beta = Fraction(generator.randint(0, 40), 10), Fraction(generator.randint(0, 2), 2)
+        count = _contact_roots(cos0, sin0, mu0, kappa, alpha, sigma, beta)
+        assert count in (1, 3)
+        seen.add(count)
+    assert seen == {1, 3}
+
+
+def test_a_fold_counts_twice() -> None:
+    """An exact fold at sin θ = 4/5, with α = 0, so that only the sine of θ₀ counts."""
+    sin0, mu0, kappa = Fraction(17, 25), Fraction(1, 2), Fraction(3, 125)
+    parameters = (mu0, kappa, Fraction(0), Fraction(1), Fraction(0))
+    coefficients = generated.f_coefficients(Fraction(0), sin0, *parameters, Fraction(1))
+    assert generated.f(Fraction(3, 5), Fraction(4, 5), *coefficients) == 0
+    assert generated.f_slope(Fraction(3, 5), Fraction(4, 5), *coefficients) == 0
+    assert generated.f_curvature(Fraction(3, 5), Fraction(4, 5), *coefficients) != 0
+    assert _contact_roots(Fraction(0), sin0, *parameters) == 3

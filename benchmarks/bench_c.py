@@ -1,4 +1,7 @@
-"""Nanoseconds a point of the C target beside batched ``numpy.linalg.eigvals``: ``python benchmarks/bench_c.py [points]``."""
+"""Nanoseconds a point of the C target beside batched ``numpy.linalg.eigvals``.
+
+Run ``python benchmarks/bench_c.py [points]``; it prints a Markdown table.
+"""
 
 from __future__ import annotations
 
@@ -17,9 +20,9 @@ from typing import Any
 for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[_name] = "1"
 
-import numpy as np
+import numpy as np  # noqa: E402
 
-from spragsym.generated import equilibrium
+from spragsym.generated import equilibrium  # noqa: E402
 
 _REPEATS = 5
 _BUILDS = (("gcc -O2", ["-O2"]), ("gcc -O3 -march=native", ["-O3", "-march=native"]))
@@ -64,8 +67,8 @@ def compile_batch(flags: list[str], folder: Path) -> Any:
         (folder / name).write_bytes(resources.files("spragsym.generated").joinpath("c", name).read_bytes())
     (folder / "batch.c").write_text(_DRIVER)
     library = folder / f"batch{'_'.join(flags)}.so"
-    command = ["gcc", "-std=c99", *flags, "-shared", "-fPIC", "-o", library, "batch.c", "spragsym.c", "-lm"]
-    subprocess.run(command, cwd=folder, check=True)
+    command: list[str | Path] = ["gcc", "-std=c99", *flags, "-shared", "-fPIC", "-o", library]
+    subprocess.run([*command, "batch.c", "spragsym.c", "-lm"], cwd=folder, check=True)
     function = ctypes.CDLL(str(library)).batch
     function.restype = ctypes.c_size_t
     return function
@@ -73,9 +76,9 @@ def compile_batch(flags: list[str], folder: Path) -> Any:
 
 def companions(values: Any) -> Any:
     """Companion matrices of the quartic in t."""
-    theta0, *rest = values.T
+    theta0, mu0, kappa, alpha, sigma, beta = values.T
     e0, e1, e2, e3, e4 = equilibrium.t_quartic(
-        *equilibrium.f_coefficients(np.cos(theta0), np.sin(theta0), *rest, 1.0)
+        *equilibrium.f_coefficients(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1.0)
     )
     matrices = np.zeros((len(values), 4, 4))
     matrices[:, 0, :] = np.column_stack([-e3 / e4, -e2 / e4, -e1 / e4, -e0 / e4])
@@ -116,7 +119,10 @@ def main() -> None:
     roots_only = seconds(lambda: np.linalg.eigvals(matrices)) * points / len(sample)
     rows.append(("numpy.linalg.eigvals, batched, roots only", roots_only))
     assert len(counts) == 1, "the builds disagree"
-    print(f"{points} random points, one thread, best of {_REPEATS}; {counts.pop()} equilibria, {uncertain} points uncertain\n")
+    print(
+        f"{points} random points, one thread, best of {_REPEATS}; "
+        f"{counts.pop()} equilibria, {uncertain} points uncertain\n"
+    )
     print("| method | ns a point | times faster than eigvals |\n|---|---:|---:|")
     for title, taken in rows:
         print(f"| {title} | {taken / points * 1e9:.0f} | {roots_only / taken:.1f} |")

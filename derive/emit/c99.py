@@ -1,8 +1,8 @@
 """C99 from the same specifications as the Python modules, and from them also bounds on the rounding errors.
 
-The bounds follow the emitted statements: a sum or product of n terms multiplies each of its monomials by at most
-(1 + u)^k with u the unit roundoff, so k u times the same expression with all terms positive bounds the error; what an
-argument is off by enters through the derivative.
+The bounds follow the emitted statements: rounding multiplies each monomial of a result by at most (1 + u)^k,
+with u the unit roundoff and k the operations that it passes through, so k u times the same expression with
+all terms positive bounds the error. What an argument is off by enters through the derivative.
 """
 
 from __future__ import annotations
@@ -24,19 +24,27 @@ from .statements import flatten, straight_line
 
 _WIDTH = 124
 _PUBLIC = (
-    "contact_quartic", "liftoff_quartic", "f_coefficients", "f", "f_slope", "f_curvature", "t_quartic", "resolvent", "state",
-    "residuals", "stiffness", "invariants", "damping", "characteristic", "spring_length", "friction", "rhs", "regime_rhs",
-    "regime_jacobian", "energy",
+    "contact_quartic", "liftoff_quartic", "f_coefficients", "f", "f_slope", "f_curvature",
+    "t_quartic", "resolvent", "state", "residuals", "stiffness", "invariants", "damping", "characteristic",
+    "spring_length", "friction", "rhs", "regime_rhs", "regime_jacobian", "energy",
 )  # fmt: skip
 #: Names that mean something else in C.
 _NAMES = {"cos": "cos_theta", "sin": "sin_theta"}
 #: Functions whose cost stands at the head of the source.
-_TABLE = ("spragsym_prepare", "spragsym_equilibria", "spragsym_step", "guesses", "locate", "accept", "runge_kutta")
+_TABLE = (
+    "spragsym_prepare",
+    "spragsym_equilibria",
+    "spragsym_step",
+    "guesses",
+    "locate",
+    "accept",
+    "runge_kutta",
+)
 _LARGEST_EXACT = 2**53
 #: Largest relative error of one rounded operation.
 _UNIT = sp.Symbol("unit", positive=True)
 _ROUNDOFF = {_UNIT: sp.Rational(1, 2**53)}
-#: Roundings in cos θ and sin θ as computed from tan(θ/2), and in cos θ₀ and sin θ₀ as a libm within one ulp gives them.
+#: Roundings in cos θ and sin θ computed from tan(θ/2), and in cos θ₀ and sin θ₀ of a libm within one ulp.
 _INEXACT = {nm.c: 6, nm.s: 3, nm.c0: 2, nm.s0: 2}
 
 
@@ -44,7 +52,7 @@ class CPrinter(AlgebraPrinter):
     """The statements of the Python printer in C, operation for operation."""
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
-        return _NAMES.get(expression.name, expression.name)
+        return _NAMES.get(expression.name, str(expression.name))
 
     def _print_Integer(self, expression: sp.Integer) -> str:
         if abs(int(expression)) > _LARGEST_EXACT:
@@ -62,7 +70,8 @@ class CPrinter(AlgebraPrinter):
 
     def _print_Rational(self, expression: sp.Rational) -> str:
         # One division of two exact numbers: the rational, rounded once.
-        return f"({self._print_Integer(sp.Integer(expression.p))}/{self._print_Integer(sp.Integer(expression.q))})"
+        numerator, denominator = sp.Integer(expression.p), sp.Integer(expression.q)
+        return f"({self._print_Integer(numerator)}/{self._print_Integer(denominator)})"
 
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
         if expression.exp == 2:
@@ -100,13 +109,20 @@ def render(modules: Iterable[Module], header: str) -> dict[str, str]:
     statics = [_static(f"algebra_{function.name}", function) for function in public]
     statics += [_static(name, function) for name, function in _internal(known).items()]
     source = "\n".join(
-        [template.SOURCE_HEAD, *(item.text for item in statics), template.ALGORITHM, *(_wrapper(function) for function in public)]
+        [
+            template.SOURCE_HEAD,
+            *(item.text for item in statics),
+            template.ALGORITHM,
+            *(_wrapper(function) for function in public),
+        ]
     )
     counted = cost.costs(template.HEADER + source, {item.name: item.operations for item in statics})
     described = {name: cost.describe(value) for name, value in counted.items()}
     described["table"] = "\n".join(f" * - {name}: {described[name]}" for name in _TABLE)
     return {
-        "c/spragsym.h": _fill(template.HEADER, header, described, "".join(_prototype(function) for function in public)),
+        "c/spragsym.h": _fill(
+            template.HEADER, header, described, "".join(_prototype(function) for function in public)
+        ),
         "c/spragsym.c": _fill(source, header, described),
         "c/main.c": template.EXAMPLE,
         "c/Makefile": template.MAKEFILE,
@@ -115,11 +131,15 @@ def render(modules: Iterable[Module], header: str) -> dict[str, str]:
 
 def _fill(text: str, header: str, described: Mapping[str, str], prototypes: str = "") -> str:
     text = re.sub(r"@cost:(\w+)@", lambda match: described[match[1]], text)
-    values = {"header": textwrap.fill(header, 118, subsequent_indent=" * "), "table": described["table"], "prototypes": prototypes}
+    values = {
+        "header": textwrap.fill(header, 118, subsequent_indent=" * "),
+        "table": described["table"],
+        "prototypes": prototypes,
+    }
     return re.sub(r"@(header|table|prototypes)@", lambda match: values[match[1]], text)
 
 
-# -------------------------------------------------------------------------------------------------------- text
+# ------------------------------------------------------------------------------------------------------- text
 
 
 def _name(symbol: sp.Symbol) -> str:
@@ -132,16 +152,27 @@ def _result(function: Function) -> str:
 
 
 def _signature(start: str, function: Function) -> str:
-    arguments = [*(f"double {_name(symbol)}" for symbol in function.arguments), _result(function)]
-    return textwrap.fill(f"{start}({', '.join(arguments)})", _WIDTH, subsequent_indent="    ", break_long_words=False)
+    tied = "\N{NO-BREAK SPACE}"  # a type stays on the line of its name
+    arguments = [f"double {_name(symbol)}" for symbol in function.arguments] + [_result(function)]
+    listed = ", ".join(argument.replace(" ", tied) for argument in arguments)
+    filled = textwrap.fill(f"{start}({listed})", _WIDTH, subsequent_indent="    ", break_long_words=False)
+    return filled.replace(tied, " ")
 
 
 def _static(name: str, function: Function) -> _Emitted:
     """The algebra itself, unchecked."""
     body = straight_line(function)
     results = list(flatten(body.results))
-    targets = [f"result[{index}]" for index in range(len(results))] if isinstance(function.results, tuple) else ["*result"]
-    used = {symbol for expression in [*dict(body.assignments).values(), *results] for symbol in expression.free_symbols}
+    targets = (
+        [f"result[{index}]" for index in range(len(results))]
+        if isinstance(function.results, tuple)
+        else ["*result"]
+    )
+    used = {
+        symbol
+        for expression in [*dict(body.assignments).values(), *results]
+        for symbol in expression.free_symbols
+    }
     lines = [
         f"/* {function.summary} Source: {function.equations}. Operations: {body.operations}. */",
         _signature(f"static inline void {name}", function) + " {",
@@ -155,7 +186,9 @@ def _static(name: str, function: Function) -> _Emitted:
 
 def _statement(target: str, expression: sp.Expr) -> str:
     line = f"    {target} = {_PRINTER.doprint(expression)};"
-    return textwrap.fill(line, _WIDTH, subsequent_indent=" " * 8, break_long_words=False, break_on_hyphens=False)
+    return textwrap.fill(
+        line, _WIDTH, subsequent_indent=" " * 8, break_long_words=False, break_on_hyphens=False
+    )
 
 
 def _wrapper(function: Function) -> str:
@@ -169,7 +202,9 @@ def _wrapper(function: Function) -> str:
         _signature(f"spragsym_status spragsym_{function.name}", function) + " {\n"
         f"{arguments}\n"
         f"    double value[{count}];\n"
-        f"    if (!result || !finite_all({len(function.arguments)}, given)) {{\n        return SPRAGSYM_BAD_INPUT;\n    }}\n"
+        f"    if (!result || !finite_all({len(function.arguments)}, given)) {{\n"
+        "        return SPRAGSYM_BAD_INPUT;\n"
+        "    }\n"
         f"{call}\n"
         f"    return deliver({count}, value, result);\n"
         "}\n"
@@ -178,23 +213,25 @@ def _wrapper(function: Function) -> str:
 
 def _prototype(function: Function) -> str:
     meanings = {
-        _name(symbol): meaning(symbol)[0].replace("θ₀", "theta0").replace("θ", "theta") for symbol in function.arguments
+        _name(symbol): meaning(symbol)[0].replace("θ₀", "theta0").replace("θ", "theta")
+        for symbol in function.arguments
     }
     described = "".join(f" * @param {name} {text}\n" for name, text in meanings.items())
     operations = straight_line(function).operations
     summary = textwrap.fill(f"{function.summary} Source: {function.equations}.", 118, subsequent_indent=" * ")
     return (
-        f"\n/**\n * {summary}\n{described} * @param result {function.returns}\n * Operations: {operations}.\n */\n"
+        f"\n/**\n * {summary}\n{described}"
+        f" * @param result {function.returns}\n * Operations: {operations}.\n */\n"
         + _signature(f"spragsym_status spragsym_{function.name}", function)
         + ";\n"
     )
 
 
-# ------------------------------------------------------------------------------------------------------ bounds
+# ----------------------------------------------------------------------------------------------------- bounds
 
 
 def _internal(known: Mapping[str, Function]) -> dict[str, Function]:
-    """What the algorithms need beside the public functions, each made from these by algebra and differentiation."""
+    """What the algorithms need beside the public functions, made from these by algebra and calculus."""
     f, slope, curvature, state = known["f"], known["f_slope"], known["f_curvature"], known["state"]
     depressed, measures = _depressed(known["resolvent"]), _measures(known["stiffness"], known["invariants"])
     coefficients = (nm.fa, nm.fb, nm.fd, nm.fm)
@@ -214,7 +251,9 @@ def _internal(known: Mapping[str, Function]) -> dict[str, Function]:
         "algebra_depressed": depressed,
         "algebra_measures": measures,
         **bounds,
-        "curvature_f": Function("curvature_f", "Bound on |f″| over all θ.", curvature.equations, coefficients, largest, "bound"),
+        "curvature_f": Function(
+            "curvature_f", "Bound on |f″| over all θ.", curvature.equations, coefficients, largest, "bound"
+        ),
     }
 
 
@@ -249,15 +288,17 @@ def _measures(stiffness: Function, invariants: Function) -> Function:
 def _bound(
     function: Function, entered: list[tuple[sp.Symbol, sp.Symbol | None]], squared: tuple[sp.Symbol, ...] = ()
 ) -> Function:
-    """Bounds on the errors of the results: rounding, and what the ``entered`` errors of arguments, or of θ (None), do.
+    """Bounds on the errors of the results: rounding, and ``entered`` errors of arguments or of θ (None).
 
-    Of ``squared`` errors of θ the second order counts too, twice over, for where the first derivative is next to nothing.
+    Of ``squared`` errors of θ the second order counts too, doubled, for where the first derivative vanishes.
     """
     rounding = [(count + 1) * _UNIT * majorant for majorant, count in _majorants(function)]
     spelled = [_spelled(result, function) for result in flatten(function.results)]
     carried = [
         sum((sp.Abs(_derivative(result, symbol)) * error for error, symbol in entered), sp.S.Zero)
-        + sum((sp.Abs(_derivative(_derivative(result, None), None)) * error**2 for error in squared), sp.S.Zero)
+        + sum(
+            (sp.Abs(_derivative(_derivative(result, None), None)) * error**2 for error in squared), sp.S.Zero
+        )
         for result in spelled
     ]
     bounds = tuple(one + other for one, other in zip(rounding, carried, strict=True))
@@ -285,7 +326,7 @@ def _derivative(expression: sp.Expr, symbol: sp.Symbol | None) -> sp.Expr:
 
 
 def _majorants(function: Function) -> list[tuple[sp.Expr, int]]:
-    """For each result, as its statements stand: the expression with all terms positive, and the roundings of a monomial."""
+    """For each result: its expression with all terms positive, and the most roundings a monomial meets."""
     body = straight_line(function)
     known: dict[sp.Symbol, tuple[sp.Expr, int]] = {
         symbol: (sp.Abs(symbol), _INEXACT.get(symbol, 0)) for symbol in function.arguments

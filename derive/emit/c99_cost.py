@@ -1,4 +1,4 @@
-"""Worst-case operations of C functions, counted in their text: both sides of every branch, every pass of every loop."""
+"""Worst-case operations of C functions, counted in their text: every branch, and every pass of every loop."""
 
 from __future__ import annotations
 
@@ -18,15 +18,19 @@ _LONGEST_ARRAY = 4
 
 
 def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
-    """Cost of each function of ``source``; that of the ``emitted`` ones is their operation count and their calls of libm."""
+    """Cost of each function of ``source``; of ``emitted`` ones the operations are given."""
     source = re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL)
-    constants = {name: int(value) for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)}
+    constants = {
+        name: int(value) for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)
+    }
     known: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
     known |= {name: Counter({"operations": 1}) for name in ("fabs", "isfinite")}
     for match in _FUNCTION.finditer(source):
         name, body = match[1], source[match.end() : _closing(source, match.end())]
         if name in emitted:
-            known[name] = Counter({"operations": emitted[name]}) + _calls(body, {key: known[key] for key in LIBM})
+            known[name] = Counter({"operations": emitted[name]}) + _calls(
+                body, {key: known[key] for key in LIBM}
+            )
         else:
             known[name] = _block(body, known, constants)
     return known

@@ -1,3 +1,4 @@
+# ruff: noqa: E501  # C is 124 wide
 """The hand-written part of the C target: types, and algorithms that hold no formula of the model.
 
 ``@cost:name@`` is replaced by the counted worst case of the function ``name``, ``@...@`` by generated text.
@@ -591,15 +592,19 @@ static void distances(const motion *in, const double state[4], double distance[2
     distance[1] = in->side * (in->V - state[2]);
 }
 
-/* The regime that the motion goes on in: by the state, and on a kink by where the state is headed. */
+/* The sign of the first of three that is not zero. */
+static double leading_sign(double value, double first, double second) {
+    const double deciding = (fabs(value) > 0.0) ? value : ((fabs(first) > 0.0) ? first : second);
+    return (deciding > 0.0) ? 1.0 : 0.0 - 1.0;
+}
+
+/* The regime that the motion goes on in: by the state, and on a kink by where the state is headed, for which the regime
+ * does not matter: forces are continuous there. */
 static void enter(motion *in, const double state[4]) {
     double rate[4];
-    in->nbar = (state[1] < 0.0 || (!(state[1] > 0.0) && state[3] < 0.0)) ? 1.0 : 0.0;
-    in->side = (in->V >= state[2]) ? 1.0 : 0.0 - 1.0;
     derivative(in, state, rate);
-    if (!(in->V > state[2]) && !(in->V < state[2]) && rate[2] > 0.0) {
-        in->side = 0.0 - 1.0;
-    }
+    in->nbar = (leading_sign(state[1], state[3], rate[3]) < 0.0) ? 1.0 : 0.0;
+    in->side = leading_sign(in->V - state[2], 0.0 - rate[2], 1.0);
 }
 
 /* The kink that a step from distances `before` to `after` crosses first, or -1, and a guess at which share of the step. */
@@ -665,7 +670,7 @@ spragsym_status spragsym_step(const spragsym_model *model, double V, double d, d
         !finite_all(4, state)) {
         return SPRAGSYM_BAD_INPUT;
     }
-    motion in = {model, V, d, 1.0, 1.0};
+    motion in = {model, V, d, (state[1] < 0.0) ? 1.0 : 0.0, (V >= state[2]) ? 1.0 : 0.0 - 1.0};
     double next[4];
     copy(state, next);
     enter(&in, next);

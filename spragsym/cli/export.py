@@ -18,16 +18,21 @@ class ExportError(SpragsymError, FileExistsError):
 
 
 @click.command()
-@click.option("--language", type=click.Choice(sorted(_FILES)), default="c", show_default=True, help="Language to write.")
 @click.option(
-    "--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="Folder to write to, made if missing."
+    "--language", type=click.Choice(sorted(_FILES)), default="c", show_default=True, help="Language to write."
+)
+@click.option(
+    "--out",
+    type=click.Path(path_type=Path, file_okay=False),
+    required=True,
+    help="Folder to write to, made if missing.",
 )
 @click.option("--force", is_flag=True, help="Overwrite files that differ.")
 def export(language: str, out: Path, force: bool) -> None:
     """Write the solver, a makefile and an example that runs.
 
-    C99 without allocation or global state: all equilibria with their stability and an error bound, K, the equations of
-    motion and their Jacobian, and one step in real time.
+    C99 without allocation or global state: all equilibria with their stability and an error bound, K, the
+    equations of motion and their Jacobian, and one step in real time.
 
     \b
     Examples:
@@ -41,7 +46,9 @@ def export(language: str, out: Path, force: bool) -> None:
     changed = {name: text for name, text in texts.items() if not _same(out / name, text)}
     in_the_way = [str(out / name) for name in changed if (out / name).exists()]
     if in_the_way and not force:
-        raise ExportError(f"{', '.join(in_the_way)}: exists and differs; nothing was written; use --force to overwrite")
+        raise ExportError(
+            f"{', '.join(in_the_way)}: exists and differs; nothing was written; use --force to overwrite"
+        )
     out.mkdir(parents=True, exist_ok=True)
     for name, text in changed.items():
         (out / name).write_text(text, encoding="utf-8", newline="\n")

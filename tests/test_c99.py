@@ -1,0 +1,531 @@
+"""The C target: clean under strict flags and sanitizers, Python's algebra, equilibria that it vouches for."""
+
+from __future__ import annotations
+
+import ctypes
+import math
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from spragsym.cli import cli, export
+from spragsym.derive.emit import c99_cost
+from spragsym.generated import equilibrium, motion, stability
+
+SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
+HEADER = (SOURCES / "spragsym.h").read_text(encoding="utf-8")
+COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)] or [
+    name for name in ("cc",) if shutil.which(name)
+]
+STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE = range(4)
+LIFTOFF, CONTACT = 0, 1
+STABLE, DIVERGENT, FLUTTER = 1, 2, 3
+BASE = (math.radians(49.0), 0.5, 0.007, 0.007, 0.1, 0.0)
+DISTANCES = (0.0, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4)
+
+pytestmark = pytest.mark.skipif(not COMPILERS, reason="no C compiler on this machine")
+
+# ----------------------------------------------------------------------------------------------------- driver
+
+#: Generated functions in the header: name, arguments, number of results.
+ALGEBRA = {
+    match[1]: (len(match[2].split(",")), int(match[3] or 1))
+    for match in re.finditer(
+        r"spragsym_status spragsym_(\w+)\((double [^)]*?),\s+double (?:\*result|result\[(\d+)\])\)", HEADER
+    )
+}
+
+
+def driver() -> str:
+    """C that runs every function over arrays."""
+    calls = "\n".join(
+        f"void call_{name}(long points, const double *in, double *out, int *status);\n"
+        f"void call_{name}(long points, const double *in, double *out, int *status) {{\n"
+        f"    for (long i = 0; i < points; i++) {{\n"
+        f"        const double *const a = in + {count} * i;\n"
+        f"        status[i] = (int)spragsym_{name}({', '.join(f'a[{k}]' for k in range(count))},\n"
+        f"                                         out + {results} * i);\n"
+        f"    }}\n}}\n"
+        for name, (count, results) in ALGEBRA.items()
+    )
+    return f"""
+#include <stdio.h>
+#include "spragsym.h"
+
+{calls}
+void equilibria(long points, const spragsym_parameters *in, int regime, spragsym_equilibrium *out,
+                int *counts, int *status);
+void equilibria(long points, const spragsym_parameters *in, int regime, spragsym_equilibrium *out,
+                int *counts, int *status) {{
+    for (long i = 0; i < points; i++) {{
+        spragsym_model model;
+        status[i] = (int)spragsym_prepare(&in[i], &model);
+        if (status[i] == SPRAGSYM_OK) {{
+            status[i] = (int)spragsym_equilibria(&model, (spragsym_regime)regime, out + 4 * i, &counts[i]);
+        }}
+    }}
+}}
+
+int steps(const spragsym_parameters *in, double V, double d, double h, long count, double *state);
+int steps(const spragsym_parameters *in, double V, double d, double h, long count, double *state) {{
+    spragsym_model model;
+    int status = (int)spragsym_prepare(in, &model);
+    for (long i = 0; i < count && status == SPRAGSYM_OK; i++) {{
+        status = (int)spragsym_step(&model, V, d, h, state);
+    }}
+    return status;
+}}
+
+/* The parameters on stdin, through everything; for the sanitizers, which can't be loaded into Python. */
+int main(void) {{
+    spragsym_parameters one;
+    double numbers[16] = {{0.0}};
+    double results[16];
+    while (fread(&one, sizeof one, 1, stdin) == 1) {{
+        spragsym_equilibrium found[4];
+        int count = 0;
+        int status = 0;
+        double state[4] = {{0.1, -0.01, 0.0, 0.0}};
+        equilibria(1, &one, 0, found, &count, &status);
+        equilibria(1, &one, 1, found, &count, &status);
+        steps(&one, 0.5, 10.0, 0.1, 20, state);
+        for (int i = 0; i < 16; i++) {{
+            numbers[i] = (&one.theta0)[0] * (i % 5 - 2) + one.kappa;
+        }}
+        {" ".join(f"call_{name}(1, numbers, results, &status);" for name in ALGEBRA)}
+    }}
+    return 0;
+}}
+"""
+
+
+class Equilibrium(ctypes.Structure):
+    """``spragsym_equilibrium``."""
+
+    _fields_ = (
+        *((name, ctypes.c_double) for name in ("theta", "L", "x", "y", "error")),
+        ("stability", ctypes.c_int),
+    )
+
+
+def compile_driver(folder: Path, compiler: str, *flags: str) -> Path:
+    """The driver as an executable or, with ``-shared``, as a shared object."""
+    (folder / "driver.c").write_text(driver(), encoding="utf-8")
+    target = folder / "driver"
+    command: list[str | Path] = [
+        compiler,
+        *STRICT,
+        *flags,
+        f"-I{SOURCES}",
+        "-o",
+        target,
+        folder / "driver.c",
+        SOURCES / "spragsym.c",
+        "-lm",
+    ]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    return target
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    folder = tmp_path_factory.mktemp("c99")
+    return ctypes.CDLL(
+        str(compile_driver(folder, COMPILERS[0], "-O2", "-ffp-contract=off", "-shared", "-fPIC"))
+    )
+
+
+def _pointer(array: Any) -> Any:
+    assert array.flags.c_contiguous
+    return array.ctypes.data_as(ctypes.c_void_p)
+
+
+def solve(library: ctypes.CDLL, points: Any, regime: int) -> list[tuple[int, list[Equilibrium]]]:
+    """Status and equilibria of every point."""
+    points = np.ascontiguousarray(points, dtype=float)
+    found = (Equilibrium * (4 * len(points)))()
+    counts, status = np.zeros(len(points), np.intc), np.full(len(points), -1, np.intc)
+    library.equilibria(
+        ctypes.c_long(len(points)), _pointer(points), regime, found, _pointer(counts), _pointer(status)
+    )
+    return [
+        (int(s), list(found[4 * i : 4 * i + n])) for i, (s, n) in enumerate(zip(status, counts, strict=True))
+    ]
+
+
+# -------------------------------------------------------------------------------------------------- reference
+
+
+def reference(point: Any, nbar: int) -> list[tuple[Any, ...]]:
+    """θ, L, x, y and stability of all equilibria by 50 digits, from the quartic in t of the theory."""
+    with mpmath.workdps(50):
+        theta0, mu0, kappa, alpha, sigma, beta = (mpmath.mpf(float(value)) for value in point)
+        c0, s0 = mpmath.cos(theta0), mpmath.sin(theta0)
+        B, p = beta + nbar, alpha + sigma
+        q, M = B + sigma, mu0 * nbar
+        a, b, d, m = (
+            sigma * (q - p),
+            -p * (B * s0 + kappa),
+            q * alpha * c0 + M * (sigma * s0 - kappa),
+            M * sigma,
+        )
+        quartic = [-b, 2 * (d - a), -4 * m, 2 * (d + a), b]
+        roots = mpmath.polyroots([value / quartic[0] for value in quartic], maxsteps=400, extraprec=400)
+        rows = []
+        for root in roots:
+            t = mpmath.re(root)
+            if abs(mpmath.im(root)) > mpmath.mpf(10) ** -22 * abs(root):
+                continue
+            s, c = 2 * t / (1 + t * t), (1 - t * t) / (1 + t * t)
+            L, y = (sigma * s + B * s0 + kappa) / (q * s), (sigma * (s0 - s) - kappa) / q
+            if L > 0 and (y < 0) == bool(nbar):
+                K = ((p - sigma / L * s**2, sigma / L * s * c + M), (sigma / L * s * c, q - sigma / L * c**2))
+                rows.append((2 * mpmath.atan(t), L, c0 - L * c, y, _stability(K)))
+        return sorted(rows)
+
+
+def _stability(K: Any) -> int:
+    trace, determinant = K[0][0] + K[1][1], K[0][0] * K[1][1] - K[0][1] * K[1][0]
+    if trace**2 < 4 * determinant:
+        return FLUTTER
+    return STABLE if determinant > 0 and trace > 0 else DIVERGENT
+
+
+def _decades(rng: np.random.Generator, low: float, high: float, count: int) -> Any:
+    return 10.0 ** rng.uniform(low, high, count)
+
+
+def _random(rng: np.random.Generator, count: int, **fixed: Any) -> Any:
+    columns = {
+        "theta0": rng.uniform(0.0, math.pi, count),
+        "mu0": _decades(rng, -3, 1, count),
+        "kappa": _decades(rng, -4, 0, count),
+        "alpha": _decades(rng, -4, 1, count),
+        "sigma": _decades(rng, -3, 1, count),
+        "beta": _decades(rng, -4, 1, count),
+    }
+    return np.column_stack(
+        [np.broadcast_to(fixed.get(name, value), (count,)) for name, value in columns.items()]
+    )
+
+
+def _false_double_root() -> float:
+    """θ₀ at which an equilibrium of the base values has L = σ/(σ+α), the double root of the quartic in L."""
+    _, mu0, kappa, alpha, sigma, beta = BASE
+    L = sigma / (sigma + alpha)
+
+    def across(theta0: float) -> float:
+        y = -alpha * math.cos(theta0) / mu0
+        return sigma * (1 - L) * (math.sin(theta0) - y) / L + (beta + 1) * y + kappa
+
+    return float(brentq(across, math.radians(30), math.radians(40), xtol=1e-15))
+
+
+def _around(theta0: float) -> Any:
+    return np.array(
+        [(theta0 * (1 + sign * distance), *BASE[1:]) for distance in DISTANCES for sign in (-1, 1)]
+    )
+
+
+def adversarial() -> dict[str, Any]:
+    rng = np.random.default_rng(99)
+    n = 40
+    beta = rng.uniform(0.0, 0.5, n)
+    ends = np.concatenate([_decades(rng, -12, -1, n // 2), math.pi - _decades(rng, -12, -1, n // 2)])
+    return {
+        "ordinary": _random(rng, n, mu0=rng.uniform(0.0, 1.5, n), beta=beta),
+        "decades": _random(rng, n),
+        "wild decades": _random(
+            rng,
+            n,
+            kappa=_decades(rng, -12, 3, n),
+            sigma=_decades(rng, -8, 4, n),
+            alpha=_decades(rng, -12, 3, n),
+        ),
+        "fold at 44.6 degrees": _around(math.radians(44.559317702565)),
+        "fold at 155.1 degrees": _around(math.radians(155.059418789789)),
+        "L = sigma/(sigma+alpha)": _around(_false_double_root()),
+        "theta0 = 90 degrees": _random(rng, n, theta0=math.pi / 2),
+        "theta0 near its ends": _random(rng, n, theta0=ends),
+        "small kappa": _random(rng, n, kappa=_decades(rng, -16, -6, n)),
+        "small kappa and theta0": _random(
+            rng, n, kappa=_decades(rng, -16, -6, n), theta0=_decades(rng, -14, -3, n)
+        ),
+        "beta = 0": _random(rng, n, beta=0.0),
+        "alpha = 1 + beta": _random(rng, n, beta=beta, alpha=1 + beta),
+        "alpha = 0": _random(rng, n, alpha=0.0),
+        "mu0 = 0": _random(rng, n, mu0=0.0),
+    }
+
+
+# ------------------------------------------------------------------------------------------------------ tests
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("level", ["-O0", "-O3"])
+def test_strict_flags(compiler: str, level: str, tmp_path: Path) -> None:
+    compile_driver(tmp_path, compiler, level, "-Wconversion", "-Wshadow", "-Wstrict-prototypes")
+
+
+def test_sanitizers(tmp_path: Path) -> None:
+    """No undefined behaviour, no access out of bounds, over the adversarial set and over nonsense."""
+    compiler = COMPILERS[0]
+    program = compile_driver(
+        tmp_path, compiler, "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"
+    )
+    nonsense = np.random.default_rng(7).choice(
+        [0.0, -1.0, 1.0, 3.0, math.nan, math.inf, 1e300, 1e-300, 5e-324], (500, 6)
+    )
+    points = np.concatenate([*adversarial().values(), nonsense])
+    done = subprocess.run([program], input=points.tobytes(), capture_output=True, timeout=60)
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
+@pytest.mark.parametrize("name", ALGEBRA)
+def test_algebra_is_that_of_python(library: ctypes.CDLL, name: str) -> None:
+    """Operation for operation; only exp may differ in its last digit."""
+    module = next(module for module in (equilibrium, stability, motion) if name in module.__all__)
+    count, results = ALGEBRA[name]
+    arguments = np.random.default_rng(3).uniform(0.1, 1.5, (500, count)) * np.random.default_rng(4).choice(
+        [-1, 1], (500, count)
+    )
+    ours, status = np.empty((500, results)), np.full(500, -1, np.intc)
+    getattr(library, f"call_{name}")(
+        ctypes.c_long(500), _pointer(arguments), _pointer(ours), _pointer(status)
+    )
+    assert not status.any()
+    theirs = np.column_stack([np.ravel(value) for value in _leaves(getattr(module, name)(*arguments.T))])
+    if module is motion or name == "damping":
+        np.testing.assert_allclose(ours, theirs, rtol=1e-13, atol=1e-14)
+    else:
+        np.testing.assert_array_equal(ours, theirs)
+
+
+def _leaves(value: Any) -> list[Any]:
+    return [leaf for item in value for leaf in _leaves(item)] if isinstance(value, tuple) else [value]
+
+
+def test_everything_that_was_asked_for_is_there() -> None:
+    wanted = {"contact_quartic", "liftoff_quartic", "f_coefficients", "t_quartic", "f", "f_slope", "state",
+              "stiffness", "invariants", "damping", "regime_rhs", "regime_jacobian"}  # fmt: skip
+    assert wanted <= ALGEBRA.keys()
+
+
+@pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
+@pytest.mark.parametrize("kind", adversarial())
+def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int) -> None:
+    points = adversarial()[kind]
+    vouched = 0
+    for point, (status, ours) in zip(points, solve(library, points, regime), strict=True):
+        assert status in (OK, UNCERTAIN), point
+        theirs = reference(point, regime)
+        if status == OK:
+            vouched += 1
+            assert [one.stability for one in ours] == [row[4] for row in theirs], point
+            assert all(one.error <= 1e-12 for one in ours)
+        if len(ours) == len(theirs):
+            for one, row in zip(ours, theirs, strict=True):
+                values = (one.theta, one.L, one.x, one.y)
+                off = max(
+                    abs(value - exact) / max(1, abs(exact))
+                    for value, exact in zip(values, row[:4], strict=True)
+                )
+                assert off <= one.error, (point, one.theta)
+    # Close to a fold nothing can be vouched for; elsewhere nearly everything is.
+    assert vouched >= (0.25 if "fold" in kind else 0.8) * len(points)
+
+
+def test_fold_is_uncertain(library: ctypes.CDLL) -> None:
+    """The number of roots at a fold is not for double precision to say."""
+    folds = [(math.radians(degrees), *BASE[1:]) for degrees in (44.559317702565, 155.059418789789)]
+    assert [status for status, _ in solve(library, folds, CONTACT)] == [UNCERTAIN, UNCERTAIN]
+
+
+def test_random_points_are_vouched_for(library: ctypes.CDLL) -> None:
+    """The flag is rare on ordinary points, and a count in contact that is vouched for is odd."""
+    rng = np.random.default_rng(5)
+    points = _random(rng, 20_000, mu0=rng.uniform(0.0, 1.5, 20_000), beta=rng.uniform(0.0, 0.5, 20_000))
+    solved = solve(library, points, CONTACT)
+    assert sum(status != OK for status, _ in solved) < 100
+    assert {len(found) for status, found in solved if status == OK} == {1, 3}
+    assert all(
+        math.isfinite(value)
+        for _, found in solved
+        for one in found
+        for value in (one.theta, one.L, one.x, one.y)
+    )
+
+
+@pytest.mark.parametrize(
+    ("index", "value"),
+    [(0, 0.0), (0, math.pi), (0, -1.0), (1, -0.1), (2, 0.0), (3, -0.1), (4, 0.0), (5, -0.1)]
+    + [(index, value) for index in range(6) for value in (math.nan, math.inf)],
+)
+def test_bad_parameters_are_refused(library: ctypes.CDLL, index: int, value: float) -> None:
+    point = [*BASE]
+    point[index] = value
+    assert solve(library, [point], CONTACT)[0][0] == BAD_INPUT
+
+
+@pytest.mark.parametrize("index", [2, 3, 4, 5])
+@pytest.mark.parametrize("value", [1e300, 1e-300])
+def test_what_double_cannot_carry_is_said(library: ctypes.CDLL, index: int, value: float) -> None:
+    """Never a NaN: a status, or equilibria with finite numbers."""
+    point = [*BASE]
+    point[index] = value
+    status, found = solve(library, [point], CONTACT)[0]
+    assert status != BAD_INPUT
+    assert (status == OUT_OF_RANGE) == (not found)
+    assert all(math.isfinite(number) for one in found for number in (one.theta, one.L, one.x, one.y))
+
+
+def test_null_and_nonsense_are_refused(library: ctypes.CDLL) -> None:
+    model = (ctypes.c_double * 7)(0.6, 0.8, 0.5, 0.007, 0.007, 0.1, 0.0)
+    found, count = (Equilibrium * 4)(), ctypes.c_int(-5)
+    assert library.spragsym_prepare(None, model) == BAD_INPUT
+    assert library.spragsym_equilibria(None, CONTACT, found, ctypes.byref(count)) == BAD_INPUT
+    assert library.spragsym_equilibria(model, CONTACT, None, ctypes.byref(count)) == BAD_INPUT
+    assert library.spragsym_equilibria(model, CONTACT, found, None) == BAD_INPUT
+    assert library.spragsym_equilibria(model, 7, found, ctypes.byref(count)) == BAD_INPUT
+    assert count.value == -5
+    result = (ctypes.c_double * 3)(7.0, 7.0, 7.0)
+    numbers = [ctypes.c_double(value) for value in (1.0, 0.0, 0.6, 0.8, 0.007, 0.1, 0.0, 1.0)]
+    assert library.spragsym_state(*numbers, result) == OUT_OF_RANGE  # sin θ = 0
+    assert library.spragsym_state(*numbers[:-1], ctypes.c_double(math.nan), result) == BAD_INPUT
+    assert list(result) == [7.0, 7.0, 7.0]
+
+
+# ------------------------------------------------------------------------------------------------------- step
+
+
+def _steps(
+    library: ctypes.CDLL, h: float, count: int, V: float = 0.5, d: float = 10.0, start: Any = (0, 0, 0, 0)
+) -> Any:
+    state = np.array(start, dtype=float)
+    numbers = (ctypes.c_double(V), ctypes.c_double(d), ctypes.c_double(h))
+    status = library.steps(_pointer(np.array(BASE)), *numbers, ctypes.c_long(count), _pointer(state))
+    return status, state
+
+
+def _motion(V: float, d: float, start: Any, end: float) -> tuple[Any, list[int]]:
+    """The state at ``end`` by a method that is restarted at every kink, and how often it met each."""
+    theta0, mu0, kappa, alpha, sigma, beta = BASE
+    c0, s0 = math.cos(theta0), math.sin(theta0)
+    nbar, side, time, state, met = 1, 1 if start[2] < V else -1, 0.0, start, [0, 0]
+
+    def rate(_: float, now: Any) -> Any:
+        x, y, vx, vy = now
+        values = motion.regime_rhs(x, y, vx, vy, c0, s0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side)
+        return [vx, vy, *map(float, values)]
+
+    def belt(_: float, now: Any) -> float:
+        return float(now[1])
+
+    def speed(_: float, now: Any) -> float:
+        return float(now[2] - V)
+
+    while time < end:
+        for event, direction in ((belt, 1 if nbar else -1), (speed, side)):
+            event.terminal, event.direction = True, direction  # type: ignore[attr-defined]
+        run = solve_ivp(
+            rate, (time, end), state, method="DOP853", rtol=1e-13, atol=1e-14, events=(belt, speed)
+        )
+        time, state = run.t[-1], run.y[:, -1]
+        if run.status == 1:
+            kink = 0 if run.t_events[0].size else 1
+            met[kink] += 1
+            nbar, side = (1 - nbar, side) if kink == 0 else (nbar, -side)
+    return state, met
+
+
+@pytest.mark.parametrize(
+    ("V", "start", "kinks"), [(0.2, (0, 0, 0, 0), [4, 0]), (0.1, (0, -0.01, 0.3, 0), [4, 2])]
+)
+def test_step_is_of_fourth_order_across_the_kinks(
+    library: ctypes.CDLL, V: float, start: Any, kinks: list[int]
+) -> None:
+    """The orbits leave the belt and come back, or overtake it; the first starts on a kink."""
+    exact, met = _motion(V, 10.0, start, 60.0)
+    assert met == kinks
+    errors = []
+    for h in (0.1, 0.05, 0.025, 0.0125):
+        status, state = _steps(library, h, round(60.0 / h), V=V, start=start)
+        assert status == OK
+        errors.append(float(np.abs(state - exact).max()))
+    assert errors[-1] < 1e-8
+    assert math.log2(errors[0] / errors[-1]) / 3 > 3.6
+
+
+def test_step_refuses(library: ctypes.CDLL) -> None:
+    refused: tuple[dict[str, Any], ...] = (
+        {"h": 0.0},
+        {"h": math.nan},
+        {"d": 0.0},
+        {"V": math.inf},
+        {"start": (0, math.nan, 0, 0)},
+    )
+    for changes in refused:
+        status, _ = _steps(library, **{"h": 0.1, "count": 1, **changes})
+        assert status == BAD_INPUT, changes
+    start = (math.cos(BASE[0]), math.sin(BASE[0]), 0.0, 0.0)  # the spring has no length
+    status, state = _steps(library, 0.1, 1, start=start)
+    assert status == OUT_OF_RANGE
+    assert tuple(state) == start
+
+
+# -------------------------------------------------------------------------------------------- cost and export
+
+
+def test_operations_are_counted() -> None:
+    """Branches add up, loops multiply, calls carry their cost along."""
+    source = """
+#define TWICE 2
+static double inner(double x) { return sqrt(x) * x + 1.0; }
+static double outer(double x) {
+    for (int i = 0; i < TWICE; i++) {
+        for (int j = 0; j < 3; j++) {
+            x += inner(x - 1.0); /* not * counted */
+        }
+    }
+    return (x > 0.0) ? emitted(x) : 0.0;
+}
+"""
+    counted = c99_cost.costs(source.replace("{ return", "{\n return"), {})
+    assert c99_cost.describe(counted["inner"]) == "2 operations, 1 sqrt"
+    assert c99_cost.describe(counted["outer"]) == "25 operations, 6 sqrt"
+    with pytest.raises(ArithmeticError, match="can't be counted"):
+        c99_cost.costs("void f(void) {\n while (1) {\n }\n}\n", {})
+
+
+def test_worst_cases_are_documented() -> None:
+    assert re.search(r"Worst case: \d+ operations, \d+ sqrt, 1 cbrt, 4 atan", HEADER)
+    assert "@" not in re.sub(r"@(file|param|return)\b", "", HEADER)
+
+
+def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
+    out = tmp_path / "sprag"
+    arguments = ["export", "--language", "c", "--out", str(out)]
+    assert CliRunner().invoke(cli, arguments).exit_code == 0
+    subprocess.run(["make", "-C", out, f"CC={COMPILERS[0]}"], check=True, capture_output=True, timeout=60)
+    printed = subprocess.run([out / "example"], check=True, capture_output=True, text=True, timeout=60).stdout
+    assert "contact: 1\n  theta 2.203367573653" in printed
+    assert CliRunner().invoke(cli, arguments).exit_code == 0  # nothing differs
+    (out / "main.c").write_text("mine\n", encoding="utf-8")
+    refused = CliRunner().invoke(cli, arguments)
+    assert isinstance(refused.exception, export.ExportError)
+    assert "main.c" in str(refused.exception)
+    assert "\n" not in str(refused.exception)
+    assert (out / "main.c").read_text(encoding="utf-8") == "mine\n"
+    assert CliRunner().invoke(cli, [*arguments, "--force"]).exit_code == 0
+    assert (out / "main.c").read_bytes() == (SOURCES / "main.c").read_bytes()

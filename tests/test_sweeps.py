@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -224,7 +225,7 @@ def test_killed_at_any_moment_it_resumes_to_the_same_file(tmp_path: Path, kills:
         process.kill()
         process.wait()
         resumed += path.with_name(path.name + ".partial").exists()
-        subprocess.run(_command(str(path)), check=True, capture_output=True)
+        subprocess.run(_command(str(path)), check=True, stdout=subprocess.DEVNULL)
         assert path.read_bytes() == expected
     print(f"{kills} kills, {resumed} of them in the middle of the work")
     assert resumed or kills < 20
@@ -337,3 +338,14 @@ def test_progress_goes_to_stderr_only_when_asked(capsys: pytest.CaptureFixture[s
     out, err = capsys.readouterr()
     assert out == ""
     assert "6/6" in err
+
+
+def test_the_page_on_clusters_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("distributed")
+    page = (Path(__file__).parents[1] / "docs" / "howto_cluster.md").read_text(encoding="utf-8")
+    cells = re.findall(r"^```\{code-cell\} python\n(.*?)^```$", page, flags=re.DOTALL | re.MULTILINE)
+    names: dict[str, object] = {"__name__": "page"}
+    for cell in cells:
+        exec(cell, names)
+    assert len(cells) == 3
+    assert capsys.readouterr().out.splitlines()[1:] == ["True", "True"]

@@ -22,6 +22,26 @@ from .parameters import Parameters, PhysicalParameters, Scales
 
 if TYPE_CHECKING:
     from . import precise as precise
+    from .catastrophe import surface as surface
+    from .catastrophe import folds as folds
+    from .catastrophe import bifurcation_set as bifurcation_set
+    from .catastrophe import cusps as cusps
+    from .catastrophe import critical_friction as critical_friction
+    from .catastrophe import critical_value as critical_value
+    from .catastrophe import flutter_boundary as flutter_boundary
+    from .catastrophe import linear_sprag as linear_sprag
+    from .catastrophe import linear_critical_friction as linear_critical_friction
+    from .catastrophe import sliding_friction as sliding_friction
+    from .catastrophe import Surface as Surface
+    from .catastrophe import Folds as Folds
+    from .catastrophe import FoldCurve as FoldCurve
+    from .catastrophe import BifurcationSet as BifurcationSet
+    from .catastrophe import Cusps as Cusps
+    from .catastrophe import FlutterBoundary as FlutterBoundary
+    from .catastrophe import LinearSprag as LinearSprag
+    from .paths import quasi_static_path as quasi_static_path
+    from .paths import Path as Path
+    from .paths import Jump as Jump
     from .solver import Equilibria as Equilibria
     from .solver import Stability as Stability
     from .solver import equilibria as equilibria
@@ -31,6 +51,26 @@ _LAZY: dict[str, str] = {
     "Equilibria": "solver",
     "Stability": "solver",
     "equilibria": "solver",
+    "surface": "catastrophe",
+    "folds": "catastrophe",
+    "bifurcation_set": "catastrophe",
+    "cusps": "catastrophe",
+    "critical_friction": "catastrophe",
+    "critical_value": "catastrophe",
+    "flutter_boundary": "catastrophe",
+    "linear_sprag": "catastrophe",
+    "linear_critical_friction": "catastrophe",
+    "sliding_friction": "catastrophe",
+    "Surface": "catastrophe",
+    "Folds": "catastrophe",
+    "FoldCurve": "catastrophe",
+    "BifurcationSet": "catastrophe",
+    "Cusps": "catastrophe",
+    "FlutterBoundary": "catastrophe",
+    "LinearSprag": "catastrophe",
+    "quasi_static_path": "paths",
+    "Path": "paths",
+    "Jump": "paths",
     "precise": "precise",
 }
 

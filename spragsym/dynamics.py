@@ -77,9 +77,9 @@ class Events:
 class Trajectory:
     """A motion in time, as accurate between the samples as on them.
 
-    The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events among them:
-    ``degree + 1`` to a step, consecutive steps sharing one. The motion is the polynomial through them, so that integrals
-    and values in between lose nothing against the integration.
+    The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events
+    among them: ``degree + 1`` to a step, consecutive steps sharing one. The motion is the polynomial through
+    them, so that integrals and values in between lose nothing against the integration.
 
     Attributes
     ----------
@@ -187,8 +187,8 @@ class Trajectory:
     def period(self, transient: float = 1500.0, *, tol: float = 1e-6) -> float:
         """Time after which the motion after ``transient`` repeats itself; NaN if it does not, and at rest.
 
-        Passages are those of x upwards through its mean. The motion repeats after k of them, k as small as possible, when
-        all states there come back within ``tol``, relative to how far the motion reaches.
+        Passages are those of x upwards through its mean. The motion repeats after k of them, k as small as
+        possible, when all states there come back within ``tol``, relative to how far the motion reaches.
         """
         return self.after(transient)._recurrence(as_number("tol", tol, POSITIVE))
 
@@ -230,7 +230,7 @@ class Trajectory:
         columns = {name: getattr(self, name) for name in ("t", *QUANTITIES)}
         storage.write(Path(path), self.to_dataset, lambda: columns, self._attributes())
 
-    # ----------------------------------------------------------------------------------------------- inner parts
+    # -------------------------------------------------------------------------------------------- inner parts
 
     def _attributes(self) -> dict[str, Any]:
         values = dict(zip(NAMES, self.p.scalars(*NAMES), strict=True))
@@ -341,14 +341,16 @@ def simulate(
 ) -> Trajectory:
     """Integrate the motion (8)–(11) from an initial state.
 
-    The integrator is restarted at every kink of the field, y = 0 and x' = V, whether or not the events are kept.
+    The integrator is restarted at every kink of the field, y = 0 and x' = V, whether or not the events are
+    kept.
 
     Parameters
     ----------
     p : Parameters
         Scalars.
     V : float
-        Belt speed over L_0 sqrt(k_c/m), V ≥ 0. The article states none; 0.5 is this package's assumption for its Figure 7.
+        Belt speed over L_0 sqrt(k_c/m), V ≥ 0. The article states none; 0.5 is this package's assumption for
+        its Figure 7.
     d : float
         Steepness of the friction law (10), times L_0 sqrt(k_c/m), d > 0. Likewise; 10 is the assumption.
     x0, y0, vx0, vy0 : float
@@ -362,7 +364,8 @@ def simulate(
     estimate_error : bool
         Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``.
     backend : {"heyoka", "scipy"}, optional
-        Taylor series (extra ``fast``) or DOP853; by default heyoka where it is installed. They agree to the tolerance.
+        Taylor series (extra ``fast``) or DOP853; by default heyoka where it is installed. They agree to the
+        tolerance.
 
     Returns
     -------
@@ -371,7 +374,8 @@ def simulate(
     Raises
     ------
     ParameterError, ParameterTypeError
-        For arguments that make no sense, and an initial state at the spring's anchor, where L = 0 and (8) is singular.
+        For arguments that make no sense, and an initial state at the spring's anchor, where L = 0 and (8) is
+        singular.
     ConvergenceError
         When the integrator cannot go on.
     MissingExtraError

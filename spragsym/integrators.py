@@ -1,10 +1,10 @@
 """Existing integrators, restarted wherever the field of (8)–(11) has a kink.
 
-The field is continuous, and analytic in each of four regimes: contact or not (``nbar``), belt ahead of the mass or
-behind (``side``). Both backends integrate one regime's analytic continuation, find where the motion leaves it, and go
-on in the next. A regime is left :data:`GAP` beyond its border, so that two crossings are never closer than 2 GAP: that
-ends chatter by rounding, lets a motion start exactly on a kink, and costs an error of the order of GAP², or GAP^1.5
-where the motion only grazes the border, far below rounding.
+The field is continuous, and analytic in each of four regimes: contact or not (``nbar``), belt ahead of the
+mass or behind (``side``). Both backends integrate one regime's analytic continuation, find where the motion
+leaves it, and go on in the next. A regime is left :data:`GAP` beyond its border, so that two crossings are
+never closer than 2 GAP: that ends chatter by rounding, lets a motion start exactly on a kink, and costs an
+error of the order of GAP², or GAP^1.5 where the motion only grazes the border, far below rounding.
 """
 
 from __future__ import annotations

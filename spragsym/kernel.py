@@ -29,6 +29,8 @@ t_quartic = _equilibrium.t_quartic.__wrapped__  # type: ignore[attr-defined]
 f = _equilibrium.f.__wrapped__  # type: ignore[attr-defined]
 f_slope = _equilibrium.f_slope.__wrapped__  # type: ignore[attr-defined]
 state = _equilibrium.state.__wrapped__  # type: ignore[attr-defined]
+f_curvature = _equilibrium.f_curvature.__wrapped__  # type: ignore[attr-defined]
+f_third = _equilibrium.f_third.__wrapped__  # type: ignore[attr-defined]
 stiffness = _stability.stiffness.__wrapped__  # type: ignore[attr-defined]
 invariants = _stability.invariants.__wrapped__  # type: ignore[attr-defined]
 

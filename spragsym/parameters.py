@@ -30,6 +30,10 @@ class Range:
     open_low: bool = False
     remedy: str = ""
 
+    def contains(self, value: float) -> bool:
+        """Whether a number is allowed."""
+        return (value > self.low if self.open_low else value >= self.low) and value < self.high
+
     def __str__(self) -> str:
         low = "(" if self.open_low or math.isinf(self.low) else "["
         return f"{low}{self.low:g}, {self.high:g})"

@@ -164,7 +164,7 @@ def _megabytes(size: int) -> str:
     return f"{math.ceil(size / 1e6)} MB"
 
 
-# ------------------------------------------------------------------------------------------------- the journal
+# ------------------------------------------------------------------------------------------------ the journal
 
 #: One point of a sweep: its measured values and, if it failed, why.
 Record = tuple[list[float], str]
@@ -176,9 +176,9 @@ def journal(
 ) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
     """Finished points of an earlier run to ``target``, and a function that appends one more.
 
-    The journal stands next to the target, a line of JSON a point after a line that says which sweep it belongs to. A line
-    that a kill cut short is dropped; every line is out of this process before the next point is asked for. The journal is
-    removed when the body ends well, which must have written the target.
+    The journal stands next to the target, a line of JSON a point after a line that says which sweep it
+    belongs to. A line that a kill cut short is dropped; every line is out of this process before the next
+    point is asked for. The journal is removed when the body ends well, which must have written the target.
     """
     path = target.with_name(target.name + ".partial")
     done: dict[int, Record] = {}

@@ -90,7 +90,8 @@ class Sweep:
     inputs : dict of str to ndarray
         θ₀, μ₀, κ, α, σ, β, V, d, x0, y0, vx0, vy0 as they were given, which broadcast together.
     rms, spread, amplitude, mean, mean_y : ndarray
-        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|; means of x and y.
+        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
+        means of x and y.
     period : ndarray
         NaN for a motion that does not repeat itself to 1e-4 of its reach.
     trend : ndarray
@@ -200,14 +201,14 @@ def rms_sweep(
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     workers : int or map-like callable
-        Processes, −1 for one a core; or ``map(function, points)`` of an engine, which may give results or futures with a
-        ``result()``. Results are the same to the last bit for any. Processes import the main module: a script needs
-        ``if __name__ == "__main__":``.
+        Processes, −1 for one a core; or ``map(function, points)`` of an engine, which may give results or
+        futures with a ``result()``. Results are the same to the last bit for any. Processes import the main
+        module: a script needs ``if __name__ == "__main__":``.
     progress : bool
         Show a bar with the estimated end on stderr.
     store : path, optional
-        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` as they come. The same call resumes from there after
-        a kill, and loads the file when it is finished.
+        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` as they come. The same call resumes
+        from there after a kill, and loads the file when it is finished.
 
     Returns
     -------
@@ -216,12 +217,13 @@ def rms_sweep(
     Raises
     ------
     ParameterError, ParameterTypeError
-        Before the work starts, for arguments that make no sense and files that cannot be written. A motion that fails is NaN,
-        with its reason, and stops nothing.
+        Before the work starts, for arguments that make no sense and files that cannot be written. A motion
+        that fails is NaN, with its reason, and stops nothing.
 
     Notes
     -----
-    Source: (8)–(11); the article's Figure 7b. Which equilibrium: with μ(V), (10), for μ₀, which is where the motion can rest.
+    Source: (8)–(11); the article's Figure 7b. Which equilibrium: with μ(V), (10), for μ₀, which is where the
+    motion can rest.
 
     Examples
     --------
@@ -307,7 +309,7 @@ def _trend(late: Trajectory) -> float:
     return float(energy[share >= 0.5].sum() / first) if first > 0 else 1.0
 
 
-# --------------------------------------------------------------------------------------------- all the motions
+# -------------------------------------------------------------------------------------------- all the motions
 
 
 def _settings(t_end: float, transient: float, rtol: float, backend: str | None) -> Settings:
@@ -408,7 +410,7 @@ def _fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
     return storage.fingerprint(inputs, {**vars(settings), **versions})
 
 
-# -------------------------------------------------------------------------------------------- what they come to
+# ------------------------------------------------------------------------------------------ what they come to
 
 
 def _result(
@@ -493,7 +495,7 @@ def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[
     return tuple(names)
 
 
-# ---------------------------------------------------------------------------------------------------- attractors
+# ------------------------------------------------------------------------------------------------- attractors
 
 
 @dataclass(frozen=True, eq=False)
@@ -507,7 +509,8 @@ class Basin:
     attractor : ndarray of int
         Row of ``attractors`` that the motion reaches; −1 where it failed.
     attractors : tuple of (Regime, int, float, float)
-        Final regime, index of the equilibrium or −1, and for a limit cycle its mean and RMS of x about it, else NaN.
+        Final regime, index of the equilibrium or −1, and for a limit cycle its mean and RMS of x about it,
+        else NaN.
     sweep : Sweep
         Everything that was measured.
     """
@@ -543,8 +546,8 @@ def basin(
     y0, vy0 : float
         Initial state across the belt.
     **options
-        As for :func:`rms_sweep`. A motion that has settled to nothing by ``t_end`` is ``Regime.UNSETTLED``: damping is weak
-        where exp(−d V) is small, so that this takes tens of thousands of time units.
+        As for :func:`rms_sweep`. A motion that has settled to nothing by ``t_end`` is ``Regime.UNSETTLED``:
+        damping is weak where exp(−d V) is small, so that this takes tens of thousands of time units.
 
     Returns
     -------
@@ -594,7 +597,7 @@ def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, in
     return labels, tuple(attractors)
 
 
-# --------------------------------------------------------------------------------------------------- sensitivity
+# ------------------------------------------------------------------------------------------------ sensitivity
 
 
 @dataclass(frozen=True, eq=False)
@@ -644,16 +647,16 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
 
     Notes
     -----
-    The jump is the largest step between neighbouring angles. Bisection keeps the half over which the RMS steps more.
+    The jump is the largest step between neighbouring angles. Bisection keeps the half over which the RMS
+    steps more.
 
     Examples
     --------
     >>> import numpy as np
     >>> import spragsym as ss
     >>> from spragsym.sweeps import sensitivity
-    >>> table = sensitivity(ss.Parameters.article(theta0=np.radians([38, 42, 46])), V=[0.5], d=[10.0], refine=3)
-    >>> np.round(np.degrees(table.theta0), 1)
-    array([[41.3]])
+    >>> table = sensitivity(ss.Parameters.article(theta0=np.radians([38, 42, 46])), V=[0.5], d=[10.0],
+    refine=3) >>> np.round(np.degrees(table.theta0), 1) array([[41.3]])
     """
     angles = p.theta0
     if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():

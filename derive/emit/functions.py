@@ -344,8 +344,12 @@ def _catastrophe() -> Module:
             *lines,
             Function("fold_angles", "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.", "f = f′ = 0",
                      (*_ANGLE, nm.mu0, nm.kappa, *_STIFFNESS), friction, "sin0, cos0", contact),
+            Function("fold_sine", "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.", "f = f′ = 0",
+                     (*_ANGLE, nm.mu0, nm.kappa, *_STIFFNESS), friction[0], "sin0", contact),
             Function("fold_quartic", "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
                      "f = f′ = 0", (*_ANGLE, nm.kappa, *_STIFFNESS), quartic, "e0, e1, e2, e3, e4", quartic_names),
+            Function("fold_conic", "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
+                     "f = f′ = 0", (*_ANGLE, nm.kappa, *_STIFFNESS), _fold_conic(), "E0, E1, E2, Ec", contact),
             Function("fold_quadratic", "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.", "f = f′ = 0",
                      (*_ANGLE, nm.kappa, nm.sigma, nm.beta),
                      tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
@@ -366,6 +370,25 @@ def _catastrophe() -> Module:
                      (nm.s, nm.kappa, *_STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
         ),
     )  # fmt: skip
+
+
+def _fold_conic() -> tuple[sp.Expr, ...]:
+    """The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1, which has no pole and no c0², s0 c0."""
+    a = nm.fa
+    threshold = nm.kappa + nm.sigma * nm.s * (1 + nm.c**2)
+    gap = nm.kappa * nm.p - a * nm.s**3
+    lever = nm.sigma * nm.s**2 * nm.c
+    conic = (
+        gap * threshold - a * nm.c**3 * lever,
+        nm.p * nm.B * threshold - nm.sigma * gap,
+        -nm.p * nm.B * nm.sigma,
+        -nm.q * nm.alpha * lever,
+    )
+    spelled = [relation.subs(nm.fa, elimination.f_coefficients()[nm.fa]) for relation in catastrophe.fold_residuals()]
+    (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in spelled)
+    ours = conic[0] + conic[1] * nm.s0 + conic[2] * nm.s0**2 + conic[3] * nm.c0
+    _same("fold conic", (ours.subs(a, elimination.f_coefficients()[a]),), (u1 * w2 - u2 * w1,))
+    return conic
 
 
 def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:

@@ -70,7 +70,8 @@ def simulate(
 ) -> None:  # fmt: skip
     """Integrate the motion from an initial state, by default from rest at x = y = 0.
 
-    The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an assumption.
+    The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
+    assumption.
 
     \b
     Examples:
@@ -171,8 +172,8 @@ def sweep(
 ) -> None:  # fmt: skip
     """Simulate over a grid of parameters, to a file.
 
-    Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all combinations.
-    Killed or interrupted, the same command goes on where it stopped.
+    Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all
+    combinations. Killed or interrupted, the same command goes on where it stopped.
 
     \b
     Examples:

@@ -267,7 +267,7 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
         if y[y.size // 2] < 0:
             curves.append(FoldCurve(strand.theta0, strand.mu0, strand.theta, x, y))
     found = cusps(p)
-    ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & ((found.mu0 > 0) | negative_friction)
+    ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & ((found.mu0 >= 0) | negative_friction)
     if negative_friction:
         curves += [
             FoldCurve(math.pi - curve.theta0, -curve.mu0, math.pi - curve.theta, -curve.x, curve.y) for curve in list(curves)
@@ -366,7 +366,7 @@ def critical_friction(p: Parameters) -> float | FloatArray:
 
 def _lowest_cusp(kappa: float, alpha: float, sigma: float, beta: float) -> float:
     found = cusps(Parameters(kappa=kappa, alpha=alpha, sigma=sigma, beta=beta))
-    inside = (found.theta0 > 0) & (found.theta0 < math.pi) & (found.mu0 > 0)
+    inside = (found.theta0 > 0) & (found.theta0 < math.pi) & (found.mu0 >= 0)
     return float(found.mu0[inside].min()) if inside.any() else math.inf
 
 
@@ -477,6 +477,46 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     points = points[:, order]
     branch, count = _branch(p, points)
     return FlutterBoundary(*points, branch, count, curve)
+
+
+def flutter_onsets(p: Parameters) -> FlutterBoundary:
+    """Points of :func:`flutter_boundary` at the friction μ₀ of ``p``, sorted by θ₀.
+
+    Found between neighbours on the boundary curves, to 1e-12.
+
+    Examples
+    --------
+    >>> print(np.degrees(flutter_onsets(Parameters.article(alpha=0.7)).theta0).round(6))
+    [135.386682 166.062299]
+    """
+    (mu0,) = p.scalars("mu0")
+    along = flutter_boundary(p)
+    found = []
+    for i in range(along.theta.size - 1):
+        ends = along.mu0[i] - mu0, along.mu0[i + 1] - mu0
+        if along.curve[i] == along.curve[i + 1] and ends[0] * ends[1] <= 0 and ends[1] != 0:
+            found.append(_onset_between(p, along, i, mu0))
+    points = np.array(found, dtype=float).reshape(-1, 6).T
+    points = points[:, np.argsort(points[0])]
+    branch, count = _branch(p, points)
+    return FlutterBoundary(*points, branch, count, np.arange(points.shape[1]))
+
+
+def _onset_between(p: Parameters, along: FlutterBoundary, i: int, mu0: float) -> tuple[float, ...]:
+    """The point of friction ``mu0`` on the boundary between two neighbours, by bisection in θ."""
+    kappa, alpha, sigma, beta = p.scalars(*_FIXED)
+    target = along.L[i]
+
+    def at(theta: float) -> tuple[float, ...]:
+        c, s = math.cos(theta), math.sin(theta)
+        lengths = _real_positive(np.stack(_stability.flutter_sextic(c, s, kappa, alpha, sigma, beta))[None])[0]
+        L = float(lengths[np.nanargmin(np.abs(lengths - target))])
+        s0, alpha_c0, friction = _stability.flutter_point(c, s, L, kappa, alpha, sigma, beta)
+        c0 = alpha_c0 / alpha if alpha else math.copysign(math.sqrt(max(0.0, 1 - s0 * s0)), math.cos(along.theta0[i]))
+        return math.atan2(s0, c0), friction, theta, L, c0 - L * c, s0 - L * s
+
+    theta = brentq(lambda theta: at(theta)[1] - mu0, along.theta[i], along.theta[i + 1], xtol=1e-15, rtol=1e-15)
+    return at(float(theta))
 
 
 def _real_positive(coefficients: FloatArray) -> FloatArray:

@@ -117,7 +117,7 @@ class Trajectory:
 
     @property
     def weights(self) -> FloatArray:
-        """Quadrature weights: ``(weights * f).sum()`` is the integral of f over the trajectory, shape (n,)."""
+        """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
         _, unit = integrators.lobatto()
         weights = np.zeros_like(self.t)
         steps = self.t[::DEGREE]
@@ -134,8 +134,8 @@ class Trajectory:
         times = as_numbers("t", t)
         if times.size and not (self.t[0] <= times.min() and times.max() <= self.t[-1]):
             raise ParameterError(
-                f"t = {times.min():g} … {times.max():g} is not within the trajectory, [{self.t[0]:g}, {self.t[-1]:g}]; "
-                "simulate with a larger t_end"
+                f"t = {times.min():g} … {times.max():g} is not within the trajectory, "
+                f"[{self.t[0]:g}, {self.t[-1]:g}]; simulate with a larger t_end"
             )
         return self._at(self._step_of(times), times)
 
@@ -168,7 +168,7 @@ class Trajectory:
     def mean(self, transient: float = 1500.0, *, of: str = "x") -> float:
         """Time average of x (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
         late = self.after(transient)
-        return late.integral(late._values(of)) / (late.t[-1] - late.t[0])
+        return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
 
     def rms(self, transient: float = 1500.0, *, of: str = "x", about: str = "zero") -> float:
         """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
@@ -193,20 +193,24 @@ class Trajectory:
         return self.after(transient)._recurrence(as_number("tol", tol, POSITIVE))
 
     def converged(self, transient: float = 1500.0, *, tol: float = 1e-6) -> bool:
-        """Whether the motion after ``transient`` is at rest or repeats itself, within ``tol`` (see :meth:`period`)."""
+        """Whether the motion after ``transient`` rests or repeats itself within ``tol``, as for :meth:`period`."""
         late = self.after(transient)
         return late._at_rest(as_number("tol", tol, POSITIVE)) or bool(np.isfinite(late._recurrence(tol)))
 
     def energy(self) -> FloatArray:
-        """Kinetic and stored energy, the contact's and the preload's included, over k_c L_0², at the samples: (1), (2)."""
+        """Kinetic and stored energy over k_c L_0², contact and preload included, at the samples."""
         cos0, sin0, _, *stiffnesses = _constants(self.p)
-        return motion.energy(*self.state, cos0, sin0, *stiffnesses, self.y < 0)  # type: ignore[no-any-return]
+        x, y, vx, vy = self.state
+        kappa, alpha, sigma, beta = stiffnesses
+        energy: FloatArray = motion.energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, y < 0)
+        return energy
 
     def friction_power(self) -> FloatArray:
-        """Rate at which friction changes that energy, at the samples: positive where the belt drives the mass."""
+        """Rate at which friction changes that energy, at the samples: positive where it drives the mass."""
         side = np.where(self.vx <= self.V, 1, -1)
         (mu0,) = self.p.scalars("mu0")
-        return motion.friction_power(self.y, self.vx, mu0, self.V, self.d, self.y < 0, side)  # type: ignore[no-any-return]
+        power: FloatArray = motion.friction_power(self.y, self.vx, mu0, self.V, self.d, self.y < 0, side)
+        return power
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
@@ -221,8 +225,9 @@ class Trajectory:
             dataset[name].attrs = storage.attributes(name)
         if self.events is not None:
             dataset["event"].attrs |= {
-                "flag_values": np.array(list(Event), dtype=np.int8), "flag_meanings": " ".join(kind.name.lower() for kind in Event),
-            }  # fmt: skip
+                "flag_values": np.array(list(Event), dtype=np.int8),
+                "flag_meanings": " ".join(kind.name.lower() for kind in Event),
+            }
         return dataset
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -266,10 +271,11 @@ class Trajectory:
         hit = distance == 0
         share = _barycentric() / np.where(hit, 1.0, distance)
         share = np.where(hit.any(axis=-1, keepdims=True), hit, share)
-        return (self.state[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)  # type: ignore[no-any-return]
+        states: FloatArray = (self.state[:, index] * (share / share.sum(axis=-1, keepdims=True))).sum(axis=-1)
+        return states
 
     def _passages(self, values: FloatArray, function: Callable[[FloatArray], FloatArray]) -> FloatArray:
-        """Times where ``values``, a ``function`` of the state, goes from negative to not negative: regula falsi, Illinois."""
+        """Times where ``values``, a ``function`` of the state, cease to be negative: Illinois method."""
         (before,) = np.nonzero((values[:-1] < 0) & (values[1:] >= 0))
         step, low, high = before // DEGREE, self.t[before], self.t[before + 1]
         below, above = values[before], values[before + 1]
@@ -289,19 +295,19 @@ class Trajectory:
 
     def _extrema(self, of: str) -> FloatArray:
         """Values at the ends and at all local extrema of x or y; the samples themselves for speeds."""
-        row = QUANTITIES.index(of)
         values = self._values(of)
+        row = QUANTITIES.index(of)
         if row > 1:
             return values
         speed = self.state[row + 2]
-        turns = [
-            self._passages(sign * speed, lambda state, sign=sign: sign * state[row + 2]) for sign in (1, -1)
-        ]  # type: ignore[misc]
-        return np.concatenate([values[[0, -1]], self(np.concatenate(turns))[row]])
+        lowest = self._passages(speed, lambda state: state[row + 2])
+        highest = self._passages(-speed, lambda state: -state[row + 2])
+        return np.concatenate([values[[0, -1]], self(lowest)[row], self(highest)[row]])
 
     def _reach(self) -> FloatArray:
         """Extent of the motion in each of the four quantities."""
-        return np.ptp(self.state, axis=1)
+        extent: FloatArray = np.ptp(self.state, axis=1)
+        return extent
 
     def _at_rest(self, tol: float) -> bool:
         return bool(self._reach().max() <= tol)
@@ -321,7 +327,8 @@ class Trajectory:
 def _barycentric() -> FloatArray:
     """Barycentric weights of the Lobatto points."""
     points, weights = integrators.lobatto()
-    return np.sqrt(weights) * (-1.0) ** np.arange(len(points))
+    barycentric: FloatArray = np.sqrt(weights) * (-1.0) ** np.arange(len(points))
+    return barycentric
 
 
 def simulate(
@@ -410,19 +417,19 @@ def prepare(
     p: Parameters, *, V: float, d: float, start: tuple[Any, ...], t_end: float, t_record: float, rtol: float
 ) -> Problem:
     """Validated arguments of a motion."""
-    cos0, sin0, *rest = _constants(p)
-    state = tuple(
+    cos0, sin0, mu0, kappa, alpha, sigma, beta = _constants(p)
+    x0, y0, vx0, vy0 = (
         as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True)
     )
-    if state[:2] == (cos0, sin0):
+    if (x0, y0) == (cos0, sin0):
         raise ParameterError(
-            f"x0 = {state[0]:.17g}, y0 = {state[1]:.17g} is the spring's anchor (cos theta0, sin theta0), where L = 0 and the "
-            "spring has no direction; start anywhere else"
+            f"x0 = {x0:.17g}, y0 = {y0:.17g} is the spring's anchor (cos theta0, sin theta0), "
+            "where L = 0 and the spring has no direction; start anywhere else"
         )
     t_end = as_number("t_end", t_end, POSITIVE)
     return Problem(
-        cos0, sin0, *rest, as_number("V", V, BELT_SPEED), as_number("d", d, CREEP), state,  # type: ignore[arg-type]
-        t_end, t_record, as_number("rtol", rtol, TOLERANCE),
+        cos0, sin0, mu0, kappa, alpha, sigma, beta, as_number("V", V, BELT_SPEED), as_number("d", d, CREEP),
+        (x0, y0, vx0, vy0), t_end, t_record, as_number("rtol", rtol, TOLERANCE),
     )  # fmt: skip
 
 
@@ -430,7 +437,8 @@ def run(p: Parameters, problem: Problem, backend: str) -> Trajectory:
     """The motion of a validated problem."""
     result = integrators.integrate(problem, backend)
     events = Events(result.event_t, result.event_states, result.event_kinds)
-    return Trajectory(result.t, *result.states, events, p, problem.V, problem.d, problem.rtol, backend)
+    x, y, vx, vy = result.states
+    return Trajectory(result.t, x, y, vx, vy, events, p, problem.V, problem.d, problem.rtol, backend)
 
 
 def _constants(p: Parameters) -> tuple[float, ...]:

@@ -16,7 +16,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
-from functools import cache
+from functools import cache, partial
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
@@ -32,7 +32,7 @@ State: TypeAlias = tuple[float, float, float, float]
 #: How far beyond its border a regime is left, in L_0 and in units of speed.
 GAP = 1e-12
 
-#: Polynomial degree to which each step is stored; 12 holds a Taylor step of order 20 to rounding, DOP853's is 7.
+#: Polynomial degree of a stored step: 12 holds a Taylor step of order 20 to rounding; DOP853's is 7.
 DEGREE = 12
 
 BACKENDS = ("heyoka", "scipy")
@@ -77,13 +77,13 @@ class Problem:
 
     @property
     def event_limit(self) -> int:
-        """No mode crosses a border more than about four times a period: ten times that is no motion of the model."""
+        """No mode crosses borders more than about four times a period; ten times that is no motion."""
         return int(1000 + 10 * self.fastest * self.t_end)
 
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion as polynomials of degree :data:`DEGREE`, by their values at the Lobatto points of every step."""
+    """A motion as polynomials of degree :data:`DEGREE`, by their values at every step's Lobatto points."""
 
     t: FloatArray
     states: FloatArray
@@ -107,7 +107,7 @@ def choose(backend: str | None) -> str:
         return "heyoka" if importlib.util.find_spec("heyoka") else "scipy"
     if backend not in BACKENDS:
         raise ParameterError(
-            f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest installed"
+            f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest"
         )
     if backend == "heyoka" and not importlib.util.find_spec("heyoka"):
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
@@ -155,8 +155,9 @@ def _assemble(
 
 def _too_many(what: str, problem: Problem, t: float) -> ConvergenceError:
     return ConvergenceError(
-        f"more than {problem.event_limit} {what} by t = {t:.6g} of {problem.t_end:g}: the motion cannot be followed with "
-        f"V = {problem.V:g}, d = {problem.d:g}, rtol = {problem.rtol:g}; use a larger rtol, or a smaller d if it makes the problem stiff"
+        f"more than {problem.event_limit} {what} by t = {t:.6g} of {problem.t_end:g}: it cannot be followed "
+        f"with V = {problem.V:g}, d = {problem.d:g}, rtol = {problem.rtol:g}; "
+        "use a larger rtol, or a smaller d if it makes the problem stiff"
     )
 
 
@@ -236,7 +237,8 @@ def _clearances(problem: Problem, regime: tuple[int, int], states: FloatArray) -
     """Distance from the two borders of a regime, negative beyond them, and its rate: shape (2, 2, …)."""
     nbar, side = regime
     _, y, vx, vy = states
-    x_accel, _ = motion.regime_rhs(*states, *problem.constants, nbar, side, xp=_ARRAYS)  # type: ignore[arg-type]
+    rhs: Any = motion.regime_rhs
+    x_accel, _ = rhs(*states, *problem.constants, nbar, side, xp=_ARRAYS)
     inward = -1 if nbar else 1
     return np.array([[inward * y + GAP, inward * vy], [side * (problem.V - vx) + GAP, -side * x_accel]])
 
@@ -245,6 +247,12 @@ def _first_crossing(
     problem: Problem, regime: tuple[int, int], dense: Callable[[Any], FloatArray], begin: float, end: float
 ) -> tuple[float, Event] | None:
     """Where, within a step, the motion first leaves its regime."""
+
+    def border(row: int, t: Any) -> FloatArray:
+        """Distance from one of the two borders, and its rate."""
+        distance_and_rate: FloatArray = _clearances(problem, regime, dense(np.asarray(t)))[row]
+        return distance_and_rate
+
     grid = begin + _SEARCH * (end - begin)
     clearances = _clearances(problem, regime, dense(grid))
     nbar, side = regime
@@ -254,44 +262,38 @@ def _first_crossing(
     )
     found = []
     for row, kind in enumerate(kinds):
-        bracket = _bracket(
-            grid, *clearances[row], lambda t, row=row: _clearances(problem, regime, dense(np.array(t)))[row]  # type: ignore[misc]
-        )  # fmt: skip
+        at = partial(border, row)
+        bracket = _bracket(grid, clearances[row, 0], clearances[row, 1], at)
         if bracket is not None:
-            found.append(
-                (
-                    _root(
-                        lambda t, row=row: _clearances(problem, regime, dense(np.array(t)))[row, 0], *bracket
-                    ),
-                    kind,
-                )
-            )  # type: ignore[misc]
+            found.append((_root(at, 0, *bracket), kind))
     return min(found, default=None)
 
 
 def _bracket(
     grid: FloatArray, value: FloatArray, rate: FloatArray, both: Callable[[float], FloatArray]
 ) -> tuple[float, float] | None:
-    """An interval with ``value`` ≥ 0 at its begin and < 0 at its end, the first of the grid; dips between points count."""
+    """The first interval where ``value`` goes from not negative to negative; dips between grid points count."""
     if value.min() > np.abs(rate).max() * (grid[1] - grid[0]):
         return None
     for i in range(len(grid) - 1):
         if value[i + 1] < 0:
             return float(grid[i]), float(grid[i + 1])
         if rate[i] < 0 < rate[i + 1]:
-            lowest = _root(lambda t: both(t)[1], float(grid[i]), float(grid[i + 1]))
+            lowest = _root(both, 1, float(grid[i]), float(grid[i + 1]))
             if both(lowest)[0] < 0:
                 return float(grid[i]), lowest
     return None
 
 
-def _root(function: Callable[[float], float], begin: float, end: float) -> float:
+def _root(border: Callable[[float], FloatArray], part: int, begin: float, end: float) -> float:
+    """Where the distance from a border (part 0) or its rate (part 1) changes sign."""
     from scipy.optimize import brentq
 
-    if (
-        function(begin) * function(end) > 0
-    ):  # the motion begins beyond the border, by rounding: it is left at once
-        return begin
+    def function(t: float) -> float:
+        return float(border(t)[part])
+
+    if function(begin) * function(end) > 0:
+        return begin  # the motion begins beyond the border, by rounding: it is left at once
     return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
 
 
@@ -299,7 +301,7 @@ def _root(function: Callable[[float], float], begin: float, end: float) -> float
 
 
 class _Compiled:
-    """A compiled Taylor integrator: parameters and regime are its ``par[]``, and it is used again and again."""
+    """A compiled Taylor integrator, used again and again: parameters and regime are its ``par[]``."""
 
     def __init__(self, rtol: float) -> None:
         import heyoka as hy
@@ -316,7 +318,7 @@ class _Compiled:
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
             [(x, vx), (y, vy), (vx, ax), (vy, ay)], [0.0] * 4, pars=[0.0] * 11, tol=rtol,
-            t_events=[hy.t_event(border, callback=callback, cooldown=0.0) for callback, border in borders.items()],
+            t_events=[hy.t_event(border, callback=call, cooldown=0.0) for call, border in borders.items()],
         )  # fmt: skip
 
     def __deepcopy__(self, _: object) -> _Compiled:
@@ -361,9 +363,8 @@ class _Compiled:
 
         result = self.solver.propagate_until(t, c_output=record, max_steps=100 * problem.event_limit)
         outcome, output = result[0], result[4]
-        clearance = _clearances(problem, tuple(int(v) for v in self.solver.pars[9:11]), self.solver.state)[
-            :, 0
-        ]  # type: ignore[arg-type]
+        nbar, side = (int(value) for value in self.solver.pars[9:11])
+        clearance = _clearances(problem, (nbar, side), self.solver.state)[:, 0]
         if outcome == hy.taylor_outcome.step_limit:
             raise _too_many("steps per hundred", problem, self.solver.time)
         if self.stray is not None or clearance.min() < -GAP:

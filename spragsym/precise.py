@@ -7,16 +7,17 @@ is taken to be exactly the rational number that it writes.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias
 
 import mpmath
 
-from . import ladder
+from . import ladder, proofs
 from .solver import Stability
 from .errors import ParameterError, ParameterTypeError
-from .intervals import Arithmetic, Interval
+from .intervals import Arithmetic, Interval, arithmetic
 from .parameters import RANGES, Range
 
 #: What is taken exactly.
@@ -140,3 +141,117 @@ def equilibria(
             )
             for state in found.states
         )
+
+
+# ------------------------------------------------------------------------------------------------------- cusps
+
+
+@dataclass(frozen=True)
+class PreciseCusp:
+    """One cusp; ``radius`` bounds |error| of each of the six numbers, angles in radians.
+
+    ``versal`` says that it is one in the sense of catastrophe theory: f‴ ≠ 0 and θ₀, μ₀ unfold f, both proved.
+    """
+
+    theta0: mpmath.mpf
+    mu0: mpmath.mpf
+    theta: mpmath.mpf
+    L: mpmath.mpf
+    x: mpmath.mpf
+    y: mpmath.mpf
+    radius: mpmath.mpf
+    versal: bool
+
+
+@dataclass(frozen=True)
+class CuspProof(Sequence[PreciseCusp]):
+    """All cusps, and why there are no more.
+
+    Attributes
+    ----------
+    cusps : tuple of PreciseCusp
+        Those in contact with L > 0, sorted by ``mu0``.
+    polynomial : tuple of Fraction
+        Lowest power first; its roots s = sin θ in (−1, 1) are all cusps. Empty for α = 1 + β, where 3 s² = 2 instead.
+    sines : tuple of (Fraction, Fraction)
+        Disjoint intervals, each proved to hold one of its real roots.
+    count : int
+        Number of different real roots in (−1, 1) by Sturm's theorem, which ``sines`` matches: the proof.
+    """
+
+    cusps: tuple[PreciseCusp, ...]
+    polynomial: tuple[Fraction, ...]
+    sines: tuple[tuple[Fraction, Fraction], ...]
+    count: int
+
+    def __getitem__(self, index: Any) -> Any:
+        return self.cusps[index]
+
+    def __len__(self) -> int:
+        return len(self.cusps)
+
+
+def cusps(
+    kappa: Exact = "0.007", alpha: Exact = "0.007", sigma: Exact = "0.1", beta: Exact = 0, *, dps: int = 40,
+    arith: Arithmetic | None = None,
+) -> CuspProof:  # fmt: skip
+    """All cusps to ``dps`` digits, with enclosures and the proof that there are no more.
+
+    Parameters
+    ----------
+    kappa, alpha, sigma, beta : int, str, Fraction, mpf or float
+        Taken exactly; the article's base values where left out.
+    dps : int
+        Decimal digits, 1 to 1000.
+    arith : Arithmetic, optional
+        Interval arithmetic to use.
+
+    Returns
+    -------
+    CuspProof
+        A sequence of cusps with θ₀ in (−π, π] and μ₀ of either sign; empty where there is none.
+
+    Notes
+    -----
+    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ with rational coefficients.
+
+    Examples
+    --------
+    >>> from spragsym import precise
+    >>> import mpmath
+    >>> found = precise.cusps(dps=30)
+    >>> len(found), found.count, mpmath.nstr(found[2].mu0, 25), found[2].versal
+    (4, 2, '0.2009317818050900185134401', True)
+    """
+    digits = as_digits(dps)
+    given = {"kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
+    exact = tuple(as_exact(name, value, RANGES[name]) for name, value in given.items())
+    chosen = arith or arithmetic()
+
+    def attempt(bits: int) -> list[PreciseCusp]:
+        return [_cusp(chosen, point, digits) for point in proofs.cusps(chosen, exact, bits)]
+
+    with mpmath.workdps(digits + 5):
+        found = proofs.with_enough_bits(chosen, digits, attempt, "cusps")
+        rounded = tuple(
+            PreciseCusp(+one.theta0, +one.mu0, +one.theta, +one.L, +one.x, +one.y, one.radius, one.versal)
+            for one in sorted(found, key=lambda one: (one.mu0, one.theta0))
+        )
+    if exact[1] == 1 + exact[3]:
+        return CuspProof(rounded, (), (), 0)
+    polynomial, sines, count = proofs.cusp_sines(*exact, bits=64)
+    return CuspProof(rounded, polynomial, tuple(sines), count)
+
+
+def _cusp(arith: Arithmetic, point: proofs.Point, digits: int) -> PreciseCusp:
+    middles, radius = [], mpmath.mpf(0)
+    for interval in (*point.parameters[:2], point.theta, point.L, point.x, point.y):
+        low, high = arith.ends(interval)
+        middle = (low + high) / 2
+        radius = max(radius, (high - low) / 2)
+        if radius > mpmath.mpf(10) ** -digits * max(1, abs(middle)):
+            raise proofs.Undecided(f"an error of {mpmath.nstr(radius, 2)}")
+        middles.append(middle)
+    # The rounding of the middle to the digits asked for is part of the radius.
+    size = max(1, *(abs(middle) for middle in middles))
+    return PreciseCusp(*middles, radius + size * mpmath.mpf(10) ** -(digits + 4), proofs.is_versal(arith, point))

@@ -74,15 +74,23 @@ def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:
 # ------------------------------------------------------------------------------------------------------- cusps
 
 
-def cusp_sines(kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, bits: int) -> list[tuple[Fraction, Fraction]]:
-    """Every sin θ in (−1, 1) with f = f′ = f″ = 0, in exact intervals. For α ≠ 1 + β."""
+def cusp_sines(
+    kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, bits: int
+) -> tuple[tuple[Fraction, ...], list[tuple[Fraction, Fraction]], int]:
+    """The polynomial of the cusps, an interval around each of its roots in (−1, 1), and their number by Sturm. α ≠ 1 + β."""
     coefficients = (
         _catastrophe.cusp_polynomial(kappa, alpha, sigma, beta) if alpha else _catastrophe.cusp_cubic(kappa, sigma, beta)
     )
-    polynomial = polynomials.squarefree(tuple(Fraction(value) for value in coefficients))
+    polynomial = tuple(Fraction(value) for value in coefficients)
     one = Fraction(1)
-    roots = polynomials.real_roots(polynomial, -one, one, polynomials.exact_sign, Fraction, bits)
-    return [root for root in roots if root != (one, one)]
+    simple = polynomials.squarefree(polynomial)
+    chain = polynomials.sturm_chain(simple, polynomials.exact_sign)
+    count = polynomials.count_between(chain, -one, one, polynomials.exact_sign) - (polynomials.evaluate(simple, one) == 0)
+    roots = polynomials.real_roots(simple, -one, one, polynomials.exact_sign, Fraction, bits)
+    roots = [root for root in roots if root != (one, one)]
+    if len(roots) != count:
+        raise ArithmeticError("isolation and Sturm's count disagree")  # can't happen: both are exact
+    return polynomial, roots, count
 
 
 def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
@@ -92,10 +100,13 @@ def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator
     if alpha == 1 + beta:
         yield from _cusps_without_a(arith, values, bits)
         return
-    for low, high in cusp_sines(kappa, alpha, sigma, beta, bits - 32):
-        s = arith.between(_number(low), _number(high))
-        width = arith.sqrt(1 - s**2)
-        for c in (width, -width):
+    sines = [arith.between(_number(low), _number(high)) for low, high in cusp_sines(kappa, alpha, sigma, beta, bits - 32)[1]]
+    # With α = 0 the second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = ±π/2.
+    sines += [] if alpha else [arith.exact(Fraction(1)), arith.exact(Fraction(-1))]
+    for s in sines:
+        upright = not alpha and sign(arith, 1 - s**2) == 0
+        width = arith.exact(Fraction(0)) if upright else arith.sqrt(1 - s**2)
+        for c in (width,) if upright else (width, -width):
             s0, friction = _catastrophe.cusp_sine(s, *values)
             if alpha:
                 _, ratio, _ = _catastrophe.cusp_point(s, *values)
@@ -233,17 +244,21 @@ def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -
 def _positive_roots(
     arith: Arithmetic, polynomial: tuple[Any, ...], signs: Callable[[Any], int], number: Callable[[Fraction], Any], bits: int
 ) -> Iterator[Interval]:
-    """Roots t > 0 as intervals: those up to 1, and beyond as reciprocals of the reversed polynomial's."""
-    zero, one = Fraction(0), Fraction(1)
-    for low, high in polynomials.real_roots(polynomial, zero, one, signs, number, bits):
-        yield arith.between(_number(low), _number(high))
+    """Roots t > 0 as intervals: those up to a little over 1, and beyond as reciprocals of the reversed polynomial's.
+
+    The ends of the two charts are no round numbers, where Sturm functions of symmetric parameters vanish.
+    """
+    below, between = Fraction(-1, 7), Fraction(13, 11)
+    for low, high in polynomials.real_roots(polynomial, below, between, signs, number, bits):
+        if low > 0 or high > 0:
+            yield arith.between(_number(low), _number(high))
     backward = tuple(reversed(polynomial))
-    for low, high in polynomials.real_roots(backward, zero, one, signs, number, bits):
-        if low != 1:  # t = 1 was counted above
+    for low, high in polynomials.real_roots(backward, below, 1 / between, signs, number, bits):
+        if low > 0 or high > 0:
             yield 1 / arith.between(_number(low), _number(high))
 
 
 def _number(value: Fraction) -> mpmath.mpf:
-    """A dyadic rational as an mpf, exactly."""
-    with mpmath.workprec(max(64, value.numerator.bit_length() + 8)):
+    """A dyadic rational as an mpf, exactly; another one to the digits of its numerator and denominator."""
+    with mpmath.workprec(max(64, value.numerator.bit_length(), value.denominator.bit_length()) + 8):
         return mpmath.mpf(value.numerator) / value.denominator

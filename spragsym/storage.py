@@ -123,7 +123,7 @@ def check_target(path: Path, bytes_needed: int) -> None:
 def write(
     path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]
 ) -> None:
-    """Write a dataset as netCDF, or columns as CSV, by the ending, whole or not at all. Equal data give equal bytes."""
+    """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes."""
     check_target(path, 0)
     temporary = path.with_name(path.name + ".new")
     try:
@@ -137,7 +137,7 @@ def write(
 
 
 def write_csv(path: Path, columns: Mapping[str, Any], attrs: Mapping[str, Any]) -> None:
-    """Columns under a header, with attributes and units in comment lines above it; numbers to their last digit."""
+    """Columns under a header, attributes and units in comment lines above it; numbers to the last digit."""
     with path.open("w", newline="", encoding="utf-8") as file:
         file.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
         file.writelines(f"# {name} [{QUANTITIES[name][0]}]: {QUANTITIES[name][1]}\n" for name in columns)

@@ -1,4 +1,4 @@
-"""Many motions: root mean squares and final regimes over parameters and initial states, resumable, on any number of cores."""
+"""Many motions: RMS and final regime over parameters and initial states, resumable, on any number of cores."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ Workers: TypeAlias = int | Callable[[Callable[[Any], Any], Iterable[Any]], Itera
 
 #: What is measured of every motion, in the order of a record.
 MEASURED = (
-    "rms", "spread", "amplitude", "mean", "mean_y", "period", "x_min", "x_max", "y_min", "y_max", "trend", "rest",
-    "contact_lost", "slip_reversed",
+    "rms", "spread", "amplitude", "mean", "mean_y", "period", "x_min", "x_max", "y_min", "y_max", "trend",
+    "rest", "contact_lost", "slip_reversed",
 )  # fmt: skip
 
 #: What of that a file and a result hold.
@@ -52,7 +52,7 @@ INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
 
 #: A motion repeats itself, or rests, within this share of its reach.
 REPEATS = 1e-4
-#: A motion decays if its kinetic energy falls by more than this share from one half of the window to the other.
+#: A motion decays if its kinetic energy falls by this share from one half of the window to the other.
 DECAYS = 5e-3
 
 
@@ -62,7 +62,7 @@ class Regime(IntEnum):
     FAILED = 0
     """There is no result; the reason says why."""
     EQUILIBRIUM = 1
-    """At rest, or decaying about one stable steady-sliding equilibrium with no other equilibrium within its reach."""
+    """At rest, or decaying about one stable steady-sliding equilibrium with no other within its reach."""
     LIMIT_CYCLE = 2
     """Repeats itself."""
     LIFT_OFF = 3
@@ -143,8 +143,9 @@ class Sweep:
         for name in dataset.variables:
             dataset[name].attrs = storage.attributes(name)
         dataset["regime"].attrs |= {
-            "flag_values": np.array(list(Regime), dtype=np.int8), "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
-        }  # fmt: skip
+            "flag_values": np.array(list(Regime), dtype=np.int8),
+            "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
+        }
         return dataset
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -156,17 +157,8 @@ class Sweep:
         return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
 
     def _attributes(self) -> dict[str, Any]:
-        settings = {
-            "t_end": self.t_end,
-            "transient": self.transient,
-            "rtol": self.rtol,
-            "backend": self.backend,
-        }
-        return {
-            **storage.provenance(),
-            **settings,
-            "fingerprint": _fingerprint(self.inputs, Settings(**settings)),
-        }  # type: ignore[arg-type]
+        settings = Settings(self.t_end, self.transient, self.rtol, self.backend)
+        return {**storage.provenance(), **vars(settings), "fingerprint": _fingerprint(self.inputs, settings)}
 
 
 def rms_sweep(
@@ -186,7 +178,7 @@ def rms_sweep(
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
 ) -> Sweep:
-    """Simulate every point of a broadcast of parameters and initial states, and tell what each motion comes to.
+    """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
 
     Parameters
     ----------
@@ -294,14 +286,14 @@ def _values(late: Trajectory) -> tuple[float, ...]:
         len(late.events.of(kind)) for kind in (Event.CONTACT_LOST, Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)
     )
     return (
-        late.rms(0.0), late.rms(0.0, about="mean"), float(np.abs(x).max()), late.mean(0.0), late.mean(0.0, of="y"),
-        late.period(0.0, tol=REPEATS), x.min(), x.max(), y.min(), y.max(), _trend(late), float(late._at_rest(REPEATS)),
-        lost, sum(reversals),
+        late.rms(0.0), late.rms(0.0, about="mean"), np.abs(x).max(), late.mean(0.0), late.mean(0.0, of="y"),
+        late.period(0.0, tol=REPEATS), x.min(), x.max(), y.min(), y.max(), _trend(late),
+        late._at_rest(REPEATS), lost, sum(reversals),
     )  # fmt: skip
 
 
 def _trend(late: Trajectory) -> float:
-    """Mean kinetic energy of the second half over that of the first; a Hann window keeps unfinished periods from counting."""
+    """Mean kinetic energy of the second half over that of the first; Hann windows spare unfinished periods."""
     share = (late.t - late.t[0]) / (late.t[-1] - late.t[0])
     hann = np.sin(2 * np.pi * share) ** 2
     energy = late.weights * hann * (late.vx**2 + late.vy**2)
@@ -419,10 +411,9 @@ def _result(
     table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
     measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     regime, equilibrium = _regimes(inputs, shape, measured)
-    return Sweep(
-        inputs, **vars(settings), **{name: measured[name] for name in REPORTED}, regime=regime, equilibrium=equilibrium,
-        reason=np.array([reason for _, reason in records], dtype=np.str_).reshape(shape),
-    )  # fmt: skip
+    results: dict[str, Any] = {name: measured[name] for name in REPORTED}
+    reason = np.array([reason for _, reason in records], dtype=np.str_).reshape(shape)
+    return Sweep(inputs, **vars(settings), **results, regime=regime, equilibrium=equilibrium, reason=reason)
 
 
 def _finished(
@@ -436,19 +427,17 @@ def _finished(
     if attributes.get("fingerprint") != key:
         raise ParameterError(f"{path} exists and holds something else; remove it, or give another path")
 
-    def column(name: str, dtype: Any) -> NDArray[Any]:
-        return columns[name].astype(dtype).reshape(shape)
-
-    return Sweep(
-        inputs, **vars(settings), **{name: column(name, float) for name in REPORTED},
-        regime=column("regime", np.int8), equilibrium=column("equilibrium", np.int8), reason=column("reason", np.str_),
-    )  # fmt: skip
+    kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
+    results: dict[str, Any] = {
+        name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()
+    }
+    return Sweep(inputs, **vars(settings), **results)
 
 
 def _regimes(
     inputs: dict[str, FloatArray], shape: tuple[int, ...], measured: dict[str, FloatArray]
 ) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
-    """Codes of the final regimes, and which equilibrium: the only one within reach of a motion that decays."""
+    """Codes of the final regimes, and which equilibrium: the only one within reach of a decaying motion."""
     from .solver import Stability, equilibria
 
     if not np.prod(shape):
@@ -576,11 +565,11 @@ def basin(
 
 
 def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, int, float, float], ...]]:
-    """Group motions by final regime and equilibrium, and limit cycles by mean and RMS about it, to one percent."""
+    """Group motions by final regime and equilibrium, limit cycles by mean and RMS about it, to 1 %."""
     labels = np.full(sweep.rms.shape, -1)
     attractors: list[tuple[Regime, int, float, float]] = []
     for index in np.ndindex(sweep.rms.shape):
-        regime = Regime(sweep.regime[index])
+        regime = Regime(int(sweep.regime[index]))
         if regime == Regime.FAILED:
             continue
         cycle = regime == Regime.LIMIT_CYCLE
@@ -588,7 +577,8 @@ def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, in
         found = (regime, int(sweep.equilibrium[index]), mean, spread)
         same = (
             i for i, known in enumerate(attractors)
-            if known[:2] == found[:2] and (not cycle or np.hypot(known[2] - mean, known[3] - spread) < 0.01 * spread)
+            if known[:2] == found[:2]
+            and (not cycle or np.hypot(known[2] - mean, known[3] - spread) < 0.01 * spread)
         )  # fmt: skip
         label = next(same, len(attractors))
         if label == len(attractors):
@@ -661,7 +651,7 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     angles = p.theta0
     if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
         raise ParameterError(
-            "theta0 must be an ascending axis of at least two angles; use p.replace(theta0=numpy.linspace(...))"
+            "theta0 must be an ascending axis of two angles or more: use p.replace(theta0=numpy.linspace(...))"
         )
     speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
     belt = (speeds[:, None, None], creeps[None, :, None])

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from .options import as_json, build, parameters, theta0
+from .tables import print_table
 
 
 @click.command()
@@ -27,14 +28,12 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
     if json_output:
         click.echo(json.dumps({"parameters": {"theta0_deg": theta0_deg, **values}, "equilibria": rows}, indent=1))
         return
-    from rich.console import Console
-    from rich.table import Table
-
-    table = Table("state", "stability", "theta, deg", "L", "x", "y", "error", box=None, pad_edge=False)
-    for row in rows:
-        numbers = (f"{row[name]:.12g}" for name in ("theta_deg", "L", "x", "y"))
-        table.add_row(row["state"], row["stability"], *numbers, f"{row['error']:.1e}")
-    Console().print(table)
+    print_table("", ("state", "stability", "theta, deg", "L", "x", "y", "error"), [
+        (
+            row["state"], row["stability"], *(f"{row[name]:.12g}" for name in ("theta_deg", "L", "x", "y")), f"{row['error']:.1e}",
+        )
+        for row in rows
+    ])  # fmt: skip
 
 
 def _rows(theta0_deg: float, values: dict[str, float]) -> list[dict[str, Any]]:

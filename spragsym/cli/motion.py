@@ -109,7 +109,7 @@ def simulate(
             click.echo(f"{name:16} {value:.10g}" if isinstance(value, float) else f"{name:16} {value}")
 
 
-class Axis(click.ParamType):
+class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
     """Numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included."""
 
     name = "numbers"
@@ -130,7 +130,9 @@ class Axis(click.ParamType):
 
 def _axes(function: Any) -> Any:
     """Every parameter as an axis of the grid."""
-    axes = [("--theta0", "theta0_deg", None, "Inclination, degrees.")]
+    axes: list[tuple[str, str, float | None, str]] = [
+        ("--theta0", "theta0_deg", None, "Inclination, degrees.")
+    ]
     axes += [(f"--{name}", name, value, f"Parameter {name}.") for name, value in ARTICLE.items()]
     for flag, name, default, text in reversed(axes):
         function = click.option(
@@ -167,8 +169,8 @@ def _axes(function: Any) -> Any:
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
 def sweep(
-    V: FloatArray, d: FloatArray, t_end: float, transient: float, rtol: float, backend: str | None, workers: int, quiet: bool,
-    output: Path, **values: Any,
+    V: FloatArray, d: FloatArray, t_end: float, transient: float, rtol: float, backend: str | None,
+    workers: int, quiet: bool, output: Path, **values: Any,
 ) -> None:  # fmt: skip
     """Simulate over a grid of parameters, to a file.
 
@@ -190,8 +192,8 @@ def sweep(
     grid = dict(zip(axes, _open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})
     result = rms_sweep(
-        p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend, workers=workers,
-        progress=not quiet, store=output,
+        p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
+        workers=workers, progress=not quiet, store=output,
     )  # fmt: skip
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
     click.echo(

@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 
 import click
 
+from ..errors import ParameterError
 from ..parameters import ARTICLE, Parameters
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -52,4 +53,6 @@ def as_json(function: F) -> F:
 
 def build(theta0_deg: float | None, **values: float) -> Parameters:
     """Parameters from the options of a command."""
+    if theta0_deg is not None and not 0 < theta0_deg < 180:
+        raise ParameterError(f"--theta0 = {theta0_deg:g} is not in (0, 180) degrees; give the inclination of the undeformed spring")
     return Parameters(theta0=None if theta0_deg is None else math.radians(theta0_deg), **values)

@@ -1,0 +1,78 @@
+"""``spragsym bifurcation``: cusps, folds, flutter onsets and critical frictions in one table."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..errors import ParameterError
+from .options import as_json, build, parameters
+from .tables import print_table
+
+
+@click.command()
+@parameters
+@as_json
+@click.option("--plot", "plot", type=click.Path(dir_okay=False, path_type=Path), help="Draw the bifurcation set to FILE (pdf, png, svg).")
+def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
+    """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
+
+    \b
+    Examples:
+      spragsym bifurcation
+      spragsym bifurcation --alpha 0.7 --json
+      spragsym bifurcation --plot folds.pdf
+    """
+    if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
+        raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    summary = _summary(values)
+    if plot is not None:
+        from ..figures import bifurcation_figure
+
+        bifurcation_figure(build(None, **values)).savefig(plot)
+        click.echo(f"drew {plot}", err=True)
+    if json_output:
+        click.echo(json.dumps(summary, indent=1))
+        return
+    for title, name, header in (
+        ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", "x", "y")),
+        (f"Folds at mu0 = {values['mu0']:g}", "folds", ("theta0_deg", "theta_deg", "x", "y")),
+        (f"Flutter onsets at mu0 = {values['mu0']:g}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch")),
+    ):
+        print_table(title, header, [[f"{row[column]:.12g}" for column in header] for row in summary[name]])
+    print_table("Critical frictions", ("", "mu"), [
+        ("mu_cr, linear sprag model: poles above it", f"{summary['mu_cr']:.12g}"),
+        ("mu_cusp: no jump from small deformation below it", "none" if summary["mu_cusp"] is None else f"{summary['mu_cusp']:.12g}"),
+    ])  # fmt: skip
+
+
+def _summary(values: dict[str, float]) -> dict[str, Any]:
+    from .. import catastrophe
+
+    p = build(None, **values)
+    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), catastrophe.flutter_onsets(p)
+    lowest = catastrophe.critical_friction(p)
+
+    def rows(points: Any, names: tuple[str, ...]) -> list[dict[str, float]]:
+        return [
+            {
+                (f"{name}_deg" if name.startswith("theta") else name): (
+                    math.degrees(getattr(points, name)[i]) if name.startswith("theta") else getattr(points, name)[i].item()
+                )
+                for name in names
+            }
+            for i in range(points.theta0.size)
+        ]
+
+    return {
+        "parameters": values,
+        "cusps": rows(found, ("theta0", "mu0", "theta", "L", "x", "y")),
+        "folds": rows(turns, ("theta0", "theta", "L", "x", "y")),
+        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch")),
+        "mu_cr": catastrophe.linear_critical_friction(p),
+        "mu_cusp": None if math.isinf(lowest) else lowest,
+    }

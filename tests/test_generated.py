@@ -616,10 +616,88 @@ def test_folds_of_the_uneliminated_equations(degrees: str) -> None:
             u1, w1, u2, w2 = call(getattr(catastrophe, f"fold_lines_{name}"))
             assert abs(u1 + w1 * here[name]) < tiny
             assert abs(u2 + w2 * here[name]) < tiny
+        assert abs(call(catastrophe.fold_sine) - sin0) < tiny
+        e0, e1, e2, ec = call(catastrophe.fold_conic)
+        assert abs(e0 + e1 * here["sin0"] + e2 * here["sin0"] ** 2 + ec * here["cos0"]) < tiny
         here |= dict(zip(("a_f", "b_f", "d_f", "m_f"), call(equilibrium.f_coefficients), strict=True))
         assert all(abs(value) < tiny for value in call(catastrophe.fold_residuals))
         assert abs(call(equilibrium.f)) < tiny
         assert abs(call(equilibrium.f_slope)) < tiny
+
+
+def f_by_hand(point: dict[str, Any], theta: Any) -> Any:
+    """q sin θ F_x with L from F_y = 0, in contact, from the forces alone."""
+    c, s = mpmath.cos(theta), mpmath.sin(theta)
+    cos0, sin0 = mpmath.cos(point["theta0"]), mpmath.sin(point["theta0"])
+    q = point["beta"] + 1 + point["sigma"]
+    length = (point["sigma"] * s + (point["beta"] + 1) * sin0 + point["kappa"]) / (q * s)
+    here = {**point, "cos0": cos0, "sin0": sin0, "nbar": 1}
+    return q * s * forces(here, cos0 - length * c, sin0 - length * s, point["mu0"])[0]
+
+
+def test_derivatives_of_f() -> None:
+    """f, its derivatives in θ and its unfolding, against numerical derivatives of the balance of forces."""
+    tiny = mpmath.mpf(10) ** -35
+    with mpmath.workdps(50):
+        for seed in range(4):
+            point = {
+                name: mpmath.mpf(value.numerator) / value.denominator
+                for name, value in rationals(seed).items()
+            }
+            point["nbar"] = mpmath.mpf(1)
+            point["theta0"] = mpmath.atan2(point["sin0"], point["cos0"])
+            theta = mpmath.atan2(point["sin"], point["cos"])
+            coefficients = equilibrium.f_coefficients(
+                *(point[name] for name in inspect.signature(equilibrium.f_coefficients).parameters)
+            )
+            for order, function in enumerate(
+                (equilibrium.f, equilibrium.f_slope, equilibrium.f_curvature, equilibrium.f_third)
+            ):
+                right = mpmath.diff(lambda angle, p=point: f_by_hand(p, angle), theta, order)
+                assert abs(function(point["cos"], point["sin"], *coefficients) - right) < tiny
+            (function,) = (item for item in FUNCTIONS if item.name == "unfolding")
+            names = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+            right = [
+                mpmath.diff(
+                    lambda angle, v, n=name, p=point: f_by_hand({**p, n: v}, angle),
+                    (theta, point[name]),
+                    (order, 1),
+                )
+                for name in names
+                for order in (0, 1)
+            ]
+            for ours, theirs in zip(function(point), right, strict=True):
+                assert abs(ours - theirs) < tiny
+
+
+def test_magnitudes_bound_their_terms() -> None:
+    for seed in SEEDS:
+        values = rationals(seed)
+        a, d = equilibrium.f_magnitudes(
+            *(values[name] for name in inspect.signature(equilibrium.f_magnitudes).parameters)
+        )
+        stiff = values["beta"] + values["nbar"]
+        friction = values["mu0"] * values["nbar"]
+        terms = (stiff + values["sigma"]) * values["alpha"] * abs(values["cos0"])
+        assert a == values["sigma"] * (stiff + values["alpha"])
+        assert d == terms + friction * values["sigma"] * values["sin0"] + friction * values["kappa"]
+
+
+def test_characteristic_polynomial_and_invariants() -> None:
+    """det(λ² I + λ C + K) at random λ, as a determinant of numbers."""
+    for seed in SEEDS:
+        values = rationals(seed)
+        k11, k12, k21, k22, c11 = (values[name] for name in ("K11", "K12", "K21", "K22", "C11"))
+        coefficients = stability.characteristic(k11, k12, k21, k22, c11)
+        for lam in (Fraction(0), Fraction(1), Fraction(-2), Fraction(3, 7), Fraction(5)):
+            right = (lam**2 + lam * c11 + k11) * (lam**2 + k22) - k12 * k21
+            assert (
+                sum(item * lam**power for item, power in zip(coefficients, range(4, -1, -1), strict=True))
+                == right
+            )
+        trace, determinant, discriminant = stability.invariants(k11, k12, k21, k22)
+        assert (trace, determinant) == (k11 + k22, k11 * k22 - k12 * k21)
+        assert discriminant == trace**2 - 4 * determinant
 
 
 def best_start(fold: Callable[..., tuple[Any, Any, Any]], theta0: Any) -> tuple[Any, Any, Any]:

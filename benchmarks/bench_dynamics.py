@@ -1,7 +1,7 @@
-"""Motion in time, side by side: accuracy against tolerance, and a sweep over 181 angles against SciPy in a loop.
+"""Motion in time, side by side: accuracy against tolerance, and a sweep against SciPy in a loop.
 
-Prints Markdown tables of errors and ratios: absolute times depend on the machine and its load, ratios hardly do.
-Run ``python benchmarks/bench_dynamics.py``; it takes a few minutes, nearly all of them in SciPy.
+Prints Markdown tables of errors and ratios: absolute times depend on the machine and its load, ratios hardly
+do. Run ``python benchmarks/bench_dynamics.py``; it takes a few minutes, nearly all of them in SciPy.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copys
 
 
 def plain(theta0: float, rtol: float, method: str) -> float:
-    """RMS of x as a user of ``solve_ivp`` gets it: the same generated right-hand side, over the kinks, Simpson's rule."""
+    """RMS of x as a user of ``solve_ivp`` gets it: the same field, over the kinks, Simpson's rule."""
     algebra: Any = motion.rhs.__wrapped__  # type: ignore[attr-defined]
     constants = (math.cos(theta0), math.sin(theta0), 0.5, 0.007, 0.007, 0.1, 0.0, V, D)
 
@@ -44,7 +44,9 @@ def plain(theta0: float, rtol: float, method: str) -> float:
 
 def sweep(angles: np.ndarray, rtol: float, workers: int = 1, backend: str | None = None) -> np.ndarray:
     """The same by this package."""
-    return rms_sweep(ss.Parameters.article(theta0=angles), V, D, rtol=rtol, workers=workers, backend=backend).rms
+    return rms_sweep(
+        ss.Parameters.article(theta0=angles), V, D, rtol=rtol, workers=workers, backend=backend
+    ).rms
 
 
 def timed(function: Any) -> tuple[Any, float]:
@@ -62,7 +64,9 @@ def base_table() -> None:
     for rtol in (1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13):
         ours = [simulate(p, V=V, d=D, rtol=rtol, backend=name).rms() for name in ("heyoka", "scipy")]
         theirs = [plain(BASE, rtol, method) for method in ("DOP853", "LSODA")]
-        print(f"| {rtol:.0e} | " + " | ".join(f"{value:.12f}" for value in (*ours, *theirs)) + " |", flush=True)
+        print(
+            f"| {rtol:.0e} | " + " | ".join(f"{value:.12f}" for value in (*ours, *theirs)) + " |", flush=True
+        )
 
 
 def energy_table() -> None:
@@ -71,7 +75,10 @@ def energy_table() -> None:
     print("| rtol | heyoka | SciPy, restarted | events |\n|---|---|---|---|")
     p = ss.Parameters.article(theta0=BASE, mu0=0.0)
     for rtol in (1e-8, 1e-10, 1e-12, 1e-13):
-        runs = [simulate(p, V=V, d=D, x0=0.3, y0=0.2, t_end=1e4, rtol=rtol, backend=name) for name in ("heyoka", "scipy")]
+        runs = [
+            simulate(p, V=V, d=D, x0=0.3, y0=0.2, t_end=1e4, rtol=rtol, backend=name)
+            for name in ("heyoka", "scipy")
+        ]
         drift = [np.abs(tr.energy() - tr.energy()[0]).max() for tr in runs]
         print(f"| {rtol:.0e} | {drift[0]:.1e} | {drift[1]:.1e} | {len(runs[0].events or ())} |", flush=True)
 
@@ -87,13 +94,18 @@ def sweep_table() -> None:
     reference = sweep(SOME, 1e-13, backend="scipy")
     sweep(SOME[:1], 1e-10)  # compile
     ours = error_of(sweep(SOME, 1e-10), reference)
-    print(f"Median relative error of the RMS on every twelfth angle, against SciPy restarted at 1e-13: {ours:.1e} here at rtol 1e-10\n")
+    print(
+        "Median relative error of the RMS on every twelfth angle, against SciPy restarted at 1e-13: "
+        f"{ours:.1e} here at rtol 1e-10\n"
+    )
     print("| `solve_ivp` | rtol | median error | time over ours |\n|---|---|---|---|")
     _, unit = timed(lambda: sweep(SOME, 1e-10))
     chosen: list[tuple[float, str, float]] = []
     for method in ("DOP853", "LSODA"):
         for rtol in (1e-8, 1e-10, 1e-11, 1e-12, 1e-13):
-            values, seconds = timed(lambda method=method, rtol=rtol: np.array([plain(a, rtol, method) for a in SOME]))
+            values, seconds = timed(
+                lambda method=method, rtol=rtol: np.array([plain(a, rtol, method) for a in SOME])
+            )
             error = error_of(values, reference)
             print(f"| {method} | {rtol:.0e} | {error:.1e} | {seconds / unit:.0f} |", flush=True)
             if error <= ours:
@@ -114,8 +126,9 @@ def sweep_table() -> None:
     print(f"\nSame bits from one and two processes: {bool(np.array_equal(one, two))}.")
     jump = int(np.argmax(np.diff(one)))
     print(
-        f"Largest step of the RMS: {one[jump]:.3f} to {one[jump + 1]:.3f} between {math.degrees(ANGLES[jump]):.2f}° and "
-        f"{math.degrees(ANGLES[jump + 1]):.2f}°; `solve_ivp` has it there: {int(np.argmax(np.diff(theirs))) == jump}."
+        f"Largest step of the RMS: {one[jump]:.3f} to {one[jump + 1]:.3f} between "
+        f"{math.degrees(ANGLES[jump]):.2f}° and {math.degrees(ANGLES[jump + 1]):.2f}°; "
+        f"`solve_ivp` has it there: {int(np.argmax(np.diff(theirs))) == jump}."
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
@@ -110,12 +111,12 @@ class Trajectory:
     backend: str
     error: FloatArray | None = None
 
-    @property
+    @cached_property
     def state(self) -> FloatArray:
         """x, y, x', y' at the samples, shape (4, n)."""
         return np.array([self.x, self.y, self.vx, self.vy])
 
-    @property
+    @cached_property
     def weights(self) -> FloatArray:
         """Quadrature weights, shape (n,): ``(weights * f).sum()`` is the integral of f over time."""
         _, unit = integrators.lobatto()
@@ -193,7 +194,7 @@ class Trajectory:
         return self.after(transient)._recurrence(as_number("tol", tol, POSITIVE))
 
     def converged(self, transient: float = 1500.0, *, tol: float = 1e-6) -> bool:
-        """Whether the motion after ``transient`` rests or repeats itself within ``tol``, as for :meth:`period`."""
+        """Whether the motion after ``transient`` rests or repeats itself (see :meth:`period`)."""
         late = self.after(transient)
         return late._at_rest(as_number("tol", tol, POSITIVE)) or bool(np.isfinite(late._recurrence(tol)))
 

@@ -138,15 +138,13 @@ def _after(kind: Event, nbar: int, side: int) -> tuple[int, int]:
 
 
 def _assemble(
-    times: list[FloatArray],
-    states: list[FloatArray],
-    events: list[tuple[float, State, Event]],
-    t_record: float,
+    t: FloatArray, states: FloatArray, events: list[tuple[float, State, Event]], t_record: float
 ) -> Motion:
+    """From samples by steps, shapes (steps, DEGREE + 1) and (steps, 4, DEGREE + 1), to samples in a row."""
     kept = [event for event in events if event[0] >= t_record]
     return Motion(
-        np.concatenate([*(t[:-1] for t in times), times[-1][-1:]]),
-        np.concatenate([*(s[:, :-1] for s in states), states[-1][:, -1:]], axis=1),
+        np.append(t[:, :-1].ravel(), t[-1, -1]),
+        np.append(states[:, :, :-1].swapaxes(0, 1).reshape(4, -1), states[-1, :, -1:], axis=1),
         np.array([t for t, _, _ in kept]),
         np.array([state for _, state, _ in kept]).reshape(-1, 4),
         np.array([kind for _, _, kind in kept], dtype=np.intp),
@@ -219,7 +217,7 @@ def _scipy(problem: Problem) -> Motion:
         events.append((clock, tuple(state.tolist()), kind))
         if len(events) > problem.event_limit:
             raise _too_many("events", problem, clock)
-    return _assemble(times, states, events, problem.t_record)
+    return _assemble(np.array(times), np.array(states), events, problem.t_record)
 
 
 def _field(problem: Problem, regime: tuple[int, int]) -> Callable[[float, FloatArray], State]:
@@ -272,7 +270,7 @@ def _first_crossing(
 def _bracket(
     grid: FloatArray, value: FloatArray, rate: FloatArray, both: Callable[[float], FloatArray]
 ) -> tuple[float, float] | None:
-    """The first interval where ``value`` goes from not negative to negative; dips between grid points count."""
+    """The first interval where ``value`` goes from not negative to negative, dips between points included."""
     if value.min() > np.abs(rate).max() * (grid[1] - grid[0]):
         return None
     for i in range(len(grid) - 1):
@@ -326,22 +324,22 @@ class _Compiled:
         return self
 
     def _contact(self, solver: Any, direction: int) -> bool:
-        kind = Event.CONTACT_REGAINED if direction < 0 else Event.CONTACT_LOST
-        return self._switch(solver, kind, expected=int(kind == Event.CONTACT_LOST) == solver.pars[9])
+        if direction > 0:
+            return self._switch(solver, 9, 1, 0, Event.CONTACT_LOST)
+        return self._switch(solver, 9, 0, 1, Event.CONTACT_REGAINED)
 
     def _slip(self, solver: Any, direction: int) -> bool:
-        kind = Event.BELT_OVERTAKES if direction > 0 else Event.MASS_OVERTAKES
-        return self._switch(
-            solver, kind, expected=(1 if kind == Event.MASS_OVERTAKES else -1) == solver.pars[10]
-        )
+        if direction > 0:
+            return self._switch(solver, 10, -1, 1, Event.BELT_OVERTAKES)
+        return self._switch(solver, 10, 1, -1, Event.MASS_OVERTAKES)
 
-    def _switch(self, solver: Any, kind: Event, *, expected: bool) -> bool:
+    def _switch(self, solver: Any, par: int, before: int, after: int, kind: Event) -> bool:
         """Go over to the next regime; stop if it is not next, for then a crossing was missed."""
-        if not expected:
+        if solver.pars[par] != before:
             self.stray = solver.time
             return False
-        solver.pars[9:11] = _after(kind, *solver.pars[9:11])
-        self.log.append((solver.time, tuple(solver.state.tolist()), kind))
+        solver.pars[par] = after
+        self.log.append((solver.time, tuple(solver.state), kind))
         return len(self.log) <= self.limit
 
     def run(self, problem: Problem) -> Motion:
@@ -380,7 +378,7 @@ class _Compiled:
         return output
 
 
-def _sampled(output: Any) -> tuple[list[FloatArray], list[FloatArray]]:
+def _sampled(output: Any) -> tuple[FloatArray, FloatArray]:
     """Values of a heyoka continuous output at the Lobatto points of its steps."""
     coefficients, begin, step = output.tcs, output.times[:-1, None], np.diff(output.times)[:, None]
     unit = (lobatto()[0] + 1) / 2
@@ -388,7 +386,7 @@ def _sampled(output: Any) -> tuple[list[FloatArray], list[FloatArray]]:
     states = (coefficients * step[:, :, None] ** order) @ unit ** order[:, None]
     t = begin + step * unit
     t[:, -1] = output.times[1:]
-    return list(t), list(states)
+    return t, states
 
 
 _CACHE = threading.local()

@@ -1,4 +1,4 @@
-"""Many motions: RMS and final regime over parameters and initial states, resumable, on any number of cores."""
+"""Many motions: RMS and final regime over parameters and initial states, resumable, on all cores."""
 
 from __future__ import annotations
 
@@ -293,7 +293,7 @@ def _values(late: Trajectory) -> tuple[float, ...]:
 
 
 def _trend(late: Trajectory) -> float:
-    """Mean kinetic energy of the second half over that of the first; Hann windows spare unfinished periods."""
+    """Kinetic energy of the second half over that of the first; Hann windows hide unfinished periods."""
     share = (late.t - late.t[0]) / (late.t[-1] - late.t[0])
     hann = np.sin(2 * np.pi * share) ** 2
     energy = late.weights * hann * (late.vx**2 + late.vy**2)
@@ -645,13 +645,16 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     >>> import numpy as np
     >>> import spragsym as ss
     >>> from spragsym.sweeps import sensitivity
-    >>> table = sensitivity(ss.Parameters.article(theta0=np.radians([38, 42, 46])), V=[0.5], d=[10.0],
-    refine=3) >>> np.round(np.degrees(table.theta0), 1) array([[41.3]])
+    >>> p = ss.Parameters.article(theta0=np.radians([38, 42, 46]))
+    >>> table = sensitivity(p, V=[0.5], d=[10.0], refine=3)
+    >>> np.round(np.degrees(table.theta0), 1)
+    array([[41.3]])
     """
     angles = p.theta0
     if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
         raise ParameterError(
-            "theta0 must be an ascending axis of two angles or more: use p.replace(theta0=numpy.linspace(...))"
+            "theta0 must be an ascending axis of two angles or more; "
+            "use p.replace(theta0=numpy.linspace(...))"
         )
     speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
     belt = (speeds[:, None, None], creeps[None, :, None])

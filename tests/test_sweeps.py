@@ -69,13 +69,20 @@ def test_the_same_bits_from_any_map() -> None:
     with ThreadPoolExecutor(3) as pool:
         assert_same(one, rms_sweep(P, **SHORT, workers=pool.map))
         # Futures, as an engine's own map gives them.
-        assert_same(one, rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]))
+        assert_same(
+            one,
+            rms_sweep(
+                P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]
+            ),
+        )
 
 
 def test_the_same_bits_from_dask() -> None:
     distributed = pytest.importorskip("distributed")
     with (
-        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, processes=False) as cluster,
+        distributed.LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None, processes=False
+        ) as cluster,
         distributed.Client(cluster) as client,
     ):
         assert_same(rms_sweep(P, **SHORT), rms_sweep(P, **SHORT, workers=client.map))
@@ -92,7 +99,7 @@ def test_a_point_that_fails_is_nan_with_its_reason_and_stops_nothing() -> None:
 
 
 def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> None:
-    # Not at the fold, 44.56 degrees: from rest at x = y = 0 the mass overshoots the middle equilibrium before that.
+    # Not at the fold, 44.56 degrees: from rest at x = y = 0 the mass overshoots the middle one before that.
     theta0 = np.radians(np.arange(40.0, 44.1, 0.5))
     p = ss.Parameters.article(theta0=theta0)
     found = rms_sweep(p, 0.5, 10.0)
@@ -148,7 +155,7 @@ def test_sensitivity_brackets_the_jump() -> None:
         assert beside.rms[1] > 3 * beside.rms[0]
 
 
-# ------------------------------------------------------------------------------------------------------- the store
+# -------------------------------------------------------------------------------------------------- the store
 
 
 def _interrupt(path: Path, points: int) -> None:
@@ -268,7 +275,11 @@ def test_files_say_what_they_hold(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("name", "message"),
-    [("rms.txt", "neither in .nc nor in .csv"), ("missing/rms.nc", "does not exist"), ("folder.nc", "is a folder")],
+    [
+        ("rms.txt", "neither in .nc nor in .csv"),
+        ("missing/rms.nc", "does not exist"),
+        ("folder.nc", "is a folder"),
+    ],
 )
 def test_unwritable_paths_are_errors_before_the_work(tmp_path: Path, name: str, message: str) -> None:
     (tmp_path / "folder.nc").mkdir()
@@ -310,7 +321,7 @@ def test_bad_arguments(bad: dict[str, object], message: str) -> None:
 
 
 def test_bad_types_and_missing_parameters() -> None:
-    with pytest.raises(ss.ParameterTypeError, match="workers = 1.5"):
+    with pytest.raises(ss.ParameterTypeError, match=r"workers = 1\.5"):
         rms_sweep(P, **SHORT, workers=1.5)
     with pytest.raises(ss.ParameterError, match="theta0 is missing"):
         rms_sweep(ss.Parameters.article(), 0.5, 10.0)
@@ -322,11 +333,27 @@ def test_bad_types_and_missing_parameters() -> None:
 
 def test_command(tmp_path: Path) -> None:
     path = tmp_path / "rms.csv"
-    options = ["--theta0", "35,40", "-V", "0.2:0.4:3", "--t-end", "60", "--transient", "20", "-q", "-o", str(path)]
+    options = [
+        "--theta0",
+        "35,40",
+        "-V",
+        "0.2:0.4:3",
+        "--t-end",
+        "60",
+        "--transient",
+        "20",
+        "-q",
+        "-o",
+        str(path),
+    ]
     CliRunner().invoke(sweep_command, options, catch_exceptions=False)
     columns, _ = storage.read(path)
     expected = rms_sweep(
-        ss.Parameters.article(theta0=np.radians([[35.0], [40.0]])), np.linspace(0.2, 0.4, 3), 10.0, t_end=60.0, transient=20.0
+        ss.Parameters.article(theta0=np.radians([[35.0], [40.0]])),
+        np.linspace(0.2, 0.4, 3),
+        10.0,
+        t_end=60.0,
+        transient=20.0,
     )
     np.testing.assert_array_equal(columns["rms"].astype(float), expected.rms.ravel())
 

@@ -49,18 +49,22 @@ def test_regeneration_is_byte_identical(tmp_path: Path) -> None:
         assert [name for name in fresh if fresh[name] != committed[name]] == []
 
 
+OLD = {"ledger.json": b"{}\n", "old.py": b"old\n"}
+
+
 @pytest.fixture
 def target(tmp_path: Path) -> Path:
     """A folder with an older generation in it."""
     folder = tmp_path / "generated"
     folder.mkdir()
-    (folder / "old.py").write_text("old\n", encoding="utf-8")
+    for name, text in OLD.items():
+        (folder / name).write_bytes(text)
     return folder
 
 
 def untouched(target: Path) -> bool:
     """Whether the older generation is all there is, and nothing was left beside it."""
-    return files_of(target) == {"old.py": b"old\n"} and list(target.parent.iterdir()) == [target]
+    return files_of(target) == OLD and list(target.parent.iterdir()) == [target]
 
 
 # --------------------------------------------------------------------------------------------- a failed check

@@ -80,6 +80,11 @@ class Problem:
         """No mode crosses borders more than about four times a period; ten times that is no motion."""
         return int(1000 + 10 * self.fastest * self.t_end)
 
+    @property
+    def step_limit(self) -> int:
+        """A smooth motion takes a few steps a period, and a stiff one many: this is where it is given up."""
+        return 100 * self.event_limit
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -151,9 +156,9 @@ def _assemble(
     )
 
 
-def _too_many(what: str, problem: Problem, t: float) -> ConvergenceError:
+def _too_many(count: int, what: str, problem: Problem, t: float) -> ConvergenceError:
     return ConvergenceError(
-        f"more than {problem.event_limit} {what} by t = {t:.6g} of {problem.t_end:g}: it cannot be followed "
+        f"more than {count} {what} by t = {t:.6g} of {problem.t_end:g}: it cannot be followed "
         f"with V = {problem.V:g}, d = {problem.d:g}, rtol = {problem.rtol:g}; "
         "use a larger rtol, or a smaller d if it makes the problem stiff"
     )
@@ -204,8 +209,8 @@ def _scipy(problem: Problem) -> Motion:
                     f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol"
                 )
             steps += 1
-            if steps > 100 * problem.event_limit:
-                raise _too_many("steps per hundred", problem, clock + solver.t)
+            if steps > problem.step_limit:
+                raise _too_many(problem.step_limit, "steps", problem, clock + solver.t)
             dense, begin, end = solver.dense_output(), solver.t_old, solver.t
             crossing = _first_crossing(problem, regime, dense, begin, end)
             keep(begin, end if crossing is None else crossing[0], dense)
@@ -216,7 +221,7 @@ def _scipy(problem: Problem) -> Motion:
         regime = _after(kind, *regime)
         events.append((clock, tuple(state.tolist()), kind))
         if len(events) > problem.event_limit:
-            raise _too_many("events", problem, clock)
+            raise _too_many(problem.event_limit, "events", problem, clock)
     return _assemble(np.array(times), np.array(states), events, problem.t_record)
 
 
@@ -359,18 +364,18 @@ class _Compiled:
     def _go(self, problem: Problem, t: float, *, record: bool) -> Any:
         import heyoka as hy
 
-        result = self.solver.propagate_until(t, c_output=record, max_steps=100 * problem.event_limit)
+        result = self.solver.propagate_until(t, c_output=record, max_steps=problem.step_limit)
         outcome, output = result[0], result[4]
         nbar, side = (int(value) for value in self.solver.pars[9:11])
         clearance = _clearances(problem, (nbar, side), self.solver.state)[:, 0]
         if outcome == hy.taylor_outcome.step_limit:
-            raise _too_many("steps per hundred", problem, self.solver.time)
+            raise _too_many(problem.step_limit, "steps", problem, self.solver.time)
         if self.stray is not None or clearance.min() < -GAP:
             raise ConvergenceError(
                 f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'"
             )
         if len(self.log) > self.limit:
-            raise _too_many("events", problem, self.solver.time)
+            raise _too_many(problem.event_limit, "events", problem, self.solver.time)
         if outcome != hy.taylor_outcome.time_limit:
             raise ConvergenceError(
                 f"heyoka stopped at t = {self.solver.time:.6g} with {outcome}; use backend='scipy'"

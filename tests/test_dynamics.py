@@ -145,6 +145,24 @@ def test_short_flights_are_found_within_a_step() -> None:
         assert flight < 0.12
 
 
+@pytest.mark.parametrize("speed", [4e-6, 4e-5])
+def test_the_shortest_flights_are_found_by_their_summit(speed: float) -> None:
+    tr = simulate(BASE, **BELT, y0=-1e-11, vy0=speed, t_end=1.0, rtol=1e-9, backend="scipy")
+    assert np.diff(tr.events.t[:2])[0] == pytest.approx(2 * speed / 0.007, rel=0.02)
+
+
+def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
+    problem = dynamics.prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, t_record=0.0, rtol=1e-9)
+
+    def dense(t: np.ndarray) -> np.ndarray:  # leaves the belt twice, and is back on it, rising, at both ends
+        phase = 4 * np.pi * t
+        return np.array([0 * t, 0.3 * np.sin(phase) - 0.2, 0 * t, 1.2 * np.pi * np.cos(phase)])
+
+    time, kind = integrators._first_crossing(problem, (1, 1), dense, 0.0, 1.0)
+    assert kind == Event.CONTACT_LOST
+    assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
+
+
 def test_two_integrators_find_the_same_events_from_random_starts() -> None:
     pytest.importorskip("heyoka")
     rng = np.random.default_rng(5)
@@ -178,7 +196,14 @@ def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_endless_events_are_an_error(backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(integrators.Problem, "event_limit", 20)
-    with pytest.raises(ss.ConvergenceError, match=r"more than 20 .* by t = .* use a larger rtol"):
+    with pytest.raises(ss.ConvergenceError, match=r"more than 20 events by t = .* use a larger rtol"):
+        simulate(BASE, **BELT, backend=backend)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_endless_steps_are_an_error(backend: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(integrators.Problem, "step_limit", 20)
+    with pytest.raises(ss.ConvergenceError, match=r"more than 20 steps by t = .* smaller d"):
         simulate(BASE, **BELT, backend=backend)
 
 

@@ -241,12 +241,14 @@ def test_killed_at_any_moment_it_resumes_to_the_same_file(tmp_path: Path, kills:
 def test_ctrl_c_ends_cleanly(tmp_path: Path) -> None:
     path = tmp_path / "rms.nc"
     command = [*_command(str(path)), "-j", "2", "--t-end", "20000"]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    )
     partial = path.with_name("rms.nc.partial")
     deadline = time.monotonic() + 30
     while time.monotonic() < deadline and not (partial.exists() and partial.stat().st_size > 1000):
         time.sleep(0.02)
-    os.kill(process.pid, signal.SIGINT)
+    os.killpg(process.pid, signal.SIGINT)  # as a terminal does, to the workers too
     _, stderr = process.communicate(timeout=30)
     assert process.returncode == 130
     assert stderr.strip() == "spragsym: interrupted"

@@ -7,6 +7,7 @@ import math
 import re
 import shutil
 import subprocess
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -346,6 +347,46 @@ def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: i
     assert vouched >= (0.25 if "fold" in kind else 0.8) * len(points)
 
 
+@pytest.mark.parametrize(("name", "entered"), [("f_coefficients", 0), ("f", 4), ("f_slope", 4), ("state", 1)])
+def test_bounds_hold_and_are_not_idle(tmp_path: Path, name: str, entered: int) -> None:
+    """What rounding does to the algebra, by exact fractions, stays below the emitted bound but not far below.
+
+    Cosines and sines are rounded here once and in use a few times, which the bound allows for.
+    """
+    count, results = ALGEBRA[name]
+    passed = ", ".join([*(f"a[{k}]" for k in range(count)), *["0.0"] * entered, "out"])
+    text = '#include "spragsym.c"\nvoid run(const double *a, double *out);\n'
+    text += f"void run(const double *a, double *out) {{\n    bound_{name}({passed});\n}}\n"
+    (tmp_path / "bound.c").write_text(text, encoding="utf-8")
+    command: list[str | Path] = [COMPILERS[0], "-std=c99", "-O1", "-shared", "-fPIC", f"-I{SOURCES}"]
+    subprocess.run(
+        [*command, "-o", tmp_path / "bound.so", tmp_path / "bound.c", "-lm"], check=True, timeout=60
+    )
+    run = ctypes.CDLL(str(tmp_path / "bound.so")).run
+    rng = np.random.default_rng(8)
+    worst = np.zeros(results)
+    for _ in range(400):
+        point = rng.uniform(0.0, 1.0, count)
+        bound = np.zeros(results)
+        run(_pointer(point), _pointer(bound))
+        values = _leaves((getattr(equilibrium, name)(*map(float, point)),))
+        exact = _leaves((getattr(equilibrium, name)(*map(Fraction, point)),))
+        errors = [abs(float(Fraction(value) - right)) for value, right in zip(values, exact, strict=True)]
+        worst = np.maximum(worst, np.array(errors) / bound)
+    assert np.all(worst <= 1.0)
+    assert np.all(worst >= 0.02)
+
+
+def test_guesses_at_a_fold_are_good(library: ctypes.CDLL) -> None:
+    """Where nothing is vouched for, half of the digits are still there: a close pair is found together."""
+    for theta0 in (math.radians(44.559317702565), math.radians(155.059418789789)):
+        points = [point for point in _around(theta0) if abs(point[0] / theta0 - 1) > 5e-13]
+        for point, (_, ours) in zip(points, solve(library, points, CONTACT), strict=True):
+            theirs = reference(point, CONTACT)
+            assert len(ours) == len(theirs)
+            assert all(abs(one.theta - row[0]) < 1e-8 for one, row in zip(ours, theirs, strict=True))
+
+
 def test_fold_is_uncertain(library: ctypes.CDLL) -> None:
     """The number of roots at a fold is not for double precision to say."""
     folds = [(math.radians(degrees), *BASE[1:]) for degrees in (44.559317702565, 155.059418789789)]
@@ -511,6 +552,10 @@ static double outer(double x) {
 def test_worst_cases_are_documented() -> None:
     assert re.search(r"Worst case: \d+ operations, \d+ sqrt, 1 cbrt, 4 atan", HEADER)
     assert "@" not in re.sub(r"@(file|param|return)\b", "", HEADER)
+    page = (SOURCES.parents[1] / "docs" / "howto_c.md").read_text(encoding="utf-8")
+    source = (SOURCES / "spragsym.c").read_text(encoding="utf-8")
+    for name, operations in re.findall(r"^ \* - (spragsym_\w+): (\d+) operations", source, re.MULTILINE):
+        assert f"| `{name}` | {operations} |" in page
 
 
 def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:

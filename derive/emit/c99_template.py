@@ -159,7 +159,7 @@ ALGORITHM = r"""
 #define LARGEST_SCALE 1e200
 #define CHORD_STEPS 2
 #define CUBIC_STEPS 2
-#define FACTOR_STEPS 2
+#define FACTOR_STEPS 1
 #define ROOT_STEPS 2
 #define MAX_ROOTS 4
 #define PIECES 3
@@ -322,8 +322,9 @@ static void polish(const double A[4], factors *F) {
     if (!(fabs(resultant) > 0.0)) {
         return;
     }
-    const double step_p1 = (r * v - s * u) / resultant;
-    const double step_q1 = (r * u * q1 + s * (v - p1 * u)) / resultant;
+    const double inverse = 1.0 / resultant;
+    const double step_p1 = (r * v - s * u) * inverse;
+    const double step_q1 = (r * u * q1 + s * (v - p1 * u)) * inverse;
     const double step_p2 = R3 - step_p1;
     const double step_q2 = R2 - step_q1 - F->p2 * step_p1 - p1 * step_p2;
     const double next_q1 = q1 + step_q1;
@@ -341,15 +342,17 @@ static void polish(const double A[4], factors *F) {
  * roots ends up together, in the second. */
 static factors factorize(const double e[5], double resolvent_root) {
     const double b = e[0];
-    const double A[4] = {0.0 - 1.0, e[1] / e[4], e[2] / e[4], e[3] / e[4]};
+    const double inverse = 1.0 / e[4];
+    const double A[4] = {0.0 - 1.0, e[1] * inverse, e[2] * inverse, e[3] * inverse};
     const double twice = 2.0 * resolvent_root;
     const double hypotenuse = sqrt(twice * twice + b * b);
     factors F;
     F.q1 = (twice >= 0.0) ? (twice + hypotenuse) / b : b / (hypotenuse - twice);
     F.q1 = (F.q1 < 0.0) ? F.q1 : 0.0 - DBL_EPSILON;
     F.q2 = 0.0 - 1.0 / F.q1;
-    F.p1 = (A[1] - A[3] * F.q1) / (F.q2 - F.q1);
-    F.p2 = (A[3] * F.q2 - A[1]) / (F.q2 - F.q1);
+    const double over_gap = 1.0 / (F.q2 - F.q1);
+    F.p1 = (A[1] - A[3] * F.q1) * over_gap;
+    F.p2 = (A[3] * F.q2 - A[1]) * over_gap;
     for (int i = 0; i < FACTOR_STEPS; i++) {
         polish(A, &F);
     }

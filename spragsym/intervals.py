@@ -152,6 +152,8 @@ class ArbIntervals:
 
     def ends(self, value: Interval) -> tuple[mpmath.mpf, mpmath.mpf]:
         """Lower and upper end."""
+        if not value.is_finite():
+            return mpmath.mpf("-inf"), mpmath.mpf("inf")
         return self._plain(value.lower()), self._plain(value.upper())
 
     @staticmethod

@@ -167,17 +167,16 @@ def at_root(
     L, x, y = state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
     theta = 2.0 * np.arctan(t)
     stiff = beta + nbar + sigma
+    # L = σ/q + rest/(q s), y = (σ (s₀ − s) − κ)/q and x = cos θ₀ − L cos θ, with their slopes in θ.
     L_sum = (sigma * size_s + (beta + nbar) * sin0 + kappa) / (stiff * size_s)
     relative = radius / size_s
-    swing = relative * (size_c + relative)
-    L_error = L_sum * (1.01 * swing + IN_STATE * u)
-    x_error = L_sum * (1.01 * (swing * size_c + relative * relative + radius * size_s) + IN_STATE * u * size_c) + IN_STATE * u
-    y_error = (1.01 * sigma * radius * (size_c + radius) + IN_STATE * u * (sigma * (sin0 + size_s) + kappa)) / stiff
-    error = np.maximum(
-        np.maximum(radius + 4.0 * u * np.abs(theta), L_error / np.maximum(1.0, np.abs(L))),
-        np.maximum(x_error / np.maximum(1.0, np.abs(x)), y_error / np.maximum(1.0, np.abs(y))),
-    )
-    beyond = np.where(nbar == 0, y, -y)  # positive on the side of the belt that n̄ says
+    swing = size_c + relative
+    rounding = IN_STATE * u
+    L_error = L_sum * (1.01 * relative * swing + rounding)
+    y_error = (1.01 * sigma * radius * swing + rounding * (sigma * (sin0 + size_s) + kappa)) / stiff
+    x_error = L_error + 1.01 * L_sum * radius + rounding
+    error = np.maximum(x_error / np.maximum(np.minimum(L, np.abs(x)), 1.0), np.maximum(radius + 4.0 * u * np.abs(theta), y_error))
+    beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
     member = (L > L_error) & (beyond > y_error)
     outsider = (L < -L_error) | (beyond < -y_error)
     code = stability(c, s, L, slope, relative + 8.0 * u, mu0, alpha, sigma, beta, nbar)

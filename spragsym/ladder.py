@@ -101,22 +101,50 @@ def _middle(arith: Arithmetic, value: Interval) -> mpmath.mpf:
 def _approximate_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[mpmath.mpc]:
     """All four roots in t of the quartic with the middles of its coefficients.
 
-    The factors that float64 finds are polished with more digits; at a cusp, where no split is well conditioned, all roots are
-    iterated together.
+    The factors that float64 finds are polished with more digits. Next to a cusp, where a split of float64 is too far off for
+    that, it is computed again with twice the digits.
     """
     middles = [_middle(arith, value) for value in trig]
     e0, e1, e2, e3, e4 = kernel.t_quartic(*middles)
+    monic = e1 / e4, e2 / e4, e3 / e4
     with np.errstate(all="ignore"):
-        split = [mpmath.mpf(float(value)) for value in kernel.factors(*(np.float64(value) for value in middles))]
-    if all(map(mpmath.isfinite, split)):
-        for _ in range(12):
-            before, split = split, list(kernel.polish(e1 / e4, e2 / e4, e3 / e4, *split))
-            change = max(abs(new - old) / abs(old) for new, old in zip(split, before, strict=True))
-            if change < mpmath.ldexp(1, 8 - mpmath.mp.prec):
-                p1, q1, p2, q2 = split
-                return [root for p, q in ((p1, q1), (p2, q2)) for root in _quadratic(p, q)]
-    with mpmath.extraprec(mpmath.mp.prec):
-        return list(mpmath.polyroots([1, e3 / e4, e2 / e4, e1 / e4, e0 / e4], maxsteps=400, extraprec=2 * mpmath.mp.prec))
+        start = [mpmath.mpf(float(value)) for value in kernel.factors(*(np.float64(value) for value in middles))]
+    split = _polished(monic, start)
+    if split is None:
+        with mpmath.extraprec(mpmath.mp.prec):
+            split = _split(monic, middles)
+    p1, q1, p2, q2 = split
+    return [root for p, q in ((p1, q1), (p2, q2)) for root in _quadratic(p, q)]
+
+
+def _polished(monic: tuple[mpmath.mpf, ...], split: list[mpmath.mpf]) -> list[mpmath.mpf] | None:
+    """Newton's method on the two factors; nothing if it does not converge."""
+    if not all(map(mpmath.isfinite, split)):
+        return None
+    for _ in range(6):
+        before, split = split, list(kernel.polish(*monic, *split))
+        if max(abs(new - old) / abs(old) for new, old in zip(split, before, strict=True)) < mpmath.ldexp(1, 8 - mpmath.mp.prec):
+            return split
+    return None
+
+
+def _split(monic: tuple[mpmath.mpf, ...], trig: list[mpmath.mpf]) -> list[mpmath.mpf]:
+    """The factors in closed form: as :func:`spragsym.kernel.factors`, with functions of any precision."""
+    _, b, _, _ = trig
+    r0, r1, r2 = kernel.resolvent(*trig)
+    P, Q = kernel.depressed(r0, r1, r2)
+    D = P**3 + Q**2
+    if D > 0:
+        u = mpmath.cbrt(abs(Q) + mpmath.sqrt(D))
+        z = u - P / u
+    else:
+        root = mpmath.sqrt(-P)
+        z = 2 * root * mpmath.cos(mpmath.acos(min(abs(Q) / root**3, mpmath.mpf(1))) / 3) if P else mpmath.mpf(0)
+    y = 4 / b * ((-z if Q > 0 else z) - r2 / 3)
+    A1, _, A3 = monic
+    width = mpmath.sqrt(y * y + 4)
+    q1, q2 = (y - width) / 2, (y + width) / 2
+    return [(A1 - A3 * q1) / width, q1, (A3 * q2 - A1) / width, q2]
 
 
 def _quadratic(p: mpmath.mpf, q: mpmath.mpf) -> tuple[mpmath.mpc, mpmath.mpc]:
@@ -175,8 +203,8 @@ def _state(
 ) -> list[State]:
     """The equilibrium at t, or nothing where the root is none."""
     cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
-    s = 2 * t / (1 + t**2)
-    c = (1 - t) * (1 + t) / (1 + t**2)
+    s = 2 * t / (1 + t * t)
+    c = (1 - t) * (1 + t) / (1 + t * t)
     L, x, y = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
     sides = sign(arith, L), sign(arith, y) * (-1 if nbar else 1)
     if -1 in sides:

@@ -104,15 +104,15 @@ def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator
     # With α = 0 the second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = ±π/2.
     sines += [] if alpha else [arith.exact(Fraction(1)), arith.exact(Fraction(-1))]
     for s in sines:
-        upright = not alpha and sign(arith, 1 - s**2) == 0
-        width = arith.exact(Fraction(0)) if upright else arith.sqrt(1 - s**2)
+        upright = not alpha and sign(arith, 1 - s * s) == 0
+        width = arith.exact(Fraction(0)) if upright else arith.sqrt(1 - s * s)
         for c in (width,) if upright else (width, -width):
             s0, friction = _catastrophe.cusp_sine(s, *values)
             if alpha:
                 _, ratio, _ = _catastrophe.cusp_point(s, *values)
                 cosines = [ratio * c]
             else:
-                gap = 1 - s0**2
+                gap = 1 - s0 * s0
                 if decided(arith, gap, "sin θ₀ = 1 on a cusp") < 0:
                     continue
                 cosines = [arith.sqrt(gap), -arith.sqrt(gap)]
@@ -233,7 +233,7 @@ def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -
             cosines = [c0]
         else:
             s0 = _catastrophe.fold_sine(c, s, friction, *values)
-            gap = 1 - s0**2
+            gap = 1 - s0 * s0
             if decided(arith, gap, "sin θ₀ = 1 on a fold") < 0:
                 continue
             cosines = [arith.sqrt(gap), -arith.sqrt(gap)]

@@ -7,7 +7,7 @@ import itertools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +19,7 @@ from .parameters import FloatArray, Parameters
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
 TOLERANCE = 1e-12
 #: Points solved at a time, so that intermediate arrays stay in cache.
-BLOCK = 4096
+BLOCK = 8192
 
 
 class Stability(enum.IntEnum):
@@ -211,10 +211,9 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
     p1, q1, p2, q2 = kernel.factors(a, b, d, m)
     large, small, _ = kernel.root_pair(p1, q1)
 
-    def at(t: Any, rows: NDArray[np.int64] | None = None) -> Any:
-        if rows is None:
-            return kernel.at_root(t, *trig, *values, nbar, u)
-        return kernel.at_root(t, *(value[rows] for value in trig), *columns.take(rows).values(), nbar, u)
+    def at(ts: list[Any], rows: NDArray[np.int64] | None = None) -> list[Root]:
+        some, points = (trig, values) if rows is None else ([value[rows] for value in trig], columns.take(rows).values())
+        return [Root(*kernel.at_root(t, *some, *points, nbar, u)) for t in ts]
 
     # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
     # if they are positive, since no equilibrium in contact has sin θ < 0.
@@ -224,13 +223,13 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
         paired &= ~(p2 > 0.0)
     else:
         ts.insert(0, np.where(large > 0.0, small, large))
-    settled = _fill(out, slice(None), [at(t) for t in ts], ~paired, contact, u)
+    settled = _fill(out, slice(None), at(ts), ~paired, contact, u)
     pairs = np.flatnonzero(paired)
     if pairs.size:
         one, other, square = kernel.root_pair(p2[pairs], q2[pairs])
         one = np.where(square < 0.0, np.nan, one)
         roots = _ascending([*(t[pairs] for t in ts), one, other])
-        settled[pairs] = _fill(out, pairs, [at(t, pairs) for t in roots], True, contact, u)
+        settled[pairs] = _fill(out, pairs, at(roots, pairs), True, contact, u)
     return np.flatnonzero(~settled)
 
 
@@ -243,9 +242,28 @@ def _ascending(values: list[Any]) -> list[Any]:
     return values
 
 
-def _fill(
-    out: _Slots, rows: Any, roots: list[tuple[Any, ...]], wanted: Any, contact: bool, u: np.floating[Any]
-) -> NDArray[np.bool_]:
+class Root(NamedTuple):
+    """What :func:`spragsym.kernel.at_root` returns."""
+
+    theta: Any
+    L: Any
+    x: Any
+    y: Any
+    radius: Any
+    error: Any
+    member: Any
+    outsider: Any
+    code: Any
+
+    def parts(self, rounding: float) -> tuple[tuple[str, Any], ...]:
+        """Columns of the result and their values."""
+        return (
+            ("theta", self.theta), ("L", self.L), ("x", self.x), ("y", self.y), ("error", self.error + rounding),
+            ("stability", self.code),
+        )  # fmt: skip
+
+
+def _fill(out: _Slots, rows: Any, roots: list[Root], wanted: Any, contact: bool, u: np.floating[Any]) -> NDArray[np.bool_]:
     """Put the equilibria among the roots of each wanted point, given in ascending order, into its slots.
 
     Returns which points are settled: every root an equilibrium with its digits or certainly none, all of them different, and
@@ -253,30 +271,42 @@ def _fill(
     """
     rounding = 0.0 if u > 1e-17 else 1.2e-16  # what is lost when a wider type is stored as float64
     settled, count = wanted, 0
-    for theta, _, _, _, radius, error, member, outsider, code in roots:
-        settled = settled & ((member & (error <= TOLERANCE - rounding) & (code > 0)) | outsider)
-        count = count + member
+    for root in roots:
+        settled = settled & ((root.member & (root.error <= TOLERANCE - rounding) & (root.code > 0)) | root.outsider)
+        count = count + root.member
     if contact:
         settled = settled & (count % 2 == 1)
-    for (theta, *_, radius, _, _, _, _), (above, *_, above_radius, _, _, _, _) in itertools.pairwise(roots):
+    for below, above in itertools.pairwise(roots):
         # Two proved roots are different when the intervals that hold them are.
-        settled = settled & (above - theta > radius + above_radius)
+        settled = settled & (above.theta - below.theta > below.radius + above.radius)
 
     if len(roots) == 1:
-        ((theta, L, x, y, _, error, _, _, code),) = roots
-        for name, values in (("theta", theta), ("L", L), ("x", x), ("y", y), ("error", error + rounding)):
-            getattr(out, name)[rows, 0] = np.where(settled, values, np.nan)
-        out.stability[rows, 0] = np.where(settled, code, 0)
+        # What is not settled is written again by whoever settles it: in contact there is always a first equilibrium.
+        for name, values in roots[0].parts(rounding):
+            getattr(out, name)[rows, 0] = values
     else:
-        place, index = np.zeros(len(settled), dtype=np.int64), np.arange(len(out.count))[rows]
-        for theta, L, x, y, _, error, member, _, code in roots:
-            here = np.flatnonzero(settled & member)
-            at = index[here], place[here]
-            for name, values in (("theta", theta), ("L", L), ("x", x), ("y", y), ("error", error + rounding), ("stability", code)):
-                getattr(out, name)[at] = values[here]
-            place += member
+        index = np.arange(len(out.count))[rows]
+        every = settled & (count == len(roots))
+        _scatter_all(out, index, roots, np.flatnonzero(every), rounding)
+        _scatter(out, index, roots, settled & ~every, rounding)
     out.count[rows] = np.where(settled, count, 0)
     return settled
+
+
+def _scatter_all(out: _Slots, index: NDArray[np.int64], roots: list[Root], here: NDArray[np.int64], rounding: float) -> None:
+    """Points whose roots are all equilibria."""
+    for slots in zip(*(root.parts(rounding) for root in roots), strict=True):
+        getattr(out, slots[0][0])[index[here], : len(roots)] = np.stack([values[here] for _, values in slots], axis=-1)
+
+
+def _scatter(out: _Slots, index: NDArray[np.int64], roots: list[Root], chosen: NDArray[np.bool_], rounding: float) -> None:
+    """Points some of whose roots are no equilibria: each goes to the first free slot."""
+    place = np.zeros(chosen.size, dtype=np.int64)
+    for root in roots:
+        here = np.flatnonzero(chosen & root.member)
+        for name, values in root.parts(rounding):
+            getattr(out, name)[index[here], place[here]] = values[here]
+        place += root.member
 
 
 # -------------------------------------------------------------------------------------------------- more digits

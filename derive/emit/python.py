@@ -29,8 +29,8 @@ class AlgebraPrinter(StrPrinter):
             return f"xp.sqrt({self._print(expression.base)})"
         if expression.exp == -sp.S.Half:
             return f"1/xp.sqrt({self._print(expression.base)})"
-        if not expression.exp.is_Integer:
-            raise ArithmeticError(f"{expression} is not an integer power or a square root")
+        if expression.exp != -1:
+            raise ArithmeticError(f"{expression} is not a reciprocal or a square root: powers are products by now")
         return str(super()._print_Pow(expression, rational=rational))
 
     def _print_exp(self, expression: sp.exp) -> str:
@@ -76,10 +76,18 @@ def _function(function: Function) -> str:
         "@broadcasting",
         signature,
         textwrap.indent(_docstring(function, body.operations), "    "),
-        *(_wrap(f"    {symbol} = {_PRINTER.doprint(expression)}") for symbol, expression in body.assignments),
+        *(_wrap(f"    {symbol} = {_assigned(expression)}") for symbol, expression in body.assignments),
         _return(body.results),
     ]
     return "\n".join(lines)
+
+
+def _assigned(expression: sp.Expr) -> str:
+    """The right side of an assignment; squares stand alone there, and become products."""
+    if isinstance(expression, sp.Pow) and expression.exp == 2:
+        factor = _PRINTER.doprint(expression.base)
+        return f"{factor}*{factor}"
+    return str(_PRINTER.doprint(expression))
 
 
 def _annotation(results: Results) -> str:

@@ -47,7 +47,6 @@ def straight_line(function: Function) -> Body:
     ordered: dict[sp.Symbol, sp.Expr] = {}
     for root in [*(symbol for symbol, _ in named), *outputs]:
         _place(root, available, ordered)
-    ordered, outputs = _inline_single_use(ordered, outputs)
     operations = sum(int(sp.count_ops(expression)) for expression in [*ordered.values(), *outputs])
     return Body(tuple(ordered.items()), _refill(function.results, iter(outputs)), operations)
 
@@ -71,7 +70,10 @@ def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Sy
 
 
 class _Powers:
-    """Integer powers of symbols as products of smaller ones, so that no number type needs a general power."""
+    """Integer powers as named products of smaller ones: no number type needs a power, and each is computed once.
+
+    Not even a square: some interval libraries have none for a ball around zero.
+    """
 
     def __init__(self) -> None:
         self.definitions: dict[sp.Symbol, sp.Expr] = {}
@@ -89,8 +91,6 @@ class _Powers:
         if exponent == 1:
             return base
         if not base.is_Symbol:
-            if exponent == 2:
-                return base**2
             symbol = sp.Symbol(f"base{len(self.definitions)}", real=True)
             self.definitions[symbol] = base
             base = symbol
@@ -115,21 +115,6 @@ def _place(root: sp.Expr, available: dict[sp.Symbol, sp.Expr], ordered: dict[sp.
 def _place_parts(expression: sp.Expr, available: dict[sp.Symbol, sp.Expr], ordered: dict[sp.Symbol, sp.Expr]) -> None:
     for symbol in sorted(expression.free_symbols, key=str):
         _place(symbol, available, ordered)
-
-
-def _inline_single_use(
-    ordered: dict[sp.Symbol, sp.Expr], outputs: list[sp.Expr]
-) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
-    """A square that is used once reads better where it is used."""
-    uses = [*ordered.values(), *outputs]
-    for symbol, expression in list(ordered.items()):
-        is_square = expression.is_Pow and expression.exp == 2 and expression.base.is_Symbol
-        places = [place for place in uses if place.has(symbol)]
-        if is_square and len(places) == 1 and places[0].count(symbol) == 1:
-            ordered = {key: value.subs(symbol, expression) for key, value in ordered.items() if key != symbol}
-            outputs = [value.subs(symbol, expression) for value in outputs]
-            uses = [*ordered.values(), *outputs]
-    return ordered, outputs
 
 
 def _refill(shape: Results, leaves: Iterator[sp.Expr]) -> Results:

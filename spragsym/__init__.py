@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from .catastrophe import critical_friction as critical_friction
     from .catastrophe import critical_value as critical_value
     from .catastrophe import flutter_boundary as flutter_boundary
+    from .catastrophe import flutter_onsets as flutter_onsets
     from .catastrophe import linear_sprag as linear_sprag
     from .catastrophe import linear_critical_friction as linear_critical_friction
     from .catastrophe import sliding_friction as sliding_friction
@@ -58,6 +59,7 @@ _LAZY: dict[str, str] = {
     "critical_friction": "catastrophe",
     "critical_value": "catastrophe",
     "flutter_boundary": "catastrophe",
+    "flutter_onsets": "catastrophe",
     "linear_sprag": "catastrophe",
     "linear_critical_friction": "catastrophe",
     "sliding_friction": "catastrophe",

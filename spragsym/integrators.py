@@ -5,6 +5,10 @@ mass or behind (``side``). Both backends integrate one regime's analytic continu
 leaves it, and go on in the next. A regime is left :data:`GAP` beyond its border, so that two crossings are
 never closer than 2 GAP: that ends chatter by rounding, lets a motion start exactly on a kink, and costs an
 error of the order of GAP², or GAP^1.5 where the motion only grazes the border, far below rounding.
+
+The exponential of (10) makes a layer at x' = V that a step from far away cannot see: all its derivatives are
+below rounding there. So it is left out where it is below the tolerance, and the border of the layer
+(``near``) is one more that the integrator stops at.
 """
 
 from __future__ import annotations
@@ -29,8 +33,14 @@ from .parameters import FloatArray
 
 State: TypeAlias = tuple[float, float, float, float]
 
+#: In contact (1) or not (0), the belt ahead (1) or behind (−1), the exponential of (10) felt (1) or not (0).
+Regime: TypeAlias = tuple[int, int, int]
+
 #: How far beyond its border a regime is left, in L_0 and in units of speed.
 GAP = 1e-12
+
+#: Between leaving out the exponential of (10) and taking it in again, in units of its exponent.
+WIDTH = 5.0
 
 #: Polynomial degree of a stored step: 12 holds a Taylor step of order 20 to rounding; DOP853's is 7.
 DEGREE = 12
@@ -69,6 +79,11 @@ class Problem:
     def constants(self) -> tuple[float, ...]:
         """In the order in which the generated functions take them."""
         return (self.cos0, self.sin0, self.mu0, self.kappa, self.alpha, self.sigma, self.beta, self.V, self.d)
+
+    @property
+    def reach(self) -> float:
+        """d |V − x'| beyond which the exponential of (10) is below the tolerance, and left out."""
+        return 5 - math.log(self.rtol)
 
     @property
     def fastest(self) -> float:
@@ -129,17 +144,20 @@ def integrate(problem: Problem, backend: str) -> Motion:
     return {"heyoka": _heyoka, "scipy": _scipy}[backend](problem)
 
 
-def _initial_regime(problem: Problem) -> tuple[int, int]:
+def _initial_regime(problem: Problem) -> Regime:
     """On a border either side is right, as the field is continuous: contact, and the belt ahead."""
     _, y, vx, _ = problem.start
-    return int(y <= 0), 1 if vx <= problem.V else -1
+    return int(y <= 0), 1 if vx <= problem.V else -1, int(problem.d * abs(problem.V - vx) <= problem.reach)
 
 
-def _after(kind: Event, nbar: int, side: int) -> tuple[int, int]:
-    """The regime that an event leads to."""
-    if kind in (Event.CONTACT_LOST, Event.CONTACT_REGAINED):
-        return int(kind == Event.CONTACT_REGAINED), side
-    return nbar, 1 if kind == Event.BELT_OVERTAKES else -1
+def _after(border: int, regime: Regime) -> tuple[Regime, Event | None]:
+    """The regime beyond one of the three borders, and what a user calls passing it, if anything."""
+    nbar, side, near = regime
+    if border == 0:
+        return (1 - nbar, side, near), Event.CONTACT_LOST if nbar else Event.CONTACT_REGAINED
+    if border == 1:
+        return (nbar, -side, near), Event.MASS_OVERTAKES if side > 0 else Event.BELT_OVERTAKES
+    return (nbar, side, 1 - near), None
 
 
 def _assemble(
@@ -169,6 +187,7 @@ def _too_many(count: int, what: str, problem: Problem, t: float) -> ConvergenceE
 # The continuation of a regime grows without bound far outside it. Trial steps that go there are rejected,
 # whatever the size of the number: it must only be finite.
 _FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
+_FLOATS_FAR = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: 0.0)
 _ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
 
 #: Each step is searched for crossings on this many intervals, and between them at extrema.
@@ -184,7 +203,7 @@ def _scipy(problem: Problem) -> Motion:
     times: list[FloatArray] = []
     states: list[FloatArray] = []
     events: list[tuple[float, State, Event]] = []
-    steps = 0
+    steps = crossings = 0
 
     def keep(begin: float, end: float, dense: Callable[[Any], FloatArray]) -> None:
         begin = max(begin, problem.t_record - clock)
@@ -216,59 +235,60 @@ def _scipy(problem: Problem) -> Motion:
             keep(begin, end if crossing is None else crossing[0], dense)
         if crossing is None:
             break
-        end, kind = crossing
+        end, row = crossing
         first_step, state, clock = solver.step_size, dense(end), clock + end
-        regime = _after(kind, *regime)
-        events.append((clock, tuple(state.tolist()), kind))
-        if len(events) > problem.event_limit:
+        regime, kind = _after(row, regime)
+        crossings += 1
+        if kind is not None:
+            events.append((clock, tuple(state.tolist()), kind))
+        if crossings > problem.event_limit:
             raise _too_many(problem.event_limit, "events", problem, clock)
     return _assemble(np.array(times), np.array(states), events, problem.t_record)
 
 
-def _field(problem: Problem, regime: tuple[int, int]) -> Callable[[float, FloatArray], State]:
+def _field(problem: Problem, regime: Regime) -> Callable[[float, FloatArray], State]:
     algebra: Any = motion.regime_rhs.__wrapped__  # type: ignore[attr-defined]
-    constants = (*problem.constants, *regime)
+    nbar, side, near = regime
+    constants, xp = (*problem.constants, nbar, side), _FLOATS if near else _FLOATS_FAR
 
     def field(_: float, state: FloatArray) -> State:
         x, y, vx, vy = state.tolist()
-        return (vx, vy, *algebra(x, y, vx, vy, *constants, xp=_FLOATS))
+        return (vx, vy, *algebra(x, y, vx, vy, *constants, xp=xp))
 
     return field
 
 
-def _clearances(problem: Problem, regime: tuple[int, int], states: FloatArray) -> FloatArray:
-    """Distance from the two borders of a regime, negative beyond them, and its rate: shape (2, 2, …)."""
-    nbar, side = regime
+def _clearances(problem: Problem, regime: Regime, states: FloatArray) -> FloatArray:
+    """Distance from the three borders of a regime, negative beyond them, and its rate: shape (3, 2, …)."""
+    nbar, side, near = regime
     _, y, vx, vy = states
     rhs: Any = motion.regime_rhs
     x_accel, _ = rhs(*states, *problem.constants, nbar, side, xp=_ARRAYS)
-    inward = -1 if nbar else 1
-    return np.array([[inward * y + GAP, inward * vy], [side * (problem.V - vx) + GAP, -side * x_accel]])
+    inward, farther = -1 if nbar else 1, -1 if near else 1
+    slip, rate = side * (problem.V - vx), -side * x_accel
+    depth = problem.d * slip - problem.reach - WIDTH * near
+    return np.array(
+        [[inward * y + GAP, inward * vy], [slip + GAP, rate], [farther * depth, farther * problem.d * rate]]
+    )
 
 
 def _first_crossing(
-    problem: Problem, regime: tuple[int, int], dense: Callable[[Any], FloatArray], begin: float, end: float
-) -> tuple[float, Event] | None:
-    """Where, within a step, the motion first leaves its regime."""
+    problem: Problem, regime: Regime, dense: Callable[[Any], FloatArray], begin: float, end: float
+) -> tuple[float, int] | None:
+    """When, within a step, the motion first leaves its regime, and through which border."""
 
     def border(row: int, t: Any) -> FloatArray:
-        """Distance from one of the two borders, and its rate."""
+        """Distance from one of the borders, and its rate."""
         distance_and_rate: FloatArray = _clearances(problem, regime, dense(np.asarray(t)))[row]
         return distance_and_rate
 
     grid = begin + _SEARCH * (end - begin)
-    clearances = _clearances(problem, regime, dense(grid))
-    nbar, side = regime
-    kinds = (
-        Event.CONTACT_LOST if nbar else Event.CONTACT_REGAINED,
-        Event.MASS_OVERTAKES if side > 0 else Event.BELT_OVERTAKES,
-    )
     found = []
-    for row, kind in enumerate(kinds):
+    for row, (distance, rate) in enumerate(_clearances(problem, regime, dense(grid))):
         at = partial(border, row)
-        bracket = _bracket(grid, clearances[row, 0], clearances[row, 1], at)
+        bracket = _bracket(grid, distance, rate, at)
         if bracket is not None:
-            found.append((_root(at, 0, *bracket), kind))
+            found.append((_root(at, 0, *bracket), row))
     return min(found, default=None)
 
 
@@ -311,16 +331,22 @@ class _Compiled:
 
         x, y, vx, vy = hy.make_vars("x", "y", "vx", "vy")
         constants = [hy.par[i] for i in range(9)]
-        nbar, side, V = hy.par[9], hy.par[10], constants[7]
+        V, d = constants[7:]
+        nbar, side, near, reach = (hy.par[i] for i in range(9, 13))
+        xp = SimpleNamespace(sqrt=hy.sqrt, exp=lambda z: near * hy.exp(z))
         algebra: Any = motion.regime_rhs.__wrapped__  # type: ignore[attr-defined]
-        ax, ay = algebra(x, y, vx, vy, *constants, nbar, side, xp=SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
-        borders = {self._contact: y + GAP * (1 - 2 * nbar), self._slip: V - vx + GAP * side}
+        ax, ay = algebra(x, y, vx, vy, *constants, nbar, side, xp=xp)
+        borders = {
+            self._contact: y + GAP * (1 - 2 * nbar),
+            self._slip: V - vx + GAP * side,
+            self._layer: d * side * (V - vx) - reach - WIDTH * near,
+        }
         self.log: list[tuple[float, State, Event]] = []
         self.stray: float | None = None
-        self.limit = 0
+        self.limit = self.crossings = 0
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            [(x, vx), (y, vy), (vx, ax), (vy, ay)], [0.0] * 4, pars=[0.0] * 11, tol=rtol,
+            [(x, vx), (y, vy), (vx, ax), (vy, ay)], [0.0] * 4, pars=[0.0] * 13, tol=rtol,
             t_events=[hy.t_event(border, callback=call, cooldown=0.0) for call, border in borders.items()],
         )  # fmt: skip
 
@@ -338,22 +364,27 @@ class _Compiled:
             return self._switch(solver, 10, -1, 1, Event.BELT_OVERTAKES)
         return self._switch(solver, 10, 1, -1, Event.MASS_OVERTAKES)
 
-    def _switch(self, solver: Any, par: int, before: int, after: int, kind: Event) -> bool:
+    def _layer(self, solver: Any, direction: int) -> bool:
+        return self._switch(solver, 11, int(direction > 0), int(direction < 0), None)
+
+    def _switch(self, solver: Any, par: int, before: int, after: int, kind: Event | None) -> bool:
         """Go over to the next regime; stop if it is not next, for then a crossing was missed."""
         if solver.pars[par] != before:
             self.stray = solver.time
             return False
         solver.pars[par] = after
-        self.log.append((solver.time, tuple(solver.state), kind))
-        return len(self.log) <= self.limit
+        self.crossings += 1
+        if kind is not None:
+            self.log.append((solver.time, tuple(solver.state), kind))
+        return self.crossings <= self.limit
 
     def run(self, problem: Problem) -> Motion:
         solver = self.solver
         regime = _initial_regime(problem)
-        self.log, self.stray, self.limit = [], None, problem.event_limit
+        self.log, self.stray, self.crossings, self.limit = [], None, 0, problem.event_limit
         solver.time = 0.0
         solver.state[:] = problem.start
-        solver.pars[:] = (*problem.constants, *regime)
+        solver.pars[:] = (*problem.constants, *regime, problem.reach)
         solver.reset_cooldowns()
         if problem.t_record > 0:
             self._go(problem, problem.t_record, record=False)
@@ -366,15 +397,15 @@ class _Compiled:
 
         result = self.solver.propagate_until(t, c_output=record, max_steps=problem.step_limit)
         outcome, output = result[0], result[4]
-        nbar, side = (int(value) for value in self.solver.pars[9:11])
-        clearance = _clearances(problem, (nbar, side), self.solver.state)[:, 0]
+        nbar, side, near = (int(value) for value in self.solver.pars[9:12])
+        clearance = _clearances(problem, (nbar, side, near), self.solver.state)[:, 0]
         if outcome == hy.taylor_outcome.step_limit:
             raise _too_many(problem.step_limit, "steps", problem, self.solver.time)
         if self.stray is not None or clearance.min() < -GAP:
             raise ConvergenceError(
                 f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'"
             )
-        if len(self.log) > self.limit:
+        if self.crossings > self.limit:
             raise _too_many(problem.event_limit, "events", problem, self.solver.time)
         if outcome != hy.taylor_outcome.time_limit:
             raise ConvergenceError(

@@ -158,8 +158,8 @@ def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
         phase = 4 * np.pi * t
         return np.array([0 * t, 0.3 * np.sin(phase) - 0.2, 0 * t, 1.2 * np.pi * np.cos(phase)])
 
-    time, kind = integrators._first_crossing(problem, (1, 1), dense, 0.0, 1.0)
-    assert kind == Event.CONTACT_LOST
+    time, border = integrators._first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
+    assert integrators._after(border, (1, 1, 1)) == ((0, 1, 1), Event.CONTACT_LOST)
     assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
 
 
@@ -181,6 +181,17 @@ def test_two_integrators_find_the_same_events_from_random_starts() -> None:
         assert one.events.which.tolist() == other.events.which.tolist()
         np.testing.assert_allclose(one.events.t, other.events.t, atol=1e-8)
         np.testing.assert_allclose(one(np.arange(40.0)), other(np.arange(40.0)), atol=1e-8)
+
+
+@pytest.mark.parametrize("rtol", [1e-7, 1e-9, 1e-11, 1e-13])
+def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float) -> None:
+    # With d this large (10) is Coulomb's law but for a layer that Taylor series do not see beforehand.
+    p = ss.Parameters(theta0=0.6084, mu0=0.4082, kappa=0.0018, alpha=6.116, sigma=19.66, beta=6.016)
+    start = {"x0": 0.126, "y0": 0.078, "vx0": -0.424, "vy0": 0.231, "t_end": 30.0}
+    reference = simulate(p, V=0.228, d=1679.0, **start, rtol=1e-13, backend="scipy")
+    for backend in [name for name in integrators.BACKENDS if importlib.util.find_spec(name)]:
+        tr = simulate(p, V=0.228, d=1679.0, **start, rtol=rtol, backend=backend)
+        assert np.abs(tr.state[:, -1] - reference.state[:, -1]).max() < 300 * rtol
 
 
 @pytest.mark.parametrize("backend", BACKENDS)

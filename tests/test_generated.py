@@ -9,7 +9,7 @@ import random
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import mpmath
@@ -332,6 +332,18 @@ def _flutter_point() -> tuple[sp.Expr, ...]:
     return sin0, (nm.alpha * nm.c0 - along).expand().subs({nm.s0: sin0, nm.mu0: friction}), friction
 
 
+def _fold_lines(name: sp.Symbol) -> tuple[sp.Expr, ...]:
+    relations = [relation.expand() for relation in _spelled(folds.fold_residuals(), CONTACT)]
+    return tuple(part for relation in relations for part in (relation.subs(name, 0), relation.diff(name)))
+
+
+def _fold_conic() -> tuple[sp.Expr, ...]:
+    u1, w1, u2, w2 = _fold_lines(nm.mu0)
+    conic = sp.Poly(u1 * w2 - u2 * w1, nm.s0, nm.c0)
+    assert set(conic.monoms()) == {(0, 0), (1, 0), (2, 0), (0, 1)}
+    return tuple(conic.coeff_monomial(power) for power in (1, nm.s0, nm.s0**2, nm.c0))
+
+
 CONTACT, LIFTOFF = balance.CONTACT, balance.LIFTOFF
 #: What the derivation gives, before it is arranged for emission; spelled out in parameters.
 DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
@@ -358,6 +370,9 @@ DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
     "fold_angles": lambda: _spelled(
         (folds.fold_angles()[0], folds.fold_angles()[1].subs(nm.s0, folds.fold_angles()[0])), CONTACT
     ),
+    "fold_sine": lambda: _spelled(folds.fold_angles()[:1], CONTACT),
+    **{f"fold_lines_{name}": partial(_fold_lines, name) for name in nm.PARAMETERS},
+    "fold_conic": _fold_conic,
     "fold_quartic": lambda: _spelled(folds.fold_quartic(), CONTACT),
     "fold_quadratic": lambda: tuple(
         value.subs(nm.alpha, 0) for value in _spelled(folds.fold_quadratic(), CONTACT)
@@ -507,9 +522,11 @@ def test_motion_is_newtons_second_law() -> None:
 
             state = tuple(point[name] for name in ("x", "y", "vx", "vy"))
             right = acceleration(*state)
-            for name in ("rhs", "regime_rhs"):
+            length = mpmath.hypot(point["cos0"] - point["x"], point["sin0"] - point["y"])
+            given = {"L": length, "mu": friction(point["vx"]), "n": -point["nbar"] * point["y"]}
+            for name in ("accelerations", "rhs", "regime_rhs"):
                 (function,) = (item for item in FUNCTIONS if item.name == name)
-                for ours, theirs in zip(function(point, mpmath), right, strict=True):
+                for ours, theirs in zip(function({**point, **given}, mpmath), right, strict=True):
                     assert abs(ours - theirs) < tiny
             (function,) = (item for item in FUNCTIONS if item.name == "regime_jacobian")
             orders = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
@@ -795,7 +812,7 @@ def test_scales_make_the_unit_coefficients() -> None:
         assert all(abs(ours - theirs) < 1e-27 for ours, theirs in zip(groups, right, strict=True))
 
 
-def test_spring_length_and_accelerations() -> None:
+def test_spring_length_and_accelerations_of_the_undeformed_state() -> None:
     assert motion.spring_length(0.6, -0.2, 0.6, 0.8) == pytest.approx(1.0, abs=EPS)
     # At rest, out of contact and undeformed, the preload alone accelerates.
     assert motion.accelerations(0.0, 0.0, 1.0, 0.3, 0.0, 0.6, 0.8, 0.007, 0.1, 0.2, 0.3) == (0.0, -0.007)

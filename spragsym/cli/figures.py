@@ -1,0 +1,85 @@
+"""``spragsym figures``: the article's figures as files."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import click
+
+from ..errors import ParameterError
+
+
+@click.command()
+@click.option(
+    "--only", "first", multiple=True, metavar="NAME...", help="Only these: numbers of the article's figures, or names."
+)
+@click.argument("more", nargs=-1, metavar="")
+@click.option("--out", type=click.Path(file_okay=False, path_type=Path), required=True, help="Folder to write to, made if missing.")
+@click.option("--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas.")
+@click.option("--workers", "-j", type=int, default=-1, show_default=True, help="Processes for the motions; -1 for one a core.")
+@click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
+def figures(first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool) -> None:
+    """Draw the article's Figures 3 to 14, and cusp-friction, false-double-root, rms-map and sensitivity, which it lacks.
+
+    Beside each figure go its caption (.txt) and the data of its panels (.csv). The same bytes every time.
+
+    \b
+    Examples:
+      spragsym figures --out figures
+      spragsym figures --only 4 12 --out figures --format pdf,png
+      spragsym figures --only rms-map --out figures
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    if more and not first:
+        raise ParameterError(f"{' '.join(more)}: names of figures go after --only")
+    import matplotlib
+
+    matplotlib.use("Agg")  # files only; no display is needed
+    from ..figures import FIGURES, FORMATS, write
+
+    formats = _chosen(kinds.split(","), FORMATS, "--format")
+    names = _chosen([*first, *more], FIGURES, "--only") if first else list(FIGURES)
+    with _bar(len(names), quiet) as advance:
+        for name in names:
+            advance(name)
+            draw = FIGURES[name]
+            moving = {"workers": workers} if "workers" in _options(draw) else {}
+            for path in write(draw(**moving), out, f"figure_{name.replace('-', '_')}", formats):
+                click.echo(path)
+
+
+def _chosen(given: list[str], allowed: Mapping[str, Any], option: str) -> list[str]:
+    for name in given:
+        if name not in allowed:
+            raise ParameterError(f"{option}: {name!r} is not one of {', '.join(allowed)}")
+    return list(dict.fromkeys(given))
+
+
+def _options(function: Callable[..., Any]) -> set[str]:
+    return set(inspect.signature(function).parameters)
+
+
+@contextmanager
+def _bar(total: int, quiet: bool) -> Iterator[Callable[[str], None]]:
+    """A progress bar on stderr; the function it gives is called as each figure is begun."""
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), disable=quiet) as progress:
+        task = progress.add_task("figures", total=total)
+        begun = 0
+
+        def advance(name: str) -> None:
+            nonlocal begun
+            progress.update(task, description=f"figure {name}", completed=begun)
+            begun += 1
+
+        yield advance
+        progress.update(task, description="figures", completed=total)

@@ -1,0 +1,62 @@
+"""Figures: the article's 3 to 14, some that it lacks, and the functions that draw them (extra ``plot``).
+
+Drawing functions take ``ax=None``, draw, and return the artists; figure functions return a
+:class:`~spragsym.figures.style.Sheet`, a matplotlib figure that carries its caption and the data of its panels. Nothing here
+shows a window or changes matplotlib's settings.
+
+Examples
+--------
+>>> import spragsym.figures
+>>> figure = spragsym.figures.figure_12()
+>>> figure.caption[:26], sorted(figure.tables)
+('Figure 12. Bifurcation set', ['a'])
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from .article import (
+    figure_3, figure_4, figure_5, figure_6, figure_7, figure_8, figure_9, figure_10, figure_11, figure_12, figure_13, figure_14,
+)  # fmt: skip
+from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
+from .extras import (
+    bifurcation_figure, figure_cusp_friction, figure_false_double_root, figure_rms_map, figure_sensitivity,
+)  # fmt: skip
+from .files import FORMATS, write
+from .style import Sheet
+
+#: Name → the function that draws it: the article's numbers first.
+FIGURES: dict[str, Callable[..., Sheet]] = {
+    "3": figure_3,
+    "4": figure_4,
+    "5": figure_5,
+    "6": figure_6,
+    "7": figure_7,
+    "8": figure_8,
+    "9": figure_9,
+    "10": figure_10,
+    "11": figure_11,
+    "12": figure_12,
+    "13": figure_13,
+    "14": figure_14,
+    "cusp-friction": figure_cusp_friction,
+    "false-double-root": figure_false_double_root,
+    "rms-map": figure_rms_map,
+    "sensitivity": figure_sensitivity,
+}
+
+__all__ = [
+    "FIGURES",
+    "FORMATS",
+    "Branch",
+    "Sheet",
+    "bifurcation_figure",
+    "branches",
+    "draw_branches",
+    "draw_path",
+    "mark_folds",
+    "plot_equilibria",
+    "write",
+    *(function.__name__ for function in FIGURES.values()),
+]

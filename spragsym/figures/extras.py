@@ -1,0 +1,240 @@
+"""Figures that the article lacks: why its Figures 8 to 10 come out as they do, and what its Figures 4 and 7 rest on."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from numpy.typing import NDArray
+
+from ..catastrophe import bifurcation_set, critical_friction, critical_value, folds
+from ..generated import equilibrium as _equilibrium
+from ..parameters import ARTICLE, FloatArray, Parameters
+from ..sweeps import Workers, rms_sweep, sensitivity
+from .article import MU0_RANGE, V, D, _BASE_TEXT, _draw_bifurcation_set
+from .style import BLACK, BLUE, DOUBLE, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, plain_ticks, styled, write_along
+
+#: Parameter → (range shown, the article's samples, an interval that holds the critical value).
+_SAMPLES: dict[str, tuple[tuple[float, float], tuple[float, ...], tuple[float, float]]] = {
+    "beta": ((0.0, 3.0), (0.0, 1.0, 2.0), (1.0, 2.0)),
+    "alpha": ((1e-3, 1.0), (0.007, 0.07, 0.7), (0.007, 0.07)),
+    "sigma": ((3e-3, 3.0), (0.01, 0.1, 1.0), (0.01, 0.1)),
+    "kappa": ((1e-4, 1.0), (0.007,), (1e-4, 0.007)),
+}
+_TICKS = {"alpha": (0.1, 1.0, 10.0), "sigma": (0.1, 0.2, 0.5), "kappa": (0.01, 0.1, 0.5)}
+
+
+@styled
+def bifurcation_figure(p: Parameters) -> Sheet:
+    """The bifurcation set of any κ, α, σ, β over inclination and friction, up to twice the friction of interest.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars; of ``mu0``, if given, the figure shows the line.
+    """
+    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    lowest = float(critical_friction(p.replace(theta0=None, mu0=None)))
+    mu0 = None if p.mu0 is None else float(p.mu0)
+    finite = [value for value in (lowest, mu0) if value is not None and np.isfinite(value)]
+    table = _draw_bifurcation_set(ax, p.replace(mu0=None), (0.0, max(1.0, 2.0 * max(finite, default=0.5))))
+    if mu0 is not None:
+        ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
+    kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
+    return figure.describe(
+        f"""Bifurcation set over inclination and friction, kappa = {kappa:g}, alpha = {alpha:g}, sigma = {sigma:g},
+        beta = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots are cusps.""",
+        a=table,
+    )
+
+
+@styled
+def figure_cusp_friction(*, n: int = 41) -> Sheet:
+    """μ_cusp over each parameter: why Figures 8 to 10 come out as they do."""
+    figure, axes = panels(2, 2, DOUBLE, 4.6)
+    tables: dict[str, Table] = {}
+    for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
+        tables[letter] = _draw_cusp_friction(ax, name, n)
+    return figure.describe(
+        f"""Friction at the cusp, mu_cusp, over (a) beta, (b) alpha, (c) sigma, (d) kappa, the other parameters at {_BASE_TEXT}. From
+        small deformation a curve at mu0 = 0.5 (dotted) jumps where mu_cusp lies below it. Dots are the article's samples, of its
+        Figures 8 to 10 in (a) to (c); filled: jumps, open: does not. The number is the critical value. Where the curve of (d) ends there is no cusp beyond.""",
+        **tables,
+    )
+
+
+def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
+    (low, high), samples, bracket = _SAMPLES[name]
+    values = np.linspace(low, high, n) if name == "beta" else np.geomspace(low, high, n)
+    p, mu0 = Parameters.article(), ARTICLE["mu0"]
+    frictions = np.asarray(critical_friction(p.replace(**{name: values})))
+    ax.plot(values, frictions, color=BLACK)
+    ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
+    for value in samples:
+        friction = float(critical_friction(p.replace(**{name: value})))
+        ax.plot(value, friction, marker="o", markersize=4.5, color=BLUE, markerfacecolor=BLUE if friction < mu0 else "white", zorder=3, clip_on=False)
+    critical = critical_value(p, name, bracket)
+    ax.axvline(critical, color=VERMILION, linewidth=0.7, linestyle=":")
+    if name == "beta":
+        ax.set(ylim=(0, 0.9))
+        write_along(ax, f"{critical:.6f}", critical + 0.05, 0.06, color=VERMILION)
+    else:
+        ax.set(xscale="log", yscale="log")
+        plain_ticks(ax.yaxis, _TICKS[name])
+        write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform())
+    ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{cusp}}$", xlim=(low, high))
+    return {name: values, "mu_cusp": frictions}
+
+
+# ----------------------------------------------------------------------------------- the false double root in L
+
+
+def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
+    """Smallest distance of two roots, relative to their size, of each polynomial, lowest power first."""
+    table = np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float)
+    degree = table.shape[-1] - 1
+    companion = np.zeros((*table.shape[:-1], degree, degree))
+    companion[..., range(1, degree), range(degree - 1)] = 1.0
+    companion[..., :, -1] = -table[..., :-1] / table[..., -1:]
+    roots = np.linalg.eigvals(companion)
+    first, second = np.triu_indices(degree, 1)
+    size = np.maximum(np.abs(roots[..., first]), np.abs(roots[..., second]))
+    gap: FloatArray = (np.abs(roots[..., first] - roots[..., second]) / size).min(axis=-1)
+    return gap
+
+
+def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Smallest relative distance of two roots of the quartic in L and of that in t = tan(θ/2)."""
+    mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
+    c0, s0 = np.cos(theta0), np.sin(theta0)
+    f = _equilibrium.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1)
+    return (
+        _gap(_equilibrium.contact_quartic(c0, s0, mu0, kappa, alpha, sigma, beta)),
+        _gap(_equilibrium.t_quartic(*f)),
+    )
+
+
+def false_double_roots(p: Parameters) -> FloatArray:
+    """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0, at L = σ/(σ + α)."""
+    from scipy.optimize import brentq
+
+    mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
+
+    def mismatch(theta0: float) -> float:
+        """f at the direction with a sin θ + b = 0, where it is d sin θ − m sin² θ."""
+        a, b, d, m = _equilibrium.f_coefficients(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1)
+        return float(a * d + m * b)
+
+    angles = np.linspace(1e-6, np.pi - 1e-6, 4001)
+    values = np.array([mismatch(angle) for angle in angles])
+    (before,) = np.nonzero(np.sign(values[:-1]) * np.sign(values[1:]) < 0)
+    return np.array([brentq(mismatch, angles[i], angles[i + 1], xtol=1e-15, rtol=1e-15) for i in before])
+
+
+@styled
+def figure_false_double_root() -> Sheet:
+    """The quartic in L has a double root that is no fold; the quartic in t has none."""
+    figure, (axes,) = panels(1, 2, DOUBLE, 2.6, sharey=True)
+    p = Parameters.article()
+    true, false = np.degrees(folds(p).theta0), np.degrees(false_double_roots(p))
+    near = [centre + side * np.geomspace(1e-8, 10, 150) for centre in (*true, *false) for side in (-1, 1)]
+    angles = np.unique(np.concatenate([np.linspace(0.5, 179.5, 400), *near]))
+    angles = angles[(angles > 0.1) & (angles < 179.9)]
+    gaps = root_gaps(p, np.radians(angles))
+    for ax, gap, name in zip(axes, gaps, "Lt", strict=True):
+        ax.semilogy(angles, gap, color=BLACK, linewidth=0.9)
+        angle_axis(ax)
+        ax.set_title(f"quartic in ${name}$", loc="right", color=GREY)
+        for angle in true:
+            ax.axvline(angle, color=VERMILION, linewidth=0.7, linestyle=":", zorder=0)
+            write_along(ax, f"fold\n{angle:.2f}°", angle + 2, 2e-5, color=VERMILION)
+    for angle in false:
+        axes[0].axvline(angle, color=BLUE, linewidth=0.7, linestyle=":", zorder=0)
+        write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
+    axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
+    return figure.describe(
+        f"""Smallest distance of two roots, relative to their size, at mu0 = 0.5, {_BASE_TEXT}, of (a) the quartic in L, the article's
+        Equation (21), (b) the quartic in t = tan(theta/2). Both have a double root at the two folds; that in L has another where
+        two different equilibria share the length sigma/(sigma + alpha), and where x and y can't be recovered from it.""",
+        a={"theta0_deg": angles, "gap_L": gaps[0]}, b={"theta0_deg": angles, "gap_t": gaps[1]},
+    )  # fmt: skip
+
+
+# -------------------------------------------------------------------------------------------- motions in numbers
+
+
+@styled
+def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, workers: Workers = 1) -> Sheet:
+    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set."""
+    figure, ((ax,),) = panels(1, 1, SINGLE * 1.3, 3.2)
+    p = Parameters.article()
+    angles = np.arange(step_deg / 2, 180.0, step_deg)
+    frictions = np.arange(step_mu0 / 2, MU0_RANGE[1], step_mu0)
+    sweep = rms_sweep(p.replace(theta0=np.radians(angles), mu0=frictions[:, None]), V, D, rtol=1e-8, workers=workers)
+    image = ax.pcolormesh(angles, frictions, sweep.rms, cmap="cividis", vmin=0.0, rasterized=True)
+    found = bifurcation_set(p)
+    for curve in found.curves:
+        ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
+        ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION, linewidth=1.2)
+    ax.plot(np.degrees(found.cusps.theta0), found.cusps.mu0, linestyle="none", marker="o", markersize=4, color=VERMILION, markeredgecolor="white")
+    angle_axis(ax)
+    ax.set(ylabel=r"$\mu_0$", ylim=MU0_RANGE)
+    figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
+    where = np.broadcast_arrays(angles, frictions[:, None])
+    return figure.describe(
+        f"""Root mean square of x, about zero, over 1500 < tau < 2000, of the motion from rest at x = y = 0, over inclination and
+        friction; red: the bifurcation set, the dot is the cusp. {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}; V = {V} and d = {D:g} are our
+        assumption.""",
+        a={"theta0_deg": where[0].ravel(), "mu0": where[1].ravel(), "rms_x": sweep.rms.ravel(), "regime": sweep.regime.ravel()},
+    )
+
+
+@styled
+def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
+    """What V and d, which the article does not state, do to its Figure 7b: a decade of each."""
+    figure, (axes,) = panels(1, 3, DOUBLE, 2.5)
+    p = Parameters.article()
+    angles = np.arange(20.0, 70.0 + step_deg / 2, step_deg)
+    half_decade = np.sqrt(10.0)
+    tables: dict[str, Table] = {}
+    along = p.replace(theta0=np.radians(angles))
+    speeds, creeps = V * half_decade ** np.array([-1, 0, 1]), D * half_decade ** np.array([-1, 0, 1])
+    for letter, ax, symbol, sweep, values in (
+        ("a", axes[0], "V", rms_sweep(along, speeds[:, None], D, workers=workers), speeds),
+        ("b", axes[1], "d", rms_sweep(along, V, creeps[:, None], workers=workers), creeps),
+    ):
+        tables[letter] = _draw_rms(ax, angles, sweep.rms, values, symbol)
+    coarse = p.replace(theta0=np.radians(np.arange(26.0, 60.0, 2.0 * step_deg)))
+    speeds = V * 10.0 ** np.linspace(-0.5, 0.5, 5)
+    jumps = sensitivity(coarse, speeds, creeps, refine=4, workers=workers)
+    tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
+    axes[2].axhline(float(np.degrees(folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
+    return figure.describe(
+        f"""Sensitivity of Figure 7b to belt speed and steepness, mu0 = 0.5, {_BASE_TEXT}. Root mean square of x over
+        1500 < tau < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V = {V}; (c) the theta0 at which it
+        steps most, to {np.degrees(jumps.width):.2g} deg, over V for three d. Dotted: the fold, which does not depend on them. V = {V}
+        and d = {D:g} are our assumption of what the article does not state.""",
+        **tables,
+    )
+
+
+_SHADES = (BLUE, BLACK, VERMILION)
+
+
+def _draw_rms(ax: Axes, angles: FloatArray, rms: FloatArray, values: FloatArray, symbol: str) -> Table:
+    for row, value, color in zip(rms, values, _SHADES, strict=True):
+        ax.plot(angles, row, color=color, linewidth=0.9, label=f"${symbol} = {value:.3g}$")
+    angle_axis(ax, 20, 70, 10)
+    ax.set(ylabel=r"RMS of $x$", ylim=(0, None))
+    ax.legend(loc="upper left", handlelength=1.2, borderaxespad=0.1)
+    columns = {f"rms_x_{symbol}_{value:.4g}": row for row, value in zip(rms, values, strict=True)}
+    return {"theta0_deg": angles, **columns}
+
+
+def _draw_jumps(ax: Axes, speeds: FloatArray, creeps: FloatArray, jump_deg: FloatArray) -> Table:
+    for column, creep, color in zip(jump_deg.T, creeps, _SHADES, strict=True):
+        ax.semilogx(speeds, column, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$")
+    ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
+    plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
+    ax.legend(handlelength=1.2)
+    where: tuple[NDArray[np.float64], ...] = np.broadcast_arrays(speeds[:, None], creeps)
+    return {"V": where[0].ravel(), "d": where[1].ravel(), "theta0_deg": jump_deg.ravel()}

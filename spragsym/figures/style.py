@@ -1,0 +1,134 @@
+"""House style: sizes, lines and colours that print well and that the colour-blind can tell apart."""
+
+from __future__ import annotations
+
+import functools
+import textwrap
+from collections.abc import Callable, Mapping
+from typing import Any, ParamSpec, TypeAlias, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import MissingExtraError
+from ..solver import Stability
+
+try:
+    import matplotlib
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import FixedLocator, NullFormatter
+except ModuleNotFoundError as error:
+    raise MissingExtraError("spragsym.figures", error.name or "matplotlib", "plot") from error
+
+#: Widths of one column and of two, inches.
+SINGLE, DOUBLE = 3.5, 7.0
+
+#: Okabe and Ito's colours.
+BLACK, BLUE, VERMILION, GREEN, PURPLE, SKY, ORANGE = (
+    "#000000", "#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00",
+)  # fmt: skip
+GREY = "#6b6b6b"
+
+#: How a kind of equilibrium is drawn.
+LINES: Mapping[Stability, Any] = {
+    Stability.STABLE: "-",
+    Stability.DIVERGENT: (0, (3.5, 1.6)),
+    Stability.FLUTTER: (0, (6, 1.5, 1.2, 1.5)),
+}
+
+STYLE: dict[str, Any] = {
+    "font.family": "STIXGeneral",
+    "mathtext.fontset": "stix",
+    "font.size": 9,
+    "axes.labelsize": 9,
+    "axes.titlesize": 9,
+    "axes.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.labelsize": 8,
+    "ytick.labelsize": 8,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "lines.linewidth": 1.3,
+    "lines.solid_capstyle": "butt",
+    "legend.frameon": False,
+    "legend.fontsize": 8,
+    "figure.dpi": 150,
+    "savefig.dpi": 300,
+    "pdf.fonttype": 42,
+    "svg.hashsalt": "spragsym",  # without it the ids in an SVG file are random
+    "svg.fonttype": "path",
+}
+
+#: Columns of numbers or words by name: what one panel shows.
+Table: TypeAlias = Mapping[str, ArrayLike]
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+class Sheet(Figure):
+    """A figure with its caption, and the data of its panels by letter."""
+
+    caption: str = ""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        super().__init__(*args, **options)
+        self.tables: dict[str, Table] = {}
+
+    def describe(self, caption: str, **tables: Table) -> Sheet:
+        """Set the caption, and the data of panels ``a``, ``b``, …."""
+        self.caption = " ".join(textwrap.dedent(caption).split())
+        self.tables = dict(tables)
+        return self
+
+
+def styled(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Run a function with the house style, and leave the global one as it was."""
+
+    @functools.wraps(function)
+    def inside(*args: _P.args, **options: _P.kwargs) -> _R:
+        with matplotlib.rc_context(STYLE):
+            return function(*args, **options)
+
+    return inside
+
+
+def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Sheet, NDArray[Any]]:
+    """An empty figure of rows × columns panels, lettered if there are several; sizes in inches."""
+    figure = Sheet(figsize=(width, height), layout="constrained")
+    axes = figure.subplots(rows, columns, squeeze=False, **options)
+    if axes.size > 1:
+        for letter, ax in zip("abcdefgh", axes.flat, strict=False):
+            ax.set_title(f"({letter})", loc="left")
+    return figure, axes
+
+
+def own_axes(ax: Axes | None) -> Axes:
+    """The axes to draw on: those given, or pyplot's current ones."""
+    if ax is not None:
+        return ax
+    from matplotlib import pyplot
+
+    return pyplot.gca()
+
+
+def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, label: bool = True) -> None:
+    """θ₀ in degrees along x."""
+    ax.set_xlim(low, high)
+    ax.set_xticks(np.arange(low, high + step / 2, step))
+    if label:
+        ax.set_xlabel(r"$\theta_0$ (deg)")
+
+
+def write_along(ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any) -> Any:
+    """A direct label in data coordinates."""
+    return ax.text(x, y, text, **({"color": color, "fontsize": 8, "ha": "left", "va": "center"} | options))
+
+
+def plain_ticks(axis: Any, values: tuple[float, ...]) -> None:
+    """Ticks of a logarithmic axis at the given values, written as plain numbers."""
+    axis.set_major_locator(FixedLocator(values))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter(NullFormatter())

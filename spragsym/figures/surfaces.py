@@ -1,0 +1,113 @@
+"""The equilibrium surface in three dimensions: a mesh cut exactly where a sheet ends."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.colors import to_rgb
+from numpy.typing import NDArray
+
+from ..catastrophe import surface
+from ..generated import equilibrium as _equilibrium
+from ..generated import stability as _stability
+from ..parameters import FloatArray, Parameters
+from ..solver import Stability
+
+#: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant of (27) (flutter where
+#: negative).
+_THETA0, _MU0, _X, _SLOPE, _DISCRIMINANT = range(5)
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """Polygons of one stability, each an array of (θ₀ in degrees, μ₀, x)."""
+
+    stability: Stability
+    polygons: list[FloatArray]
+
+
+def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int = 90) -> list[Sheet]:
+    """The surface over the given θ₀ and between two frictions, cut into sheets along folds and flutter onsets.
+
+    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite. So the mesh has no
+    hole; polygons are cut by straight lines where they leave a sheet.
+    """
+    mesh = _mesh(p, np.radians(theta0_deg), n)
+    polygons = _quadrilaterals(mesh)
+    polygons = _clip(_clip(polygons, _MU0, mu0[0]), _MU0, mu0[1], keep_above=False)
+    standing = _clip(polygons, _SLOPE, 0.0)
+    parts = {
+        Stability.STABLE: _clip(standing, _DISCRIMINANT, 0.0),
+        Stability.DIVERGENT: _clip(polygons, _SLOPE, 0.0, keep_above=False),
+        Stability.FLUTTER: _clip(standing, _DISCRIMINANT, 0.0, keep_above=False),
+    }
+    return [Sheet(kind, [polygon[:, :3] for polygon in part]) for kind, part in parts.items() if part]
+
+
+def _mesh(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
+    """Vertices, of shape (θ₀, θ, columns)."""
+    kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
+    lowest = np.sin(theta0) - kappa / sigma  # contact is sin θ above it
+    start = np.arcsin(np.clip(lowest, 0.0, 1.0))
+    u = np.linspace(2e-3, 1 - 2e-3, n)
+    share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
+    theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
+    found = surface(p, theta, theta0[:, None])
+    c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(theta0)[:, None], np.sin(theta0)[:, None]
+    slope = _equilibrium.f_slope(c, s, *_equilibrium.f_coefficients(c0, s0, found.mu0, kappa, alpha, sigma, beta, 1))
+    K = _stability.stiffness(c, s, found.L, found.mu0, alpha, sigma, beta, 1)
+    discriminant = _stability.invariants(*K[0], *K[1])[2]
+    columns = (np.degrees(found.theta0), found.mu0, found.x, slope, discriminant)
+    return np.stack(np.broadcast_arrays(*columns), axis=-1)
+
+
+def _quadrilaterals(mesh: FloatArray) -> list[FloatArray]:
+    corners = np.stack([mesh[:-1, :-1], mesh[1:, :-1], mesh[1:, 1:], mesh[:-1, 1:]], axis=-2)
+    return list(corners.reshape(-1, 4, mesh.shape[-1]))
+
+
+def _clip(polygons: Sequence[FloatArray], column: int, level: float, keep_above: bool = True) -> list[FloatArray]:
+    """Sutherland and Hodgman: the part of each polygon where a column is above a level, or below it."""
+    sign = 1.0 if keep_above else -1.0
+    kept = []
+    for polygon in polygons:
+        height = sign * (polygon[:, column] - level)
+        if height.min() >= 0:
+            kept.append(polygon)
+        elif height.max() > 0:
+            kept.append(_cut(polygon, height))
+    return kept
+
+
+def _cut(polygon: FloatArray, height: FloatArray) -> FloatArray:
+    points = []
+    for here, there, low, high in zip(polygon, np.roll(polygon, -1, axis=0), height, np.roll(height, -1), strict=True):
+        if low >= 0:
+            points.append(here)
+        if low * high < 0:
+            points.append(here + (there - here) * low / (low - high))
+    return np.array(points)
+
+
+def shaded(color: str, polygon: FloatArray) -> tuple[float, float, float]:
+    """The colour, darker the steeper a polygon stands, in the proportions in which the axes show it."""
+    x, y, z = (polygon * np.array([1 / 180, 1.0, 0.25])).T
+    following = [np.roll(values, -1) for values in (x, y, z)]
+    # Newell's normal, twice the area of the three shadows.
+    normal = np.array([
+        ((y - following[1]) * (z + following[2])).sum(),
+        ((z - following[2]) * (x + following[0])).sum(),
+        ((x - following[0]) * (y + following[1])).sum(),
+    ])  # fmt: skip
+    upright = abs(normal[2]) / max(float(np.linalg.norm(normal)), 1e-300)
+    red, green, blue = (0.72 + 0.28 * upright) * np.array(to_rgb(color))
+    return float(red), float(green), float(blue)
+
+
+def inside(mu0: FloatArray, low: float, high: float, *others: FloatArray) -> list[NDArray[Any]]:
+    """Columns with NaN where ``mu0`` leaves its range, so that a line breaks there."""
+    good = (mu0 >= low) & (mu0 <= high)
+    return [np.where(good, values, np.nan) for values in (mu0, *others)]

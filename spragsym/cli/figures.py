@@ -15,15 +15,37 @@ from ..errors import ParameterError
 
 @click.command()
 @click.option(
-    "--only", "first", multiple=True, metavar="NAME...", help="Only these: numbers of the article's figures, or names."
+    "--only",
+    "first",
+    multiple=True,
+    metavar="NAME...",
+    help="Only these: numbers of the article's figures, or names.",
 )
 @click.argument("more", nargs=-1, metavar="")
-@click.option("--out", type=click.Path(file_okay=False, path_type=Path), required=True, help="Folder to write to, made if missing.")
-@click.option("--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas.")
-@click.option("--workers", "-j", type=int, default=-1, show_default=True, help="Processes for the motions; -1 for one a core.")
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    required=True,
+    help="Folder to write to, made if missing.",
+)
+@click.option(
+    "--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas."
+)
+@click.option(
+    "--workers",
+    "-j",
+    type=int,
+    default=-1,
+    show_default=True,
+    help="Processes for the motions; -1 for one a core.",
+)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
-def figures(first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool) -> None:
-    """Draw the article's Figures 3 to 14, and cusp-friction, false-double-root, rms-map and sensitivity, which it lacks.
+def figures(
+    first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool
+) -> None:
+    """Draw the article's Figures 3 to 14, and some that it lacks.
+
+    Those are cusp-friction, false-double-root, rms-map and sensitivity.
 
     Beside each figure go its caption (.txt) and the data of its panels (.csv). The same bytes every time.
 

@@ -1,8 +1,8 @@
 """Figures: the article's 3 to 14, some that it lacks, and the functions that draw them (extra ``plot``).
 
 Drawing functions take ``ax=None``, draw, and return the artists; figure functions return a
-:class:`~spragsym.figures.style.Sheet`, a matplotlib figure that carries its caption and the data of its panels. Nothing here
-shows a window or changes matplotlib's settings.
+:class:`~spragsym.figures.style.Sheet`, a matplotlib figure that carries its caption and the data of its panels.
+Nothing here shows a window or changes matplotlib's settings.
 
 Examples
 --------
@@ -17,11 +17,26 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from .article import (
-    figure_3, figure_4, figure_5, figure_6, figure_7, figure_8, figure_9, figure_10, figure_11, figure_12, figure_13, figure_14,
+    figure_3,
+    figure_4,
+    figure_5,
+    figure_6,
+    figure_7,
+    figure_8,
+    figure_9,
+    figure_10,
+    figure_11,
+    figure_12,
+    figure_13,
+    figure_14,
 )  # fmt: skip
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
 from .extras import (
-    bifurcation_figure, figure_cusp_friction, figure_false_double_root, figure_rms_map, figure_sensitivity,
+    bifurcation_figure,
+    figure_cusp_friction,
+    figure_false_double_root,
+    figure_rms_map,
+    figure_sensitivity,
 )  # fmt: skip
 from .files import FORMATS, write
 from .style import Sheet

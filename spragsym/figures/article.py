@@ -1,10 +1,13 @@
 """The article's Figures 3 to 14, from its equations and its text; no picture of it was at hand.
 
-Each function returns a :class:`~spragsym.figures.style.Sheet`, a matplotlib figure with its caption and the data of its panels.
+Each function returns a :class:`~spragsym.figures.style.Sheet`, a matplotlib figure with its caption and the data
+of its panels.
 """
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -20,7 +23,20 @@ from ..sweeps import Workers, rms_sweep
 from . import surfaces
 from .curves import LABELS, branches, draw_branches, draw_path, joined, mark_folds, passages, table_of
 from .style import (
-    BLACK, BLUE, DOUBLE, GREEN, GREY, LINES, SINGLE, SKY, VERMILION, Sheet, Table, angle_axis, panels, styled,
+    BLACK,
+    BLUE,
+    DOUBLE,
+    GREEN,
+    GREY,
+    LINES,
+    SINGLE,
+    SKY,
+    VERMILION,
+    Sheet,
+    Table,
+    angle_axis,
+    panels,
+    styled,
     write_along,
 )  # fmt: skip
 
@@ -55,8 +71,9 @@ def figure_3() -> Sheet:
     write_along(right, "lift-off", 0.05, 0.009, ha="center")
     right.set(xlabel=r"$y$", ylabel=r"$n$", xlim=(-0.1, 0.1), ylim=(-0.008, 0.105))
     return figure.describe(
-        f"""Figure 3. (a) Regularized friction coefficient (10) over the speed of the mass, for a belt speed V = {V} and a steepness
-        d = {D:g}, which are our assumption: the article states neither. (b) Contact force (11). All quantities are dimensionless.""",
+        f"""Figure 3. (a) Regularized friction coefficient (10) over the speed of the mass, for a belt speed
+        V =         {V} and a steepness d = {D:g}, which are our assumption: the article states neither. (b) Contact
+        force (11). All quantities are dimensionless.""",
         a={"vx": speed, "mu_over_mu0": friction}, b={"y": y, "n": 0.5 * (np.abs(y) - y)},
     )  # fmt: skip
 
@@ -83,8 +100,8 @@ def figure_4() -> Sheet:
         write_along(axes[0, 1], text, x, y)
     write_along(axes[1, 0], "divergent", 98, 0.5)
     return figure.describe(
-        f"""Figure 4. Equilibria over the inclination at mu0 = 0.5, {_BASE_TEXT}: in contact (a) x, (b) y, and in lift-off (c) x,
-        (d) y. {_LINES_TEXT} Displacements over L_0. {_RANGE_TEXT}""",
+        f"""Figure 4. Equilibria over the inclination at mu0 = 0.5, {_BASE_TEXT}: in contact (a) x, (b) y, and
+        in lift-off (c) x, (d) y. {_LINES_TEXT} Displacements over L_0. {_RANGE_TEXT}""",
         a=table_of(contact), b=table_of(contact), c=table_of(lifted), d=table_of(lifted),
     )  # fmt: skip
 
@@ -95,7 +112,7 @@ def _linear_curves(p: Parameters) -> tuple[list[FloatArray], FloatArray]:
     poles = np.sort(poles[np.isfinite(poles)])
     ends = [0.05, *poles, 179.95]
     pieces = []
-    for begin, end in zip(ends, ends[1:], strict=False):
+    for begin, end in itertools.pairwise(ends):
         pieces.append(begin + (end - begin) * (0.5 - 0.5 * np.cos(np.pi * np.linspace(2e-3, 1 - 2e-3, 400))))
     return pieces, poles
 
@@ -104,7 +121,12 @@ def _draw_linear(ax: Axes, p: Parameters, name: str, color: str = BLUE) -> Table
     """Curves of the linear model, broken at its poles, which are marked."""
     pieces, poles = _linear_curves(p)
     for piece in pieces:
-        ax.plot(piece, getattr(linear_sprag(p.replace(theta0=np.radians(piece))), name), color=color, linewidth=1.0)
+        ax.plot(
+            piece,
+            getattr(linear_sprag(p.replace(theta0=np.radians(piece))), name),
+            color=color,
+            linewidth=1.0,
+        )
     for pole in poles:
         ax.axvline(pole, color=color, linewidth=0.6, linestyle=":")
     along = np.concatenate(pieces)
@@ -116,7 +138,12 @@ def _draw_linear(ax: Axes, p: Parameters, name: str, color: str = BLUE) -> Table
 def figure_5() -> Sheet:
     """The linear model against the nonlinear one, below and above the linear model's critical friction."""
     figure, axes = panels(2, 2, DOUBLE, 4.4)
-    limits = {("x", 0.5): (-2.2, 3.2), ("y", 0.5): (-0.1, 0.01), ("x", 0.7): (-2.2, 3.2), ("y", 0.7): (-0.23, 0.08)}
+    limits = {
+        ("x", 0.5): (-2.2, 3.2),
+        ("y", 0.5): (-0.1, 0.01),
+        ("x", 0.7): (-2.2, 3.2),
+        ("y", 0.7): (-0.23, 0.08),
+    }
     tables: dict[str, Table] = {}
     for row, mu0 in enumerate((0.5, 0.7)):
         p = Parameters.article(mu0=mu0)
@@ -135,9 +162,11 @@ def figure_5() -> Sheet:
     write_along(axes[0, 0], "linear", 86, 2.3, color=BLUE)
     write_along(axes[1, 0], "linear", 92, 2.3, color=BLUE)
     return figure.describe(
-        f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose spring keeps its angle (blue), over the
-        inclination: (a) x and (b) y at mu0 = 0.5, (c) x and (d) y at mu0 = 0.7; {_BASE_TEXT}. Dotted lines are the poles of the
-        linear model. {_LINES_TEXT} Displacements over L_0; {_RANGE_TEXT.lower()}""",
+        f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose spring keeps
+        its
+        angle (blue), over the inclination: (a) x and (b) y at mu0 = 0.5, (c) x and (d) y at mu0 = 0.7;
+        {_BASE_TEXT}. Dotted lines are the poles of the linear model. {_LINES_TEXT} Displacements over L_0;
+        {_RANGE_TEXT.lower()}""",
         **tables,
     )
 
@@ -149,8 +178,10 @@ def _both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path
     return up, back
 
 
-def _draw_both_ways(ax: Axes, up: Path, back: Path, rising: tuple[float, ...], falling: tuple[float, ...]) -> None:
-    """The way up as a thin line upon the broad one of the way back, so that both are seen where they share a curve."""
+def _draw_both_ways(
+    ax: Axes, up: Path, back: Path, rising: tuple[float, ...], falling: tuple[float, ...]
+) -> None:
+    """The way up as a thin line upon the broad one of the way back: both are seen where they share a curve."""
     draw_path(back, ax=ax, color=BLUE, arrows=falling, linewidth=3.2, alpha=0.45, zorder=2.1)
     draw_path(up, ax=ax, color=VERMILION, arrows=rising)
 
@@ -187,13 +218,22 @@ def figure_6() -> Sheet:
     right.axvspan(low, high, color=SKY, alpha=0.25, linewidth=0)
     angle_axis(right)
     right.set(ylabel=LABELS["x"], ylim=(-6, 6))
-    right.annotate("no steady sliding", ((low + high) / 2, 4.4), (102, 4.9), fontsize=8, va="center", arrowprops={"arrowstyle": "-", "linewidth": 0.5})
+    right.annotate(
+        "no steady sliding",
+        ((low + high) / 2, 4.4),
+        (102, 4.9),
+        fontsize=8,
+        va="center",
+        arrowprops={"arrowstyle": "-", "linewidth": 0.5},
+    )
     return figure.describe(
-        f"""Figure 6. Trajectory of the equilibrium over the inclination at mu0 = 0.7, {_BASE_TEXT}. (a) Nonlinear model: from small
-        deformation the state jumps where theta0 rises through the fold, and from where that ends it returns without a jump. Thin
-        line: rising, broad line: falling. (b) Linear model: between its poles, shaded,
-        there is no steady sliding in contact. {_LINES_TEXT} {_RANGE_TEXT}""",
-        a=table_of(curves), a_rising=_table_of_path(up, "theta0_deg"), a_falling=_table_of_path(back, "theta0_deg"), b=linear,
+        f"""Figure 6. Trajectory of the equilibrium over the inclination at mu0 = 0.7, {_BASE_TEXT}. (a)
+        Nonlinear model: from small deformation the state jumps where theta0 rises through the fold, and
+        from where that ends it returns without a jump. Thin line: rising, broad line: falling. (b) Linear
+        model: between its poles, shaded, there is no steady sliding in contact. {_LINES_TEXT}
+        {_RANGE_TEXT}""",
+        a=table_of(curves), b=linear,
+        a_rising=_table_of_path(up, "theta0_deg"), a_falling=_table_of_path(back, "theta0_deg"),
     )  # fmt: skip
 
 
@@ -217,9 +257,10 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     angle_axis(right)
     right.set(ylabel=r"RMS of $x$", ylim=(0, None))
     return figure.describe(
-        f"""Figure 7. Motion from rest at x = y = 0, mu0 = 0.5, {_BASE_TEXT}. (a) x over dimensionless time at theta0 = 49 deg.
-        (b) Root mean square of x, about zero, over 1500 < tau < 2000. Belt speed V = {V}, steepness d = {D:g}, the rest at the start
-        and the window in time are our assumption: the article states none of them. The dotted line is the fold.""",
+        f"""Figure 7. Motion from rest at x = y = 0, mu0 = 0.5, {_BASE_TEXT}. (a) x over dimensionless time at
+        theta0 = 49 deg. (b) Root mean square of x, about zero, over 1500 < tau < 2000. Belt speed V = {V},
+        steepness d = {D:g}, the rest at the start and the window in time are our assumption: the article
+        states none of them. The dotted line is the fold.""",
         a={"tau": t, "x": x}, b={"theta0_deg": angles, "rms_x": sweep.rms, "regime": sweep.regime},
     )  # fmt: skip
 
@@ -228,8 +269,14 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
 _Label: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
 
 
-def _family(number: int, name: str, values: tuple[float, ...], labels: list[_Label], flutter: list[tuple[float, float]]) -> Sheet:
-    """Equilibrium curves in contact for three values of a parameter, with direct labels at the given places."""
+def _family(
+    number: int,
+    name: str,
+    values: tuple[float, ...],
+    labels: Sequence[_Label],
+    flutter: Sequence[tuple[float, float]],
+) -> Sheet:
+    """Equilibrium curves in contact for three values of a parameter, labelled at the given places."""
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.9)
     tables = []
     for value, color, (place, target) in zip(values, (BLUE, VERMILION, BLACK), labels, strict=True):
@@ -238,7 +285,9 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: list[_Lab
         draw_branches(curves, ax=ax, color=color)
         mark_folds(folds(p), ax=ax, color=color)
         leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
-        ax.annotate(rf"$\{name} = {value:g}$", target, place, color=color, fontsize=8, va="center", arrowprops=leader)
+        ax.annotate(
+            rf"$\{name} = {value:g}$", target, place, color=color, fontsize=8, va="center", arrowprops=leader
+        )
         tables.append(table_of(curves, **{name: value}))
     for place in flutter:
         write_along(ax, "flutter", *place)
@@ -246,8 +295,9 @@ def _family(number: int, name: str, values: tuple[float, ...], labels: list[_Lab
     ax.set(ylabel=LABELS["x"], ylim=(-2.2, 2.4))
     others = ", ".join(part for part in f"mu0 = 0.5, {_BASE_TEXT}".split(", ") if not part.startswith(name))
     return figure.describe(
-        f"""Figure {number}. Equilibria in contact over the inclination for {name} = {", ".join(f"{value:g}" for value in values)};
-        {others}. {_LINES_TEXT} x over L_0. {_RANGE_TEXT}""",
+        f"""Figure {number}. Equilibria in contact over the inclination for {name} = {
+            ", ".join(f"{value:g}" for value in values)
+        }; {others}. {_LINES_TEXT} x over L_0. {_RANGE_TEXT}""",
         a=joined(tables),
     )
 
@@ -273,7 +323,7 @@ def figure_10() -> Sheet:
     return _family(10, "sigma", (0.01, 0.1, 1.0), labels, [(30, 1.95), (152, -0.2)])
 
 
-# ------------------------------------------------------------------------------------- surfaces and their shadow
+# ------------------------------------------------------------------------------ surfaces and their shadow
 
 _VIOLET = "#5b2a86"
 _SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
@@ -289,8 +339,12 @@ def _draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> Table:
     for sheet in surfaces.sheets(p, MU0_RANGE, angles, round(120 * detail)):
         polygons += sheet.polygons
         colors += [surfaces.shaded(_SHEET_COLORS[sheet.stability], polygon) for polygon in sheet.polygons]
-    # One collection, so that polygons of all sheets are sorted by depth together; edges of the same colour close the seams.
-    ax.add_collection3d(Poly3DCollection(polygons, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1))
+    # One collection, so that polygons of all sheets are sorted by depth together; edges close the seams.
+    ax.add_collection3d(
+        Poly3DCollection(
+            polygons, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1
+        )
+    )
     found = bifurcation_set(p)
     columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": [], "x": []}
     for number, curve in enumerate(found.curves):
@@ -299,8 +353,24 @@ def _draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> Table:
         shown = np.isfinite(mu0)
         for name, values in zip(columns, (np.full(mu0.size, number), theta0, mu0, x), strict=True):
             columns[name].append(values[shown])
-    ax.plot(np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x, linestyle="none", marker="o", markersize=4, color=BLACK, zorder=5)
-    ax.set(xlabel=r"$\theta_0$ (deg)", ylabel=r"$\mu_0$", zlabel=r"$x_{\mathrm{eq}}$", xlim=(0, 180), ylim=MU0_RANGE, zlim=(-2, 2))
+    ax.plot(
+        np.degrees(found.cusps.theta0),
+        found.cusps.mu0,
+        found.cusps.x,
+        linestyle="none",
+        marker="o",
+        markersize=4,
+        color=BLACK,
+        zorder=5,
+    )
+    ax.set(
+        xlabel=r"$\theta_0$ (deg)",
+        ylabel=r"$\mu_0$",
+        xlim=(0, 180),
+        ylim=MU0_RANGE,
+        zlim=(-2, 2),
+    )
+    ax.set_zlabel(LABELS["x"], rotation=90)
     ax.set_xticks(np.arange(0, 181, 45))
     ax.set_zticks(np.arange(-2, 3, 1))
     return {name: np.concatenate(values) for name, values in columns.items()}
@@ -313,6 +383,7 @@ def _space(figure: Sheet, place: Any, zoom: float) -> Any:
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
         axis._axinfo["grid"].update(linewidth=0.3, color="#cccccc")  # there is no public way to thin the grid
     ax.tick_params(pad=-2)
+    ax.zaxis.set_rotate_label(False)
     ax.set_box_aspect((1.25, 1.1, 0.9), zoom=zoom)
     ax.view_init(elev=24, azim=-118)
     return ax
@@ -330,16 +401,31 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
         pieces = passages(up)
         for mu0, x in pieces:
             ax.plot(np.full(mu0.size, angle), mu0, x, color=color, linewidth=1.5, zorder=4)
-        for (mu0, x), (_, landed) in zip(pieces, pieces[1:], strict=False):
-            ax.plot([angle] * 2, [mu0[-1]] * 2, [x[-1], landed[0]], color=color, linewidth=1.2, linestyle=":", zorder=4)
+        for (mu0, x), (_, landed) in itertools.pairwise(pieces):
+            ax.plot(
+                [angle] * 2,
+                [mu0[-1]] * 2,
+                [x[-1], landed[0]],
+                color=color,
+                linewidth=1.2,
+                linestyle=":",
+                zorder=4,
+            )
         for (mu0, x), mark, at in ((pieces[0], "", 0), (pieces[-1], "′", -1)):
-            ax.text(angle, mu0[at] + (-0.06 if at == 0 else 0.05), x[at] + 0.12, f"$\\mathit{{{name}}}${mark}", color=color, zorder=6)
+            ax.text(
+                angle,
+                mu0[at] + (-0.06 if at == 0 else 0.05),
+                x[at] + 0.12,
+                f"$\\mathit{{{name}}}${mark}",
+                color=color,
+                zorder=6,
+            )
         tables[f"path_{name}"] = _table_of_path(up, "mu0")
     return figure.describe(
-        f"""Figure 11. Surface of equilibria in contact over inclination and friction, {_BASE_TEXT}. Blue stable, orange divergent;
-        red lines are the folds, the dot is the cusp. Lines with a dotted jump are the paths a-a' (theta0 = 60 deg, black) and b-b'
-        (theta0 = 40 deg, violet) with mu0 rising. x over L_0. {_RANGE_TEXT} The lines are drawn through the sheets in front of
-        them.""",
+        f"""Figure 11. Surface of equilibria in contact over inclination and friction, {_BASE_TEXT}. Blue
+        stable, orange divergent; red lines are the folds, the dot is the cusp. Lines with a dotted jump are
+        the paths a-a' (theta0 = 60 deg, black) and b-b' (theta0 = 40 deg, violet) with mu0 rising. x over
+        L_0. {_RANGE_TEXT} The lines are drawn through the sheets in front of them.""",
         **tables,
     )
 
@@ -353,9 +439,19 @@ def _draw_bifurcation_set(ax: Axes, p: Parameters, mu0: tuple[float, float] = MU
     ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
     for number, curve in enumerate(found.curves):
         ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION)
-        for name, values in zip(columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True):
+        for name, values in zip(
+            columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True
+        ):
             columns[name].append(values)
-    ax.plot(np.degrees(found.cusps.theta0), found.cusps.mu0, linestyle="none", marker="o", markersize=3.6, color=BLACK, zorder=4)
+    ax.plot(
+        np.degrees(found.cusps.theta0),
+        found.cusps.mu0,
+        linestyle="none",
+        marker="o",
+        markersize=3.6,
+        color=BLACK,
+        zorder=4,
+    )
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=mu0)
     return {name: np.concatenate(values) for name, values in columns.items()}
@@ -372,13 +468,17 @@ def figure_12() -> Sheet:
         ax.axvline(angle, color=GREY, linewidth=0.6, linestyle=":")
         write_along(ax, f"$\\mathit{{{name}}}$–$\\mathit{{{name}}}$′", angle + 1.5, 0.93, color=GREY)
     return figure.describe(
-        f"""Figure 12. Bifurcation set over inclination and friction, {_BASE_TEXT}: three equilibria in contact in the shaded regions,
-        one elsewhere; the dot is the cusp. Dotted: the paths of Figure 13. {_RANGE_TEXT}""",
+        f"""Figure 12. Bifurcation set over inclination and friction, {_BASE_TEXT}: three equilibria in
+        contact
+        in the shaded regions, one elsewhere; the dot is the cusp. Dotted: the paths of Figure 13.
+        {_RANGE_TEXT}""",
         a=table,
     )
 
 
-def _label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> None:
+def _label_regions(
+    ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]
+) -> None:
     for place in three:
         write_along(ax, "3", *place, ha="center", fontsize=10)
     write_along(ax, "1", *one, ha="center", fontsize=10)
@@ -401,14 +501,20 @@ def figure_13() -> Sheet:
         mark_folds(folds(p, "mu0"), ax=ax, high=MU0_RANGE[1])
         ax.set(xlabel=r"$\mu_0$", ylabel=LABELS["x"], xlim=(0, 1), ylim=(0, 1.7 if angle < 50 else 1.1))
         ax.set_title(rf"$\theta_0 = {angle:g}^\circ$", loc="right", color=GREY)
-        tables |= {letter: table_of(curves), f"{letter}_rising": _table_of_path(up, "mu0"), f"{letter}_falling": _table_of_path(back, "mu0")}
+        tables |= {
+            letter: table_of(curves),
+            f"{letter}_rising": _table_of_path(up, "mu0"),
+            f"{letter}_falling": _table_of_path(back, "mu0"),
+        }
     for ax, rising, falling in zip(axes, ((0.3, 0.45), (0.3, 0.22)), ((0.3, 0.98), (0.2, 1.55)), strict=True):
         write_along(ax, r"$\mu_0$ rising", *rising, color=VERMILION)
         write_along(ax, r"$\mu_0$ falling", *falling, color=BLUE)
     return figure.describe(
-        f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a-a' at theta0 = 60 deg: a jump either way,
-        hysteresis; (b) b-b' at theta0 = 40 deg: one jump, and no return. {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}. Thin line: rising,
-        broad line: falling. {_LINES_TEXT} {_RANGE_TEXT}""",
+        f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a-a' at theta0
+        = 60
+        deg: a jump either way, hysteresis; (b) b-b' at theta0 = 40 deg: one jump, and no return.
+        {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}. Thin line: rising, broad line: falling. {_LINES_TEXT}
+        {_RANGE_TEXT}""",
         **tables,
     )
 
@@ -422,7 +528,8 @@ def _draw_flutter(ax: Axes, found: FlutterBoundary, mu0: tuple[float, float], sp
         ax.plot(*places, color=GREEN, linewidth=1.2, linestyle=LINES[Stability.FLUTTER], zorder=3)
     shown = (found.mu0 >= mu0[0]) & (found.mu0 <= mu0[1])
     return {
-        "curve": found.curve[shown], "theta0_deg": np.degrees(found.theta0[shown]), "mu0": found.mu0[shown], "x": found.x[shown]
+        "curve": found.curve[shown], "theta0_deg": np.degrees(found.theta0[shown]), "mu0": found.mu0[shown],
+        "x": found.x[shown],
     }  # fmt: skip
 
 
@@ -430,10 +537,13 @@ def _draw_flutter(ax: Axes, found: FlutterBoundary, mu0: tuple[float, float], sp
 def figure_14(*, detail: float = 1.0) -> Sheet:
     """Surface and bifurcation set at σ = 1, with flutter."""
     figure = Sheet(figsize=(DOUBLE, 3.3))
-    space, plane = _space(figure, (0.0, 0.0, 0.56, 1.0), 1.0), figure.add_axes((0.64, 0.16, 0.345, 0.74))
+    space, plane = _space(figure, (0.02, 0.0, 0.56, 1.0), 0.95), figure.add_axes((0.64, 0.16, 0.345, 0.74))
     p = Parameters.article(sigma=1.0)
     onsets = flutter_boundary(p)
-    tables = {"a": _draw_surface(space, p, detail), "a_flutter": _draw_flutter(space, onsets, MU0_RANGE, space=True)}
+    tables = {
+        "a": _draw_surface(space, p, detail),
+        "a_flutter": _draw_flutter(space, onsets, MU0_RANGE, space=True),
+    }
     tables["b"] = _draw_bifurcation_set(plane, p)
     tables["b_flutter"] = _draw_flutter(plane, onsets, MU0_RANGE)
     _label_regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75))
@@ -442,9 +552,10 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     figure.text(0.02, 0.95, "(a)", va="center")
     plane.set_title("(b)", loc="left")
     return figure.describe(
-        f"""Figure 14. Equilibria in contact at sigma = 1, kappa = 0.007, alpha = 0.007, beta = 0. (a) Surface over inclination and
-        friction: blue stable, orange divergent, green flutter; red lines are folds, green ones onsets of flutter, the dot is the
-        cusp. (b) Bifurcation set: three equilibria in the shaded regions, one elsewhere; dash-dotted, onsets of flutter on the
-        sheet of largest theta. x over L_0. {_RANGE_TEXT}""",
+        f"""Figure 14. Equilibria in contact at sigma = 1, kappa = 0.007, alpha = 0.007, beta = 0. (a) Surface
+        over inclination and friction: blue stable, orange divergent, green flutter; red lines are folds,
+        green ones onsets of flutter, the dot is the cusp. (b) Bifurcation set: three equilibria in the
+        shaded regions, one elsewhere; dash-dotted, onsets of flutter on the sheet of largest theta. x over
+        L_0. {_RANGE_TEXT}""",
         **tables,
     )

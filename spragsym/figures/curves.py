@@ -42,7 +42,8 @@ class Branch:
 
 
 def branches(
-    p: Parameters, vary: str = "theta0", low: float | None = None, high: float | None = None, *, contact: bool = True, n: int = 200
+    p: Parameters, vary: str = "theta0", low: float | None = None, high: float | None = None, *,
+    contact: bool = True, n: int = 200,
 ) -> list[Branch]:  # fmt: skip
     """All equilibrium curves as one parameter varies, complete: cut at every fold and flutter onset.
 
@@ -96,8 +97,8 @@ def _pieces(
     for start, stop in itertools.pairwise([*starts, codes.size]):
         # One point more where the stability changes within, so that no gap is seen.
         reach = slice(start, min(stop + 1, codes.size))
-        piece = Branch(vary, along[reach], *(states[name][reach] for name in _STATE), Stability(int(codes[start])))  # type: ignore[arg-type]
-        pieces.append(piece)
+        shown = {name: state[reach] for name, state in states.items()}
+        pieces.append(Branch(vary, along[reach], **shown, stability=Stability(int(codes[start]))))
     if turns is not None and pieces:
         pieces[0] = _to_fold(pieces[0], eq, 0, rank, turns, ends[0])
         pieces[-1] = _to_fold(pieces[-1], eq, -1, rank, turns, ends[1])
@@ -120,21 +121,31 @@ def _to_fold(piece: Branch, eq: Equilibria, at: int, rank: int, turns: Folds, en
 
 @styled
 def draw_branches(
-    curves: Iterable[Branch], quantity: str = "x", *, ax: Axes | None = None, color: str = BLACK, **options: Any
+    curves: Iterable[Branch],
+    quantity: str = "x",
+    *,
+    ax: Axes | None = None,
+    color: str = BLACK,
+    **options: Any,
 ) -> list[Line2D]:
     """Draw branches: stable solid, divergent dashed, flutter dash-dotted; returns the lines."""
     ax = own_axes(ax)
     lines = []
     for curve in curves:
-        lines += ax.plot(
-            curve.shown(curve.vary), curve.shown(quantity), **({"color": color, "linestyle": LINES[curve.stability]} | options)
-        )  # fmt: skip
+        style: dict[str, Any] = {"color": color, "linestyle": LINES[curve.stability]}
+        lines += ax.plot(curve.shown(curve.vary), curve.shown(quantity), **(style | options))
     return lines
 
 
 @styled
 def mark_folds(
-    turns: Folds, quantity: str = "x", *, ax: Axes | None = None, low: float = -np.inf, high: float = np.inf, **options: Any
+    turns: Folds,
+    quantity: str = "x",
+    *,
+    ax: Axes | None = None,
+    low: float = -np.inf,
+    high: float = np.inf,
+    **options: Any,
 ) -> list[Line2D]:
     """Mark folds at their exact positions between ``low`` and ``high`` of the parameter that varies."""
     along = getattr(turns, turns.vary)
@@ -142,12 +153,19 @@ def mark_folds(
     x, y = along[inside], getattr(turns, quantity)[inside]
     x = np.degrees(x) if turns.vary in _ANGLES else x
     y = np.degrees(y) if quantity in _ANGLES else y
-    style = {"linestyle": "none", "marker": "o", "markersize": 3.4, "color": BLACK, "zorder": 3}
+    style: dict[str, Any] = {
+        "linestyle": "none",
+        "marker": "o",
+        "markersize": 3.4,
+        "color": BLACK,
+        "zorder": 3,
+    }
     return own_axes(ax).plot(x, y, **(style | options))
 
 
 def plot_equilibria(
-    p: Parameters, quantity: str = "x", vary: str = "theta0", *, low: float | None = None, high: float | None = None,
+    p: Parameters, quantity: str = "x", vary: str = "theta0", *,
+    low: float | None = None, high: float | None = None,
     contact: bool = True, ax: Axes | None = None, color: str = BLACK, **options: Any,
 ) -> list[Line2D]:  # fmt: skip
     """All equilibrium curves as a parameter varies, folds marked.
@@ -185,11 +203,16 @@ def plot_equilibria(
     8
     """
     ax = own_axes(ax)
-    lines = draw_branches(branches(p, vary, low, high, contact=contact), quantity, ax=ax, color=color, **options)
+    lines = draw_branches(
+        branches(p, vary, low, high, contact=contact), quantity, ax=ax, color=color, **options
+    )
     if contact:
         ends = [line.get_xdata() for line in lines]
         scale = np.radians if vary in _ANGLES else np.asarray
-        reach = (float(scale(np.min([np.min(x) for x in ends]))), float(scale(np.max([np.max(x) for x in ends]))))
+        reach = (
+            float(scale(np.min([np.min(x) for x in ends]))),
+            float(scale(np.max([np.max(x) for x in ends]))),
+        )
         lines += mark_folds(folds(p, vary), quantity, ax=ax, low=reach[0], high=reach[1], color=color)
     return lines
 
@@ -197,9 +220,13 @@ def plot_equilibria(
 def table_of(curves: Sequence[Branch], **same: float) -> Table:
     """Branches as columns, one after the other; ``same`` are columns of one value."""
     first = curves[0]
-    columns: dict[str, Any] = {name: np.full(sum(c.values.size for c in curves), value) for name, value in same.items()}
+    columns: dict[str, Any] = {
+        name: np.full(sum(c.values.size for c in curves), value) for name, value in same.items()
+    }
     columns["branch"] = np.repeat(np.arange(len(curves)), [curve.values.size for curve in curves])
-    columns["stability"] = np.repeat([c.stability.name.lower() for c in curves], [c.values.size for c in curves])
+    columns["stability"] = np.repeat(
+        [c.stability.name.lower() for c in curves], [c.values.size for c in curves]
+    )
     for name in (first.vary, *_STATE):
         key = f"{name}_deg" if name in _ANGLES else name
         columns[key] = np.concatenate([curve.shown(name) for curve in curves])
@@ -212,11 +239,11 @@ def joined(tables: Iterable[Table]) -> Table:
     return {name: np.concatenate([np.asarray(table[name]) for table in tables]) for name in tables[0]}
 
 
-# ------------------------------------------------------------------------------------------------------- paths
+# ------------------------------------------------------------------------------------------------- paths
 
 
 def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArray]]:
-    """The pieces of a quasi-static path between its jumps, each led to the exact fold and from where it lands."""
+    """The pieces of a quasi-static path between its jumps, from where it landed to the exact fold."""
     values, states = path.values, getattr(path, quantity)
     forward = -1.0 if values[0] > values[-1] else 1.0
     pieces, begin = [], 0
@@ -237,14 +264,21 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
 
 @styled
 def draw_path(
-    path: Path, quantity: str = "x", *, ax: Axes | None = None, color: str = BLACK, arrows: Sequence[float] = (0.5,), **options: Any
+    path: Path,
+    quantity: str = "x",
+    *,
+    ax: Axes | None = None,
+    color: str = BLACK,
+    arrows: Sequence[float] = (0.5,),
+    **options: Any,
 ) -> list[Any]:
-    """Draw a quasi-static path, its jumps dotted, with an arrow head at some shares of every piece and on every jump."""
+    """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on jumps."""
     ax = own_axes(ax)
     artists: list[Any] = []
     pieces = passages(path, quantity)
+    style: dict[str, Any] = {"color": color, "linewidth": 1.1, "zorder": 2.2}
     for value, state in pieces:
-        artists += ax.plot(value, state, **({"color": color, "linewidth": 1.1, "zorder": 2.2} | options))
+        artists += ax.plot(value, state, **(style | options))
         artists += [_head(ax, *_around(value, state, share), color) for share in arrows]
     for (value, state), (_, landed) in itertools.pairwise(pieces):
         begin, end = (value[-1], state[-1]), (value[-1], landed[0])
@@ -263,5 +297,12 @@ def _around(x: FloatArray, y: FloatArray, share: float) -> tuple[tuple[float, fl
 def _head(ax: Axes, begin: tuple[float, float], end: tuple[float, float], color: str) -> Any:
     """An arrow head at ``end``, pointing away from ``begin``."""
     near = (end[0] + 1e-3 * (begin[0] - end[0]), end[1] + 1e-3 * (begin[1] - end[1]))
-    props = {"arrowstyle": "-|>", "color": color, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 9, "linewidth": 0.8}
+    props = {
+        "arrowstyle": "-|>",
+        "color": color,
+        "shrinkA": 0,
+        "shrinkB": 0,
+        "mutation_scale": 9,
+        "linewidth": 0.8,
+    }
     return ax.annotate("", end, near, arrowprops=props)

@@ -1,4 +1,4 @@
-"""Figures that the article lacks: why its Figures 8 to 10 come out as they do, and what its Figures 4 and 7 rest on."""
+"""Figures that the article lacks: why its 8 to 10 come out as they do, and what its 4 and 7 rest on."""
 
 from __future__ import annotations
 
@@ -10,8 +10,22 @@ from ..catastrophe import bifurcation_set, critical_friction, critical_value, fo
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
-from .article import MU0_RANGE, V, D, _BASE_TEXT, _draw_bifurcation_set
-from .style import BLACK, BLUE, DOUBLE, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, plain_ticks, styled, write_along
+from .article import _BASE_TEXT, MU0_RANGE, D, V, _draw_bifurcation_set
+from .style import (
+    BLACK,
+    BLUE,
+    DOUBLE,
+    GREY,
+    SINGLE,
+    VERMILION,
+    Sheet,
+    Table,
+    angle_axis,
+    panels,
+    plain_ticks,
+    styled,
+    write_along,
+)
 
 #: Parameter → (range shown, the article's samples, an interval that holds the critical value).
 _SAMPLES: dict[str, tuple[tuple[float, float], tuple[float, ...], tuple[float, float]]] = {
@@ -25,7 +39,7 @@ _TICKS = {"alpha": (0.1, 1.0, 10.0), "sigma": (0.1, 0.2, 0.5), "kappa": (0.01, 0
 
 @styled
 def bifurcation_figure(p: Parameters) -> Sheet:
-    """The bifurcation set of any κ, α, σ, β over inclination and friction, up to twice the friction of interest.
+    """The bifurcation set of any κ, α, σ, β over inclination and friction.
 
     Parameters
     ----------
@@ -41,8 +55,9 @@ def bifurcation_figure(p: Parameters) -> Sheet:
         ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
     return figure.describe(
-        f"""Bifurcation set over inclination and friction, kappa = {kappa:g}, alpha = {alpha:g}, sigma = {sigma:g},
-        beta = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots are cusps.""",
+        f"""Bifurcation set over inclination and friction, kappa = {kappa:g}, alpha = {alpha:g}, sigma =
+        {sigma:g}, beta = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots
+        are cusps.""",
         a=table,
     )
 
@@ -55,9 +70,11 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
         tables[letter] = _draw_cusp_friction(ax, name, n)
     return figure.describe(
-        f"""Friction at the cusp, mu_cusp, over (a) beta, (b) alpha, (c) sigma, (d) kappa, the other parameters at {_BASE_TEXT}. From
-        small deformation a curve at mu0 = 0.5 (dotted) jumps where mu_cusp lies below it. Dots are the article's samples, of its
-        Figures 8 to 10 in (a) to (c); filled: jumps, open: does not. The number is the critical value. Where the curve of (d) ends there is no cusp beyond.""",
+        f"""Friction at the cusp, mu_cusp, over (a) beta, (b) alpha, (c) sigma, (d) kappa, the other
+        parameters
+        at {_BASE_TEXT}. From small deformation a curve at mu0 = 0.5 (dotted) jumps where mu_cusp lies below
+        it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
+        not. The number is the critical value. Where the curve of (d) ends there is no cusp beyond.""",
         **tables,
     )
 
@@ -71,7 +88,16 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     for value in samples:
         friction = float(critical_friction(p.replace(**{name: value})))
-        ax.plot(value, friction, marker="o", markersize=4.5, color=BLUE, markerfacecolor=BLUE if friction < mu0 else "white", zorder=3, clip_on=False)
+        ax.plot(
+            value,
+            friction,
+            marker="o",
+            markersize=4.5,
+            color=BLUE,
+            markerfacecolor=BLUE if friction < mu0 else "white",
+            zorder=3,
+            clip_on=False,
+        )
     critical = critical_value(p, name, bracket)
     ax.axvline(critical, color=VERMILION, linewidth=0.7, linestyle=":")
     if name == "beta":
@@ -80,12 +106,14 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     else:
         ax.set(xscale="log", yscale="log")
         plain_ticks(ax.yaxis, _TICKS[name])
-        write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform())
+        write_along(
+            ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform()
+        )
     ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{cusp}}$", xlim=(low, high))
     return {name: values, "mu_cusp": frictions}
 
 
-# ----------------------------------------------------------------------------------- the false double root in L
+# ---------------------------------------------------------------------------- the false double root in L
 
 
 def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
@@ -114,14 +142,16 @@ def root_gaps(p: Parameters, theta0: FloatArray) -> tuple[FloatArray, FloatArray
 
 
 def false_double_roots(p: Parameters) -> FloatArray:
-    """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0, at L = σ/(σ + α)."""
+    """θ₀ at which the quartic in L has a double root that is no fold: f(θ) = f(π − θ) = 0."""
     from scipy.optimize import brentq
 
     mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
 
     def mismatch(theta0: float) -> float:
         """f at the direction with a sin θ + b = 0, where it is d sin θ − m sin² θ."""
-        a, b, d, m = _equilibrium.f_coefficients(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1)
+        a, b, d, m = _equilibrium.f_coefficients(
+            np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1
+        )
         return float(a * d + m * b)
 
     angles = np.linspace(1e-6, np.pi - 1e-6, 4001)
@@ -152,14 +182,15 @@ def figure_false_double_root() -> Sheet:
         write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
     axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
     return figure.describe(
-        f"""Smallest distance of two roots, relative to their size, at mu0 = 0.5, {_BASE_TEXT}, of (a) the quartic in L, the article's
-        Equation (21), (b) the quartic in t = tan(theta/2). Both have a double root at the two folds; that in L has another where
-        two different equilibria share the length sigma/(sigma + alpha), and where x and y can't be recovered from it.""",
+        f"""Smallest distance of two roots, relative to their size, at mu0 = 0.5, {_BASE_TEXT}, of (a) the
+        quartic in L, the article's Equation (21), (b) the quartic in t = tan(theta/2). Both have a double
+        root at the two folds; that in L has another where two different equilibria share the length
+        sigma/(sigma + alpha), and where x and y can't be recovered from it.""",
         a={"theta0_deg": angles, "gap_L": gaps[0]}, b={"theta0_deg": angles, "gap_t": gaps[1]},
     )  # fmt: skip
 
 
-# -------------------------------------------------------------------------------------------- motions in numbers
+# ------------------------------------------------------------------------------------ motions in numbers
 
 
 @styled
@@ -169,22 +200,37 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, workers: Wo
     p = Parameters.article()
     angles = np.arange(step_deg / 2, 180.0, step_deg)
     frictions = np.arange(step_mu0 / 2, MU0_RANGE[1], step_mu0)
-    sweep = rms_sweep(p.replace(theta0=np.radians(angles), mu0=frictions[:, None]), V, D, rtol=1e-8, workers=workers)
+    sweep = rms_sweep(
+        p.replace(theta0=np.radians(angles), mu0=frictions[:, None]), V, D, rtol=1e-8, workers=workers
+    )
     image = ax.pcolormesh(angles, frictions, sweep.rms, cmap="cividis", vmin=0.0, rasterized=True)
     found = bifurcation_set(p)
     for curve in found.curves:
         ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
         ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION, linewidth=1.2)
-    ax.plot(np.degrees(found.cusps.theta0), found.cusps.mu0, linestyle="none", marker="o", markersize=4, color=VERMILION, markeredgecolor="white")
+    ax.plot(
+        np.degrees(found.cusps.theta0),
+        found.cusps.mu0,
+        linestyle="none",
+        marker="o",
+        markersize=4,
+        color=VERMILION,
+        markeredgecolor="white",
+    )
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=MU0_RANGE)
     figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
     where = np.broadcast_arrays(angles, frictions[:, None])
     return figure.describe(
-        f"""Root mean square of x, about zero, over 1500 < tau < 2000, of the motion from rest at x = y = 0, over inclination and
-        friction; red: the bifurcation set, the dot is the cusp. {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}; V = {V} and d = {D:g} are our
-        assumption.""",
-        a={"theta0_deg": where[0].ravel(), "mu0": where[1].ravel(), "rms_x": sweep.rms.ravel(), "regime": sweep.regime.ravel()},
+        f"""Root mean square of x, about zero, over 1500 < tau < 2000, of the motion from rest at x = y = 0,
+        over inclination and friction; red: the bifurcation set, the dot is the cusp.
+        {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}; V = {V} and d = {D:g} are our assumption.""",
+        a={
+            "theta0_deg": where[0].ravel(),
+            "mu0": where[1].ravel(),
+            "rms_x": sweep.rms.ravel(),
+            "regime": sweep.regime.ravel(),
+        },
     )
 
 
@@ -209,10 +255,12 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
     axes[2].axhline(float(np.degrees(folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
     return figure.describe(
-        f"""Sensitivity of Figure 7b to belt speed and steepness, mu0 = 0.5, {_BASE_TEXT}. Root mean square of x over
-        1500 < tau < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V = {V}; (c) the theta0 at which it
-        steps most, to {np.degrees(jumps.width):.2g} deg, over V for three d. Dotted: the fold, which does not depend on them. V = {V}
-        and d = {D:g} are our assumption of what the article does not state.""",
+        f"""Sensitivity of Figure 7b to belt speed and steepness, mu0 = 0.5, {_BASE_TEXT}. Root mean square
+        of x
+        over 1500 < tau < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
+        {V}; (c) the theta0 at which it steps most, to {np.degrees(jumps.width):.2g} deg, over V for three
+        d. Dotted: the fold, which does not depend on them. V = {V} and d = {D:g} are our assumption of what
+        the article does not state.""",
         **tables,
     )
 
@@ -232,7 +280,9 @@ def _draw_rms(ax: Axes, angles: FloatArray, rms: FloatArray, values: FloatArray,
 
 def _draw_jumps(ax: Axes, speeds: FloatArray, creeps: FloatArray, jump_deg: FloatArray) -> Table:
     for column, creep, color in zip(jump_deg.T, creeps, _SHADES, strict=True):
-        ax.semilogx(speeds, column, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$")
+        ax.semilogx(
+            speeds, column, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$"
+        )
     ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)

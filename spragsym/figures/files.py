@@ -8,10 +8,9 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 import numpy as np
 
-from .style import STYLE, Sheet, Table
+from .style import Sheet, Table, house_style
 
 #: Format → metadata that leaves out the date and the version of what drew it.
 FORMATS: dict[str, dict[str, Any]] = {
@@ -22,13 +21,13 @@ FORMATS: dict[str, dict[str, Any]] = {
 
 
 def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf",)) -> list[Path]:
-    """Write ``stem.pdf`` and the like, ``stem.txt`` with the caption and ``stem_a.csv`` … with the data; returns the paths.
+    """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …; returns the paths.
 
     The resolution of what is not drawn as lines is 300 dots an inch.
     """
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
-    with matplotlib.rc_context(STYLE):
+    with house_style():
         for kind in formats:
             paths.append(folder / f"{stem}.{kind}")
             figure.savefig(paths[-1], format=kind, metadata=FORMATS[kind])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import textwrap
 from collections.abc import Callable, Mapping
+from contextlib import AbstractContextManager
 from typing import Any, ParamSpec, TypeAlias, TypeVar
 
 import numpy as np
@@ -84,18 +85,26 @@ class Sheet(Figure):
         return self
 
 
+def house_style() -> AbstractContextManager[None]:
+    """The house style for as long as the context lasts."""
+    style: Any = STYLE  # matplotlib's type for it lists every setting by name
+    return matplotlib.rc_context(style)
+
+
 def styled(function: Callable[_P, _R]) -> Callable[_P, _R]:
     """Run a function with the house style, and leave the global one as it was."""
 
     @functools.wraps(function)
     def inside(*args: _P.args, **options: _P.kwargs) -> _R:
-        with matplotlib.rc_context(STYLE):
+        with house_style():
             return function(*args, **options)
 
     return inside
 
 
-def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Sheet, NDArray[Any]]:
+def panels(
+    rows: int, columns: int, width: float, height: float, **options: Any
+) -> tuple[Sheet, NDArray[Any]]:
     """An empty figure of rows × columns panels, lettered if there are several; sizes in inches."""
     figure = Sheet(figsize=(width, height), layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, **options)
@@ -114,7 +123,9 @@ def own_axes(ax: Axes | None) -> Axes:
     return pyplot.gca()
 
 
-def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, label: bool = True) -> None:
+def angle_axis(
+    ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, label: bool = True
+) -> None:
     """θ₀ in degrees along x."""
     ax.set_xlim(low, high)
     ax.set_xticks(np.arange(low, high + step / 2, step))
@@ -124,7 +135,8 @@ def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30
 
 def write_along(ax: Axes, text: str, x: float, y: float, color: str = BLACK, **options: Any) -> Any:
     """A direct label in data coordinates."""
-    return ax.text(x, y, text, **({"color": color, "fontsize": 8, "ha": "left", "va": "center"} | options))
+    style: dict[str, Any] = {"color": color, "fontsize": 8, "ha": "left", "va": "center"}
+    return ax.text(x, y, text, **(style | options))
 
 
 def plain_ticks(axis: Any, values: tuple[float, ...]) -> None:

@@ -16,8 +16,8 @@ from ..generated import stability as _stability
 from ..parameters import FloatArray, Parameters
 from ..solver import Stability
 
-#: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant of (27) (flutter where
-#: negative).
+#: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant
+#: of (27) (flutter where negative).
 _THETA0, _MU0, _X, _SLOPE, _DISCRIMINANT = range(5)
 
 
@@ -30,12 +30,12 @@ class Sheet:
 
 
 def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int = 90) -> list[Sheet]:
-    """The surface over the given θ₀ and between two frictions, cut into sheets along folds and flutter onsets.
+    """The surface over the given θ₀ and between two frictions, cut along folds and flutter onsets.
 
-    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite. So the mesh has no
-    hole; polygons are cut by straight lines where they leave a sheet.
+    Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite. So
+    the mesh has no hole; polygons are cut by straight lines where they leave a sheet.
     """
-    mesh = _mesh(p, np.radians(theta0_deg), n)
+    mesh = _mesh(p, np.radians(theta0_deg), n, mu0)
     polygons = _quadrilaterals(mesh)
     polygons = _clip(_clip(polygons, _MU0, mu0[0]), _MU0, mu0[1], keep_above=False)
     standing = _clip(polygons, _SLOPE, 0.0)
@@ -47,21 +47,38 @@ def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: i
     return [Sheet(kind, [polygon[:, :3] for polygon in part]) for kind, part in parts.items() if part]
 
 
-def _mesh(p: Parameters, theta0: FloatArray, n: int) -> FloatArray:
+def _mesh(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:
     """Vertices, of shape (θ₀, θ, columns)."""
     kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
-    lowest = np.sin(theta0) - kappa / sigma  # contact is sin θ above it
-    start = np.arcsin(np.clip(lowest, 0.0, 1.0))
-    u = np.linspace(2e-3, 1 - 2e-3, n)
-    share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
-    theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
+    theta = _directions(p, theta0, n, mu0)
     found = surface(p, theta, theta0[:, None])
     c, s, c0, s0 = np.cos(theta), np.sin(theta), np.cos(theta0)[:, None], np.sin(theta0)[:, None]
-    slope = _equilibrium.f_slope(c, s, *_equilibrium.f_coefficients(c0, s0, found.mu0, kappa, alpha, sigma, beta, 1))
+    f = _equilibrium.f_coefficients(c0, s0, found.mu0, kappa, alpha, sigma, beta, 1)
+    slope = _equilibrium.f_slope(c, s, *f)
     K = _stability.stiffness(c, s, found.L, found.mu0, alpha, sigma, beta, 1)
     discriminant = _stability.invariants(*K[0], *K[1])[2]
     columns = (np.degrees(found.theta0), found.mu0, found.x, slope, discriminant)
     return np.stack(np.broadcast_arrays(*columns), axis=-1)
+
+
+def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:
+    """For each θ₀ directions in contact, evenly spaced on the surface as it is shown."""
+    kappa, sigma = p.scalars("kappa", "sigma")
+    start = np.arcsin(np.clip(np.sin(theta0) - kappa / sigma, 0.0, 1.0))  # contact is sin θ above it
+    u = np.linspace(1e-3, 1 - 1e-3, 20 * n)
+    share = u**3 * (10 - 15 * u + 6 * u * u)  # dense towards the ends, where μ₀ is steep
+    theta = start[:, None] + (np.pi - 2 * start[:, None]) * share
+    found = surface(p, theta, theta0[:, None])
+    width = mu0[1] - mu0[0]
+    shown = np.clip(found.mu0, mu0[0] - 0.1 * width, mu0[1] + 0.1 * width)
+    # What is out of sight counts the less the farther it is.
+    weight = 0.25 / (1 + ((found.mu0 - shown) / width) ** 2)[:, 1:]
+    steps = np.hypot(np.diff(shown, axis=1) / width, weight * np.diff(found.x, axis=1))
+    length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)
+    even = np.linspace(0.0, 1.0, n)
+    return np.array(
+        [np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)]
+    )
 
 
 def _quadrilaterals(mesh: FloatArray) -> list[FloatArray]:
@@ -69,7 +86,9 @@ def _quadrilaterals(mesh: FloatArray) -> list[FloatArray]:
     return list(corners.reshape(-1, 4, mesh.shape[-1]))
 
 
-def _clip(polygons: Sequence[FloatArray], column: int, level: float, keep_above: bool = True) -> list[FloatArray]:
+def _clip(
+    polygons: Sequence[FloatArray], column: int, level: float, keep_above: bool = True
+) -> list[FloatArray]:
     """Sutherland and Hodgman: the part of each polygon where a column is above a level, or below it."""
     sign = 1.0 if keep_above else -1.0
     kept = []
@@ -84,7 +103,9 @@ def _clip(polygons: Sequence[FloatArray], column: int, level: float, keep_above:
 
 def _cut(polygon: FloatArray, height: FloatArray) -> FloatArray:
     points = []
-    for here, there, low, high in zip(polygon, np.roll(polygon, -1, axis=0), height, np.roll(height, -1), strict=True):
+    for here, there, low, high in zip(
+        polygon, np.roll(polygon, -1, axis=0), height, np.roll(height, -1), strict=True
+    ):
         if low >= 0:
             points.append(here)
         if low * high < 0:

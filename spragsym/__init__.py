@@ -22,6 +22,8 @@ from .parameters import Parameters, PhysicalParameters, Scales
 
 if TYPE_CHECKING:
     from . import precise as precise
+    from .backends import get_backend as get_backend
+    from .backends import set_backend as set_backend
     from .catastrophe import surface as surface
     from .catastrophe import folds as folds
     from .catastrophe import bifurcation_set as bifurcation_set
@@ -74,6 +76,8 @@ _LAZY: dict[str, str] = {
     "Path": "paths",
     "Jump": "paths",
     "precise": "precise",
+    "set_backend": "backends",
+    "get_backend": "backends",
 }
 
 __all__ = [

@@ -34,12 +34,17 @@ f_third = _equilibrium.f_third.__wrapped__  # type: ignore[attr-defined]
 stiffness = _stability.stiffness.__wrapped__  # type: ignore[attr-defined]
 invariants = _stability.invariants.__wrapped__  # type: ignore[attr-defined]
 
+# Named, so that the compiled kernel can bind versions for scalars.
+where, maximum, minimum = np.where, np.maximum, np.minimum
+absolute, copysign, sqrt, cbrt = np.abs, np.copysign, np.sqrt, np.cbrt
+
 # Bounds on rounding errors, in units of u, each relative to the same expression with all of its terms positive. They count the
 # operations that lead there, parameters taken as exact, cos θ₀ and sin θ₀ as good to 2 u.
 IN_F = 16.0
 IN_P = 20.0
 IN_Q = 24.0
 IN_STATE = 16.0
+IN_THETA = 16.0
 #: Largest h = |f| max|f″| / f′² for which the radius below is taken: Kantorovich asks for 1/2.
 KANTOROVICH = 0.05
 
@@ -51,11 +56,11 @@ def factors(a: Value, b: Value, d: Value, m: Value) -> tuple[Value, Value, Value
     A1, A2, A3 = e1 * scale, e2 * scale, e3 * scale
     y = -4.0 * scale * simple_root(a, b, d, m)
 
-    width = np.sqrt(y * y + 4.0)  # q2 − q1
-    large = 0.5 * (np.abs(y) + width)
+    width = sqrt(y * y + 4.0)  # q2 − q1
+    large = 0.5 * (absolute(y) + width)
     small = 1.0 / large
-    q2 = np.where(y > 0.0, large, small)
-    q1 = -np.where(y > 0.0, small, large)
+    q2 = where(y > 0.0, large, small)
+    q1 = -where(y > 0.0, small, large)
     inverse = 1.0 / width
     p1 = (A1 - A3 * q1) * inverse
     p2 = (A3 * q2 - A1) * inverse
@@ -68,25 +73,25 @@ def simple_root(a: Value, b: Value, d: Value, m: Value) -> Value:
     r0, r1, r2 = resolvent(a, b, d, m)
     P, Q = depressed(r0, r1, r2)
     D = P * P * P + Q * Q
-    size = np.abs(Q)
+    size = absolute(Q)
 
     # One real root: Cardano, in the form that does not cancel for P > 0.
-    u = np.cbrt(size + np.sqrt(np.maximum(D, 0.0)))
+    u = cbrt(size + sqrt(maximum(D, 0.0)))
     v = P / u
-    alone = np.where(P > 0.0, 2.0 * size / (u * u + P + v * v), u - v)
+    alone = where(P > 0.0, 2.0 * size / (u * u + P + v * v), u - v)
 
     # Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 w³ − 3 w = cos φ on [√3/2, 1], where Newton converges at once.
-    root = np.sqrt(np.maximum(-P, 0.0))
-    cosine = np.minimum(size / (root * root * root), 1.0)
+    root = sqrt(maximum(-P, 0.0))
+    cosine = minimum(size / (root * root * root), 1.0)
     w = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine)
     w = w - ((4.0 * w * w - 3.0) * w - cosine) / (12.0 * w * w - 3.0)
     w = w - ((4.0 * w * w - 3.0) * w - cosine) / (12.0 * w * w - 3.0)
-    z = -np.copysign(np.where(D < 0.0, 2.0 * root * w, alone), Q)
+    z = -copysign(where(D < 0.0, 2.0 * root * w, alone), Q)
 
     x = z - r2 / 3.0
     slope = (3.0 * x + 2.0 * r2) * x + r1
     step = (((x + r2) * x + r1) * x + r0) / slope
-    return x - np.where(np.abs(step) < np.abs(z), step, 0.0)
+    return x - where(absolute(step) < absolute(z), step, 0.0)
 
 
 def depressed(r0: Value, r1: Value, r2: Value) -> tuple[Value, Value]:
@@ -97,16 +102,17 @@ def depressed(r0: Value, r1: Value, r2: Value) -> tuple[Value, Value]:
 
 def discriminant(a: Value, b: Value, d: Value, m: Value, a_sum: Value, d_sum: Value, u: Value) -> tuple[Value, Value]:
     """P³ + Q², negative for four real roots in t and positive for two, and a bound on its rounding error."""
-    P, Q = depressed(*resolvent(a, b, d, m))
+    r0, r1, r2 = resolvent(a, b, d, m)
+    P, Q = depressed(r0, r1, r2)
     # r0, r1, r2 with every term positive, and the same for P and Q.
-    size = np.abs(m)
+    size = absolute(m)
     R1 = 0.25 * (a_sum * a_sum + b * b + d_sum * d_sum)
-    R0 = 0.25 * np.abs(b) * (a_sum * d_sum + size * np.abs(b))
+    R0 = 0.25 * absolute(b) * (a_sum * d_sum + size * absolute(b))
     mean = size / 3.0
     P_sum = (R1 + size * mean) / 3.0
     Q_sum = 0.5 * (R0 + mean * (R1 + 2.0 * mean * mean))
-    P_bound = np.abs(P) + IN_P * u * P_sum
-    Q_bound = np.abs(Q) + IN_Q * u * Q_sum
+    P_bound = absolute(P) + IN_P * u * P_sum
+    Q_bound = absolute(Q) + IN_Q * u * Q_sum
     error = u * (P_bound * P_bound * P_sum * (3.0 * IN_P + 4.0) + Q_bound * Q_sum * (2.0 * IN_Q + 4.0))
     return P * P * P + Q * Q, error
 
@@ -135,37 +141,36 @@ def root_pair(p: Value, q: Value) -> tuple[Value, Value, Value]:
     """The two roots of t² + p t + q, the one of larger magnitude first, and the discriminant, negative if they are not real."""
     half = 0.5 * p
     square = half * half - q
-    large = -(half + np.copysign(np.sqrt(np.maximum(square, 0.0)), half))
+    large = -(half + copysign(sqrt(maximum(square, 0.0)), half))
     return large, q / large, square
 
 
 def at_root(
     t: Value, a: Value, b: Value, d: Value, m: Value, a_sum: Value, d_sum: Value,
     cos0: Value, sin0: Value, mu0: Value, kappa: Value, alpha: Value, sigma: Value, beta: Value, nbar: Value, u: Value,
-) -> tuple[Value, Value, Value, Value, Value, Value, Value, Value, Value]:  # fmt: skip
+) -> tuple[Value, Value, Value, Value, Value, Value, Value, Value]:  # fmt: skip
     """State, error bounds and linearization at a root of f that is proved to lie near t.
 
-    Returns θ, L, x, y; the radius around θ that holds the root, NaN where none is proved; a bound on the error of the four
+    Returns L, x, y; the radius around θ that holds the root, NaN where none is proved; a bound on the error of θ, L, x and y
     over max(1, |value|); whether the state is certainly an equilibrium (L > 0, and y on the side that n̄ says); whether it
     certainly is none; and the stability code, 0 where rounding errors could change it.
     """
     inverse = 1.0 / (1.0 + t * t)
     s = 2.0 * t * inverse
     c = (1.0 - t) * (1.0 + t) * inverse
-    size_s, size_c = np.abs(s), np.abs(c)
-    size_b, size_m = np.abs(b), np.abs(m)
+    size_s, size_c = absolute(s), absolute(c)
+    size_b, size_m = absolute(b), absolute(m)
 
     # Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|.
-    value = np.abs(f(c, s, a, b, d, m)) + IN_F * u * f(size_c, size_s, a_sum, size_b, d_sum, -size_m)
+    value = absolute(f(c, s, a, b, d, m)) + IN_F * u * f(size_c, size_s, a_sum, size_b, d_sum, -size_m)
     slope = f_slope(c, s, a, b, d, m)
-    steepness = np.abs(slope) - IN_F * u * (a_sum + size_b * size_s + d_sum * size_c + 2.0 * size_m * size_s)
+    steepness = absolute(slope) - IN_F * u * (a_sum + size_b * size_s + d_sum * size_c + 2.0 * size_m * size_s)
     bend = 2.0 * (a_sum + size_m) + size_b + d_sum
     newton = value / steepness
     proved = (steepness > 0.0) & (newton * bend < KANTOROVICH * steepness) & (newton < 1e-3 * size_s)
-    radius = np.where(proved, 1.06 * newton, np.nan)
+    radius = where(proved, 1.06 * newton, np.nan)
 
     L, x, y = state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
-    theta = 2.0 * np.arctan(t)
     stiff = beta + nbar + sigma
     # L = σ/q + rest/(q s), y = (σ (s₀ − s) − κ)/q and x = cos θ₀ − L cos θ, with their slopes in θ.
     L_sum = (sigma * size_s + (beta + nbar) * sin0 + kappa) / (stiff * size_s)
@@ -175,12 +180,17 @@ def at_root(
     L_error = L_sum * (1.01 * relative * swing + rounding)
     y_error = (1.01 * sigma * radius * swing + rounding * (sigma * (sin0 + size_s) + kappa)) / stiff
     x_error = L_error + 1.01 * L_sum * radius + rounding
-    error = np.maximum(x_error / np.maximum(np.minimum(L, np.abs(x)), 1.0), np.maximum(radius + 4.0 * u * np.abs(theta), y_error))
+    error = maximum(x_error / maximum(minimum(L, absolute(x)), 1.0), maximum(radius + IN_THETA * u, y_error))
     beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
     member = (L > L_error) & (beyond > y_error)
     outsider = (L < -L_error) | (beyond < -y_error)
     code = stability(c, s, L, slope, relative + 8.0 * u, mu0, alpha, sigma, beta, nbar)
-    return theta, L, x, y, radius, error, member, outsider, code
+    return L, x, y, radius, error, member, outsider, code
+
+
+def apart(low: Value, low_radius: Value, high: Value, high_radius: Value) -> Value:
+    """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²)."""
+    return 2.0 * (high - low) > (low_radius + high_radius) * (1.0 + maximum(low * low, high * high))
 
 
 def stability(
@@ -193,10 +203,10 @@ def stability(
     """
     (K11, K12), (K21, K22) = stiffness(c, s, L, mu0, alpha, sigma, beta, nbar)
     trace, _, flutter = invariants(K11, K12, K21, K22)
-    size = alpha + beta + nbar + 2.0 * sigma + 3.0 * sigma / np.abs(L)
+    size = alpha + beta + nbar + 2.0 * sigma + 3.0 * sigma / absolute(L)
     margin = 8.0 * uncertainty * size
     divergent = (slope < 0.0) | (trace < 0.0)
-    code = np.where(flutter < 0.0, 3, np.where(divergent, 2, 1))
+    code = where(flutter < 0.0, 3, where(divergent, 2, 1))
     # Far from a vanishing discriminant; and from a vanishing trace, which decides only where det K > 0.
-    safe = (np.abs(flutter) > margin * (size + 2.0 * mu0 * nbar)) & ((slope < 0.0) | (np.abs(trace) > margin))
-    return np.where(safe, code, 0)
+    safe = (absolute(flutter) > margin * (size + 2.0 * mu0 * nbar)) & ((slope < 0.0) | (absolute(trace) > margin))
+    return where(safe, code, 0)

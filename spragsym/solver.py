@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import enum
 import itertools
-from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from . import kernel
+from . import backends, kernel
 from .generated import stability as _stability
 from .parameters import FloatArray, Parameters
 
@@ -20,6 +20,8 @@ from .parameters import FloatArray, Parameters
 TOLERANCE = 1e-12
 #: Points solved at a time, so that intermediate arrays stay in cache.
 BLOCK = 8192
+#: The same for the compiled solver, which has no intermediate arrays.
+COMPILED_BLOCK = 1 << 17
 
 
 class Stability(enum.IntEnum):
@@ -117,19 +119,35 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     shape, slots = p.shape, 3 if contact else 4
     size = int(np.prod(shape))
     out = _Slots(size, slots)
-    with np.errstate(all="ignore"):
-        # glibc gives freed memory back to the system and faults it in again until it has seen one large block freed.
-        np.empty(1 << 19)
-        for begin, columns in _blocks(p, size):
-            end = begin + columns.size
-            unsettled = begin + solve(columns, contact, out.rows(begin, end), np.float64)
-            if unsettled.size:
-                _escalate(p, contact, out, unsettled)
+    backend, threads = backends.chosen(size)
+    given = _given(p)
+    method, length = (compiled_solve, COMPILED_BLOCK) if backend == "numba" else (solve, BLOCK)
+
+    def block(begin: int) -> NDArray[np.int64]:
+        end = min(begin + length, size)
+        columns = Columns(end - begin, *(value if isinstance(value, float) else value.flat[begin:end] for value in given))
+        with np.errstate(all="ignore"):
+            return begin + method(columns, contact, out.rows(begin, begin + columns.size), np.float64)
+
+    # glibc gives freed memory back to the system and faults it in again until it has seen one large block freed.
+    np.empty(1 << 19)
+    begins = range(0, size, length)
+    if threads > 1 and len(begins) > 1:
+        with ThreadPoolExecutor(threads) as pool:
+            unsettled = list(pool.map(block, begins))
+    else:
+        unsettled = [block(begin) for begin in begins]
+    left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
+    if left.size:
+        _escalate(p, contact, out, left)
     return Equilibria(
         parameters=p,
         contact=contact,
         count=out.count.reshape(shape),
-        **{name: getattr(out, name).reshape(*shape, slots) for name in ("theta", "L", "x", "y", "stability", "error")},
+        **{
+            name: np.moveaxis(getattr(out, name).T.reshape(slots, *shape), 0, -1)
+            for name in ("theta", "L", "x", "y", "stability", "error")
+        },
         escalated=out.escalated.reshape(shape),
         fold=out.fold.reshape(shape),
     )
@@ -139,13 +157,13 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
 
 
 class _Slots:
-    """Result arrays, one row a point."""
+    """Result arrays, one row a point, in memory slot by slot, since most points use only the first."""
 
     _COLUMNS = ("theta", "L", "x", "y", "stability", "error", "count", "escalated", "fold")
 
     def __init__(self, size: int, slots: int) -> None:
-        self.theta, self.L, self.x, self.y, self.error = (np.full((size, slots), np.nan) for _ in range(5))
-        self.stability = np.zeros((size, slots), dtype=np.int8)
+        self.theta, self.L, self.x, self.y, self.error = (np.full((slots, size), np.nan).T for _ in range(5))
+        self.stability = np.zeros((slots, size), dtype=np.int8).T
         self.count = np.zeros(size, dtype=np.int64)
         self.escalated = np.zeros(size, dtype=np.bool_)
         self.fold = np.zeros(size, dtype=np.bool_)
@@ -185,16 +203,13 @@ class Columns:
         return Columns(int(rows.size), *(value[rows] if np.ndim(value) else value for value in self.values()))
 
 
-def _blocks(p: Parameters, size: int) -> Iterator[tuple[int, Columns]]:
-    """Blocks of points in C order; cos θ₀ and sin θ₀ are computed once for each distinct θ₀ given."""
-    given = [np.cos(p.theta0), np.sin(p.theta0), p.mu0, p.kappa, p.alpha, p.sigma, p.beta]
-    flat = [
-        value.item() if value.size == 1 else value.reshape(-1) if value.shape == p.shape else np.broadcast_to(value, p.shape).flat
-        for value in given
-    ]
-    for begin in range(0, size, BLOCK):
-        end = min(begin + BLOCK, size)
-        yield begin, Columns(end - begin, *(value if isinstance(value, float) else value[begin:end] for value in flat))
+def _given(p: Parameters) -> list[Any]:
+    """cos θ₀, sin θ₀ and the other parameters, each a float or an array of the common shape.
+
+    cos θ₀ and sin θ₀ are computed once for each θ₀ given, before they are broadcast.
+    """
+    values = [np.cos(p.theta0), np.sin(p.theta0), p.mu0, p.kappa, p.alpha, p.sigma, p.beta]
+    return [value.item() if value.size == 1 else np.broadcast_to(value, p.shape) for value in values]
 
 
 # ----------------------------------------------------------------------------------------------- one float type
@@ -213,7 +228,7 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
 
     def at(ts: list[Any], rows: NDArray[np.int64] | None = None) -> list[Root]:
         some, points = (trig, values) if rows is None else ([value[rows] for value in trig], columns.take(rows).values())
-        return [Root(*kernel.at_root(t, *some, *points, nbar, u)) for t in ts]
+        return [Root(t, *kernel.at_root(t, *some, *points, nbar, u)) for t in ts]
 
     # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
     # if they are positive, since no equilibrium in contact has sin θ < 0.
@@ -233,6 +248,13 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
     return np.flatnonzero(~settled)
 
 
+def compiled_solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.float64]) -> NDArray[np.int64]:
+    """The same by the compiled kernel, which is float64."""
+    from . import compiled
+
+    return compiled.solve(columns.values(), contact, TOLERANCE, out)
+
+
 def _ascending(values: list[Any]) -> list[Any]:
     """Each point's values in ascending order: bubble sort over arrays, for three or four of them. NaN spreads."""
     values = list(values)
@@ -243,9 +265,9 @@ def _ascending(values: list[Any]) -> list[Any]:
 
 
 class Root(NamedTuple):
-    """What :func:`spragsym.kernel.at_root` returns."""
+    """tan(θ/2), and what :func:`spragsym.kernel.at_root` returns there."""
 
-    theta: Any
+    t: Any
     L: Any
     x: Any
     y: Any
@@ -258,7 +280,7 @@ class Root(NamedTuple):
     def parts(self, rounding: float) -> tuple[tuple[str, Any], ...]:
         """Columns of the result and their values."""
         return (
-            ("theta", self.theta), ("L", self.L), ("x", self.x), ("y", self.y), ("error", self.error + rounding),
+            ("theta", 2.0 * np.arctan(self.t)), ("L", self.L), ("x", self.x), ("y", self.y), ("error", self.error + rounding),
             ("stability", self.code),
         )  # fmt: skip
 
@@ -278,7 +300,7 @@ def _fill(out: _Slots, rows: Any, roots: list[Root], wanted: Any, contact: bool,
         settled = settled & (count % 2 == 1)
     for below, above in itertools.pairwise(roots):
         # Two proved roots are different when the intervals that hold them are.
-        settled = settled & (above.theta - below.theta > below.radius + above.radius)
+        settled = settled & kernel.apart(below.t, below.radius, above.t, above.radius)
 
     if len(roots) == 1:
         # What is not settled is written again by whoever settles it: in contact there is always a first equilibrium.
@@ -327,7 +349,8 @@ def _escalate(p: Parameters, contact: bool, out: _Slots, rows: NDArray[np.int64]
         )
         again = _Slots(rows.size, out.theta.shape[-1])
         again.escalated[:] = True
-        left = solve(columns, contact, again, np.longdouble)
+        with np.errstate(all="ignore"):
+            left = solve(columns, contact, again, np.longdouble)
         out.put(rows, again)
     if left.size:
         from . import ladder

@@ -189,6 +189,7 @@ def journal(
         if not found.endswith(b"\n"):  # new, or killed before its first line was whole
             file.truncate(0)
             file.write(first)
+            file.flush()
         elif found != first:
             raise ParameterError(
                 f"{path} belongs to another sweep; remove it to start anew, or give another path"

@@ -145,12 +145,6 @@ def test_short_flights_are_found_within_a_step() -> None:
         assert flight < 0.12
 
 
-@pytest.mark.parametrize("speed", [4e-6, 4e-5])
-def test_the_shortest_flights_are_found_by_their_summit(speed: float) -> None:
-    tr = simulate(BASE, **BELT, y0=-1e-11, vy0=speed, t_end=1.0, rtol=1e-9, backend="scipy")
-    assert np.diff(tr.events.t[:2])[0] == pytest.approx(2 * speed / 0.007, rel=0.02)
-
-
 def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
     problem = dynamics.prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, t_record=0.0, rtol=1e-9)
 
@@ -161,6 +155,16 @@ def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
     time, border = integrators._first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
     assert integrators._after(border, (1, 1, 1)) == ((0, 1, 1), Event.CONTACT_LOST)
     assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
+
+
+def test_a_flight_between_two_points_of_the_search_is_found() -> None:
+    problem = dynamics.prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, t_record=0.0, rtol=1e-9)
+
+    def dense(t: np.ndarray) -> np.ndarray:  # above the belt for 0.02, a sixth of the distance of the points
+        return np.array([0 * t, 1e-4 - (t - 0.56) ** 2, 0 * t, -2 * (t - 0.56)])
+
+    time, _ = integrators._first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
+    assert time == pytest.approx(0.55, abs=1e-9)
 
 
 def test_two_integrators_find_the_same_events_from_random_starts() -> None:

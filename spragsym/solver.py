@@ -125,7 +125,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
 
     def block(begin: int) -> NDArray[np.int64]:
         end = min(begin + length, size)
-        columns = Columns(end - begin, *(value if isinstance(value, float) else value.flat[begin:end] for value in given))
+        columns = Columns(end - begin, *(_slice(value, begin, end) for value in given))
         with np.errstate(all="ignore"):
             return begin + method(columns, contact, out.rows(begin, begin + columns.size), np.float64)
 
@@ -209,7 +209,17 @@ def _given(p: Parameters) -> list[Any]:
     cos θ₀ and sin θ₀ are computed once for each θ₀ given, before they are broadcast.
     """
     values = [np.cos(p.theta0), np.sin(p.theta0), p.mu0, p.kappa, p.alpha, p.sigma, p.beta]
-    return [value.item() if value.size == 1 else np.broadcast_to(value, p.shape) for value in values]
+    return [
+        value.item() if value.size == 1 else value.reshape(-1) if value.shape == p.shape else np.broadcast_to(value, p.shape)
+        for value in values
+    ]
+
+
+def _slice(value: Any, begin: int, end: int) -> Any:
+    """A range of points in C order; of a float, the float, and of an array that is broadcast, a copy of that range only."""
+    if isinstance(value, float):
+        return value
+    return value[begin:end] if value.ndim == 1 else value.flat[begin:end]
 
 
 # ----------------------------------------------------------------------------------------------- one float type

@@ -126,9 +126,7 @@ def choose(backend: str | None) -> str:
     if backend is None:
         return "heyoka" if importlib.util.find_spec("heyoka") else "scipy"
     if backend not in BACKENDS:
-        raise ParameterError(
-            f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest"
-        )
+        raise ParameterError(f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest")
     if backend == "heyoka" and not importlib.util.find_spec("heyoka"):
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
     return backend
@@ -160,9 +158,7 @@ def _after(border: int, regime: Regime) -> tuple[Regime, Event | None]:
     return (nbar, side, 1 - near), None
 
 
-def _assemble(
-    t: FloatArray, states: FloatArray, events: list[tuple[float, State, Event]], t_record: float
-) -> Motion:
+def _assemble(t: FloatArray, states: FloatArray, events: list[tuple[float, State, Event]], t_record: float) -> Motion:
     """From samples by steps, shapes (steps, DEGREE + 1) and (steps, 4, DEGREE + 1), to samples in a row."""
     kept = [event for event in events if event[0] >= t_record]
     return Motion(
@@ -224,9 +220,7 @@ def _scipy(problem: Problem) -> Motion:
         while solver.status == "running" and crossing is None:
             message = solver.step()
             if solver.status == "failed":
-                raise ConvergenceError(
-                    f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol"
-                )
+                raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol")
             steps += 1
             if steps > problem.step_limit:
                 raise _too_many(problem.step_limit, "steps", problem, clock + solver.t)
@@ -267,9 +261,7 @@ def _clearances(problem: Problem, regime: Regime, states: FloatArray) -> FloatAr
     inward, farther = -1 if nbar else 1, -1 if near else 1
     slip, rate = side * (problem.V - vx), -side * x_accel
     depth = problem.d * slip - problem.reach - WIDTH * near
-    return np.array(
-        [[inward * y + GAP, inward * vy], [slip + GAP, rate], [farther * depth, farther * problem.d * rate]]
-    )
+    return np.array([[inward * y + GAP, inward * vy], [slip + GAP, rate], [farther * depth, farther * problem.d * rate]])
 
 
 def _first_crossing(
@@ -338,8 +330,9 @@ class _Compiled:
         ax, ay = algebra(x, y, vx, vy, *constants, nbar, side, xp=xp)
         borders = {
             self._contact: y + GAP * (1 - 2 * nbar),
-            self._slip: V - vx + GAP * side,
-            self._layer: d * side * (V - vx) - reach - WIDTH * near,
+            # heyoka's error is relative to the largest of the states and of these: it must not be one of these.
+            self._slip: 1e-3 * (V - vx + GAP * side),
+            self._layer: 1e-3 * ((d * side * (V - vx) - WIDTH * near) / reach - 1),
         }
         self.log: list[tuple[float, State, Event]] = []
         self.stray: float | None = None
@@ -402,15 +395,11 @@ class _Compiled:
         if outcome == hy.taylor_outcome.step_limit:
             raise _too_many(problem.step_limit, "steps", problem, self.solver.time)
         if self.stray is not None or clearance.min() < -GAP:
-            raise ConvergenceError(
-                f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'"
-            )
+            raise ConvergenceError(f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'")
         if self.crossings > self.limit:
             raise _too_many(problem.event_limit, "events", problem, self.solver.time)
         if outcome != hy.taylor_outcome.time_limit:
-            raise ConvergenceError(
-                f"heyoka stopped at t = {self.solver.time:.6g} with {outcome}; use backend='scipy'"
-            )
+            raise ConvergenceError(f"heyoka stopped at t = {self.solver.time:.6g} with {outcome}; use backend='scipy'")
         return output
 
 

@@ -195,7 +195,7 @@ def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float) -> None:
     reference = simulate(p, V=0.228, d=1679.0, **start, rtol=1e-13, backend="scipy")
     for backend in [name for name in integrators.BACKENDS if importlib.util.find_spec(name)]:
         tr = simulate(p, V=0.228, d=1679.0, **start, rtol=rtol, backend=backend)
-        assert np.abs(tr.state[:, -1] - reference.state[:, -1]).max() < 300 * rtol
+        assert np.abs(tr.state[:, -1] - reference.state[:, -1]).max() < 3000 * rtol
 
 
 @pytest.mark.parametrize("backend", BACKENDS)

@@ -13,6 +13,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import time
 from collections.abc import Callable
+from functools import partial
 
 import mpmath
 import numpy as np
@@ -20,7 +21,7 @@ import scipy.optimize
 
 import spragsym as ss
 from benchmarks.families import random
-from spragsym import kernel
+from spragsym import compiled, kernel
 from spragsym.generated.equilibrium import contact_quartic, f_coefficients, residuals, t_quartic
 from spragsym.solver import BLOCK
 
@@ -38,17 +39,36 @@ def main(n: int = 1_000_000) -> None:
         ("scipy.optimize.root, 8 starts", fsolve_starts, _head(p, 40)),
         ("mpmath.polyroots, 50 digits", polyroots, _head(p, 40)),
         ("ours, NumPy: roots and counts", roots_and_counts, p),
-        ("ours, NumPy: states, stability, error bounds", ss.equilibria, p),
+        ("ours, NumPy: states, stability, error bounds", partial(_with_backend, "numpy", 1), p),
+        ("ours, numba: roots and counts", compiled_roots_and_counts, p),
+        ("ours, numba, 1 thread: states, stability, error bounds", partial(_with_backend, "numba", 1), p),
+        ("ours, numba, 2 threads: states, stability, error bounds", partial(_with_backend, "numba", 2), p),
     ]
-    ss.equilibria(first)
+    for _, method, _ in methods[4:]:
+        method(first)  # compile, or load what was compiled before
     for name, method, points in methods:
         rows.append((name, _seconds_a_point(method, points)))
     reference_time = dict(rows)["batched numpy.linalg.eigvals, L-quartic"]
     loop_time = dict(rows)["numpy.roots in a loop, L-quartic"]
+    print(f"{n:,} random points, one thread unless said otherwise, best of three, slow methods on a sample.\n")
     print("| method | ns a point | times eigvals | times numpy.roots |")
     print("|---|---|---|---|")
     for name, seconds in rows:
         print(f"| {name} | {1e9 * seconds:,.0f} | {reference_time / seconds:.2f} | {loop_time / seconds:.1f} |")
+
+
+def _with_backend(name: str, threads: int, p: ss.Parameters) -> ss.Equilibria:
+    ss.set_backend(name, threads)
+    try:
+        return ss.equilibria(p)
+    finally:
+        ss.set_backend("auto")
+
+
+def compiled_roots_and_counts(p: ss.Parameters) -> object:
+    """The compiled counterpart of :func:`roots_and_counts`."""
+    theta0, *values = p.broadcast(*_NAMES)
+    return compiled.roots_and_counts((np.cos(theta0), np.sin(theta0), *values))
 
 
 def _head(p: ss.Parameters, n: int) -> ss.Parameters:

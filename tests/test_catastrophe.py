@@ -10,19 +10,13 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from benchmarks.validate_folds import count_map_mismatches, random_fixed
 from spragsym import fold_curves, intervals, polynomials
 from spragsym.parameters import NAMES
 
 BASE = ss.Parameters.article()
 #: Left fold and cusp as AUTO-07p prints them, right fold by Newton's method at 40 digits (stated by peers, degrees).
 AUTO_FOLD, AUTO_CUSP, NEWTON_RIGHT_FOLD = "44.559317703", "68.020958508", "155.059418789789"
-
-
-def _random(rng: np.random.Generator) -> ss.Parameters:
-    return ss.Parameters(
-        kappa=10 ** rng.uniform(-3, -0.5), alpha=10 ** rng.uniform(-3, 0), sigma=10 ** rng.uniform(-2, 0.5),
-        beta=rng.choice([0.0, 10 ** rng.uniform(-2, 0.5)]),
-    )  # fmt: skip
 
 
 def _counts(p: ss.Parameters) -> np.ndarray:
@@ -75,7 +69,7 @@ def test_folds_are_where_counts_change_and_only_there(vary: str) -> None:
     grids = {"theta0": np.linspace(1e-3, math.pi - 1e-3, 4001), "mu0": np.linspace(0, 3, 4001)}
     values = grids.get(vary, np.geomspace(1e-4, 10, 4001))
     for _ in range(6):
-        p = _random(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 1.5))
+        p = random_fixed(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 1.5))
         found = getattr(ss.folds(p, vary=vary), vary)
         found = found[(found > values[0]) & (found < values[-1])]
         changes = np.flatnonzero(np.diff(_counts(p.replace(**{vary: values}))))
@@ -102,7 +96,7 @@ def test_agreement_with_continuation_codes() -> None:
 def test_cusp_count_is_sturms_and_numpys() -> None:
     rng = np.random.default_rng(11)
     for _ in range(20):
-        p = _random(rng)
+        p = random_fixed(rng)
         values = [float(value) for value in p.scalars("kappa", "alpha", "sigma", "beta")]
         proof = ss.precise.cusps(*values, dps=20)
         roots = np.roots([float(value) for value in proof.polynomial[::-1]])
@@ -114,46 +108,7 @@ def test_cusp_count_is_sturms_and_numpys() -> None:
 def test_bifurcation_set_agrees_with_the_count_map() -> None:
     rng = np.random.default_rng(12)
     for trial in range(5):
-        assert count_map_mismatches(_random(rng) if trial else BASE, 200) == 0
-
-
-def count_map_mismatches(p: ss.Parameters, n: int, mu_max: float = 2.0) -> int:
-    """Grid cells in which the count of equilibria and the fold curves disagree by more than a cell's width."""
-    theta0 = (np.arange(n) + 0.5) / n * math.pi
-    mu0 = (np.arange(n) + 0.5) / n * mu_max
-    counts = _counts(p.replace(theta0=theta0[:, None], mu0=mu0[None, :]))
-    predicted = predicted_counts(p, theta0, mu0)
-    wrong = counts != predicted
-    # A mismatch next to a change of count is the polyline's width, elsewhere it is a missed or an invented fold.
-    edges = np.zeros_like(wrong)
-    for axis in (0, 1):
-        change = np.diff(counts, axis=axis) != 0
-        first, second = [slice(None)] * 2, [slice(None)] * 2
-        first[axis], second[axis] = slice(None, -1), slice(1, None)
-        edges[tuple(first)] |= change
-        edges[tuple(second)] |= change
-    return int((wrong & ~edges).sum()) + int(wrong.sum() > 0.2 * max(edges.sum(), 1))
-
-
-def predicted_counts(p: ss.Parameters, theta0: np.ndarray, mu0: np.ndarray) -> np.ndarray:
-    """Counts by crossing fold curves from θ₀ = 0 at each friction, starting from the count there."""
-    curves = ss.bifurcation_set(p, n=4000).curves
-    predicted = np.empty((theta0.size, mu0.size), dtype=int)
-    start = _counts(p.replace(theta0=np.full(mu0.size, 1e-9), mu0=mu0))
-    for column, friction in enumerate(mu0):
-        crossings = np.sort(np.concatenate([_crossings(curve, friction) for curve in curves] or [np.empty(0)]))
-        flips = np.searchsorted(crossings, theta0)
-        first = int(start[column])
-        predicted[:, column] = np.where(flips % 2 == 0, first, 4 - first)
-    return predicted
-
-
-def _crossings(curve: ss.FoldCurve, friction: float) -> np.ndarray:
-    above = curve.mu0 > friction
-    at = np.flatnonzero(above[1:] != above[:-1])
-    low, high = curve.mu0[at], curve.mu0[at + 1]
-    part = (friction - low) / (high - low)
-    return curve.theta0[at] + part * (curve.theta0[at + 1] - curve.theta0[at])
+        assert count_map_mismatches(random_fixed(rng) if trial else BASE, 200) == 0
 
 
 def test_bifurcation_set_ends_where_it_must_and_is_smooth() -> None:
@@ -174,7 +129,7 @@ def test_bifurcation_set_ends_where_it_must_and_is_smooth() -> None:
 
 
 def test_bifurcation_points_are_folds() -> None:
-    for p in (BASE, ss.Parameters.article(alpha=0.0), _random(np.random.default_rng(13))):
+    for p in (BASE, ss.Parameters.article(alpha=0.0), random_fixed(np.random.default_rng(13))):
         values = list(map(float, p.scalars("kappa", "alpha", "sigma", "beta")))
         for curve in ss.bifurcation_set(p, n=1000).curves:
             for i in range(1, curve.theta.size - 1, 97):
@@ -291,7 +246,7 @@ def test_below_the_critical_friction_the_small_state_does_not_jump() -> None:
     rng = np.random.default_rng(15)
     tried = 0
     while tried < 12:
-        p = _random(rng)
+        p = random_fixed(rng)
         friction = float(ss.critical_friction(p))
         if not 0 < friction < 5:
             continue
@@ -377,7 +332,7 @@ def test_two_jumps_with_hysteresis_at_60_degrees_and_one_without_return_at_40() 
 def test_paths_are_continuous_between_jumps() -> None:
     rng = np.random.default_rng(16)
     for _ in range(10):
-        p = _random(rng).replace(mu0=rng.uniform(0.2, 2))
+        p = random_fixed(rng).replace(mu0=rng.uniform(0.2, 2))
         angles = np.linspace(0.01, math.pi - 0.01, 3001)
         for values in (angles, angles[::-1]):
             path = ss.quasi_static_path(p, "theta0", values)
@@ -407,7 +362,7 @@ def test_a_choice_after_the_jump_is_taken() -> None:
 def test_linear_model_is_a_linear_solve_and_its_poles_are_singular() -> None:
     rng = np.random.default_rng(17)
     for _ in range(20):
-        p = _random(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 2))
+        p = random_fixed(rng).replace(theta0=rng.uniform(0.1, 3.0), mu0=rng.uniform(0, 2))
         theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*NAMES)
         c, s = math.cos(theta0), math.sin(theta0)
         K = np.array([[sigma * c * c + alpha, sigma * s * c + mu0], [sigma * s * c, sigma * s * s + beta + 1]])

@@ -1,0 +1,72 @@
+"""``python -m benchmarks [--write FILE] [NAME ...]``: run the benchmarks and print, or write, one report of tables."""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import importlib.metadata
+import os
+import platform
+import subprocess
+import sys
+from pathlib import Path
+
+_SECTIONS = {
+    "equilibria": "Equilibria: speed",
+    "accuracy": "Equilibria: accuracy beside speed",
+    "c": "The C target",
+    "catastrophe": "The bifurcation set",
+    "dynamics": "Motion in time",
+    "codegen": "Generated code against other generators",
+    "scale": "How cost grows, and start-up",
+}
+_VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "numba", "python-flint", "heyoka", "symforce", "wrenfold", "casadi")
+
+
+def main() -> int:
+    """Exit code 1 if a benchmark failed."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks")
+    parser.add_argument("names", nargs="*", help="which; all by default")
+    parser.add_argument("--write", type=Path, help="file for the report")
+    options = parser.parse_args()
+    failed = 0
+    parts = [_header()]
+    for name in options.names or _SECTIONS:
+        print(f"# {_SECTIONS[name]}", flush=True)
+        # A process of its own for each, so that none meets what another imported, compiled or allocated.
+        run = subprocess.run([sys.executable, "-m", f"benchmarks.bench_{name}"], stdout=subprocess.PIPE, text=True, check=False)
+        print(run.stdout, flush=True)
+        failed += run.returncode != 0
+        parts.append(f"## {_SECTIONS[name]}\n\n`python -m benchmarks.bench_{name}`\n\n{run.stdout.strip()}\n")
+    if options.write:
+        options.write.write_text("\n".join(parts), encoding="utf-8")
+    return int(failed > 0)
+
+
+def _header() -> str:
+    versions = []
+    for package in _VERSIONS:
+        try:
+            versions.append(f"{package} {importlib.metadata.version(package)}")
+        except importlib.metadata.PackageNotFoundError:
+            continue
+    return (
+        "# Performance\n\n"
+        "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n\n"
+        f"{datetime.date.today().isoformat()}; {_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}; "
+        f"{', '.join(versions)}.\n"
+    )
+
+
+def _processor() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        return platform.processor() or platform.machine()
+    names = [line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")]
+    wide = ", AVX-512" if any("avx512f" in line for line in lines) else ""
+    return (names[0] if names else platform.machine()) + wide
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,34 +1,77 @@
-"""``spragsym check``: the ledger, recomputed."""
+"""``spragsym check``: the ledgers of equations and of claims, recomputed."""
 
 from __future__ import annotations
 
 import json
 import sys
 from importlib import resources
+from pathlib import Path
 
 import click
 
 from ..errors import MissingExtraError
 from .options import as_json
+from .tables import show
 
 _STYLES = {"confirmed": "green", "corrected": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
+
+_CLAIM_STYLES = {"reproduced": "green", "corrected": "yellow", "input not stated": "cyan", "not reproduced": "bold red"}
 
 
 @click.command()
 @as_json
-def check(json_output: bool) -> None:
-    """Hold every printed equation of the article against the derivation.
+@click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
+@click.option(
+    "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report of both, from the records, to FILE; check nothing."
+)
+def check(json_output: bool, claims: bool, report: Path | None) -> None:
+    """Hold every printed equation of the article against the derivation, or every statement against computation.
 
-    Recomputes every row; nothing is read from a file but the committed ledger, to see that no row has changed.
+    Recomputes every row; nothing is read from a file but the committed records, to see that no row has changed.
 
     \b
     Examples:
       spragsym check
+      spragsym check --claims
       spragsym check --json | jq '.[] | select(.status == "corrected")'
+      spragsym check --report docs/reproduction.md
 
     \b
     Exit codes: 0 every row is as recorded; 1 a row is not; 2 usage.
     """
+    if report is not None:
+        from ..claims.report import page
+
+        report.write_text(page(), encoding="utf-8", newline="\n")
+        click.echo(f"wrote {report}", err=True)
+    elif claims:
+        _check_claims(json_output)
+    else:
+        _check_equations(json_output)
+
+
+def _check_claims(json_output: bool) -> None:
+    from ..claims import STATEMENTS, drifted, recorded, run
+
+    rows = run(STATEMENTS)
+    if json_output:
+        click.echo(json.dumps([row.as_dict() for row in rows], indent=1, ensure_ascii=False))
+    else:
+        from rich.text import Text
+
+        from .tables import print_table
+
+        print_table("", ("row", "status", "outcome"), [
+            (row.id, Text(row.status, style=_CLAIM_STYLES[row.status]), row.outcome) for row in rows
+        ])  # fmt: skip
+    lines = drifted(rows, recorded())
+    for line in lines:
+        click.echo(f"spragsym check: {line}", err=True)
+    if lines:
+        sys.exit(1)
+
+
+def _check_equations(json_output: bool) -> None:
     try:
         from ..derive import check as derivation
     except ModuleNotFoundError as error:
@@ -55,7 +98,6 @@ def _changed(rows: list[dict[str, str]], recorded: list[dict[str, str]]) -> list
 
 
 def _print_table(rows: list[object]) -> None:
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
@@ -64,8 +106,7 @@ def _print_table(rows: list[object]) -> None:
         remark = row.cause or row.limit or row.note  # type: ignore[attr-defined]
         status = row.status  # type: ignore[attr-defined]
         table.add_row(row.id, row.where, Text(status, style=_STYLES[status]), Text(remark))  # type: ignore[attr-defined]
-    console = Console()
-    console.print(table)
+    show(table)
     for row in rows:
         if row.consequence:  # type: ignore[attr-defined]
-            console.print(f"\n{row.id}: right is {row.right}\n  {row.consequence}", markup=False, highlight=False)  # type: ignore[attr-defined]
+            show(Text(f"\n{row.id}: right is {row.right}\n  {row.consequence}"))  # type: ignore[attr-defined]

@@ -1,0 +1,46 @@
+"""Time and memory of the commands that the report names, measured where this runs."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+_COMMANDS: tuple[tuple[str, ...], ...] = (("check",), ("check", "--claims"), ("figures", "--out", "figures"))
+
+
+def measure() -> str:
+    """JSON for measured.json."""
+    rows = [_measured(arguments) for arguments in _COMMANDS]
+    machine = f"{os.cpu_count()} cores, {platform.machine()}, Python {platform.python_version()}"
+    return json.dumps({"machine": machine, "rows": rows}, indent=1) + "\n"
+
+
+def _measured(arguments: tuple[str, ...]) -> dict[str, Any]:
+    with tempfile.TemporaryDirectory() as folder:
+        begun = time.perf_counter()
+        process = subprocess.Popen(
+            [sys.executable, "-m", "spragsym", *arguments], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        )
+        _, status, used = os.wait4(process.pid, 0)
+        wall = time.perf_counter() - begun
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        raise RuntimeError(f"spragsym {' '.join(arguments)} ended with {process.returncode}")
+    return {
+        "command": f"spragsym {' '.join(arguments)}",
+        "wall": round(wall, 1),
+        "cpu": round(used.ru_utime + used.ru_stime, 1),
+        "megabytes": round(used.ru_maxrss / 1024),
+    }
+
+
+def write() -> None:
+    """Measure, and write measured.json beside this file."""
+    Path(__file__).with_name("measured.json").write_text(measure(), encoding="utf-8", newline="\n")

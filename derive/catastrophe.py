@@ -6,7 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-from . import algebra, elimination
+from . import algebra, elimination, stability
 from . import nomenclature as nm
 from .elimination import f_form
 
@@ -38,6 +38,17 @@ def surface_in_coefficients() -> sp.Expr:
     if sp.simplify(arranged.subs(elimination.f_coefficients()) - surface()) != 0:
         raise ArithmeticError("the surface is not what catastrophe.py arranges")
     return arranged
+
+
+@cache
+def slope_identity() -> bool:
+    """L det K = ∂f/∂θ wherever f = 0: the friction that f = 0 asks for makes the two sides the same function."""
+    parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+    on_surface = {nm.M: surface()}
+    determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))
+    left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
+    right = algebra.rotate_derivative(elimination.f_in_parameters())
+    return algebra.equal(left.subs(on_surface).subs(parameters), right.subs(on_surface).subs(parameters))
 
 
 # ------------------------------------------------------------------------------------------------------ folds
@@ -161,6 +172,7 @@ def identities() -> dict[str, bool]:
     mirror = {nm.c: -nm.c, nm.c0: -nm.c0, nm.M: -nm.M}
     f = elimination.f_in_parameters()
     return {
+        "L det K = f′ at every equilibrium": slope_identity(),
         "the fold relations solve f = f′ = 0": all(
             algebra.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
         ),

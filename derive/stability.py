@@ -59,7 +59,7 @@ def flutter_discriminant(K: sp.Matrix) -> sp.Expr:
 @cache
 def flutter_point() -> tuple[sp.Expr, sp.Expr]:
     """sin θ₀ and M at a flutter onset with spring length L in direction θ: zero discriminant, and balance across the belt."""
-    (friction,) = sp.solve(flutter_discriminant(_in_shorthand(stiffness())), nm.M)
+    (friction,) = sp.solve(flutter_discriminant(in_shorthand(stiffness())), nm.M)
     (s0,) = sp.solve(elimination.state()[nm.L] - nm.L, nm.s0)
     arranged = (
         ((nm.q * nm.L - nm.sigma) * nm.s - nm.kappa) / nm.B,
@@ -88,19 +88,6 @@ def flutter_sextic() -> tuple[sp.Expr, ...]:
     return tuple(reversed(polynomial.all_coeffs()))
 
 
-def _in_shorthand(K: sp.Matrix) -> sp.Matrix:
+def in_shorthand(K: sp.Matrix) -> sp.Matrix:
     """K with B for β + n̄ and M for μ₀ n̄."""
     return K.subs(nm.mu0 * nm.nbar, nm.M).subs(nm.nbar, nm.B - nm.beta).applyfunc(sp.expand)
-
-
-@cache
-def slope_identity() -> bool:
-    """L det K = ∂f/∂θ wherever f = 0: the friction that f = 0 asks for makes the two sides the same function."""
-    from .catastrophe import surface  # the explicit surface is the next step of the argument
-
-    K = _in_shorthand(stiffness())
-    parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
-    on_surface = {nm.M: surface()}
-    slope = algebra.rotate_derivative(elimination.f_in_parameters())
-    left = (nm.L * determinant(K)).subs(nm.L, elimination.state()[nm.L])
-    return algebra.equal(left.subs(on_surface).subs(parameters), slope.subs(on_surface).subs(parameters))

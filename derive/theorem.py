@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import elimination, equilibrium, stability
+from . import catastrophe, elimination, equilibrium
 from . import nomenclature as nm
 from .algebra import manifestly_positive
 
@@ -141,7 +141,7 @@ def _threshold_above_zero() -> tuple[Step, ...]:
 def _middle() -> tuple[Step, ...]:
     quartic = elimination.quartic_in_t()
     return (
-        Step("L det K = f′ at every equilibrium", stability.slope_identity()),
+        Step("L det K = f′ at every equilibrium", catastrophe.slope_identity()),
         Step(
             "f is negative before the first root in contact (b at θ = 0, F_x < 0 at θ*) and positive after the last, so "
             "that f′ < 0 at the second of three: det K < 0",

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from spragsym.derive import elimination, equilibrium, stability, theorem
+from spragsym.derive import catastrophe, elimination, equilibrium, stability, theorem
 from spragsym.derive import nomenclature as nm
 from spragsym.generated import equilibrium as generated
 
@@ -63,7 +63,7 @@ QUARTIC = elimination.quartic_in_t()
                      "at the ends L = s₀/s*", id="length at the ends"),
         pytest.param(equilibrium, "balance", lambda: (ALONG - 2 * nm.alpha * nm.c0, ACROSS),
                      "there F_x = P cos θ + α cos θ₀", id="sign of the spring to ground"),
-        pytest.param(stability, "slope_identity", lambda: False, "L det K = f′", id="slope"),
+        pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
     ],
 )  # fmt: skip
 def test_a_broken_assumption_is_noticed(
@@ -76,12 +76,12 @@ def test_a_broken_assumption_is_noticed(
 def test_slope_identity_notices_a_wrong_stiffness(monkeypatch: pytest.MonkeyPatch) -> None:
     wrong = stability.stiffness().copy()
     wrong[0, 1] = -wrong[0, 1]
-    stability.slope_identity.cache_clear()
+    catastrophe.slope_identity.cache_clear()
     monkeypatch.setattr(stability, "stiffness", lambda: wrong)
     try:
-        assert not stability.slope_identity()
+        assert not catastrophe.slope_identity()
     finally:
-        stability.slope_identity.cache_clear()
+        catastrophe.slope_identity.cache_clear()
 
 
 def _contact_roots(cos0: Fraction, sin0: Fraction, *parameters: Fraction) -> int:

@@ -11,16 +11,20 @@ TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
 SOURCES := pyproject.toml constraints.txt
 
+# A source distribution comes without symbolic links.
+LINKS := spragsym/derive spragsym/generated
+
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 
-.PHONY: help derive test check lint regenerate bench figures docs check-claims clean
+.PHONY: help derive test check lint coverage regenerate package bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the tests"
-	@echo "make check         what CI runs: lint, types, tests, generated/ as committed"
+	@echo "make check         what CI runs: lint, types, tests with coverage, generated/ as committed"
+	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
 	@echo "make figures       draw the article's figures into figures/"
 	@echo "make docs          build the documentation into docs/_build/"
@@ -34,15 +38,18 @@ $(VENV)/.made:
 	@$(PYTHON) -m venv $(VENV)
 	@touch $@
 
-$(DERIVE): $(SOURCES) | $(VENV)/.made
+$(LINKS):
+	@ln -s ../$(@F) $@
+
+$(DERIVE): $(SOURCES) | $(VENV)/.made $(LINKS)
 	@$(PIP) install -e '.[derive]' -c constraints.txt
 	@touch $@
 
-$(TEST): $(SOURCES) | $(VENV)/.made
+$(TEST): $(SOURCES) | $(VENV)/.made $(LINKS)
 	@$(PIP) install -e '.[all,test]' -c constraints.txt
 	@touch $@ $(DERIVE)
 
-$(DOCS): $(SOURCES) | $(VENV)/.made
+$(DOCS): $(SOURCES) | $(VENV)/.made $(LINKS)
 	@$(PIP) install -e '.[all,docs]' -c constraints.txt
 	@touch $@
 
@@ -56,13 +63,20 @@ lint: $(TEST)
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
+# The tests again, with the lines and branches of spragsym that they reach.
+coverage: $(TEST)
+	$(BIN)/python -m pytest -n $(WORKERS) --cov --cov-branch --cov-report=term
+
 # Stands alone, so that CI can say which of the two went wrong: the derivation or the committed bytes.
 regenerate: $(DERIVE)
 	$(BIN)/python -m derive
 	git diff --exit-code -- generated/
 	@test -z "$$(git status --porcelain -- generated/)" || { git status --short -- generated/; exit 1; }
 
-check: lint test regenerate
+check: lint coverage regenerate
+
+package: $(TEST)
+	$(BIN)/python -m build --no-isolation --outdir dist .
 
 bench: $(TEST)
 	$(BIN)/python -m benchmarks

@@ -487,7 +487,7 @@ def flutter_onsets(p: Parameters) -> FlutterBoundary:
     Examples
     --------
     >>> print(np.degrees(flutter_onsets(Parameters.article(alpha=0.7)).theta0).round(6))
-    [135.386682 166.062299]
+    [135.389588 166.068824]
     """
     (mu0,) = p.scalars("mu0")
     along = flutter_boundary(p)

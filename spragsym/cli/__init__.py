@@ -6,8 +6,11 @@ Exit codes: 0 done; 1 a check did not hold or a computation failed; 2 usage, bad
 from __future__ import annotations
 
 import importlib
+import os
 import sys
 import traceback
+from contextlib import suppress
+from typing import NoReturn
 
 import click
 
@@ -17,11 +20,11 @@ from ..errors import ParameterError, ParameterTypeError, SpragsymError
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
     "check": ("check", "Hold the article against the derivation."),
-    "equilibria": ("equilibria", "All equilibria, stable and unstable, in contact and in lift-off."),
-    "bifurcation": ("bifurcation", "Folds, cusps, flutter onsets and critical frictions."),
+    "equilibria": ("equilibria", "All equilibria of one point."),
+    "bifurcation": ("bifurcation", "Folds, cusps, flutter onsets, critical frictions."),
     "simulate": ("motion", "Integrate the motion from an initial state."),
-    "sweep": ("motion", "Simulate over a grid of parameters, resumable, to a file."),
-    "figures": ("figures", "Draw the figures of the article, and some that it lacks."),
+    "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
+    "figures": ("figures", "Draw the article's figures, and more."),
     "export": ("export", "Write the solver in another language."),
 }
 
@@ -47,41 +50,69 @@ class LazyGroup(click.Group):
 
 @click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, prog_name="spragsym")
-@click.option("--debug", is_flag=True, help="Show the traceback of an error.")
-@click.pass_context
-def cli(ctx: click.Context, debug: bool) -> None:
+@click.option("--debug", is_flag=True, help="Show the traceback of an error. May stand anywhere.")
+def cli(debug: bool) -> None:
     """Sprag-slip oscillation: equilibria, catastrophe, motion.
 
     Angles are degrees here and radians in Python. Parameters that are left out have the article's base values.
+    Results go to stdout, everything else to stderr. NO_COLOR=1 turns colours off.
 
     \b
     Examples:
+      spragsym check
       spragsym equilibria --theta0 49
       spragsym bifurcation --mu0 0.5 --plot folds.pdf
-      spragsym check
+
+    \b
+    Shell completion (bash; zsh and fish alike):
+      eval "$(_SPRAGSYM_COMPLETE=bash_source spragsym)"
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
 
 
-def main(arguments: list[str] | None = None) -> None:
-    """Entry point: one line for every error, unless ``--debug``."""
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Entry point: one line for every error, and with ``--debug``, anywhere on the line, the traceback before it."""
     arguments = sys.argv[1:] if arguments is None else arguments
     debug = "--debug" in arguments
+    sys.exit(_run([argument for argument in arguments if argument != "--debug"], debug))
+
+
+def _run(arguments: list[str], debug: bool) -> int:
     try:
         code = cli.main(arguments, prog_name="spragsym", standalone_mode=False)
+        sys.stdout.flush()  # here, so that a reader that has left is noticed here
     except click.exceptions.Exit as stop:
-        code = stop.exit_code
-    except click.ClickException as error:
-        error.show()
-        code = error.exit_code
+        return stop.exit_code
     except (click.Abort, KeyboardInterrupt):
-        click.echo("spragsym: interrupted", err=True)
-        code = 130
-    except (SpragsymError, OSError) as error:
-        if debug:
-            traceback.print_exc()
-        click.echo(f"spragsym: {' '.join(str(error).split())}", err=True)
-        code = 2 if isinstance(error, ParameterError | ParameterTypeError) else 1
-    sys.exit(code if isinstance(code, int) else 0)
+        return _report("interrupted", 130, debug)
+    except BrokenPipeError:
+        # Whoever read our output, head for one, has seen enough: no error. What is buffered has nowhere to go.
+        with suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except click.exceptions.NoArgsIsHelpError as error:
+        error.show()
+        return error.exit_code
+    except click.ClickException as error:
+        where = f"; see {error.ctx.command_path} --help" if isinstance(error, click.UsageError) and error.ctx else ""
+        return _report(error.format_message().rstrip(".") + where, error.exit_code, debug)
+    except (ParameterError, ParameterTypeError) as error:
+        return _report(str(error), 2, debug)
+    except SpragsymError as error:
+        return _report(str(error), 1, debug)
+    except OSError as error:
+        known = error.filename is not None and error.strerror
+        return _report(f"{error.filename}: {error.strerror}; give another path" if known else str(error), 1, debug)
+    except MemoryError:
+        return _report("out of memory; ask for fewer points at a time", 1, debug)
+    return code if isinstance(code, int) else 0
+
+
+def _report(message: str, code: int, debug: bool) -> int:
+    """One line on stderr."""
+    if debug:
+        traceback.print_exc()
+    click.echo(f"spragsym: {' '.join(message.split())}", err=True)
+    return code

@@ -17,7 +17,9 @@ from .tables import print_table
 @click.command()
 @parameters
 @as_json
-@click.option("--plot", "plot", type=click.Path(dir_okay=False, path_type=Path), help="Draw the bifurcation set to FILE (pdf, png, svg).")
+@click.option(
+    "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the bifurcation set (pdf, png, svg)."
+)
 def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
     """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
 
@@ -31,9 +33,12 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
         raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
     summary = _summary(values)
     if plot is not None:
-        from ..figures import bifurcation_figure
+        from ..figures import FORMATS, bifurcation_figure
+        from ..figures.style import house_style
 
-        bifurcation_figure(build(None, **values)).savefig(plot)
+        kind = plot.suffix[1:]
+        with house_style():
+            bifurcation_figure(build(None, **values)).savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)
     if json_output:
         click.echo(json.dumps(summary, indent=1))

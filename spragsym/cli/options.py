@@ -31,19 +31,18 @@ def parameters(function: F) -> F:
 
 def theta0(function: F) -> F:
     """``--theta0`` in degrees."""
-    return click.option(
-        "--theta0", "theta0_deg", type=float, required=True, help="Inclination of the undeformed spring, degrees."
-    )(function)
+    text = "Inclination of the undeformed spring, degrees."
+    return click.option("--theta0", "theta0_deg", type=float, required=True, help=text)(function)
 
 
 def belt(function: F) -> F:
-    """``-V --creep``: belt speed and steepness of the friction law, which the article does not state."""
-    function = click.option(
-        "--creep", "-d", "d", type=float, default=10.0, show_default=True, help="Steepness d of the friction law. Our assumption."
-    )(function)
-    return click.option("--speed", "-V", "V", type=float, default=0.5, show_default=True, help="Belt speed V. Our assumption.")(
-        function
-    )
+    """``-V --speed`` and ``-d --creep``: belt speed and steepness of the friction law, which the article does not state."""
+    for flag, short, name, default, text in (
+        ("--creep", "-d", "d", 10.0, "Steepness d of the friction law. Our assumption."),
+        ("--speed", "-V", "V", 0.5, "Belt speed V. Our assumption."),
+    ):
+        function = click.option(flag, short, name, type=float, default=default, show_default=True, help=text)(function)
+    return function
 
 
 def as_json(function: F) -> F:
@@ -54,5 +53,7 @@ def as_json(function: F) -> F:
 def build(theta0_deg: float | None, **values: float) -> Parameters:
     """Parameters from the options of a command."""
     if theta0_deg is not None and not 0 < theta0_deg < 180:
-        raise ParameterError(f"--theta0 = {theta0_deg:g} is not in (0, 180) degrees; give the inclination of the undeformed spring")
+        raise ParameterError(
+            f"--theta0 = {theta0_deg:g} is not in (0, 180) degrees; give the inclination of the undeformed spring"
+        )
     return Parameters(theta0=None if theta0_deg is None else math.radians(theta0_deg), **values)

@@ -4,20 +4,39 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-PLAIN_WIDTH = 200
+#: Columns where no terminal says how many: no line is broken.
+PLAIN_WIDTH = 1000
+
+
+def show(thing: object, whole: bool = False) -> None:
+    """Print a table or a styled text on stdout, in a pipe without styles and without blanks at the ends of lines.
+
+    What is ``whole`` is not fitted into a narrow terminal, which then breaks the lines itself.
+    """
+    import click
+    from rich.console import Console
+    from rich.measure import Measurement
+
+    wide = Console(highlight=False, width=PLAIN_WIDTH)
+    if wide.is_terminal:
+        out = Console(highlight=False)
+        least = Measurement.get(wide, wide.options, thing).maximum if whole else 0  # type: ignore[arg-type]
+        out.width = max(out.width, least)
+        out.print(thing)
+        return
+    with wide.capture() as captured:
+        wide.print(thing)
+    for line in captured.get().splitlines():
+        click.echo(line.rstrip())
 
 
 def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]], empty: str = "none") -> None:
     """Print a table with a title, or the title and a word where it has no rows."""
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
-    console = Console(highlight=False)
-    if not console.is_terminal:
-        console = Console(highlight=False, width=PLAIN_WIDTH)
     if title:
-        console.print(Text(title, style="bold") if rows else Text(f"{title}: {empty}"))
+        show(Text(title, style="bold") if rows else Text(f"{title}: {empty}"))
     if not rows:
         return
     table = Table(box=None, pad_edge=False)
@@ -25,4 +44,4 @@ def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[objec
         table.add_column(Text(name), no_wrap=True)
     for row in rows:
         table.add_row(*(cell if isinstance(cell, Text) else Text(str(cell)) for cell in row))
-    console.print(table)
+    show(table, whole=True)

@@ -1,0 +1,147 @@
+"""What the documents show is what runs: README, CONTRIBUTING, the pages under docs/ and every docstring's examples."""
+
+from __future__ import annotations
+
+import doctest
+import importlib
+import os
+import pkgutil
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import spragsym
+
+ROOT = Path(__file__).resolve().parent.parent
+README = ROOT / "README.md"
+OPTIONS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
+
+
+def fenced(path: Path, language: str) -> list[str]:
+    """Blocks of one language."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", path.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+def commands(path: Path) -> list[tuple[str, str]]:
+    """Commands of console blocks, each with the output that is shown below it."""
+    found = []
+    for block in fenced(path, "console"):
+        for part in re.split(r"^\$ ", block, flags=re.MULTILINE)[1:]:
+            command, _, output = part.partition("\n")
+            found.append((command, output))
+    return found
+
+
+def run(command: str, folder: Path) -> str:
+    """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path."""
+    environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
+    environment.pop("FORCE_COLOR", None)
+    done = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, capture_output=True, text=True, timeout=300
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def assert_shown(shown: str, given: str) -> None:
+    """Output as shown, where ``...`` stands for anything."""
+    assert doctest.OutputChecker().check_output(shown, given, OPTIONS), f"shown:\n{shown}\ngiven:\n{given}"
+
+
+# ---------------------------------------------------------------------------------------------------- docstrings
+
+MODULES = sorted(
+    name
+    for _, name, _ in pkgutil.walk_packages(spragsym.__path__, "spragsym.")
+    if not name.endswith("__main__") and ".cli" not in name and ".derive" not in name
+)
+
+
+@pytest.mark.parametrize("name", ["spragsym", *MODULES])
+def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each example of a module runs as it stands."""
+    try:
+        module = importlib.import_module(name)
+    except spragsym.MissingExtraError as error:
+        pytest.skip(str(error))
+    monkeypatch.chdir(ROOT)
+    failed, _ = doctest.testmod(module, optionflags=OPTIONS)
+    assert failed == 0
+
+
+# -------------------------------------------------------------------------------------------------------- README
+
+
+def test_readme_python() -> None:
+    text = "".join(fenced(README, "python"))
+    test = doctest.DocTestParser().get_doctest(text, {}, "README.md", "README.md", 0)
+    assert len(test.examples) > 8
+    runner = doctest.DocTestRunner(optionflags=OPTIONS)
+    runner.run(test)
+    assert runner.failures == 0
+
+
+@pytest.mark.parametrize("command", [command for command, _ in commands(README) if not command.startswith("make ")])
+def test_readme_commands(command: str, tmp_path: Path) -> None:
+    assert_shown(dict(commands(README))[command], run(command, tmp_path))
+
+
+def test_readme_make_derive(tmp_path: Path) -> None:
+    """The lines of ``make derive``, its times apart."""
+    shown = dict(commands(README))["make derive"].split("-m derive\n")[1]
+    given = run(f"cd {shlex.quote(str(ROOT))} && {sys.executable} -m derive --out {tmp_path}/generated", tmp_path)
+    times = re.compile(r"^ *\d+\.\d\d s", re.MULTILINE)
+    assert_shown(times.sub("s", shown), times.sub("s", given))
+
+
+def test_readme_links_and_numbers() -> None:
+    text = README.read_text(encoding="utf-8")
+    for link in re.findall(r"\]\(([^)#]+)\)", text):
+        assert (ROOT / link).is_file(), link
+    assert set(re.findall(r"`(make [a-z-]+)`", text)) <= {f"make {name}" for name in make_targets()}
+
+
+def make_targets() -> set[str]:
+    return set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
+
+
+def test_the_picture_is_what_the_library_draws(tmp_path: Path) -> None:
+    """The same bytes under two hash seeds, and those that are committed where matplotlib is the pinned one."""
+    matplotlib = pytest.importorskip("matplotlib")
+    pictures = []
+    for seed in ("1", "2"):
+        run(f"PYTHONHASHSEED={seed} spragsym bifurcation --plot {seed}.svg", tmp_path)
+        pictures.append((tmp_path / f"{seed}.svg").read_bytes())
+    assert pictures[0] == pictures[1]
+    if f"matplotlib=={matplotlib.__version__}\n" in (ROOT / "constraints.txt").read_text():
+        assert pictures[0] == (ROOT / "docs/images/bifurcation.svg").read_bytes()
+
+
+def test_table_of_corrections_is_the_ledgers() -> None:
+    """Every corrected row stands in the README, and the numbers that it quotes are the ledger's."""
+    import json
+
+    rows = json.loads((ROOT / "generated/ledger.json").read_text(encoding="utf-8"))["rows"]
+    corrected = [row["id"] for row in rows if row["status"] == "corrected"]
+    text = README.read_text(encoding="utf-8")
+    assert re.findall(r"^\| ([\w-]+) \| .* \| .* \| .* \|$", text, re.MULTILINE)[1:] == corrected
+    (eq6,) = [row["consequence"] for row in rows if row["id"] == "eq-6"]
+    printed, right = (float(number) for number in re.findall(r"L = ([\d.]+\d)", eq6))
+    assert f"L = {printed:.3f} where it is {right:.3f}" in text
+
+
+def test_citation() -> None:
+    import yaml
+
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    assert cited["version"] == spragsym.__version__
+    assert f"## {spragsym.__version__}" in (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    article = cited["references"][0]
+    assert (article["journal"], article["year"], article["volume"]) == ("Applied Sciences", 2020, 10)
+    assert f"10 ({article['year']}) {article['start']}" in README.read_text(encoding="utf-8")
+    assert np.all([person["family-names"] for person in article["authors"]])

@@ -231,17 +231,13 @@ def rms_sweep(
     p.require(*NAMES)
     given = {name: getattr(p, name) for name in NAMES}
     given |= {"V": as_numbers("V", V, BELT_SPEED), "d": as_numbers("d", d, CREEP)}
-    given |= {
-        name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))
-    }
+    given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
     inputs = {name: given[name] for name in INPUTS}
     settings = _settings(t_end, transient, rtol, backend)
     shape = _common_shape(inputs)
     points = _points(inputs, shape)
     if store is None:
-        return _result(
-            inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None)
-        )
+        return _result(inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None))
     target = Path(store)
     key = _fingerprint(inputs, settings)
     if target.is_file():
@@ -282,9 +278,7 @@ def _values(late: Trajectory) -> tuple[float, ...]:
     """The measured values of what follows the transient, in the order of MEASURED."""
     x, y = late._extrema("x"), late._extrema("y")
     assert late.events is not None
-    lost, *reversals = (
-        len(late.events.of(kind)) for kind in (Event.CONTACT_LOST, Event.MASS_OVERTAKES, Event.BELT_OVERTAKES)
-    )
+    lost, *reversals = (len(late.events.of(kind)) for kind in (Event.CONTACT_LOST, Event.MASS_OVERTAKES, Event.BELT_OVERTAKES))
     return (
         late.rms(0.0), late.rms(0.0, about="mean"), np.abs(x).max(), late.mean(0.0), late.mean(0.0, of="y"),
         late.period(0.0, tol=REPEATS), x.min(), x.max(), y.min(), y.max(), _trend(late),
@@ -307,9 +301,7 @@ def _trend(late: Trajectory) -> float:
 def _settings(t_end: float, transient: float, rtol: float, backend: str | None) -> Settings:
     t_end, transient = as_number("t_end", t_end, POSITIVE), as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
-        raise ParameterError(
-            f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure"
-        )
+        raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
     return Settings(t_end, transient, as_number("rtol", rtol, TOLERANCE), integrators.choose(backend))
 
 
@@ -318,9 +310,7 @@ def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:
         return np.broadcast_shapes(*(values.shape for values in inputs.values()))
     except ValueError as error:
         listed = ", ".join(f"{name} {values.shape}" for name, values in inputs.items() if values.shape)
-        raise ParameterError(
-            f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
-        ) from error
+        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
 
 
 def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple[float, ...]]:
@@ -405,9 +395,7 @@ def _fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
 # ------------------------------------------------------------------------------------------ what they come to
 
 
-def _result(
-    inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]
-) -> Sweep:
+def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
     table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
     measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     regime, equilibrium = _regimes(inputs, shape, measured)
@@ -416,9 +404,7 @@ def _result(
     return Sweep(inputs, **vars(settings), **results, regime=regime, equilibrium=equilibrium, reason=reason)
 
 
-def _finished(
-    path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings
-) -> Sweep:
+def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
     """The sweep that a file holds, if it is this one."""
     try:
         columns, attributes = storage.read(path)
@@ -428,9 +414,7 @@ def _finished(
         raise ParameterError(f"{path} exists and holds something else; remove it, or give another path")
 
     kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
-    results: dict[str, Any] = {
-        name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()
-    }
+    results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
     return Sweep(inputs, **vars(settings), **results)
 
 
@@ -637,8 +621,8 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
 
     Notes
     -----
-    The jump is the largest step between neighbouring angles. Bisection keeps the half over which the RMS
-    steps more.
+    The jump is where the RMS grows by the largest factor from one angle to the next; bisection keeps the half
+    with the larger one.
 
     Examples
     --------
@@ -652,21 +636,18 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     """
     angles = p.theta0
     if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
-        raise ParameterError(
-            "theta0 must be an ascending axis of two angles or more; "
-            "use p.replace(theta0=numpy.linspace(...))"
-        )
+        raise ParameterError("theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))")
     speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
     belt = (speeds[:, None, None], creeps[None, :, None])
     sweep = rms_sweep(p, *belt, **options)
-    step = np.abs(np.diff(sweep.rms, axis=-1))
-    at = np.argmax(np.where(np.isnan(step), -1.0, step), axis=-1)[..., None]
+    ratio = sweep.rms[..., 1:] / sweep.rms[..., :-1]
+    at = np.argmax(np.where(np.isnan(ratio), 0.0, ratio), axis=-1)[..., None]
     low, high = angles[at], angles[at + 1]
     before, after = (np.take_along_axis(sweep.rms, at + k, axis=-1) for k in (0, 1))
     for _ in range(refine):
         middle = (low + high) / 2
         between = rms_sweep(p.replace(theta0=middle), *belt, **options).rms
-        upper = np.abs(after - between) > np.abs(between - before)
+        upper = after * before > between**2
         low, before = np.where(upper, middle, low), np.where(upper, between, before)
         high, after = np.where(upper, high, middle), np.where(upper, after, between)
     theta0, before, after = ((low + high)[..., 0] / 2, before[..., 0], after[..., 0])

@@ -74,5 +74,7 @@ def _step(title: str, work: Callable[[], T]) -> T:
 if __name__ == "__main__":
     try:
         sys.exit(main())
+    except (ArithmeticError, OSError) as error:
+        sys.exit(f"derive: {error}; nothing was written")
     except KeyboardInterrupt:
         sys.exit("derive: interrupted; nothing was written")

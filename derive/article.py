@@ -88,14 +88,16 @@ EQUATIONS = (
     _equation(19, r"\mathbf{b} = \left\{ \begin{array}{c} -\alpha \cos \theta_o - \mu \sin \theta_o \\ "
                   r"-(\beta + 1) \sin \theta_o - \kappa \end{array} \right\}",
               (-alpha * c0 - mu * s0, -(beta + 1) * s0 - kappa)),
-    _equation(20, r"1 = \mathbf{b}^{T}\left(\mathbf{D}\mathbf{D}^{T}\right)^{-1}\mathbf{b}",
+    _equation(20, r"\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\}^{T}"
+                  r"\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\} = 1 = \mathbf{b}^{T}\left(\mathbf{D}\mathbf{D}^{T}\right)^{-1}\mathbf{b}",
               lambda D, b: (b.T * (D * D.T).inv() * b)[0, 0] - 1),
     _equation(21, r"c_0 + c_1 L + c_2 L^2 + c_3 L^3 + c_4 L^4 = 0",
               lambda c_0, c_1, c_2, c_3, c_4: c_0 + c_1 * L + c_2 * L**2 + c_3 * L**3 + c_4 * L**4),
     _equation(22, r"\widetilde{\mathbf{D}}\left\{\begin{array}{c}\cos\theta\\\sin\theta\end{array}\right\} = "
                   r"\widetilde{\mathbf{b}}",
               lambda D, b: tuple(D * sp.Matrix([c, s]) - b)),
-    _equation(23, r"1 = \widetilde{\mathbf{b}}^{T} (\widetilde{\mathbf{D}}\widetilde{\mathbf{D}}^{T})^{-1} "
+    _equation(23, r"\begin{cases} \cos\theta\\ \sin\theta \end{cases}^{T} \begin{cases} \cos\theta\\ \sin\theta \end{cases} "
+                  r"= 1 = \widetilde{\mathbf{b}}^{T} (\widetilde{\mathbf{D}}\widetilde{\mathbf{D}}^{T})^{-1} "
                   r"\widetilde{\mathbf{b}}",
               lambda D, b: (b.T * (D * D.T).inv() * b)[0, 0] - 1),
     _equation(24, r"\widetilde{\mathbf{D}} = \begin{bmatrix} \sigma(1-L) - L\alpha & 0\\ 0 & \sigma(1-L) - L\beta "
@@ -108,7 +110,9 @@ EQUATIONS = (
               lambda d_0, d_1, d_2, d_3, d_4: d_0 + d_1 * L + d_2 * L**2 + d_3 * L**3 + d_4 * L**4),
     _equation(27, r"\det(\lambda^2 \mathbf{I} + \mathbf{K}) = 0",
               lambda K: (lam**2 * sp.eye(2) + K).det()),
-    _equation(28, r"\mathbf{K} = \begin{bmatrix} \sigma \left(1 - \frac{\sin^2 \theta_{eq}}{L_{eq}} \right) + \alpha & "
+    _equation(28, r"\mathbf{K} = \begin{bmatrix} \frac{\partial F_x}{\partial x} & \frac{\partial F_x}{\partial y} \\ "
+                  r"\frac{\partial F_y}{\partial x} & \frac{\partial F_y}{\partial y} \end{bmatrix}_{equilibriums} = "
+                  r"\begin{bmatrix} \sigma \left(1 - \frac{\sin^2 \theta_{eq}}{L_{eq}} \right) + \alpha & "
                   r"\frac{\sigma}{L_{eq}} \sin \theta_{eq} \cos \theta_{eq} + \mu_0 \overline{n} \\ "
                   r"\frac{\sigma}{L_{eq}} \sin \theta_{eq} \cos \theta_{eq} & "
                   r"\sigma \left(1 - \frac{\cos^2 \theta_{eq}}{L_{eq}} \right) + \beta + \overline{n} \end{bmatrix}",

@@ -177,6 +177,11 @@ def identities() -> dict[str, bool]:
             algebra.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
         ),
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
+        "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": sp.expand(
+            sp.rem(sum(value * nm.s**power for power, value in enumerate(cusp_polynomial())), 3 * nm.s**2 - 2, nm.s)
+            - sp.Rational(16, 27) * nm.sigma**4 * (nm.B - nm.alpha) ** 4
+        )
+        == 0,
         "the cusp cubic (α = 0) has degree 3": len(cusp_cubic()) == 4,
         "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": algebra.equal(f.subs(mirror, simultaneous=True), -f),
     }

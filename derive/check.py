@@ -79,7 +79,7 @@ def check(entry: Printed, derived: Derived) -> Row:
     }
     differs = any(gap != 0 for gap in gaps)
     if entry.id in explanations.CORRECTIONS:
-        return _corrected(entry.id, derived, differs, base)
+        return _corrected(entry.id, _components(entry, derived), derived, differs, base)
     if entry.id in explanations.APPROXIMATIONS:
         approximation = explanations.APPROXIMATIONS[entry.id]
         if not differs:
@@ -94,10 +94,16 @@ def check(entry: Printed, derived: Derived) -> Row:
     return Row(status="confirmed", **base)
 
 
-def _corrected(id: str, derived: Derived, differs: bool, base: dict[str, str]) -> Row:
+def _corrected(
+    id: str, components: tuple[sp.Expr, ...], derived: Derived, differs: bool, base: dict[str, str]
+) -> Row:
     correction = explanations.CORRECTIONS[id]
     if not differs:
         return Row(status=FAILED, **base | {"note": "explained as a misprint, but the difference is zero"})
+    gaps = _differences(components, derived)
+    explained = (correction.gap.subs(list(derived.terms[0])),)
+    if not all(algebra.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
+        return Row(status=FAILED, **base | {"note": "the difference is not the one that the correction explains"})
     right = correction.expression if isinstance(correction.expression, tuple) else (correction.expression,)
     if any(gap != 0 for gap in _differences(right, derived)):
         return Row(status=FAILED, **base | {"note": "the right form given for this misprint is not the derived one"})

@@ -26,6 +26,8 @@ class Correction:
 
     latex: str
     expression: sp.Expr | tuple[sp.Expr, ...]
+    #: Printed less right: a misprint other than the one explained here is not explained.
+    gap: sp.Expr
     cause: str
     evidence: Callable[[], tuple[bool, str]]
     consequence: Callable[[], str]
@@ -48,6 +50,11 @@ def _at_base(function: Callable[[Point], str]) -> Callable[[], str]:
             return function(Point())
 
     return evaluated
+
+
+def _below(value: mpmath.mpf) -> str:
+    """A rounding error in words that no other machine or version changes."""
+    return "below 1e-40" if abs(value) < mpmath.mpf(10) ** -40 else show(value, 3)
 
 
 def _length_evidence() -> tuple[bool, str]:
@@ -84,7 +91,7 @@ def _preload_consequence(point: Point) -> str:
     # Without κ, (13) is solved by the undeformed state, where the contact force is zero as well.
     residual = evidence.forces(Point(kappa=Fraction(0)), mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(1))
     return (
-        f"the undeformed state x = y = 0 would be an equilibrium (residual {show(abs(residual[0]) + abs(residual[1]), 2)}) "
+        f"the undeformed state x = y = 0 would be an equilibrium (residual {_below(max(map(abs, residual)))}) "
         f"without any contact force, where the base equilibrium (θ₀ = {point.theta0_deg}°) is "
         f"x = {show(with_preload[0])}, y = {show(with_preload[1])}"
     )
@@ -136,7 +143,7 @@ def _constant_evidence() -> tuple[bool, str]:
         }
     return (
         bool(lengths) and residuals["right"] < mpmath.mpf(10) ** -40 and residuals["printed"] > 1e-6,
-        f"at the lift-off equilibrium of the free body the quartic is {show(residuals['right'], 2)} with the right d_0 and "
+        f"at the lift-off equilibrium of the free body the quartic is {_below(residuals['right'])} with the right d_0 and "
         f"{show(residuals['printed'], 3)} with the printed one",
     )
 
@@ -153,10 +160,14 @@ def _constant_consequence(point: Point) -> str:
     )
 
 
+#: The spring's length, (6) with θ_o.
+_DISTANCE = sp.sqrt((nm.L_0 * nm.c0 - nm.x) ** 2 + (nm.L_0 * nm.s0 - nm.y) ** 2)
+
 CORRECTIONS: dict[str, Correction] = {
     "eq-6": Correction(
         latex=r"L = \sqrt{\left(L_o \cos \theta_o - x\right)^2 + \left(L_o \sin \theta_o - y\right)^2}",
-        expression=sp.sqrt((nm.L_0 * nm.c0 - nm.x) ** 2 + (nm.L_0 * nm.s0 - nm.y) ** 2),
+        expression=_DISTANCE,
+        gap=_DISTANCE.subs({nm.c0: nm.c, nm.s0: nm.s}) - _DISTANCE,
         cause="the index o of θ_o is missing: (4) and (5), squared and added, give the form with θ_o",
         evidence=_length_evidence,
         consequence=_at_base(_length_consequence),
@@ -164,6 +175,7 @@ CORRECTIONS: dict[str, Correction] = {
     "eq-9": Correction(
         latex=r"y'' + \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
         expression=mechanics.AY + nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa,
+        gap=-nm.kappa,
         cause="the preload F_L of (2) is lost on the way; it is back in (15) as −κ",
         evidence=_preload_evidence,
         consequence=_at_base(_preload_consequence),
@@ -171,6 +183,7 @@ CORRECTIONS: dict[str, Correction] = {
     "eq-13": Correction(
         latex=r"F_y = \frac{\sigma}{L}(1-L)(\sin\theta_o - y) + \beta y - n + \kappa = 0",
         expression=nm.sigma / nm.L * (1 - nm.L) * (nm.s0 - nm.y) + nm.beta * nm.y - nm.n + nm.kappa,
+        gap=-nm.kappa,
         cause="copied from (9) with the preload missing; (15) has it as −κ",
         evidence=_preload_evidence,
         consequence=_at_base(_preload_consequence),
@@ -178,6 +191,7 @@ CORRECTIONS: dict[str, Correction] = {
     "def-n": Correction(
         latex=r"n = N/(k_c L_o)",
         expression=nm.N / (nm.k_c * nm.L_0),
+        gap=nm.N / nm.k_c - nm.N / (nm.k_c * nm.L_0),
         cause="L_o is missing: every force is scaled by k_c L_o, as κ = F_L/(k_c L_o) shows",
         evidence=_force_scale_evidence,
         consequence=_at_base(_force_scale_consequence),
@@ -185,6 +199,7 @@ CORRECTIONS: dict[str, Correction] = {
     "A1-d0": Correction(
         latex=r"d_0 = \left(b_3^2 + b_4^2\right)\sigma^2 - \sigma^4",
         expression=(nm.b3**2 + nm.b4**2) * nm.sigma**2 - nm.sigma**4,
+        gap=(nm.b1**2 + nm.b2**2 - nm.b3**2 - nm.b4**2) * nm.sigma**2,
         cause="c_0 and d_0 were set in one line; in lift-off b_3, b_4 stand where b_1, b_2 stand in contact",
         evidence=_constant_evidence,
         consequence=_at_base(_constant_consequence),
@@ -203,12 +218,12 @@ def _vanishes_at_full_slip(difference: sp.Expr) -> bool:
 
 APPROXIMATIONS: dict[str, Approximation] = {
     "eq-12": Approximation(
-        limit="d |V| → ∞: at steady sliding (10) gives μ = μ_o (1 − exp(−d |V|)), not μ_o. From here on μ_o stands for the "
+        limit="d V → ∞ on a belt that runs forward, V > 0: at steady sliding (10) gives μ = μ_o (1 − exp(−d |V|)), not μ_o. From here on μ_o stands for the "
         "friction at steady sliding, which makes every later row exact",
         vanishes=_vanishes_at_full_slip,
     ),
     "eq-27": Approximation(
-        limit="d |V| → ∞: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, from ∂μ/∂x'",
+        limit="d V → ∞, V > 0: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, from ∂μ/∂x'",
         vanishes=_vanishes_at_full_slip,
     ),
 }
@@ -230,6 +245,8 @@ NOTES: dict[str, str] = {
     "eq-2": "Δ and θ by (3)–(5)",
     "eq-18": "μ here is the friction at steady sliding, written μ_o in (14) and in Appendix A",
     "eq-19": "μ here is the friction at steady sliding, written μ_o in (14) and in Appendix A",
+    "eq-20": "for det D ≠ 0",
+    "eq-23": "for det D ≠ 0",
     "A3": "μ_o² σ² cancels against −μ_o² σ² in the last product",
     "A4": "the terms in μ_o² cancel",
 }

@@ -54,6 +54,7 @@ def _quartic() -> tuple[Step, ...]:
     quartic = elimination.quartic_in_t()
     t = sp.Symbol("t", positive=True)
     sine = sp.expand_trig(sp.sin(2 * sp.atan(t)))
+    _, across = equilibrium.balance()
     return (
         Step(
             "−b is positive: a polynomial with positive coefficients in κ, σ, s₀ > 0 and α, β ≥ 0",
@@ -69,6 +70,12 @@ def _quartic() -> tuple[Step, ...]:
         Step(
             "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x adds no root",
             elimination.f_form.subs(nm.s, 0) == nm.fb * nm.c,
+        ),
+        Step(
+            "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is then B s₀ + κ > 0",
+            manifestly_positive(
+                _in_contact(across.subs(nm.s, 0)), (_kappa, _s0, _beta), strict_symbols=(_kappa,)
+            ),
         ),
         Step("t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0),
     )
@@ -107,7 +114,8 @@ def _threshold_below_zero() -> tuple[Step, ...]:
 
 def _threshold_above_zero() -> tuple[Step, ...]:
     """s* > 0: f has opposite signs at the two ends of the arc s > s*, where y = 0."""
-    threshold, excess, stretch = sp.symbols("s_star excess stretch", positive=True)
+    threshold, excess, stretch, surplus = sp.symbols("s_star excess stretch surplus", positive=True)
+    level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
     on_arc = {_s0: threshold + excess, _kappa: _sigma * excess}  # s₀ − s* = κ/σ
     numerator, denominator = (_in_contact(part).subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
 
@@ -129,10 +137,12 @@ def _threshold_above_zero() -> tuple[Step, ...]:
             ),
         ),
         Step(
-            "cos² θ* > cos² θ₀, since s₀² > s*²: then |P cos θ*| > α |cos θ₀|, and F_x is negative at θ* and positive at "
-            "π − θ*: an odd number of roots between, all with t > 0 and L > 0, hence one or three",
+            "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² − s*²: F_x has the sign of "
+            "−cos θ at either end, so that there is an odd number of roots between, all with t > 0 and L > 0: one or three",
             manifestly_positive(
-                (threshold + excess) ** 2 - threshold**2, (threshold, excess), strict_symbols=(threshold, excess)
+                (_alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2) - _alpha**2 * level,
+                (_alpha, surplus, level, threshold, excess),
+                strict_symbols=(surplus, threshold, excess),
             ),
         ),
     )

@@ -498,7 +498,7 @@ def _linear_sprag() -> Module:
                      "determinant of the linear model", (nm.mu0, *_STIFFNESS), linear_sprag.pole_quadratic(), "e0, e1, e2"),
             Function("pole_friction", "μ₀ with a pole at T = tan θ₀.", "determinant of the linear model",
                      (linear_sprag.T, *_STIFFNESS), sp.factor_terms(linear_sprag.pole_friction()), "mu0"),
-            Function("critical_friction_squared", "μ_cr²: there is a pole if and only if μ₀ ≥ μ_cr.", "article, Section 3",
+            Function("critical_friction_squared", "μ_cr²: for α, μ₀ > 0 there is a pole if and only if μ₀ ≥ μ_cr.", "article, Section 3",
                      _STIFFNESS, linear_sprag.critical_friction_squared(), "mu_cr²"),
         ),
     )  # fmt: skip
@@ -524,9 +524,8 @@ def _motion() -> Module:
     arranged = _accelerations()
     _same("accelerations (8), (9)", arranged, tuple(accelerations.values()))
     in_regime = tuple(value.subs(regime, simultaneous=True) for value in arranged)
-    everywhere = tuple(
-        value.subs({nm.mu: mechanics.friction(), nm.n: (sp.Abs(nm.y) - nm.y) / 2}, simultaneous=True) for value in arranged
-    )
+    regimes_of_force = {nm.mu: mechanics.friction(), nm.n: _contact_force()}
+    everywhere = tuple(value.subs(regimes_of_force, simultaneous=True) for value in arranged)
     jacobian, jacobian_names = _regime_jacobian(in_regime, side)
     parameters = (*_ANGLE0, *_PARAMETERS, nm.V, nm.creep)
     energy = mechanics.energy()
@@ -594,6 +593,16 @@ def _regime_jacobian(
             tuple(sp.sympify(entry).subs(polar) for entry in theirs),
         )
     return arranged, names
+
+
+def _contact_force() -> sp.Expr:
+    """n(y) without a case distinction, (11); held against the law of the mechanics below, on and above the belt."""
+    arranged = (sp.Abs(nm.y) - nm.y) / 2
+    u = sp.Symbol("u", positive=True)
+    for place in (-u, sp.S.Zero, u):
+        if arranged.subs(nm.y, place) != mechanics.contact_law().subs(nm.y, place):
+            raise ArithmeticError("n(y) is not (11): the emitted right-hand side needs another form of the contact law")
+    return arranged
 
 
 def _accelerations() -> tuple[sp.Expr, sp.Expr]:

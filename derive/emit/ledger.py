@@ -86,7 +86,7 @@ def _mark(holds: bool) -> str:
 
 
 def _section(row: Row) -> list[str]:
-    lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**." + (f" {row.note[0].upper()}{row.note[1:]}." if row.note else "")]
+    lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**." + (f" Note: {row.note}." if row.note else "")]
     lines += ["", "Printed:", "", f"```math\n{row.printed}\n```", ""]
     if row.status not in ("confirmed", "definition"):
         lines += ["Derived (left side less right side, where it is an equation):", "", f"```math\n{row.derived}\n```", ""]

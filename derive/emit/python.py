@@ -185,27 +185,28 @@ def broadcasting(function: Callable[_P, _R]) -> Callable[_P, _R]:
         result: Any = function(*args, **kwargs)
         numbers = [value for name, value in kwargs.items() if name != "xp"]
         numbers += args
-        shapes = {{np.shape(value) for value in numbers if isinstance(value, np.ndarray)}}
-        if shapes:
-            return _fill(result, np.broadcast_shapes(*shapes))  # type: ignore[no-any-return]
-        return _typed(result, numbers[0])  # type: ignore[no-any-return]
+        arrays = [value for value in numbers if isinstance(value, np.ndarray)]
+        if arrays:
+            shape = np.broadcast_shapes(*(value.shape for value in arrays))
+            return _fill(result, shape, np.result_type(*arrays))  # type: ignore[no-any-return]
+        return _typed(result, numbers)  # type: ignore[no-any-return]
 
     return shaped
 
 
-def _fill(result: Any, shape: tuple[int, ...]) -> Any:
+def _fill(result: Any, shape: tuple[int, ...], dtype: Any) -> Any:
     if isinstance(result, tuple):
-        return tuple(_fill(item, shape) for item in result)
+        return tuple(_fill(item, shape, dtype) for item in result)
     if np.shape(result) == shape:
         return np.asarray(result)
-    filled = np.empty(shape, dtype=np.result_type(result, float) if isinstance(result, int) else np.asarray(result).dtype)
+    filled = np.empty(shape, dtype=np.result_type(dtype, result) if dtype != object else object)
     filled[...] = result
     return filled
 
 
-def _typed(result: Any, like: Any) -> Any:
+def _typed(result: Any, numbers: list[Any]) -> Any:
     """Constants of the algebra in the number type of the arguments."""
     if isinstance(result, tuple):
-        return tuple(_typed(item, like) for item in result)
-    return result + 0 * like if isinstance(result, int) and not isinstance(like, int) else result
+        return tuple(_typed(item, numbers) for item in result)
+    return result + 0 * sum(numbers) if isinstance(result, int) else result
 '''

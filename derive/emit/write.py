@@ -53,6 +53,10 @@ def render(outcome: Ledger) -> dict[str, str]:
 def write(files: dict[str, str], target: Path) -> None:
     """Put ``files`` in the place of ``target``, which is left as it was on any failure or interruption."""
     target = target.resolve()
+    if target.exists() and not target.is_dir():
+        raise FileExistsError(f"{target} is a file; name a folder to write")
+    if target.exists() and any(target.iterdir()) and not (target / "ledger.json").exists():
+        raise FileExistsError(f"{target} holds other files and no ledger.json; name an empty folder, or one written before")
     target.parent.mkdir(parents=True, exist_ok=True)
     fresh = Path(tempfile.mkdtemp(prefix=".generated-", dir=target.parent))
     retired = fresh.with_name(fresh.name + "-old")
@@ -73,7 +77,8 @@ def write(files: dict[str, str], target: Path) -> None:
                 raise
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
-        shutil.rmtree(retired, ignore_errors=True)
+        if target.exists():
+            shutil.rmtree(retired, ignore_errors=True)
 
 
 @contextmanager

@@ -80,10 +80,10 @@ def _head(ledger: Any, claims: list[dict[str, Any]]) -> list[str]:
         f"- Equations, coefficients and definitions: {_counts(ledger['rows'])}.",
         f"- Statements of the text that can be computed: {_counts(claims)}.",
         "",
-        *_paragraph("""*Reproduced*: it holds as stated, within the tolerance given. *Corrected*: what is right is another number, or
-        holds for fewer cases, and is given. *Input not stated*: it holds for values of ours, and the article does not say for which of its own.
-        Every outcome is recomputed in continuous integration, which fails when a status, or a number beyond the digits
-        given, is not as recorded."""),
+        *_paragraph("""*Reproduced*: it holds as stated, within the tolerance given. *Corrected*: what is right is another
+        number, or holds for fewer cases, and is given. *Input not stated*: it holds for values of ours, and the article does not
+        say for which of its own. Every outcome is recomputed in continuous integration, which fails when a status, or a number
+        beyond the digits given, is not as recorded."""),
     ]
 
 
@@ -109,7 +109,8 @@ def _misprints(rows: list[dict[str, str]]) -> list[str]:
             lines += ["Right:", "", f"```math\n{row['right']}\n```", ""]
             lines += [f"Cause: {row['cause']}. Consequence: {row['consequence']}.", ""]
         elif row["status"] == "approximation":
-            lines += [f"### {row['where']} ({row['id']}): an approximation", "", f"Printed:\n\n```math\n{row['printed']}\n```", ""]
+            lines += [f"### {row['where']} ({row['id']}): an approximation", ""]
+            lines += ["Printed:", "", f"```math\n{row['printed']}\n```", ""]
             lines += [f"It is what the derivation gives in the limit {row['limit']}.", ""]
     return lines[:-1]
 

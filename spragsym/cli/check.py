@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Sequence
 from importlib import resources
 from pathlib import Path
+from typing import Any
 
 import click
 
@@ -22,7 +24,7 @@ _CLAIM_STYLES = {"reproduced": "green", "corrected": "yellow", "input not stated
 @as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
 @click.option(
-    "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report of both, from the records, to FILE; check nothing."
+    "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from the records; check nothing."
 )
 def check(json_output: bool, claims: bool, report: Path | None) -> None:
     """Hold every printed equation of the article against the derivation, or every statement against computation.
@@ -97,16 +99,16 @@ def _changed(rows: list[dict[str, str]], recorded: list[dict[str, str]]) -> list
     return [id for id in sorted(before.keys() | now.keys()) if before.get(id) != now.get(id)]
 
 
-def _print_table(rows: list[object]) -> None:
+def _print_table(rows: Sequence[Any]) -> None:
     from rich.table import Table
     from rich.text import Text
 
     table = Table("row", "where", "status", "remark", box=None, pad_edge=False)
     for row in rows:
-        remark = row.cause or row.limit or row.note  # type: ignore[attr-defined]
-        status = row.status  # type: ignore[attr-defined]
-        table.add_row(row.id, row.where, Text(status, style=_STYLES[status]), Text(remark))  # type: ignore[attr-defined]
+        remark = row.cause or row.limit or row.note
+        status = row.status
+        table.add_row(row.id, row.where, Text(status, style=_STYLES[status]), Text(remark))
     show(table)
     for row in rows:
-        if row.consequence:  # type: ignore[attr-defined]
-            show(Text(f"\n{row.id}: right is {row.right}\n  {row.consequence}"))  # type: ignore[attr-defined]
+        if row.consequence:
+            show(Text(f"\n{row.id}: right is {row.right}\n  {row.consequence}"))

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import inspect
+import multiprocessing
+import os
+import signal
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -67,11 +70,11 @@ def figures(
 
     formats = _chosen(kinds.split(","), FORMATS, "--format")
     names = _chosen([*first, *more], FIGURES, "--only") if first else list(FIGURES)
-    with _bar(len(names), quiet) as advance:
+    with _processes(workers) as mapping, _bar(len(names), quiet) as advance:
         for name in names:
             advance(name)
             draw = FIGURES[name]
-            moving = {"workers": workers} if "workers" in _options(draw) else {}
+            moving = {"workers": mapping} if "workers" in _options(draw) else {}
             for path in write(draw(**moving), out, f"figure_{name.replace('-', '_')}", formats):
                 click.echo(path)
 
@@ -85,6 +88,21 @@ def _chosen(given: list[str], allowed: Mapping[str, Any], option: str) -> list[s
 
 def _options(function: Callable[..., Any]) -> set[str]:
     return set(inspect.signature(function).parameters)
+
+
+@contextmanager
+def _processes(workers: int) -> Iterator[Any]:
+    """1, or the map of one pool for all figures: a process takes a second to begin."""
+    if workers == 0 or workers < -1:
+        raise ParameterError(f"--workers {workers} is not a number of processes; give 1 or more, or -1 for one a core")
+    count = os.cpu_count() or 1 if workers == -1 else workers
+    if count == 1:
+        yield 1
+        return
+    # Interrupts are for the main process, which then ends the others.
+    ignore = (signal.SIGINT, signal.SIG_IGN)
+    with multiprocessing.get_context("spawn").Pool(count, signal.signal, ignore) as pool:
+        yield pool.imap
 
 
 @contextmanager

@@ -314,7 +314,7 @@ class PhysicalParameters:
 
     def dimensionless(self) -> Parameters:
         """The same system as :class:`Parameters`."""
-        kappa, alpha, sigma, beta, _, _ = self._groups()
+        kappa, alpha, sigma, beta, *_ = self._groups()
         return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta)
 
     def belt(self) -> dict[str, float]:
@@ -322,7 +322,7 @@ class PhysicalParameters:
         for name in ("V", "d"):
             if getattr(self, name) is None:
                 raise ParameterError(f"{name} is missing from the physical parameters, and the motion in time needs it")
-        *_, V, d = self._groups()
+        V, d = self._groups()[4:6]
         return {"V": float(V), "d": float(d)}
 
     def _groups(self) -> tuple[float, ...]:

@@ -31,6 +31,13 @@ class Function:
     transcendental: bool = False
     #: Without shared subexpressions, where each quotient should be rounded once.
     share: bool = True
+    #: Arguments beyond those of the published model, which a changed assumption brings in: last, and 0 where left out.
+    further: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def accepted(self) -> tuple[sp.Symbol, ...]:
+        """All arguments, in order."""
+        return (*self.arguments, *self.further)
 
 
 @dataclass(frozen=True)
@@ -68,6 +75,32 @@ def _shorthands(case: dict[sp.Symbol, int] | None = None, *names: sp.Symbol) -> 
     return {symbol: value.subs(case or {}) for symbol, value in definitions.items() if not names or symbol in names}
 
 
+def further_parameters() -> tuple[sp.Symbol, ...]:
+    """Dimensionless parameters that the published model does not have, in the order of :func:`derive.mechanics.groups`."""
+    published = {*_PARAMETERS, nm.n, nm.V, nm.creep}
+    return tuple(symbol for symbol in mechanics.groups() if symbol not in published)
+
+
+def _further(listed: tuple[sp.Symbol, ...], results: Results, names: dict[sp.Symbol, sp.Expr] | None = None) -> tuple[sp.Symbol, ...]:
+    """What the results depend on beside the arguments that are listed: speeds, and parameters that a variant brings in."""
+    free = {symbol for leaf in _leaves(results) for symbol in sp.sympify(leaf).free_symbols}
+    for value in (names or {}).values():
+        free |= sp.sympify(value).free_symbols
+    return tuple(symbol for symbol in (nm.vx, nm.vy, *further_parameters()) if symbol in free and symbol not in listed)
+
+
+def _leaves(results: Results) -> list[sp.Expr]:
+    return [leaf for item in results for leaf in _leaves(item)] if isinstance(results, tuple) else [results]
+
+
+def _added(arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+    """What a changed assumption adds to the arrangement of the published model: zeros, if none was changed."""
+    return tuple(
+        sp.factor_terms(algebra.difference(equilibrium.spell_out(theirs), equilibrium.spell_out(ours)))
+        for ours, theirs in zip(arranged, derived, strict=True)
+    )
+
+
 def modules() -> tuple[Module, ...]:
     """Everything that is generated."""
     return (_scales(), _equilibrium(), _stability(), _catastrophe(), _linear_sprag(), _motion())
@@ -78,8 +111,10 @@ def modules() -> tuple[Module, ...]:
 
 def _scales() -> Module:
     scales, groups = mechanics.scales(), mechanics.groups()
-    dimensionless = (nm.kappa, nm.alpha, nm.sigma, nm.beta, nm.V, nm.creep)
-    dimensional = tuple(groups[symbol][0] for symbol in dimensionless)
+    published = (nm.kappa, nm.alpha, nm.sigma, nm.beta, nm.V, nm.creep)
+    dimensionless = (*published, *further_parameters())
+    dimensional = tuple(groups[symbol][0] for symbol in published)
+    further = tuple(groups[symbol][0] for symbol in further_parameters())
     return Module(
         "scales",
         "Between newtons, metres and seconds and the dimensionless model: text after (9).",
@@ -92,7 +127,7 @@ def _scales() -> Module:
                 "dimensionless_groups", "The dimensionless parameters of dimensional data.", "text after (9)",
                 (nm.m_mass, nm.k_c, nm.L_0, *dimensional),
                 tuple(groups[symbol][0] / groups[symbol][1] for symbol in dimensionless),
-                ", ".join(str(symbol) for symbol in dimensionless), transcendental=True, share=False,
+                ", ".join(str(symbol) for symbol in dimensionless), transcendental=True, share=False, further=further,
             ),
         ),
     )  # fmt: skip
@@ -242,7 +277,7 @@ def _stability() -> Module:
                      "trace, determinant, discriminant"),
             Function("damping", "∂F_x/∂x' at steady sliding.", "(8), (10) linearized",
                      tuple(symbol for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar) if C[0, 0].has(symbol)),
-                     C[0, 0], "C11", transcendental=True),
+                     C[0, 0], "C11", transcendental=True, further=_further((), C[0, 0])),
             Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
                      "(27) with damping", (*entries, C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
             Function("flutter_sextic", "Coefficients of e0 + … + e6 L⁶, whose roots are the flutter onsets in contact at a given θ.",
@@ -521,13 +556,13 @@ def _motion() -> Module:
         equations.ax: sp.solve(equations.x, equations.ax)[0],
         equations.ay: sp.solve(equations.y, equations.ay)[0],
     }
-    arranged = _accelerations()
-    _same("accelerations (8), (9)", arranged, tuple(accelerations.values()))
+    arranged = tuple(map(sp.Add, _accelerations(), _added(_accelerations(), tuple(accelerations.values()))))
     in_regime = tuple(value.subs(regime, simultaneous=True) for value in arranged)
     regimes_of_force = {nm.mu: mechanics.friction(), nm.n: _contact_force()}
     everywhere = tuple(value.subs(regimes_of_force, simultaneous=True) for value in arranged)
     jacobian, jacobian_names = _regime_jacobian(in_regime, side)
     parameters = (*_ANGLE0, *_PARAMETERS, nm.V, nm.creep)
+    moving = (*state, *parameters, nm.nbar, side)
     energy = mechanics.energy()
     return Module(
         "motion",
@@ -536,15 +571,17 @@ def _motion() -> Module:
             Function("spring_length", "Length of the inclined spring.", "(6) corrected", (nm.x, nm.y, *_ANGLE0), length, "L",
                      transcendental=True),
             Function("accelerations", "x″ and y″ for a given friction coefficient and contact force.", "(8), (9) corrected",
-                     (nm.x, nm.y, nm.L, nm.mu, nm.n, *_ANGLE0, nm.kappa, *_STIFFNESS), arranged, "x″, y″"),
+                     (nm.x, nm.y, nm.L, nm.mu, nm.n, *_ANGLE0, nm.kappa, *_STIFFNESS), arranged, "x″, y″",
+                     further=_further((), arranged)),
             Function("friction", "The friction coefficient at the speed x' of the mass.", "(10)", (nm.vx, nm.mu0, nm.V, nm.creep),
                      mechanics.friction(), "mu", transcendental=True),
             Function("rhs", "x″ and y″, kinked where y = 0 and where x' = V.", "(8)–(11)",
-                     (*state, *parameters), everywhere, "x″, y″", lengths, transcendental=True),
+                     (*state, *parameters), everywhere, "x″, y″", lengths, transcendental=True, further=_further(state, everywhere)),
             Function("regime_rhs", "x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (−1).",
-                     "(8)–(10)", (*state, *parameters, nm.nbar, side), in_regime, "x″, y″", lengths, transcendental=True),
+                     "(8)–(10)", moving, in_regime, "x″, y″", lengths, transcendental=True, further=_further(state, in_regime)),
             Function("regime_jacobian", "Derivatives of regime_rhs with respect to x, y, x', y'.", "(8)–(10)",
-                     (*state, *parameters, nm.nbar, side), jacobian, "((∂x″/∂x, …), (∂y″/∂x, …))", jacobian_names, transcendental=True),
+                     moving, jacobian, "((∂x″/∂x, …), (∂y″/∂x, …))", jacobian_names, transcendental=True,
+                     further=_further(state, jacobian, jacobian_names)),
             Function("energy", "Kinetic and stored energy, the preload's included, over k_c L_0².", "(1), (2)",
                      (*state, *_ANGLE0, nm.kappa, *_STIFFNESS, nm.nbar), energy, "energy", lengths, transcendental=True),
             Function("friction_power", "Rate at which friction changes that energy.", "(8)",
@@ -586,13 +623,12 @@ def _regime_jacobian(
     )
     polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
     values = {pull: names[pull], mu: friction, slope: names[slope]}
+    rows = []
     for ours, theirs in zip(arranged, derived, strict=True):
-        _same(
-            "Jacobian of the motion",
-            tuple(entry.subs(values).subs(polar) for entry in ours),
-            tuple(sp.sympify(entry).subs(polar) for entry in theirs),
-        )
-    return arranged, names
+        spelled = tuple(entry.subs(values).subs(polar) for entry in ours)
+        added = _added(spelled, tuple(sp.sympify(entry).subs(polar) for entry in theirs))
+        rows.append(tuple(map(sp.Add, ours, added)))
+    return tuple(rows), names
 
 
 def _contact_force() -> sp.Expr:

@@ -66,6 +66,7 @@ def render(module: Module, header: str) -> str:
 def _function(function: Function) -> str:
     body = straight_line(function)
     arguments = [f"{symbol}: Number" for symbol in function.arguments]
+    arguments += [f"{symbol}: Number = 0" for symbol in function.further]
     if function.transcendental:
         arguments += ["*", "xp: ModuleType = numpy"]
     signature = f"def {function.name}({', '.join(arguments)}) -> {_annotation(function.results)}:"
@@ -124,9 +125,10 @@ def _wrap(line: str) -> str:
 
 def _docstring(function: Function, operations: int) -> str:
     described = []
-    for symbol in function.arguments:
+    for symbol in function.accepted:
         meaning, unit = _meaning(symbol)
-        described.append(f"{symbol} : number or array\n    {meaning}" + (f" [{unit}]" if unit != "1" else ""))
+        optional = ", optional" if symbol in function.further else ""
+        described.append(f"{symbol} : number or array{optional}\n    {meaning}" + (f" [{unit}]" if unit != "1" else ""))
     if function.transcendental:
         described.append("xp : module\n    Namespace with ``sqrt``, ``exp`` and ``sign`` for the number type: numpy, mpmath.")
     returned = "number or array" if not isinstance(function.results, tuple) else "tuple"

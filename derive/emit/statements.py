@@ -57,7 +57,7 @@ def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Sy
 
     def visit(expression: sp.Expr) -> None:
         for symbol in sorted(expression.free_symbols, key=str):
-            if symbol in function.arguments or symbol in ordered:
+            if symbol in function.accepted or symbol in ordered:
                 continue
             if symbol not in function.shorthands:
                 raise ArithmeticError(f"{function.name}: {symbol} is neither an argument nor a shorthand")

@@ -15,7 +15,7 @@ from pathlib import Path
 import sympy as sp
 
 from . import c99, ledger, python
-from .functions import modules
+from .functions import further_parameters, modules
 from .ledger import Ledger
 
 SOURCES = Path(__file__).resolve().parent.parent
@@ -44,7 +44,8 @@ def render(outcome: Ledger) -> dict[str, str]:
         "py.typed": "",
         "_broadcast.py": python.BROADCAST_SOURCE.format(header=header),
         **{f"{module.name}.py": python.render(module, header) for module in names},
-        **c99.render(names, header.replace("``", "")),
+        # The C model holds the published parameters only: a variant that needs more has no C.
+        **({} if further_parameters() else c99.render(names, header.replace("``", ""))),
         "ledger.json": json.dumps(ledger.as_dict(outcome, digest), indent=1, ensure_ascii=False) + "\n",
         "LEDGER.md": ledger.markdown(outcome, header),
     }

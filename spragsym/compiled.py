@@ -127,17 +127,17 @@ def _number() -> Any:
 
 @cache
 def _compiled(function: Callable[..., Any]) -> Any:
-    """One of the loops below, compiled, and cached on disk under the fingerprint of everything in it."""
+    """One of the loops below, compiled for one set of types, and cached on disk under the fingerprint of everything in it."""
     bound = FunctionType(function.__code__, _namespace(), function.__name__)
     bound.__qualname__ = f"{function.__name__}_{_fingerprint()}"
     bound.__module__ = __name__
-    return _numba().njit(bound, error_model="numpy", cache=True, nogil=True)
+    return _numba().njit(_signatures()[function.__name__], error_model="numpy", cache=True, nogil=True)(bound)
 
 
 def solve(values: tuple[Any, ...], contact: bool, tolerance: float, out: Any) -> NDArray[np.int64]:
     """As :func:`spragsym.solver.solve` in float64: write what is settled to ``out``, return the indices of what is not."""
     n = out.count.size
-    columns = [np.broadcast_to(np.asarray(value, dtype=np.float64), (n,)) for value in values]
+    columns = [_column(value, n) for value in values]
     state = np.empty(n, dtype=np.int8)
     slots = tuple(getattr(out, name).T for name in ("theta", "L", "x", "y", "error", "stability"))
     u = 2.0**-53
@@ -149,6 +149,28 @@ def solve(values: tuple[Any, ...], contact: bool, tolerance: float, out: Any) ->
     np.arctan(out.theta.T, out=out.theta.T)
     np.multiply(out.theta.T, 2.0, out=out.theta.T)
     return np.flatnonzero(state == _UNSETTLED)
+
+
+def _column(value: Any, n: int) -> NDArray[np.float64]:
+    """A parameter as a contiguous column: one type for the compiled code, whatever was broadcast."""
+    return np.ascontiguousarray(np.broadcast_to(value, (n,)), dtype=np.float64)
+
+
+@cache
+def _signatures() -> dict[str, Any]:
+    """Types of the loops' arguments: one set for each, so that each is compiled once."""
+    from numba import types
+
+    given = [types.Array(types.float64, 1, "C", readonly=True)] * 7
+    column, codes, numbers = types.float64[::1], types.int8[::1], types.int64[::1]
+    real, whole = types.float64, types.int64
+    return {
+        "_first_roots": types.void(*given, real, real, *[column] * 5, codes, numbers, codes),
+        "_all_roots": types.void(
+            *given, whole, real, real, *[types.float64[:, :]] * 5, types.int8[:, :], numbers, codes
+        ),
+        "_roots": types.void(*given, real, types.float64[:, ::1], codes),
+    }
 
 
 # State of a point between and after the two passes.
@@ -247,7 +269,7 @@ def roots_and_counts(values: tuple[Any, ...]) -> tuple[NDArray[np.float64], NDAr
     """
     n = np.size(values[0])
     roots, count = np.empty((4, n)), np.empty(n, dtype=np.int8)
-    columns = [np.broadcast_to(np.asarray(value, dtype=np.float64), (n,)) for value in values]
+    columns = [_column(value, n) for value in values]
     _compiled(_roots)(*columns, 2.0**-53, roots, count)
     return roots, count
 

@@ -20,8 +20,8 @@ from .parameters import FloatArray, Parameters
 TOLERANCE = 1e-12
 #: Points solved at a time, so that intermediate arrays stay in cache.
 BLOCK = 8192
-#: The same for the compiled solver, which has no intermediate arrays.
-COMPILED_BLOCK = 1 << 17
+#: The same for the compiled solver.
+COMPILED_BLOCK = 1 << 14
 
 
 class Stability(enum.IntEnum):

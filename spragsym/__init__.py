@@ -21,33 +21,44 @@ from .errors import ConvergenceError, MissingExtraError, ParameterError, Paramet
 from .parameters import Parameters, PhysicalParameters, Scales
 
 if TYPE_CHECKING:
+    from . import figures as figures
     from . import precise as precise
     from .backends import get_backend as get_backend
     from .backends import set_backend as set_backend
-    from .catastrophe import surface as surface
-    from .catastrophe import folds as folds
-    from .catastrophe import bifurcation_set as bifurcation_set
-    from .catastrophe import cusps as cusps
-    from .catastrophe import critical_friction as critical_friction
-    from .catastrophe import critical_value as critical_value
-    from .catastrophe import flutter_boundary as flutter_boundary
-    from .catastrophe import flutter_onsets as flutter_onsets
-    from .catastrophe import linear_sprag as linear_sprag
-    from .catastrophe import linear_critical_friction as linear_critical_friction
-    from .catastrophe import sliding_friction as sliding_friction
-    from .catastrophe import Surface as Surface
-    from .catastrophe import Folds as Folds
-    from .catastrophe import FoldCurve as FoldCurve
     from .catastrophe import BifurcationSet as BifurcationSet
     from .catastrophe import Cusps as Cusps
     from .catastrophe import FlutterBoundary as FlutterBoundary
+    from .catastrophe import FoldCurve as FoldCurve
+    from .catastrophe import Folds as Folds
     from .catastrophe import LinearSprag as LinearSprag
-    from .paths import quasi_static_path as quasi_static_path
-    from .paths import Path as Path
+    from .catastrophe import Surface as Surface
+    from .catastrophe import bifurcation_set as bifurcation_set
+    from .catastrophe import critical_friction as critical_friction
+    from .catastrophe import critical_value as critical_value
+    from .catastrophe import cusps as cusps
+    from .catastrophe import flutter_boundary as flutter_boundary
+    from .catastrophe import flutter_onsets as flutter_onsets
+    from .catastrophe import folds as folds
+    from .catastrophe import linear_critical_friction as linear_critical_friction
+    from .catastrophe import linear_sprag as linear_sprag
+    from .catastrophe import sliding_friction as sliding_friction
+    from .catastrophe import surface as surface
+    from .dynamics import Events as Events
+    from .dynamics import Trajectory as Trajectory
+    from .dynamics import simulate as simulate
     from .paths import Jump as Jump
+    from .paths import Path as Path
+    from .paths import quasi_static_path as quasi_static_path
     from .solver import Equilibria as Equilibria
     from .solver import Stability as Stability
     from .solver import equilibria as equilibria
+    from .sweeps import Basin as Basin
+    from .sweeps import Regime as Regime
+    from .sweeps import Sensitivity as Sensitivity
+    from .sweeps import Sweep as Sweep
+    from .sweeps import basin as basin
+    from .sweeps import rms_sweep as rms_sweep
+    from .sweeps import sensitivity as sensitivity
 
 #: Public name → module that defines it. A module's own name stands for the module.
 _LAZY: dict[str, str] = {
@@ -76,6 +87,17 @@ _LAZY: dict[str, str] = {
     "Path": "paths",
     "Jump": "paths",
     "precise": "precise",
+    "figures": "figures",
+    "simulate": "dynamics",
+    "Trajectory": "dynamics",
+    "Events": "dynamics",
+    "rms_sweep": "sweeps",
+    "Sweep": "sweeps",
+    "Regime": "sweeps",
+    "basin": "sweeps",
+    "Basin": "sweeps",
+    "sensitivity": "sweeps",
+    "Sensitivity": "sweeps",
     "set_backend": "backends",
     "get_backend": "backends",
 }

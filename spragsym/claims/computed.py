@@ -83,19 +83,20 @@ def no_linear_sliding() -> Found:
     return Found(holds, {"from_deg": float(_deg(low)), "to_deg": float(_deg(high))})
 
 
-def _linear_gap(angle: float, mu0: float) -> float:
+def _linear_gap(angle: Any, mu0: float) -> FloatArray:
     """Relative distance of x between the two models, the nonlinear one at its smallest |x|, less a tenth."""
     p = _article(theta0=angle, mu0=mu0)
     x = equilibria(p).x
-    near = float(x[np.nanargmin(np.abs(x))])
-    return abs(float(catastrophe.linear_sprag(p).x) - near) / abs(near) - 0.1
+    near = np.take_along_axis(x, np.nanargmin(np.abs(x), axis=-1)[..., None], axis=-1)[..., 0]
+    gap: FloatArray = np.abs(catastrophe.linear_sprag(p).x - near) / np.abs(near) - 0.1
+    return gap
 
 
 def linear_approximates() -> Found:
     values: dict[str, Value] = {}
     holds = True
     for mu0 in (0.5, 0.7):
-        gaps = np.array([_linear_gap(angle, mu0) for angle in np.radians(_GRID)])
+        gaps = _linear_gap(np.radians(_GRID), mu0)
         fold = float(catastrophe.folds(_article(mu0=mu0)).theta0[0])
         (changes,) = np.nonzero(np.diff(np.sign(gaps)))
         first, last = (np.radians(_GRID[[i, i + 1]]) for i in (changes[0], changes[-1]))
@@ -122,9 +123,8 @@ def one_or_three() -> Found:
     ):
         seen |= set(np.unique(equilibria(_at(_GRID, **changes, mu0=frictions)).count).tolist())
     ledger = json.loads(resources.files(_generated.__name__).joinpath("ledger.json").read_text(encoding="utf-8"))
-    steps = ledger["one_or_three"]
-    proved = sum(bool(step["holds"]) for step in steps)
-    return Found(seen == {1, 3} and proved == len(steps), {"counts": sorted(seen), "steps of the proof": proved})
+    unproved = [step["claim"] for step in ledger["one_or_three"] if not step["holds"]]
+    return Found(seen == {1, 3} and not unproved, {"counts": sorted(seen), "steps of the proof that fail": len(unproved)})
 
 
 def bounded() -> Found:

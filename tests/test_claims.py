@@ -1,0 +1,540 @@
+"""The numbers behind the claims and the figures, by other means than those that computed them."""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import itertools
+import json
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import click
+import mpmath
+import numpy as np
+import pytest
+from click.testing import CliRunner
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq, root
+
+import spragsym as ss
+from spragsym import claims
+from spragsym.claims import Status
+from spragsym.claims.report import page
+from spragsym.cli import cli
+from spragsym.cli.check import check as check_command
+from spragsym.dynamics import simulate
+
+ROOT = Path(__file__).parents[1]
+BASE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
+EXACT = {"mu0": "0.5", "kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0"}
+
+
+@cache
+def record() -> dict[str, dict[str, Any]]:
+    return {row["id"]: row for row in claims.recorded()}
+
+
+def value(id: str, name: str) -> Any:
+    return record()[id]["values"][name]
+
+
+# ------------------------------------------------------------------- the article's balance, written out once more
+
+
+def forces(x: Any, y: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, contact: bool = True) -> Any:
+    """(12) and (13) with the preload, less zero."""
+    c0, s0 = np.cos(theta0), np.sin(theta0)
+    L = np.hypot(c0 - x, s0 - y)
+    n = -y if contact else 0.0
+    pull = sigma * (1 - L) / L
+    return pull * (c0 - x) + alpha * x - mu0 * n, pull * (s0 - y) + beta * y - n + kappa
+
+
+def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
+    """Eigenvalues of the forces' Jacobian by central differences: λ² less the sign."""
+    h = 1e-6
+    at = lambda dx, dy: np.array(forces(x + dx, y + dy, theta0, **p, contact=contact))  # noqa: E731
+    K = np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
+    return np.linalg.eigvals(K)
+
+
+def kind(eigenvalues: Any) -> int:
+    if abs(np.imag(eigenvalues)).max() > 1e-7:
+        return int(ss.Stability.FLUTTER)
+    return int(ss.Stability.STABLE if np.real(eigenvalues).min() > 0 else ss.Stability.DIVERGENT)
+
+
+def residual(theta: Any, theta0: Any, m: Any = mpmath, **p: Any) -> Any:
+    """(14) with L from (15), for floats, arrays (``m=numpy``) and mpmath numbers."""
+    mu0, kappa, alpha, sigma, beta = (p[name] for name in BASE)
+    c, s, c0, s0 = m.cos(theta), m.sin(theta), m.cos(theta0), m.sin(theta0)
+    L = (sigma * s + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * s)
+    return sigma * (1 - L) * c + alpha * (c0 - L * c) + mu0 * (s0 - L * s)
+
+
+def sign_changes(theta0: float, n: int = 200_001, **p: float) -> int:
+    """Number of equilibria in contact by the signs of the residual on a dense grid."""
+    theta = np.linspace(1e-7, np.pi - 1e-7, n)
+    s0, q = np.sin(theta0), 1 + p["beta"] + p["sigma"]
+    y = (p["sigma"] * (s0 - np.sin(theta)) - p["kappa"]) / q
+    g = residual(theta, theta0, np, **p)
+    return int((np.sign(g[:-1]) * np.sign(g[1:]) < 0)[(y < 0)[:-1]].sum())
+
+
+def refined(unknowns: dict[str, float], orders: int, **fixed: str) -> dict[str, mpmath.mpf]:
+    """The point near ``unknowns`` where the residual and its first derivatives by θ are zero, to 30 digits."""
+    with mpmath.workdps(40):
+        exact = {name: mpmath.mpf(number) for name, number in (EXACT | fixed).items()}
+
+        def equations(*values: Any) -> list[Any]:
+            p = exact | dict(zip(unknowns, values, strict=True))
+            theta, theta0 = p.pop("theta"), p.pop("theta0")
+            return [mpmath.diff(lambda t: residual(t, theta0, **p), theta, k) for k in range(orders)]
+
+        found = mpmath.findroot(equations, list(unknowns.values()), tol=1e-50)
+        return dict(zip(unknowns, found, strict=True))
+
+
+def near(theta0_deg: float, **changes: float) -> float:
+    """θ of the two equilibria that are closest to each other, in the middle between them."""
+    theta = ss.equilibria(ss.Parameters.article(theta0=np.radians(theta0_deg), **changes)).theta
+    gap = np.diff(theta)
+    i = int(np.nanargmin(gap))
+    return float(theta[i] + gap[i] / 2)
+
+
+# --------------------------------------------------------------------------------------------- folds and cusps
+
+
+@pytest.mark.parametrize(
+    ("id", "place", "side", "mu0"),
+    [
+        ("fig-4-regions", ("folds_deg", 0), -1e-4, "0.5"),
+        ("fig-4-regions", ("folds_deg", 1), 1e-4, "0.5"),
+        ("fig-6-rising", ("theta0_deg", None), -1e-4, "0.7"),
+        ("fig-6-falling", ("jump of the other state at theta0_deg", None), 1e-4, "0.7"),
+    ],
+)
+def test_folds_of_figures_4_and_5(id: str, place: tuple[str, int | None], side: float, mu0: str) -> None:
+    stated = value(id, place[0]) if place[1] is None else value(id, place[0])[place[1]]
+    found = refined({"theta": near(stated + side, mu0=float(mu0)), "theta0": float(np.radians(stated))}, 2, mu0=mu0)
+    assert float(mpmath.degrees(found["theta0"])) == pytest.approx(stated, rel=1e-11)
+    p = BASE | {"mu0": float(mu0)}
+    assert [sign_changes(np.radians(stated + step), **p) for step in (side, -side)] == [3, 1]
+
+
+def test_cusp_by_residuals() -> None:
+    start = {"theta": 1.1, "theta0": np.radians(value("fig-12-cusp", "theta0_deg")), "mu0": value("fig-12-cusp", "mu0")}
+    start["theta"] = float(ss.cusps(ss.Parameters.article()).theta[2])
+    found = refined(start, 3)
+    assert float(mpmath.degrees(found["theta0"])) == pytest.approx(value("fig-12-cusp", "theta0_deg"), rel=1e-11)
+    assert float(found["mu0"]) == pytest.approx(value("fig-12-cusp", "mu0"), rel=1e-11)
+    low, high = value("fig-12-cusp", "two jumps for theta0_deg from, to")
+    for angle, turns in ((low - 0.3, 1), (low + 0.3, 2), (high - 1, 2), (high + 0.1, 0)):
+        counts = [sign_changes(np.radians(angle), 20_001, **BASE | {"mu0": mu0}) for mu0 in np.linspace(1e-5, 0.6, 400)]
+        assert sum(one != other for one, other in itertools.pairwise(counts)) == turns, angle
+
+
+@pytest.mark.parametrize(
+    ("name", "id"), [("beta", "fig-8-beta-2"), ("alpha", "fig-9-alpha-0.07"), ("sigma", "fig-10-sigma-0.01")]
+)
+def test_yes_or_no_of_figures_8_to_10(name: str, id: str) -> None:
+    """At the critical value there is a cusp at μ₀ = 0.5; and each curve, followed by the nearest state, jumps or does not."""
+    critical = value(id, f"critical {name}")
+    cusp = ss.cusps(ss.Parameters.article(**{name: critical}))
+    at = int(np.argmin(np.abs(cusp.mu0 - 0.5)))
+    found = refined({"theta": cusp.theta[at], "theta0": cusp.theta0[at], name: critical}, 3)
+    assert float(found[name]) == pytest.approx(critical, rel=1e-11)
+    for row in (row for row in record().values() if row["id"].startswith(id.rsplit("-", 1)[0]) and "mu_cusp" in row["values"]):
+        sample = float(row["id"].rsplit("-", 1)[1])
+        x = ss.equilibria(ss.Parameters.article(theta0=np.radians(np.linspace(0.5, 120, 20_000)), **{name: sample})).x
+        state, largest = np.nanmin(np.abs(x[0])), 0.0
+        for states in x[1:]:
+            following = states[np.nanargmin(np.abs(states - state))]
+            largest, state = max(largest, abs(following - state)), following
+        assert (largest > 0.3) == ("jump at theta0_deg" in row["values"]) == row["outcome"].startswith("it jumps")
+
+
+def test_bifurcation_set_by_counts() -> None:
+    for angle in (10.0, 30.0, 50.0, 65.0, 140.0, 170.0):
+        for mu0 in ss.folds(ss.Parameters.article(theta0=np.radians(angle)), "mu0").mu0:
+            counts = {sign_changes(np.radians(angle), **BASE | {"mu0": mu0 + step}) for step in (-1e-6, 1e-6)}
+            assert counts == set(value("fig-12-set", "equilibria on the two sides")), (angle, mu0)
+
+
+# ------------------------------------------------------------------------------------------------------- jumps
+
+
+def test_jumps_of_figure_6() -> None:
+    p = ss.Parameters.article(mu0=0.7)
+    at = value("fig-6-rising", "theta0_deg")
+    before, after = (ss.equilibria(p.replace(theta0=np.radians(at + step))) for step in (-1e-9, 1e-9))
+    assert (int(before.count), int(after.count)) == (3, 1)
+    assert before.x[0] == pytest.approx(value("fig-6-rising", "x before"), abs=1e-4)
+    assert after.x[0] == pytest.approx(value("fig-6-rising", "x after"), abs=1e-8)
+
+    # Falling: the nearest state on a fine grid never moves far, and grows where it is said to.
+    angles = np.linspace(179.9, 0.1, 20_000)
+    x = ss.equilibria(p.replace(theta0=np.radians(angles))).x
+    path = [x[0, np.nanargmin(np.abs(x[0]))]]
+    for states in x[1:]:
+        path.append(states[np.nanargmin(np.abs(states - path[-1]))])
+    steps = np.diff(path)
+    assert np.abs(steps).max() < 1e-3
+    high, low = value("fig-6-falling", "x grows from theta0_deg, to")
+    assert (steps[(angles[1:] < high - 1) & (angles[1:] > low + 1)] > 0).all()
+
+
+@pytest.mark.parametrize(
+    ("id", "name", "theta0_deg", "step"),
+    [
+        ("fig-13a", "jump rising at mu0", 60, 1e-9),
+        ("fig-13a", "jump falling at mu0", 60, -1e-9),
+        ("fig-13b", "jump rising at mu0", 40, 1e-9),
+    ],
+)
+def test_jumps_of_figure_13(id: str, name: str, theta0_deg: float, step: float) -> None:
+    mu0 = value(id, name)
+    p = ss.Parameters.article(theta0=np.radians(theta0_deg))
+    inside, beyond = (ss.equilibria(p.replace(mu0=mu0 + side)) for side in (-step, step))
+    assert (int(inside.count), int(beyond.count)) == (3, 1)
+    start = near(theta0_deg, mu0=mu0 - 1e4 * step)
+    with mpmath.workdps(40):
+        found = refined_friction(start, mu0, theta0_deg)
+    assert float(found) == pytest.approx(mu0, rel=1e-11)
+    rising = step > 0
+    left, right = np.linspace(0.0, mu0, 50)[1:-1], np.linspace(mu0, 1.0, 50)[1:]
+    alone = right if rising else left
+    assert (ss.equilibria(p.replace(mu0=alone)).count == 1).all()
+
+
+def refined_friction(theta: float, mu0: float, theta0_deg: float) -> mpmath.mpf:
+    """The fold near (θ, μ₀) at a given θ₀."""
+    p = {name: mpmath.mpf(number) for name, number in EXACT.items()}
+    theta0 = mpmath.radians(theta0_deg)
+
+    def equations(t: Any, friction: Any) -> list[Any]:
+        return [mpmath.diff(lambda t: residual(t, theta0, **p | {"mu0": friction}), t, k) for k in (0, 1)]
+
+    return mpmath.findroot(equations, (theta, mu0), tol=1e-50)[1]
+
+
+# --------------------------------------------------------------------------------------------------- stability
+
+
+@pytest.mark.parametrize("sigma", [0.1, 1.0])
+def test_stability_by_eigenvalues(sigma: float) -> None:
+    rng = np.random.default_rng(7)
+    theta0, mu0 = np.radians(rng.uniform(1, 179, 150)), rng.uniform(0, 1, 150)
+    eq = ss.equilibria(ss.Parameters.article(theta0=theta0, mu0=mu0, sigma=sigma))
+    for i, slot in zip(*np.nonzero(eq.stability), strict=True):
+        p = BASE | {"mu0": mu0[i], "sigma": sigma}
+        assert kind(spring_eigenvalues(eq.x[i, slot], eq.y[i, slot], theta0[i], **p)) == eq.stability[i, slot]
+    kinds = {ss.Stability(code).name.lower() for code in np.unique(eq.stability[eq.stability > 0])}
+    assert kinds == set(value("fig-4-stability", "of three")) | ({"flutter"} if sigma == 1.0 else set())
+
+
+@pytest.mark.parametrize(
+    ("id", "changes", "inwards"), [("fig-9-flutter", {"alpha": 0.7}, 1), ("fig-10-flutter", {"sigma": 1.0}, -1)]
+)
+def test_flutter_by_eigenvalues(id: str, changes: dict[str, float], inwards: int) -> None:
+    for onset, side in zip(value(id, "onsets_deg"), (inwards, -inwards), strict=True):
+        kinds = []
+        for step in (-1e-4, 1e-4):
+            theta0 = np.radians(onset + step * side)
+            eq = ss.equilibria(ss.Parameters.article(theta0=theta0, **changes))
+            last = int(eq.count) - 1
+            kinds.append(kind(spring_eigenvalues(eq.x[last], eq.y[last], theta0, **BASE | changes)))
+        assert kinds == [ss.Stability.STABLE, ss.Stability.FLUTTER]
+    if "alpha" in changes:
+        growth = {}
+        for angle in np.arange(149.0, 152.5, 0.02):
+            eq = ss.equilibria(ss.Parameters.article(theta0=np.radians(angle), **changes))
+            eigenvalues = spring_eigenvalues(eq.x[0], eq.y[0], np.radians(angle), **BASE | changes)
+            growth[angle] = np.sqrt(-eigenvalues.astype(complex)).real.max()
+        assert max(growth, key=growth.__getitem__) == pytest.approx(value(id, "fastest growth at theta0_deg"), abs=0.03)
+
+
+def test_lift_off() -> None:
+    """All states without contact by Newton's method from 200 random starts."""
+    theta0, rng, found = np.radians(49.0), np.random.default_rng(3), set()
+    for start in rng.uniform(-3, 3, (200, 2)):
+        state = root(lambda z: forces(*z, theta0, **BASE, contact=False), start, method="lm", tol=1e-14).x
+        if state[1] >= 0 and np.abs(forces(*state, theta0, **BASE, contact=False)).max() < 1e-12:
+            found.add(tuple(np.round(state, 8)))
+    assert len(found) == value("fig-4-lift-off", "count") == 1
+    ((x, y),) = found
+    assert y == pytest.approx(value("fig-4-lift-off", "y at 49 deg"), abs=1e-7)
+    assert np.hypot(np.cos(theta0) - x, np.sin(theta0) - y) == pytest.approx(value("fig-4-lift-off", "L at 49 deg"), abs=1e-7)
+    assert kind(spring_eigenvalues(x, y, theta0, contact=False, **BASE)) == ss.Stability.DIVERGENT
+
+
+# --------------------------------------------------------------------------------------------- counts and bounds
+
+
+def test_one_or_three_by_signs() -> None:
+    rng, seen = np.random.default_rng(5), set()
+    for _ in range(150):
+        theta0, mu0, sigma = rng.uniform(0.05, 3.09), rng.uniform(0, 2), 10 ** rng.uniform(-2, 0)
+        p = {
+            "mu0": mu0,
+            "kappa": 10 ** rng.uniform(-3, -1),
+            "alpha": 10 ** rng.uniform(-3, 0),
+            "sigma": sigma,
+            "beta": rng.uniform(0, 2),
+        }
+        count = int(ss.equilibria(ss.Parameters(theta0=theta0, **p)).count)
+        assert sign_changes(theta0, 50_001, **p) == count
+        seen.add(count)
+    assert seen == set(value("claim-one-or-three", "counts"))
+
+
+def test_equation_21_has_one_root_too_many() -> None:
+    """The quartic as the determinant condition |adj(D) b|² = det(D)², with NumPy's polynomials in L."""
+    P = np.polynomial.Polynomial
+    for angle, real, count in zip(
+        *(value("claim-roots-of-21", name) for name in ("theta0_deg", "real roots", "equilibria")), strict=True
+    ):
+        mu0, kappa, alpha, sigma, beta = (BASE[name] for name in BASE)
+        c0, s0 = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+        D11, D12, D22 = P([sigma, -(sigma + alpha)]), P([0, -mu0]), P([sigma, -(sigma + beta + 1)])
+        b1, b2 = -alpha * c0 - mu0 * s0, -(beta + 1) * s0 - kappa
+        first, second, determinant = D22 * b1 - D12 * b2, D11 * b2, D11 * D22
+        roots = (first**2 + second**2 - determinant**2).roots()
+        roots = roots[np.abs(roots.imag) < 1e-9].real
+        sliding = [L > 0 and s0 - L * second(L) / determinant(L) < 0 for L in roots]
+        assert (len(roots), sum(sliding)) == (real, count)
+
+
+def test_contact_force_is_bounded() -> None:
+    rng, ratios = np.random.default_rng(11), []
+    n = 3000
+    theta0, mu0 = rng.uniform(0.01, 3.13, n), rng.uniform(0, 5, n)
+    kappa, alpha, sigma = (10 ** rng.uniform(-3, 0, n) for _ in range(3))
+    beta = rng.uniform(0, 2, n)
+    eq = ss.equilibria(ss.Parameters(theta0, mu0, kappa, alpha, sigma, beta))
+    for i, slot in zip(*np.nonzero(eq.stability), strict=True):
+        p = {"mu0": mu0[i], "kappa": kappa[i], "alpha": alpha[i], "sigma": sigma[i], "beta": beta[i]}
+        along, across = forces(eq.x[i, slot], eq.y[i, slot], theta0[i], **p)
+        assert abs(along) + abs(across) < 1e-9 * (1 + abs(eq.x[i, slot]))
+        ratios.append(-eq.y[i, slot] / ((kappa[i] + sigma[i] * (1 - np.sin(theta0[i]))) / (1 + beta[i] + sigma[i])))
+    assert 0.999 < max(ratios) <= 1 + 1e-12
+    assert value("claim-bounded", "contact force never above") == pytest.approx(0.107 / 1.1, rel=1e-7)
+
+
+# ------------------------------------------------------------------------------------------------- linear model
+
+
+def linear_stiffness(theta0: float, mu0: float) -> Any:
+    """K at the undeformed state, by differences; friction as in contact on both sides of y = 0."""
+    h = 1e-6
+    p = BASE | {"mu0": mu0}
+    at = lambda x, y: np.array(forces(x, y, theta0, **p))  # noqa: E731
+    return np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
+
+
+def linear_state(theta0: float, mu0: float) -> Any:
+    return np.linalg.solve(linear_stiffness(theta0, mu0), [0.0, -BASE["kappa"]])
+
+
+def test_critical_friction_of_the_linear_model() -> None:
+    angles = np.linspace(1.29, 1.33, 801)
+    critical = value("claim-mu-cr", "mu_cr")
+    assert value("claim-mu-cr", "0.58 - mu_cr") == pytest.approx(0.58 - critical, abs=1e-12)
+    # det K is a + μ₀ b for each angle; the smallest −a/b with b < 0 is the friction at which a pole appears.
+    at_zero, at_one = ([np.linalg.det(linear_stiffness(angle, mu0)) for angle in angles] for mu0 in (0.0, 1.0))
+    frictions = np.array(at_zero) / (np.array(at_zero) - np.array(at_one))
+    assert frictions.min() == pytest.approx(critical, abs=1e-6)
+    x = np.array([linear_state(angle, 0.5)[0] for angle in angles + 0.03])
+    assert x.max() == pytest.approx(value("fig-5-bounded", "largest x at mu0 = 0.5"), abs=1e-5)
+    assert np.degrees(angles[x.argmax()] + 0.03) == pytest.approx(value("fig-5-bounded", "at theta0_deg"), abs=0.01)
+
+
+def test_poles_of_the_linear_model() -> None:
+    poles = value("fig-5-poles", "poles_deg")
+    for pole, guess in zip(poles, ((60, 70), (75, 90)), strict=True):
+        crossing = brentq(lambda angle: np.linalg.det(linear_stiffness(np.radians(angle), 0.7)), *guess)
+        assert crossing == pytest.approx(pole, abs=1e-6)
+    assert [value("fig-6-linear", name) for name in ("from_deg", "to_deg")] == poles
+    assert [linear_state(np.radians(angle), 0.7)[1] < 0 for angle in (50, poles[0] - 0.1, 70, poles[1] + 0.1)] == [
+        True,
+        True,
+        False,
+        True,
+    ]
+
+
+@pytest.mark.parametrize("mu0", [0.5, 0.7])
+def test_where_the_linear_model_is_good(mu0: float) -> None:
+    for angle in value("fig-5-approximation", f"within 10 % at mu0 = {mu0:g} below, above (deg)"):
+        theta0 = np.radians(angle)
+        x, _ = linear_state(theta0, mu0)
+        guess = linear_state(theta0, mu0)
+        state = root(lambda z, theta0=theta0: forces(*z, theta0, **BASE | {"mu0": mu0}), guess, method="lm", tol=1e-14).x
+        assert abs(x - state[0]) / abs(state[0]) == pytest.approx(0.1, abs=1e-6)
+
+
+# ------------------------------------------------------------------------------------------------------ motion
+
+
+def motion(theta0_deg: float, start: Any, t_end: float, rtol: float = 1e-8, d: float = 10.0, V: float = 0.5) -> Any:
+    """(8) to (11) with SciPy, kinks and all."""
+    theta0 = np.radians(theta0_deg)
+    _, kappa, alpha, sigma, beta = BASE.values()
+    c0, s0 = np.cos(theta0), np.sin(theta0)
+
+    def rhs(t: float, z: Any) -> list[float]:
+        x, y, vx, vy = z
+        n = max(-y, 0.0)
+        slip = V - vx
+        mu = 0.5 * (1 - np.exp(-d * abs(slip))) * np.sign(slip)
+        L = ((c0 - x) ** 2 + (s0 - y) ** 2) ** 0.5
+        pull = sigma * (1 - L) / L
+        return [vx, vy, mu * n - alpha * x - pull * (c0 - x), n - beta * y - kappa - pull * (s0 - y)]
+
+    return solve_ivp(rhs, (0, t_end), start, method="RK45", rtol=rtol, atol=1e-9, dense_output=True, max_step=5.0)
+
+
+def rms(solution: Any, begin: float, end: float) -> float:
+    t = np.linspace(begin, end, 20_001)
+    return float(np.sqrt(np.mean(solution.sol(t)[0] ** 2)))
+
+
+def test_friction_at_steady_sliding() -> None:
+    assert value("fig-3", "friction at steady sliding over mu0") == pytest.approx(float(1 - mpmath.exp(-5)), abs=1e-12)
+
+
+def test_limit_cycle_by_another_integrator() -> None:
+    """One period from a late state of the motion leads back to it; at rest beside the equilibrium nothing grows."""
+    late = simulate(ss.Parameters.article(theta0=np.radians(49)), V=0.5, d=10.0, t_end=8500.0).after(8000.0)
+    start, period = late.state[:, 0], value("fig-7a", "period")
+    solution = motion(49.0, start, period, rtol=1e-9)
+    assert np.abs(solution.y[:, -1] - start).max() < 5e-3
+    assert np.abs(solution.sol(np.linspace(0, period, 40_001))[0]).max() == pytest.approx(
+        value("fig-7a", "amplitude of x"), abs=1e-3
+    )
+    x = value("fig-7a", "x of the stable equilibrium beside it")
+    y = float(ss.equilibria(ss.Parameters.article(theta0=np.radians(49))).y[0])
+    assert np.abs(motion(49.0, [x + 0.01, y, 0, 0], 300.0).y[0] - x).max() < 0.05
+
+
+def test_amplitude_jump_by_another_integrator() -> None:
+    at = value("fig-7b", "theta0_deg")
+    low, high = (rms(motion(at + step, [0, 0, 0, 0], 900.0), 600, 900) for step in (-0.002, 0.002))
+    assert low < 0.3 < 1.5 < high
+    fold = value("fig-4-regions", "folds_deg")[0]
+    assert value("fig-7b", "before the fold by (deg)") == pytest.approx(fold - at, abs=0.006)
+
+
+# ------------------------------------------------------------------------------------------------- the ledger
+
+
+def test_cross_references() -> None:
+    """What the wrong references point at, as printed."""
+    from spragsym.derive import article
+
+    printed = {entry.id: entry.latex for entry in article.PRINTED}
+    assert "L" in printed["eq-26"]
+    assert "d_4" in printed["eq-26"]
+    assert "mathbf" in printed["eq-22"]
+    assert "d_4" not in printed["eq-22"]
+    assert value("claim-reference-22", "polynomials") == ["eq-21", "eq-26"]
+    assert value("claim-reference-12", "equations with accelerations") == ["eq-8", "eq-9"]
+    assert value("claim-reference-10", "what varies along a-a'") == "mu0"
+
+
+def test_statuses() -> None:
+    by_status: dict[str, set[str]] = {status: set() for status in Status}
+    for id, row in record().items():
+        by_status[row["status"]].add(id)
+    assert by_status[Status.NOT_REPRODUCED] == set()
+    assert by_status[Status.NOT_STATED] == {"fig-3", "fig-7a", "fig-7b"}
+    assert by_status[Status.CORRECTED] == {
+        "claim-mu-cr", "claim-must-jump", "claim-roots-of-21", "claim-reference-10", "claim-reference-12", "claim-reference-22",
+    }  # fmt: skip
+    assert len(by_status[Status.REPRODUCED]) == 28
+
+
+@cache
+def computed() -> tuple[claims.Row, ...]:
+    return tuple(claims.run(claims.STATEMENTS))
+
+
+def test_nothing_has_drifted() -> None:
+    assert claims.drifted(computed(), claims.recorded()) == []
+
+
+@pytest.mark.parametrize(
+    ("change", "line"),
+    [
+        ({"status": "reproduced"}, "claim-mu-cr: status is 'corrected', not 'reproduced'"),
+        (
+            {"values": {"mu_cr": 0.574073166169, "0.58 - mu_cr": 0.00592683393142}},
+            "claim-mu-cr: mu_cr = 0.574073166069, not 0.574073166169",
+        ),
+        ({"values": {"0.58 - mu_cr": 0.00592683393142}}, "claim-mu-cr: mu_cr = 0.574073166069, not None"),
+        ({"id": "claim-other"}, "claim-other: is in the record, but is computed no more"),
+    ],
+)
+def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:
+    (statement,) = (one for one in claims.STATEMENTS if one.id == "claim-mu-cr")
+    rows = claims.run([statement])
+    (row,) = (row for row in claims.recorded() if row["id"] == "claim-mu-cr")
+    assert claims.drifted(rows, [row]) == []
+    assert line in claims.drifted(rows, [row | change])
+
+
+def test_what_does_not_hold_is_not_reproduced() -> None:
+    statement = dataclasses.replace(claims.STATEMENTS[0], compute=lambda: claims.Found(False, {"n": 1}))
+    (row,) = claims.run([statement])
+    assert row.status == "not reproduced"
+    assert row.outcome.startswith("does not hold")
+
+
+def test_every_row_names_a_test_and_a_command_that_exist() -> None:
+    tests = {node.name for node in ast.walk(ast.parse(Path(__file__).read_text())) if isinstance(node, ast.FunctionDef)}
+    for row in record().values():
+        path, name = row["test"].split("::")
+        assert (ROOT / path).samefile(__file__)
+        assert name in tests, row["id"]
+        program, command, *arguments = row["command"].split()
+        assert program == "spragsym"
+        found = cli.get_command(click.Context(cli), command)
+        assert found is not None
+        found.make_context(command, arguments)  # an error if an option is unknown
+
+
+def few(monkeypatch: pytest.MonkeyPatch, change: dict[str, Any] | None = None) -> None:
+    ids = ("claim-mu-cr", "fig-3")
+    statements = tuple(one for one in claims.STATEMENTS if one.id in ids)
+    rows = [row | (change or {}) for row in claims.recorded() if row["id"] in ids]
+    monkeypatch.setattr(claims, "STATEMENTS", statements)
+    monkeypatch.setattr(claims, "recorded", lambda: rows)
+
+
+def test_check_claims(monkeypatch: pytest.MonkeyPatch) -> None:
+    few(monkeypatch)
+    result = CliRunner().invoke(check_command, ["--claims", "--json"])
+    assert result.exit_code == 0
+    assert [row["id"] for row in json.loads(result.stdout)] == ["fig-3", "claim-mu-cr"]
+    result = CliRunner().invoke(check_command, ["--claims"])
+    assert result.exit_code == 0
+    assert "0.5741" in result.stdout
+    few(monkeypatch, {"status": "reproduced"})
+    result = CliRunner().invoke(check_command, ["--claims"])
+    assert result.exit_code == 1
+    assert "claim-mu-cr: status is 'corrected', not 'reproduced'" in result.stderr
+
+
+def test_the_report_is_as_committed(tmp_path: Path) -> None:
+    result = CliRunner().invoke(check_command, ["--report", str(tmp_path / "page.md")])
+    assert result.exit_code == 0
+    text = (tmp_path / "page.md").read_text(encoding="utf-8")
+    assert text == page()
+    assert text == (ROOT / "docs" / "reproduction.md").read_text(encoding="utf-8"), "spragsym check --report docs/reproduction.md"
+    assert "No picture of the article was at hand" in text
+    assert "identical" not in text
+    for row in record().values():
+        assert row["outcome"] in text

@@ -373,7 +373,7 @@ def _draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> Table:
     ax.set_zlabel(LABELS["x"], rotation=90)
     ax.set_xticks(np.arange(0, 181, 45))
     ax.set_zticks(np.arange(-2, 3, 1))
-    return {name: np.concatenate(values) for name, values in columns.items()}
+    return {name: np.concatenate([[], *values]) for name, values in columns.items()}
 
 
 def _space(figure: Sheet, place: Any, zoom: float) -> Any:
@@ -420,7 +420,7 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
                 color=color,
                 zorder=6,
             )
-        tables[f"path_{name}"] = _table_of_path(up, "mu0")
+        tables[f"a_path_{name}"] = _table_of_path(up, "mu0")
     return figure.describe(
         f"""Figure 11. Surface of equilibria in contact over inclination and friction, {_BASE_TEXT}. Blue
         stable, orange divergent; red lines are the folds, the dot is the cusp. Lines with a dotted jump are
@@ -436,7 +436,8 @@ def _draw_bifurcation_set(ax: Axes, p: Parameters, mu0: tuple[float, float] = MU
     columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": []}
     angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
     count = equilibria(p.replace(theta0=angles, mu0=frictions[:, None])).count
-    ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+    if (count == 3).any():
+        ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
     for number, curve in enumerate(found.curves):
         ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION)
         for name, values in zip(
@@ -454,7 +455,7 @@ def _draw_bifurcation_set(ax: Axes, p: Parameters, mu0: tuple[float, float] = MU
     )
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=mu0)
-    return {name: np.concatenate(values) for name, values in columns.items()}
+    return {name: np.concatenate([[], *values]) for name, values in columns.items()}
 
 
 @styled

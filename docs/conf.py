@@ -1,0 +1,44 @@
+"""Sphinx: ``make docs``. Needs no network; pages with code cells are executed."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT))
+
+from spragsym import __version__  # noqa: E402
+
+project = "spragsym"
+author = copyright = "The spragsym developers"
+version = release = __version__
+
+extensions = [
+    "myst_nb",
+    "numpydoc",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+]
+exclude_patterns = ["_build", "jupyter_execute"]
+nitpicky = False
+
+# Code cells run at every build, and an error fails it.
+nb_execution_mode = "force"
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+nb_merge_streams = True
+
+myst_enable_extensions = ["dollarmath", "colon_fence"]
+myst_fence_as_directive = ["math"]  # as GitHub writes it
+myst_heading_anchors = 4
+suppress_warnings = ["myst.xref_missing"]
+
+autodoc_typehints = "none"  # numpydoc says types
+autodoc_member_order = "bysource"
+numpydoc_show_class_members = False
+numpydoc_xref_param_type = False
+
+html_theme = "furo"
+html_title = f"spragsym {__version__}"
+# No fonts, scripts or formulas from elsewhere but MathJax, which a reader without a network sees as TeX.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
@@ -42,3 +43,12 @@ numpydoc_xref_param_type = False
 html_theme = "furo"
 html_title = f"spragsym {__version__}"
 # No fonts, scripts or formulas from elsewhere but MathJax, which a reader without a network sees as TeX.
+
+
+def _bars(app: Any, what: str, name: str, item: Any, options: Any, lines: list[str]) -> None:
+    """|x| in a docstring is an absolute value, not one of reStructuredText's substitutions."""
+    lines[:] = [line if line.lstrip().startswith((">>>", "...")) else line.replace("|", r"\|") for line in lines]
+
+
+def setup(app: Any) -> None:
+    app.connect("autodoc-process-docstring", _bars, priority=900)

@@ -145,3 +145,41 @@ def test_citation() -> None:
     assert (article["journal"], article["year"], article["volume"]) == ("Applied Sciences", 2020, 10)
     assert f"10 ({article['year']}) {article['start']}" in README.read_text(encoding="utf-8")
     assert np.all([person["family-names"] for person in article["authors"]])
+
+
+# --------------------------------------------------------------------------------------------------------- pages
+
+DOCS = ROOT / "docs"
+
+
+def test_the_theory_names_what_exists() -> None:
+    """Each function of derive/ and each test that the theory page names."""
+    pytest.importorskip("sympy")
+    named = re.findall(r"`(test_)?(\w+)\.(\w+)`", (DOCS / "theory.md").read_text(encoding="utf-8"))
+    assert len(named) > 30
+    for test, module, name in named:
+        if test:
+            assert f"def {name}(" in (ROOT / f"tests/test_{module}.py").read_text(encoding="utf-8"), name
+        else:
+            assert callable(getattr(importlib.import_module(f"spragsym.derive.{module}"), name)), name
+
+
+@pytest.mark.parametrize("command", [command for command, _ in commands(DOCS / "command_line.md")])
+def test_command_line_page(command: str, tmp_path: Path) -> None:
+    assert_shown(dict(commands(DOCS / "command_line.md"))[command], run(command, tmp_path))
+
+
+def test_pages_that_are_linked_exist() -> None:
+    for page in DOCS.glob("*.md"):
+        for link in re.findall(r"\]\(([\w./-]+\.md)\)", page.read_text(encoding="utf-8")):
+            assert (page.parent / link).is_file(), f"{page.name}: {link}"
+    for name in re.findall(r"^([\w]+)$", (DOCS / "index.md").read_text(encoding="utf-8"), re.MULTILINE):
+        assert (DOCS / f"{name}.md").is_file(), name
+
+
+def test_code_cells_of_the_pages_run() -> None:
+    """What ``make docs`` executes, the page on clusters apart, which test_sweeps runs."""
+    pytest.importorskip("matplotlib")
+    for name in ("tutorial", "howto_units"):
+        code = "\n".join(fenced(DOCS / f"{name}.md", r"\{code-cell\} python"))
+        exec(compile(code, f"docs/{name}.md", "exec"), {})  # noqa: S102  # our own pages

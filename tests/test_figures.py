@@ -242,7 +242,8 @@ def test_files_have_the_same_bytes_every_time(tmp_path: Path, kind: str) -> None
         assert [path.name for path in paths[:2]] == [f"figure_11.{kind}", "figure_11.txt"]
     for path in (tmp_path / "one").iterdir():
         assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes(), path.name
-    assert b"202" not in (tmp_path / "one" / f"figure_11.{kind}").read_bytes()[:400]
+    content = (tmp_path / "one" / f"figure_11.{kind}").read_bytes()
+    assert not any(word in content for word in (b"CreationDate", b"dc:date", b"Software", b"Matplotlib"))
 
 
 def test_data_are_written_to_twelve_digits(tmp_path: Path, sheets: dict[str, Sheet]) -> None:

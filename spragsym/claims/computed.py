@@ -188,7 +188,7 @@ def jump_rising() -> Found:
     jumps = _jumps(_article(mu0=0.7), "theta0", _RISING)
     (jump,) = jumps
     holds = jump.x_after > jump.x_before and jump.stability_after == Stability.STABLE
-    return Found(holds, {"theta0_deg": float(_deg(jump.value)), "x before": jump.x_before, "x after": jump.x_after})
+    return Found(holds, {"theta0_deg": float(_deg(jump.value)), "x before": jump.x_before, "x after": float(f"{jump.x_after:.8g}")})
 
 
 def no_jump_falling() -> Found:

@@ -65,6 +65,8 @@ def figure_3() -> Sheet:
     left.axvline(V, color=GREY, linewidth=0.7, linestyle=":")
     write_along(left, r"$x' = V$", V + 0.04, -0.12)
     left.set(xlabel=r"$x'$", ylabel=r"$\mu/\mu_0$", xlim=(-0.5, 1.5), ylim=(-1.15, 1.15))
+    left.set_xticks(np.arange(-0.5, 1.6, 0.5))
+    right.set_xticks(np.arange(-0.1, 0.11, 0.05))
     y = np.array([-0.1, 0.0, 0.1])
     right.plot(y, 0.5 * (np.abs(y) - y), color=BLACK)
     write_along(right, "contact", -0.048, 0.06, ha="left")
@@ -178,9 +180,7 @@ def _both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path
     return up, back
 
 
-def _draw_both_ways(
-    ax: Axes, up: Path, back: Path, rising: tuple[float, ...], falling: tuple[float, ...]
-) -> None:
+def _draw_both_ways(ax: Axes, up: Path, back: Path, rising: tuple[float, ...], falling: tuple[float, ...]) -> None:
     """The way up as a thin line upon the broad one of the way back: both are seen where they share a curve."""
     draw_path(back, ax=ax, color=BLUE, arrows=falling, linewidth=3.2, alpha=0.45, zorder=2.1)
     draw_path(up, ax=ax, color=VERMILION, arrows=rising)
@@ -260,7 +260,8 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
         f"""Figure 7. Motion from rest at x = y = 0, mu0 = 0.5, {_BASE_TEXT}. (a) x over dimensionless time at
         theta0 = 49 deg. (b) Root mean square of x, about zero, over 1500 < tau < 2000. Belt speed V = {V},
         steepness d = {D:g}, the rest at the start and the window in time are our assumption: the article
-        states none of them. The dotted line is the fold.""",
+        states none of them. The dotted line is the fold. Beyond it a large and a small motion compete; near
+        54 deg rounding decides which of them is reached.""",
         a={"tau": t, "x": x}, b={"theta0_deg": angles, "rms_x": sweep.rms, "regime": sweep.regime},
     )  # fmt: skip
 
@@ -275,19 +276,21 @@ def _family(
     values: tuple[float, ...],
     labels: Sequence[_Label],
     flutter: Sequence[tuple[float, float]],
+    magnified: bool = False,
 ) -> Sheet:
     """Equilibrium curves in contact for three values of a parameter, labelled at the given places."""
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.9)
+    inset = _inset(ax) if magnified else None
     tables = []
     for value, color, (place, target) in zip(values, (BLUE, VERMILION, BLACK), labels, strict=True):
         p = Parameters.article(**{name: value})
         curves = branches(p)
         draw_branches(curves, ax=ax, color=color)
         mark_folds(folds(p), ax=ax, color=color)
+        if inset is not None:
+            draw_branches(curves, ax=inset, color=color, linewidth=1.0)
         leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
-        ax.annotate(
-            rf"$\{name} = {value:g}$", target, place, color=color, fontsize=8, va="center", arrowprops=leader
-        )
+        ax.annotate(rf"$\{name} = {value:g}$", target, place, color=color, fontsize=8, va="center", arrowprops=leader)
         tables.append(table_of(curves, **{name: value}))
     for place in flutter:
         write_along(ax, "flutter", *place)
@@ -302,6 +305,16 @@ def _family(
     )
 
 
+def _inset(ax: Axes) -> Axes:
+    """Axes within others that show small deformation only."""
+    inset = ax.inset_axes((0.13, 0.1, 0.5, 0.24))
+    angle_axis(inset, step=60, label=False)
+    inset.set(ylim=(-0.005, 0.065))
+    inset.tick_params(labelsize=7)
+    write_along(inset, "flutter", 151, 0.012, ha="center", fontsize=7)
+    return inset
+
+
 @styled
 def figure_8() -> Sheet:
     """Equilibrium curves for β = 0, 1 and 2."""
@@ -312,8 +325,8 @@ def figure_8() -> Sheet:
 @styled
 def figure_9() -> Sheet:
     """Equilibrium curves for α = 0.007, 0.07 and 0.7."""
-    labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((60, -0.6), (78, -0.01))]
-    return _family(9, "alpha", (0.007, 0.07, 0.7), labels, [(135, -0.2)])
+    labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((58, -0.38), (84, -0.02))]
+    return _family(9, "alpha", (0.007, 0.07, 0.7), labels, [], magnified=True)
 
 
 @styled
@@ -341,9 +354,7 @@ def _draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> Table:
         colors += [surfaces.shaded(_SHEET_COLORS[sheet.stability], polygon) for polygon in sheet.polygons]
     # One collection, so that polygons of all sheets are sorted by depth together; edges close the seams.
     ax.add_collection3d(
-        Poly3DCollection(
-            polygons, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1
-        )
+        Poly3DCollection(polygons, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1)
     )
     found = bifurcation_set(p)
     columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": [], "x": []}
@@ -440,9 +451,7 @@ def _draw_bifurcation_set(ax: Axes, p: Parameters, mu0: tuple[float, float] = MU
         ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
     for number, curve in enumerate(found.curves):
         ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION)
-        for name, values in zip(
-            columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True
-        ):
+        for name, values in zip(columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True):
             columns[name].append(values)
     ax.plot(
         np.degrees(found.cusps.theta0),
@@ -477,9 +486,7 @@ def figure_12() -> Sheet:
     )
 
 
-def _label_regions(
-    ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]
-) -> None:
+def _label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> None:
     for place in three:
         write_along(ax, "3", *place, ha="center", fontsize=10)
     write_along(ax, "1", *one, ha="center", fontsize=10)

@@ -203,9 +203,7 @@ def plot_equilibria(
     8
     """
     ax = own_axes(ax)
-    lines = draw_branches(
-        branches(p, vary, low, high, contact=contact), quantity, ax=ax, color=color, **options
-    )
+    lines = draw_branches(branches(p, vary, low, high, contact=contact), quantity, ax=ax, color=color, **options)
     if contact:
         ends = [line.get_xdata() for line in lines]
         scale = np.radians if vary in _ANGLES else np.asarray
@@ -220,13 +218,9 @@ def plot_equilibria(
 def table_of(curves: Sequence[Branch], **same: float) -> Table:
     """Branches as columns, one after the other; ``same`` are columns of one value."""
     first = curves[0]
-    columns: dict[str, Any] = {
-        name: np.full(sum(c.values.size for c in curves), value) for name, value in same.items()
-    }
+    columns: dict[str, Any] = {name: np.full(sum(c.values.size for c in curves), value) for name, value in same.items()}
     columns["branch"] = np.repeat(np.arange(len(curves)), [curve.values.size for curve in curves])
-    columns["stability"] = np.repeat(
-        [c.stability.name.lower() for c in curves], [c.values.size for c in curves]
-    )
+    columns["stability"] = np.repeat([c.stability.name.lower() for c in curves], [c.values.size for c in curves])
     for name in (first.vary, *_STATE):
         key = f"{name}_deg" if name in _ANGLES else name
         columns[key] = np.concatenate([curve.shown(name) for curve in curves])

@@ -106,9 +106,7 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     else:
         ax.set(xscale="log", yscale="log")
         plain_ticks(ax.yaxis, _TICKS[name])
-        write_along(
-            ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform()
-        )
+        write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform())
     ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{cusp}}$", xlim=(low, high))
     return {name: values, "mu_cusp": frictions}
 
@@ -149,9 +147,7 @@ def false_double_roots(p: Parameters) -> FloatArray:
 
     def mismatch(theta0: float) -> float:
         """f at the direction with a sin θ + b = 0, where it is d sin θ − m sin² θ."""
-        a, b, d, m = _equilibrium.f_coefficients(
-            np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1
-        )
+        a, b, d, m = _equilibrium.f_coefficients(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1)
         return float(a * d + m * b)
 
     angles = np.linspace(1e-6, np.pi - 1e-6, 4001)
@@ -200,9 +196,7 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, workers: Wo
     p = Parameters.article()
     angles = np.arange(step_deg / 2, 180.0, step_deg)
     frictions = np.arange(step_mu0 / 2, MU0_RANGE[1], step_mu0)
-    sweep = rms_sweep(
-        p.replace(theta0=np.radians(angles), mu0=frictions[:, None]), V, D, rtol=1e-8, workers=workers
-    )
+    sweep = rms_sweep(p.replace(theta0=np.radians(angles), mu0=frictions[:, None]), V, D, rtol=1e-8, workers=workers)
     image = ax.pcolormesh(angles, frictions, sweep.rms, cmap="cividis", vmin=0.0, rasterized=True)
     found = bifurcation_set(p)
     for curve in found.curves:
@@ -280,9 +274,7 @@ def _draw_rms(ax: Axes, angles: FloatArray, rms: FloatArray, values: FloatArray,
 
 def _draw_jumps(ax: Axes, speeds: FloatArray, creeps: FloatArray, jump_deg: FloatArray) -> Table:
     for column, creep, color in zip(jump_deg.T, creeps, _SHADES, strict=True):
-        ax.semilogx(
-            speeds, column, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$"
-        )
+        ax.semilogx(speeds, column, color=color, marker="o", markersize=3, linewidth=0.9, label=f"$d = {creep:.3g}$")
     ax.set(xlabel=r"$V$", ylabel=r"$\theta_0$ of the jump (deg)")
     plain_ticks(ax.xaxis, (0.2, 0.5, 1.0))
     ax.legend(handlelength=1.2)

@@ -102,9 +102,7 @@ def styled(function: Callable[_P, _R]) -> Callable[_P, _R]:
     return inside
 
 
-def panels(
-    rows: int, columns: int, width: float, height: float, **options: Any
-) -> tuple[Sheet, NDArray[Any]]:
+def panels(rows: int, columns: int, width: float, height: float, **options: Any) -> tuple[Sheet, NDArray[Any]]:
     """An empty figure of rows × columns panels, lettered if there are several; sizes in inches."""
     figure = Sheet(figsize=(width, height), layout="constrained")
     axes = figure.subplots(rows, columns, squeeze=False, **options)
@@ -123,9 +121,7 @@ def own_axes(ax: Axes | None) -> Axes:
     return pyplot.gca()
 
 
-def angle_axis(
-    ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, label: bool = True
-) -> None:
+def angle_axis(ax: Axes, low: float = 0.0, high: float = 180.0, step: float = 30.0, label: bool = True) -> None:
     """θ₀ in degrees along x."""
     ax.set_xlim(low, high)
     ax.set_xticks(np.arange(low, high + step / 2, step))

@@ -76,9 +76,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
     steps = np.hypot(np.diff(shown, axis=1) / width, weight * np.diff(found.x, axis=1))
     length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)
     even = np.linspace(0.0, 1.0, n)
-    return np.array(
-        [np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)]
-    )
+    return np.array([np.interp(even * along[-1], along, row) for along, row in zip(length, theta, strict=True)])
 
 
 def _quadrilaterals(mesh: FloatArray) -> list[FloatArray]:
@@ -86,9 +84,7 @@ def _quadrilaterals(mesh: FloatArray) -> list[FloatArray]:
     return list(corners.reshape(-1, 4, mesh.shape[-1]))
 
 
-def _clip(
-    polygons: Sequence[FloatArray], column: int, level: float, keep_above: bool = True
-) -> list[FloatArray]:
+def _clip(polygons: Sequence[FloatArray], column: int, level: float, keep_above: bool = True) -> list[FloatArray]:
     """Sutherland and Hodgman: the part of each polygon where a column is above a level, or below it."""
     sign = 1.0 if keep_above else -1.0
     kept = []
@@ -103,9 +99,7 @@ def _clip(
 
 def _cut(polygon: FloatArray, height: FloatArray) -> FloatArray:
     points = []
-    for here, there, low, high in zip(
-        polygon, np.roll(polygon, -1, axis=0), height, np.roll(height, -1), strict=True
-    ):
+    for here, there, low, high in zip(polygon, np.roll(polygon, -1, axis=0), height, np.roll(height, -1), strict=True):
         if low >= 0:
             points.append(here)
         if low * high < 0:

@@ -15,7 +15,7 @@ from typing import NoReturn
 import click
 
 from .._version import __version__
-from ..errors import ParameterError, ParameterTypeError, SpragsymError
+from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
 
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
@@ -27,6 +27,10 @@ COMMANDS = {
     "figures": ("figures", "Draw the article's figures, and more."),
     "export": ("export", "Write the solver in another language."),
 }
+
+#: Module that may be missing → the extra that brings it.
+EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "numba": "fast", "flint": "certify",
+          "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 
 class LazyGroup(click.Group):
@@ -102,6 +106,11 @@ def _run(arguments: list[str], debug: bool) -> int:
         return _report(str(error), 2, debug)
     except SpragsymError as error:
         return _report(str(error), 1, debug)
+    except ModuleNotFoundError as error:
+        module = (error.name or "").partition(".")[0]
+        if module not in EXTRAS:
+            raise
+        return _report(str(MissingExtraError("this command", module, EXTRAS[module])), 1, debug)
     except OSError as error:
         known = error.filename is not None and error.strerror
         return _report(f"{error.filename}: {error.strerror}; give another path" if known else str(error), 1, debug)

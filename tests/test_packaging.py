@@ -1,0 +1,214 @@
+"""Wheel and source distribution: complete, and the runtime without SymPy in an otherwise empty environment."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import re
+import subprocess
+import sys
+import sysconfig
+import tarfile
+import tomllib
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+import spragsym
+
+ROOT = Path(__file__).resolve().parent.parent
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+
+#: What ``pip install spragsym`` brings, by the names of its folders in site-packages.
+RUNTIME = (
+    "numpy", "numpy.libs", "scipy", "scipy.libs", "mpmath", "click", "rich", "pygments", "markdown_it*", "mdurl",
+)  # fmt: skip
+
+
+def sources(folder: Path) -> dict[str, Path]:
+    """Packages below a folder by dotted name; links are not followed."""
+    found = {}
+    for init in sorted(folder.rglob("__init__.py")):
+        if "__pycache__" not in init.parts:
+            found[".".join(init.parent.relative_to(folder.parent).parts)] = init.parent
+    return found
+
+
+def test_packages_are_those_of_the_tree() -> None:
+    listed = PROJECT["tool"]["setuptools"]["packages"]
+    tree = {name: path for name, path in sources(ROOT / "spragsym").items() if not (ROOT / "spragsym" / path.name).is_symlink()}
+    for folder in ("derive", "generated"):
+        tree |= {f"spragsym.{name}": path for name, path in sources(ROOT / folder).items()}
+    assert sorted(listed) == sorted(tree)
+    assert len(listed) == len(set(listed))
+
+
+def test_the_folders_are_reached_through_the_package() -> None:
+    for folder in ("derive", "generated"):
+        link = ROOT / "spragsym" / folder
+        assert link.is_symlink()
+        assert os.readlink(link) == f"../{folder}"
+
+
+def test_version_stands_in_one_place() -> None:
+    assert "version" not in PROJECT["project"]
+    holders = [
+        path.name
+        for path in (ROOT / "spragsym").rglob("*.py")
+        if re.search(rf"\b{re.escape(spragsym.__version__)}\b", path.read_text(encoding="utf-8"))
+    ]
+    assert holders == ["_version.py"]
+
+
+def test_constraints_pin_what_the_extras_name() -> None:
+    pinned = {
+        re.sub(r"[-_.]+", "-", line.partition("==")[0]).lower()
+        for line in (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
+    }
+    extras = PROJECT["project"]["optional-dependencies"]
+    for requirement in [*PROJECT["project"]["dependencies"], *(item for extra in extras.values() for item in extra)]:
+        name = re.match(r"[\w.-]+", requirement)[0].lower()  # type: ignore[index]
+        assert name == "spragsym" or re.sub(r"[-_.]+", "-", name) in pinned, requirement
+
+
+# ------------------------------------------------------------------------------------------------------ archives
+
+
+@pytest.fixture(scope="module")
+def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    """A wheel, built from the source distribution, and that, built from a copy of the tree without a network."""
+    if importlib.util.find_spec("build") is None:
+        pytest.skip("build is not installed: pip install 'spragsym[test]'")
+    out = tmp_path_factory.mktemp("dist")
+    copy = tmp_path_factory.mktemp("tree") / "spragsym"
+    ignored = ("--exclude=.git", "--exclude=.venv", "--exclude=__pycache__", "--exclude=*.egg-info", "--exclude=.*_cache")
+    copy.mkdir()
+    packed = subprocess.run(["tar", "-C", str(ROOT), *ignored, "-cf", "-", "."], check=True, capture_output=True)
+    subprocess.run(["tar", "-C", str(copy), "-xf", "-"], input=packed.stdout, check=True)
+    done = subprocess.run(
+        [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(out), str(copy)], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    (wheel,), (sdist,) = out.glob("*.whl"), out.glob("*.tar.gz")
+    return wheel, sdist
+
+
+def committed(*folders: str) -> set[str]:
+    """Files of the tree below some folders, without what tools leave there."""
+    skipped = {"__pycache__", "_build", "jupyter_execute"}
+    paths = (path for folder in folders for path in (ROOT / folder).rglob("*"))
+    return {
+        path.relative_to(ROOT).as_posix()
+        for path in paths
+        if path.is_file() and not skipped & set(path.parts) and path.suffix != ".pyc"
+    }
+
+
+def test_the_wheel_holds_all_of_the_package(archives: tuple[Path, Path]) -> None:
+    with zipfile.ZipFile(archives[0]) as wheel:
+        names = set(wheel.namelist())
+    for path in committed("derive", "generated"):
+        assert f"spragsym/{path}" in names
+    for path in committed("spragsym"):
+        assert path in names
+    assert {name.split("/")[0] for name in names} == {"spragsym", f"spragsym-{spragsym.__version__}.dist-info"}
+    for name in ("generated/c/spragsym.h", "generated/c/spragsym.c", "generated/ledger.json", "generated/LEDGER.md", "py.typed"):
+        assert f"spragsym/{name}" in names
+    assert any(name.endswith("licenses/LICENSE") for name in names)
+
+
+def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Path]) -> None:
+    with tarfile.open(archives[1]) as sdist:
+        names = {name.partition("/")[2] for name in sdist.getnames()}
+    wanted = committed("derive", "generated", "spragsym", "tests", "benchmarks", "docs")
+    wanted |= {"Makefile", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "CONTRIBUTING.md", "constraints.txt"}
+    wanted |= {"pyproject.toml", ".ci/run", ".pre-commit-config.yaml"}
+    assert wanted - names == set()
+    assert not any("__pycache__" in name for name in names)
+
+
+# ------------------------------------------------------------------------------------------- an empty environment
+
+
+@pytest.fixture(scope="module")
+def python(archives: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An environment with the wheel and what it requires, and nothing else."""
+    home = tmp_path_factory.mktemp("empty")
+    venv.create(home, with_pip=False, symlinks=True)
+    interpreter = home / "bin/python"
+    here, there = Path(sysconfig.get_paths()["purelib"]), home / "lib" / f"python{sys.version_info[0]}.{sys.version_info[1]}"
+    for name in RUNTIME:
+        for path in (*here.glob(name), *here.glob(f"{name.partition('.')[0]}-*.dist-info")):
+            link = there / "site-packages" / path.name
+            if not link.exists():
+                link.symlink_to(path)
+    with zipfile.ZipFile(archives[0]) as wheel:
+        wheel.extractall(there / "site-packages")
+    return interpreter
+
+
+def call(python: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run it away from the tree, without a word of this environment."""
+    return subprocess.run(
+        [python, "-I", "-W", "error", *arguments], cwd=python.parent, env={}, capture_output=True, text=True, timeout=120
+    )
+
+
+def test_runtime_without_extras(python: Path) -> None:
+    program = (
+        "import sys, numpy as np, spragsym as ss\n"
+        "assert not {'sympy', 'matplotlib', 'numba', 'flint', 'heyoka'} & set(sys.modules)\n"
+        "turn = ss.folds(ss.Parameters.article()).theta0[0]\n"
+        "p = ss.Parameters.article(theta0=[*np.radians([30.0, 49.0]), turn])\n"
+        "eq = ss.equilibria(p)\n"
+        "assert eq.count[:2].tolist() == [3, 1] and eq.escalated[2], (eq.count, eq.escalated)\n"
+        "assert 'sympy' not in sys.modules\n"
+        "assert ss.simulate(p.replace(theta0=0.9), V=0.5, d=10.0, t_end=20.0).backend == 'scipy'\n"
+        "print(ss.__file__)\n"
+    )
+    done = call(python, "-c", program)
+    assert done.returncode == 0, done.stderr
+    assert str(python.parent.parent) in done.stdout
+
+
+def test_commands_without_extras(python: Path) -> None:
+    assert call(python, "-m", "spragsym", "--version").stdout == f"spragsym, version {spragsym.__version__}\n"
+    done = call(python, "-m", "spragsym", "equilibria", "--theta0", "30", "--json")
+    assert len(json.loads(done.stdout)["equilibria"]) == 4, done.stderr
+    done = call(python, "-m", "spragsym", "export", "--out", str(python.parent / "c"))
+    assert done.returncode == 0, done.stderr
+    assert (python.parent / "c/spragsym.c").is_file()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "extra"),
+    [
+        (["check"], "derive"),
+        (["bifurcation", "--plot", "a.pdf"], "plot"),
+        (["figures", "--out", "figures"], "plot"),
+        (["simulate", "--theta0", "49", "--backend", "heyoka"], "fast"),
+        (["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"], "sweep"),
+        (["sweep", "--theta0", "49", "--output", "a.nc"], "sweep"),
+    ],
+)
+def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str) -> None:
+    done = call(python, "-m", "spragsym", *arguments)
+    assert (done.returncode, done.stdout) == (1, "")
+    assert done.stderr.startswith("spragsym: ")
+    assert done.stderr.count("\n") == 1
+    assert f"pip install 'spragsym[{extra}]'" in done.stderr
+
+
+def test_a_missing_backend_is_named(python: Path) -> None:
+    done = call(python, "-c", "import spragsym as ss; ss.set_backend('numba')")
+    assert "MissingExtraError" in done.stderr
+    assert "spragsym[fast]" in done.stderr
+
+
+def test_console_script_is_declared(archives: tuple[Path, Path]) -> None:
+    with zipfile.ZipFile(archives[0]) as wheel:
+        (entry,) = (name for name in wheel.namelist() if name.endswith("entry_points.txt"))
+        assert "spragsym = spragsym.cli:main" in wheel.read(entry).decode()

@@ -568,12 +568,20 @@ def _chains(points: FloatArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 
 def _branch(p: Parameters, points: FloatArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    from .solver import equilibria
+    """Rank of each point among the equilibria there, and their number.
 
-    if not points.shape[1]:
-        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
-    found = equilibria(p.replace(theta0=points[0], mu0=points[1]))
-    return np.nanargmin(np.abs(found.theta - points[2][:, None]), axis=-1), found.count
+    From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
+    """
+    theta0, mu0, theta, *_ = points
+    kappa, _, sigma, beta = fixed = p.scalars(*_FIXED)
+    c0, s0 = np.cos(theta0), np.sin(theta0)
+    with np.errstate(all="ignore"):
+        p1, q1, p2, q2 = kernel.factors(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
+        pairs = kernel.root_pair(p1, q1), kernel.root_pair(p2, q2)
+        t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
+        _, _, y = kernel.state((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), c0, s0, kappa, sigma, beta, 1)
+        t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
+        return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)
 
 
 # ------------------------------------------------------------------------------------------------ linear model

@@ -176,9 +176,12 @@ def _pass_fold(
         return 0, None
     left = equilibria(p.replace(**{vary: _just_beyond(turn["value"], forward, after)}))
     slot = choose(left, turn["x"])
+    # The state itself is taken at the fold, where it has all of its digits.
+    at_fold = equilibria(p.replace(**{vary: turn["value"]}))
+    same = int(np.nanargmin(np.abs(at_fold.theta - left.theta[slot])))
     jump = Jump(
         turn["value"], turn["theta0"], turn["mu0"], turn["theta"], turn["x"], turn["y"],
-        *(float(getattr(left, name)[slot]) for name in ("theta", "x", "y")),
+        *(float(getattr(at_fold, name)[same]) for name in ("theta", "x", "y")),
         Stability(int(left.stability[slot])), turn["error"],
     )  # fmt: skip
     return slot, jump

@@ -193,7 +193,8 @@ def _trace(theta: FloatArray, fixed: Fixed) -> list[Strand]:
     starts = [0, *(np.flatnonzero(np.diff(number)) + 1)]
     for begin, end in zip(starts, [*starts[1:], theta.size], strict=True):
         if begin:
-            open_ends = _change(float(theta[begin - 1]), float(theta[begin]), fixed, open_ends, finished)
+            cell = float(theta[begin - 1]), float(theta[begin]), int(number[begin - 1]), int(number[begin])
+            open_ends = _change(*cell, fixed, open_ends, finished)
         for (curve, last), values in zip(open_ends, roots[begin:end].T, strict=False):
             _grow(curve, last, np.stack([theta[begin:end], values]))
     finished += {id(curve): curve for curve, _ in open_ends}.values()
@@ -218,17 +219,38 @@ def _reversed(curve: _Curve) -> _Curve:
     return deque(chunk[:, ::-1] for chunk in reversed(curve))
 
 
-def _change(low: float, high: float, fixed: Fixed, open_ends: list[_End], finished: list[_Curve]) -> list[_End]:
-    """Carry the open ends over a cell of θ in which the number of roots changes, one change at a time."""
-    before, after = (int(positive_roots(np.array([theta]), fixed)[1][0]) for theta in (low, high))
+def _change(
+    low: float, high: float, before: int, after: int, fixed: Fixed, open_ends: list[_End], finished: list[_Curve]
+) -> list[_End]:
+    """Carry the open ends over a cell of θ in which the number of roots goes from ``before`` to ``after``."""
     if before == after:
         return open_ends
-    if high - low > 1e-14 * high:
-        if abs(after - before) == 1:
-            return _through_an_end(low, high, fixed, open_ends, finished, enters=after > before)
-        middle = 0.5 * (low + high)
-        return _change(middle, high, fixed, _change(low, middle, fixed, open_ends, finished), finished)
-    return _pair(low, high, fixed, open_ends, finished, born=after > before)
+    if abs(after - before) == 1:
+        return _through_an_end(low, high, fixed, open_ends, finished, enters=after > before)
+    if abs(after - before) == 2 and _meeting(low, high, fixed) is not None:
+        return _pair(low, high, max(before, after), fixed, open_ends, finished, born=after > before)
+    middle = 0.5 * (low + high)
+    if not low < middle < high:
+        return _pair(low, high, max(before, after), fixed, open_ends, finished, born=after > before)
+    between = _number(middle, fixed)
+    open_ends = _change(low, middle, before, between, fixed, open_ends, finished)
+    return _change(middle, high, between, after, fixed, open_ends, finished)
+
+
+def _number(theta: float, fixed: Fixed) -> int:
+    return int(positive_roots(np.array([theta]), fixed)[1][0])
+
+
+def _meeting(low: float, high: float, fixed: Fixed) -> float | None:
+    """The θ between two others at which two roots meet, if it is the only event there."""
+
+    def value(theta: float) -> float:
+        return float(indicator(np.array([theta]), fixed)[0])
+
+    ends = _ends(np.array([low, high]), fixed)[:2]
+    if value(low) * value(high) >= 0 or any(end[0] * end[1] <= 0 for end in ends):
+        return None
+    return float(brentq(value, low, high, xtol=1e-15, rtol=1e-15))
 
 
 def _through_an_end(
@@ -255,9 +277,17 @@ def _through_an_end(
     return rest
 
 
-def _pair(low: float, high: float, fixed: Fixed, open_ends: list[_End], finished: list[_Curve], born: bool) -> list[_End]:
-    """Two roots are born or vanish together."""
-    many = high if born else low
+def _pair(
+    low: float, high: float, number: int, fixed: Fixed, open_ends: list[_End], finished: list[_Curve], born: bool
+) -> list[_End]:
+    """Two roots are born or vanish together; ``number`` is how many there are with them."""
+    meeting = _meeting(low, high, fixed)
+    far = high if born else low
+    many = far if meeting is None else meeting
+    for power in range(-52, -20):  # a little on the side where there are more
+        if _number(many, fixed) == number:
+            break
+        many = meeting + (far - meeting) * 2.0**power if meeting is not None else far
     roots, _ = positive_roots(np.array([many]), fixed)
     gaps = np.diff(roots[0]) / roots[0, 1:]
     if np.isnan(gaps).all():
@@ -312,18 +342,20 @@ def _zero_friction(strand: Strand, outer: int, inner: int, fixed: Fixed) -> Stra
     if min(abs(strand.mu0[outer]), abs(strand.mu0[inner])) > 1e3 * (1 + max(abs(np.diff(strand.theta0[[outer, inner]])))):
         return None
     far, near = float(strand.theta[outer]), float(strand.theta[inner])
-    theta0, sign = float(strand.theta0[inner]), np.sign(strand.mu0[inner])
-    for _ in range(60):
-        middle = 0.5 * (far + near)
-        angles = 2 * np.arctan(positive_roots(np.array([middle]), fixed)[0][0])
-        if np.isnan(angles).all():
-            return None
-        angle = float(angles[np.nanargmin(np.abs(angles - theta0))])
-        if np.sign(friction(np.array([middle]), np.array([angle]), fixed)[0]) == sign:
-            near, theta0 = middle, angle
-        else:
-            far = middle
-    return Strand(np.array([near]), np.array([theta0]), np.array([0.0]))
+    ends = float(strand.theta0[outer]), float(strand.theta0[inner])
+
+    def angle(theta: float) -> float:
+        expected = ends[1] + (ends[0] - ends[1]) * (theta - near) / (far - near)
+        angles = 2 * np.arctan(positive_roots(np.array([theta]), fixed)[0][0])
+        return float(angles[np.nanargmin(np.abs(angles - expected))])
+
+    def value(theta: float) -> float:
+        return float(friction(np.array([theta]), np.array([angle(theta)]), fixed)[0])
+
+    if value(far) * value(near) > 0:
+        return None
+    theta = float(brentq(value, far, near, xtol=1e-15, rtol=1e-15))
+    return Strand(np.array([theta]), np.array([angle(theta)]), np.array([0.0]))
 
 
 def _mirrored(strand: Strand) -> Strand:

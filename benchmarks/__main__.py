@@ -11,14 +11,17 @@ import subprocess
 import sys
 from pathlib import Path
 
+#: Name → module and title.
 _SECTIONS = {
-    "equilibria": "Equilibria: speed",
-    "accuracy": "Equilibria: accuracy beside speed",
-    "c": "The C target",
-    "catastrophe": "The bifurcation set",
-    "dynamics": "Motion in time",
-    "codegen": "Generated code against other generators",
-    "scale": "How cost grows, and start-up",
+    "equilibria": ("bench_equilibria", "Equilibria: speed"),
+    "accuracy": ("bench_accuracy", "Equilibria: accuracy beside speed"),
+    "counts": ("validate_equilibria", "Equilibria: a million adversarial points"),
+    "c": ("bench_c", "The C target"),
+    "catastrophe": ("bench_catastrophe", "The bifurcation set"),
+    "folds": ("validate_folds", "The bifurcation set against maps of counts"),
+    "dynamics": ("bench_dynamics", "Motion in time"),
+    "codegen": ("bench_codegen", "Generated code against other generators"),
+    "scale": ("bench_scale", "How cost grows, and start-up"),
 }
 _VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "numba", "python-flint", "heyoka", "symforce", "wrenfold", "casadi")
 
@@ -32,12 +35,15 @@ def main() -> int:
     failed = 0
     parts = [_header()]
     for name in options.names or _SECTIONS:
-        print(f"# {_SECTIONS[name]}", flush=True)
+        if name not in _SECTIONS:
+            parser.error(f"{name} is not one of {', '.join(_SECTIONS)}")
+        module, title = _SECTIONS[name]
+        print(f"# {title}", flush=True)
         # A process of its own for each, so that none meets what another imported, compiled or allocated.
-        run = subprocess.run([sys.executable, "-m", f"benchmarks.bench_{name}"], stdout=subprocess.PIPE, text=True, check=False)
+        run = subprocess.run([sys.executable, "-m", f"benchmarks.{module}"], stdout=subprocess.PIPE, text=True, check=False)
         print(run.stdout, flush=True)
         failed += run.returncode != 0
-        parts.append(f"## {_SECTIONS[name]}\n\n`python -m benchmarks.bench_{name}`\n\n{run.stdout.strip()}\n")
+        parts.append(f"## {title}\n\n`python -m benchmarks.{module}`\n\n{run.stdout.strip()}\n")
     if options.write:
         options.write.write_text("\n".join(parts), encoding="utf-8")
     return int(failed > 0)

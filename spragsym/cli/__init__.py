@@ -85,17 +85,17 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 
 def _run(arguments: list[str], debug: bool) -> int:
     try:
-        code = cli.main(arguments, prog_name="spragsym", standalone_mode=False)
+        if "_SPRAGSYM_COMPLETE" in os.environ:  # a shell asks what could come next
+            cli.main(arguments, prog_name="spragsym")
+        with cli.make_context("spragsym", arguments) as context:
+            code = cli.invoke(context)
         sys.stdout.flush()  # here, so that a reader that has left is noticed here
     except click.exceptions.Exit as stop:
         return stop.exit_code
     except (click.Abort, KeyboardInterrupt):
         return _report("interrupted", 130, debug)
     except BrokenPipeError:
-        # Whoever read our output, head for one, has seen enough: no error. What is buffered has nowhere to go.
-        with suppress(OSError, ValueError):
-            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
+        return _left_alone()
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
         return error.exit_code
@@ -109,14 +109,28 @@ def _run(arguments: list[str], debug: bool) -> int:
     except ModuleNotFoundError as error:
         module = (error.name or "").partition(".")[0]
         if module not in EXTRAS:
-            raise
+            return _report_mistake(error, debug)
         return _report(str(MissingExtraError("this command", module, EXTRAS[module])), 1, debug)
     except OSError as error:
         known = error.filename is not None and error.strerror
         return _report(f"{error.filename}: {error.strerror}; give another path" if known else str(error), 1, debug)
     except MemoryError:
         return _report("out of memory; ask for fewer points at a time", 1, debug)
+    except Exception as error:
+        return _report_mistake(error, debug)
     return code if isinstance(code, int) else 0
+
+
+def _left_alone() -> int:
+    """Whoever read our output, head for one, has seen enough: no error. What is buffered has nowhere to go."""
+    with suppress(OSError, ValueError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+def _report_mistake(error: Exception, debug: bool) -> int:
+    remedy = "a mistake in spragsym; report it with what --debug prints"
+    return _report(f"unexpected {type(error).__name__}: {error}; this is {remedy}", 1, debug)
 
 
 def _report(message: str, code: int, debug: bool) -> int:

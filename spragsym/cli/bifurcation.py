@@ -28,6 +28,9 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
       spragsym bifurcation
       spragsym bifurcation --alpha 0.7 --json
       spragsym bifurcation --plot folds.pdf
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
         raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
@@ -49,18 +52,23 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
         (f"Flutter onsets at mu0 = {values['mu0']:g}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch")),
     ):
         print_table(title, header, [[f"{row[column]:.12g}" for column in header] for row in summary[name]])
+    lowest = "none" if summary["mu_cusp"] is None else f"{summary['mu_cusp']:.12g}"
     print_table("Critical frictions", ("", "mu"), [
-        ("mu_cr, linear sprag model: poles above it", f"{summary['mu_cr']:.12g}"),
-        ("mu_cusp: no jump from small deformation below it", "none" if summary["mu_cusp"] is None else f"{summary['mu_cusp']:.12g}"),
+        ("mu_cr, linear sprag model: poles above it", "out of range" if summary["mu_cr"] is None else f"{summary['mu_cr']:.12g}"),
+        ("mu_cusp: no jump from small deformation below it", lowest),
     ])  # fmt: skip
 
 
 def _summary(values: dict[str, float]) -> dict[str, Any]:
+    import numpy as np
+
     from .. import catastrophe
 
     p = build(None, **values)
     found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), catastrophe.flutter_onsets(p)
     lowest = catastrophe.critical_friction(p)
+    with np.errstate(all="ignore"):  # stiffnesses of very different size
+        linear = float(catastrophe.linear_critical_friction(p))
 
     def rows(points: Any, names: tuple[str, ...]) -> list[dict[str, float]]:
         return [
@@ -78,6 +86,6 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
         "cusps": rows(found, ("theta0", "mu0", "theta", "L", "x", "y")),
         "folds": rows(turns, ("theta0", "theta", "L", "x", "y")),
         "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch")),
-        "mu_cr": catastrophe.linear_critical_friction(p),
+        "mu_cr": linear if math.isfinite(linear) else None,
         "mu_cusp": None if math.isinf(lowest) else lowest,
     }

@@ -23,6 +23,9 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
     Examples:
       spragsym equilibria --theta0 49
       spragsym equilibria --theta0 30 --mu0 0.7 --json
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     rows = _rows(theta0_deg, values)
     if json_output:
@@ -30,7 +33,8 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
         return
     print_table("", ("state", "stability", "theta, deg", "L", "x", "y", "error"), [
         (
-            row["state"], row["stability"], *(f"{row[name]:.12g}" for name in ("theta_deg", "L", "x", "y")), f"{row['error']:.1e}",
+            row["state"], row["stability"],
+            *(f"{row[name]:.12g}" for name in ("theta_deg", "L", "x", "y")), f"{row['error']:.1e}",
         )
         for row in rows
     ])  # fmt: skip

@@ -1,0 +1,337 @@
+"""The command line: output, exit codes, errors on one line, and nothing else whatever the arguments."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+from contextlib import redirect_stderr, redirect_stdout
+from pathlib import Path
+
+import click
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+import spragsym as ss
+from spragsym import cli as command_line
+from spragsym.cli import COMMANDS, cli, main
+
+#: Exit codes that are documented.
+DONE, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
+
+
+def invoke(*arguments: str) -> int:
+    """Run a command in this process; its exit code."""
+    with pytest.raises(SystemExit) as stop:
+        main(list(arguments))
+    assert isinstance(stop.value.code, int)
+    return stop.value.code
+
+
+def start(*arguments: str, cwd: Path | None = None, **environment: str) -> subprocess.Popen[str]:
+    """Start a command in a process of its own."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "spragsym", *arguments],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd, env={**os.environ, **environment},
+    )  # fmt: skip
+
+
+# -------------------------------------------------------------------------------------------------------- results
+
+
+def test_equilibria_json_is_what_the_library_gives(capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke("equilibria", "--theta0", "30", "--mu0", "0.7", "--json") == DONE
+    shown, silence = capsys.readouterr()
+    rows = json.loads(shown)["equilibria"]
+    p = ss.Parameters.article(theta0=math.radians(30), mu0=0.7)
+    for contact, state in ((True, "contact"), (False, "lift-off")):
+        eq = ss.equilibria(p, contact=contact)
+        mine = [row for row in rows if row["state"] == state]
+        assert len(mine) == int(eq.count)
+        np.testing.assert_array_equal([row["x"] for row in mine], eq.x[: int(eq.count)])
+    assert silence == ""
+
+
+def test_equilibria_table_has_the_same_numbers(capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke("equilibria", "--theta0", "49") == DONE
+    header, *rows = capsys.readouterr().out.splitlines()
+    assert header.split()[:2] == ["state", "stability"]
+    assert [row.split()[:2] for row in rows] == [["contact", "stable"], ["lift-off", "divergent"]]
+    assert float(rows[0].split()[4]) == pytest.approx(1.21742364817816844590957746961, rel=1e-11)
+    assert not any(row.endswith(" ") for row in (header, *rows))
+
+
+def test_bifurcation_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke("bifurcation", "--json") == DONE
+    found = json.loads(capsys.readouterr().out)
+    np.testing.assert_allclose(np.radians([row["theta0_deg"] for row in found["folds"]]), ss.folds(ss.Parameters.article()).theta0)
+    assert len(found["cusps"]) == 4
+    assert found["mu_cusp"] == ss.critical_friction(ss.Parameters.article())
+
+
+@pytest.mark.parametrize("kind", ["pdf", "png", "svg"])
+def test_bifurcation_draws(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("matplotlib")
+    assert invoke("bifurcation", "--plot", str(tmp_path / f"a.{kind}")) == DONE
+    assert (tmp_path / f"a.{kind}").stat().st_size > 1000
+    shown, said = capsys.readouterr()
+    assert shown.startswith("Cusps")
+    assert said == f"drew {tmp_path}/a.{kind}\n"
+
+
+def test_check_prints_every_row(capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("sympy")
+    assert invoke("check", "--json") == DONE
+    rows = json.loads(capsys.readouterr().out)
+    assert len(rows) == 53
+    assert [row["id"] for row in rows if row["status"] == "corrected"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
+
+
+def test_check_fails_where_a_row_is_not_as_recorded(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("sympy")
+    from spragsym.derive import check as derivation
+
+    rows = derivation.run()
+    monkeypatch.setattr(derivation, "run", lambda: rows[1:])
+    assert invoke("check") == FAILED
+    assert "eq-1 is not as recorded" in capsys.readouterr().err
+
+
+# ----------------------------------------------------------------------------------------------- help and version
+
+
+@pytest.mark.parametrize("command", [[], *([name] for name in COMMANDS)], ids=["spragsym", *COMMANDS])
+@pytest.mark.parametrize("flag", ["-h", "--help"])
+def test_help_has_examples_and_exit_codes(command: list[str], flag: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke(*command, flag) == DONE
+    text, silence = capsys.readouterr()
+    assert silence == ""
+    assert "Examples:" in text
+    assert "Exit codes: 0" in text
+    # Each example names a command that exists, with options that it has.
+    for name, options in re.findall(r"^ +spragsym (\w+)(.*)$", text.split("Examples:")[1].split("Exit codes")[0], re.MULTILINE):
+        known = {flag for option in cli.get_command(click.Context(cli), name).params for flag in option.opts}  # type: ignore[union-attr]
+        assert set(re.findall(r"(?<= )--?[a-zA-Z][\w-]*", options.split("|")[0])) <= known
+
+
+def test_the_list_of_commands_is_whole(capsys: pytest.CaptureFixture[str]) -> None:
+    invoke("--help")
+    listed = capsys.readouterr().out.split("Commands:")[1]
+    for name, (_, summary) in COMMANDS.items():
+        assert f"{name} " in listed
+        assert summary in listed
+
+
+def test_options_have_one_meaning_everywhere() -> None:
+    """An option of one name has one short form and one type wherever it stands, but for numbers that are axes of a sweep."""
+    seen: dict[str, set[tuple[str, ...]]] = {}
+    for name in COMMANDS:
+        command = cli.get_command(click.Context(cli), name)
+        assert command is not None
+        for option in command.params:
+            for flag in (flag for flag in option.opts if flag.startswith("--")):
+                seen.setdefault(flag, set()).add(tuple(sorted(option.opts)))
+    assert {flag: forms for flag, forms in seen.items() if len(forms) > 1} == {}
+
+
+def test_version_is_that_of_the_package() -> None:
+    process = start("--version")
+    assert process.communicate(timeout=60) == (f"spragsym, version {ss.__version__}\n", "")
+    assert process.returncode == DONE
+
+
+def test_no_command_is_usage(capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke() == USAGE
+    shown, said = capsys.readouterr()
+    assert shown == ""
+    assert said.startswith("Usage: spragsym")
+
+
+def test_completion_of_commands_and_options() -> None:
+    process = start(_SPRAGSYM_COMPLETE="bash_complete", COMP_WORDS="spragsym equi", COMP_CWORD="1")
+    assert "equilibria" in process.communicate(timeout=60)[0]
+    process = start(_SPRAGSYM_COMPLETE="bash_complete", COMP_WORDS="spragsym equilibria --ka", COMP_CWORD="2")
+    assert "--kappa" in process.communicate(timeout=60)[0]
+
+
+# --------------------------------------------------------------------------------------------------------- errors
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "words"),
+    [
+        (["nonsense"], USAGE, ["nonsense", "spragsym --help"]),
+        (["equilibria"], USAGE, ["--theta0", "spragsym equilibria --help"]),
+        (["equilibria", "--theta0", "x"], USAGE, ["--theta0", "'x'"]),
+        (["equilibria", "--theta0", "49", "--nonsense"], USAGE, ["--nonsense"]),
+        (["equilibria", "--theta0", "0"], USAGE, ["--theta0 = 0", "(0, 180)"]),
+        (["equilibria", "--theta0", "nan"], USAGE, ["--theta0 = nan"]),
+        (["equilibria", "--theta0", "49", "--sigma", "0"], USAGE, ["sigma = 0", "(0, inf)"]),
+        (["equilibria", "--theta0", "49", "--mu0", "-1"], USAGE, ["mu0 = -1"]),
+        (["bifurcation", "--plot", "a.txt"], USAGE, ["a.txt", ".pdf, .png or .svg"]),
+        (["bifurcation", "--plot", "missing/a.pdf"], FAILED, ["missing/a.pdf", "another path"]),
+        (["simulate", "--theta0", "49", "--t-end", "-1"], USAGE, ["t_end"]),
+        (["simulate", "--theta0", "49", "-V", "-1"], USAGE, ["V = -1"]),
+        (["simulate", "--theta0", "49", "-o", "missing/a.csv"], USAGE, ["missing"]),
+        (["sweep", "--theta0", "1:2"], USAGE, ["1:2", "start:stop:count"]),
+        (["figures", "--only", "2", "--out", "a"], USAGE, ["'2'"]),
+        (["figures", "--out", "a", "--format", "gif"], USAGE, ["gif"]),
+        (["export", "--language", "fortran", "--out", "a"], USAGE, ["fortran"]),
+    ],
+)
+def test_an_error_is_one_line_that_says_what_to_do(
+    arguments: list[str], code: int, words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    if arguments[0] in ("figures", "bifurcation"):
+        pytest.importorskip("matplotlib")
+    monkeypatch.chdir(tmp_path)
+    assert invoke(*arguments) == code
+    shown, said = capsys.readouterr()
+    assert shown == ""
+    assert said.startswith("spragsym: ")
+    assert said.count("\n") == 1
+    for word in words:
+        assert word in said
+
+
+@pytest.mark.parametrize("place", [0, 1, 3])
+def test_debug_shows_the_traceback_wherever_it_stands(place: int, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["equilibria", "--theta0", "-3"]
+    arguments.insert(place, "--debug")
+    assert invoke(*arguments) == USAGE
+    said = capsys.readouterr().err
+    assert "Traceback" in said
+    assert said.splitlines()[-1].startswith("spragsym: --theta0 = -3")
+
+
+def test_a_mistake_of_ours_is_one_line_as_well(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    def broken(*_: object) -> None:
+        raise KeyError("broken")
+
+    monkeypatch.setattr("spragsym.cli.equilibria._rows", broken)
+    assert invoke("equilibria", "--theta0", "49") == FAILED
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1
+    assert "unexpected KeyError" in said
+    assert "--debug" in said
+
+
+@pytest.mark.parametrize(
+    ("error", "code", "words"),
+    [
+        (MemoryError(), FAILED, "out of memory"),
+        (KeyboardInterrupt(), INTERRUPTED, "interrupted"),
+        (click.Abort(), INTERRUPTED, "interrupted"),
+        (ModuleNotFoundError("no", name="matplotlib.axes"), FAILED, "spragsym[plot]"),
+        (ModuleNotFoundError("no", name="something"), FAILED, "unexpected"),
+        (OSError("disk gone"), FAILED, "disk gone"),
+        (ss.ConvergenceError("no convergence"), FAILED, "no convergence"),
+        (ss.ParameterTypeError("a type"), USAGE, "a type"),
+    ],
+)
+def test_exit_codes(
+    error: BaseException, code: int, words: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fail(*_: object, **__: object) -> None:
+        raise error
+
+    monkeypatch.setattr(command_line.cli, "invoke", fail)
+    assert invoke("check") == code
+    assert words in capsys.readouterr().err
+
+
+# ------------------------------------------------------------------------------------------- pipes, colours, Ctrl-C
+
+
+def test_a_reader_that_leaves_is_no_error() -> None:
+    """As under ``head``: quiet, and not an error."""
+    process = start("equilibria", "--theta0", "30", "--json")
+    assert process.stdout is not None
+    process.stdout.close()  # before anything is written
+    assert process.stderr is not None
+    said = process.stderr.read()
+    process.stderr.close()
+    assert process.wait(timeout=60) == DONE
+    assert said == ""
+
+
+@pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs a pseudo terminal")
+@pytest.mark.parametrize("colour", [True, False])
+def test_no_color_is_respected(colour: bool) -> None:
+    environment = {**os.environ, "TERM": "xterm-256color", "COLUMNS": "200"}
+    environment.pop("FORCE_COLOR", None)
+    environment.pop("NO_COLOR", None)
+    if not colour:
+        environment["NO_COLOR"] = "1"
+    master, slave = os.openpty()
+    call = [sys.executable, "-m", "spragsym", "check"]
+    with subprocess.Popen(call, stdout=slave, stderr=slave, env=environment) as process:
+        os.close(slave)
+        shown = b""
+        try:
+            while piece := os.read(master, 65536):
+                shown += piece
+        except OSError:  # the other end is closed
+            pass
+        os.close(master)
+    assert process.returncode == DONE
+    assert b"eq-6" in shown
+    assert bool(re.search(rb"\x1b\[[\d;]*3[0-7]m", shown)) == colour
+
+
+def test_ctrl_c_ends_cleanly(tmp_path: Path) -> None:
+    process = start("simulate", "--theta0", "49", "--t-end", "1e6", "--backend", "scipy", cwd=tmp_path)
+    time.sleep(2.0)
+    process.send_signal(signal.SIGINT)
+    shown, said = process.communicate(timeout=60)
+    assert process.returncode == INTERRUPTED
+    assert shown == ""
+    assert said == "spragsym: interrupted\n"
+
+
+# ----------------------------------------------------------------------------------------------------------- fuzz
+
+#: Numbers as people and programs write them, and what is none.
+NUMBERS = st.one_of(
+    st.floats(allow_nan=True, allow_infinity=True).map(repr),
+    st.floats(1e-6, 200).map(repr),
+    st.integers(-5, 200).map(str),
+    st.sampled_from(["", "nan", "inf", "-inf", "1e400", "0x10", "1_0", "١٢", "1,5", "--", "-", "0", "-0.0", "5e-324", "1e-300", "1e300"]),
+    st.text(max_size=8),
+)
+FLAGS = st.sampled_from(["--theta0", "--mu0", "--kappa", "--alpha", "--sigma", "--beta", "--json", "--debug", "-h", "-V", "--nonsense"])
+
+
+def end_as_documented(arguments: list[str]) -> None:
+    """Run a command that may get anything: a documented exit code, an error on one line, and no mistake of ours."""
+    shown, said = io.StringIO(), io.StringIO()
+    with redirect_stdout(shown), redirect_stderr(said), pytest.raises(SystemExit) as stop:
+        main(arguments)
+    text = said.getvalue()
+    assert stop.value.code in (DONE, FAILED, USAGE)
+    assert "unexpected" not in text
+    if stop.value.code != DONE and "--debug" not in arguments:
+        assert shown.getvalue() == ""
+        assert re.fullmatch(r"spragsym: .*\n", text), text
+
+
+@given(st.sampled_from(["equilibria", "bifurcation"]), st.lists(st.tuples(FLAGS, NUMBERS), max_size=5), st.lists(NUMBERS, max_size=1))
+@settings(max_examples=300)
+@example("equilibria", [("--theta0", "1e-300")], [])
+@example("equilibria", [("--theta0", "49"), ("--sigma", "1e300")], [])
+@example("equilibria", [("--theta0", "49"), ("--kappa", "5e-324")], [])
+@example("bifurcation", [("--kappa", "1e300")], [])
+@example("bifurcation", [("--sigma", "1e-300")], [])
+def test_any_arguments_end_as_documented(command: str, options: list[tuple[str, str]], rest: list[str]) -> None:
+    end_as_documented([command, *(word for pair in options for word in pair), *rest])

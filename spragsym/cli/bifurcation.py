@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -11,7 +10,7 @@ import click
 
 from ..errors import ParameterError
 from .options import as_json, build, parameters
-from .tables import print_table
+from .tables import print_json, print_table
 
 
 @click.command()
@@ -44,7 +43,7 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
             bifurcation_figure(build(None, **values)).savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)
     if json_output:
-        click.echo(json.dumps(summary, indent=1))
+        print_json(summary)
         return
     for title, name, header in (
         ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", "x", "y")),

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 from typing import Any
 
 import click
 
 from .options import as_json, build, parameters, theta0
-from .tables import print_table
+from .tables import print_json, print_table
 
 
 @click.command()
@@ -29,7 +28,7 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
     """
     rows = _rows(theta0_deg, values)
     if json_output:
-        click.echo(json.dumps({"parameters": {"theta0_deg": theta0_deg, **values}, "equilibria": rows}, indent=1))
+        print_json({"parameters": {"theta0_deg": theta0_deg, **values}, "equilibria": rows})
         return
     print_table("", ("state", "stability", "theta, deg", "L", "x", "y", "error"), [
         (
@@ -50,13 +49,15 @@ def _rows(theta0_deg: float, values: dict[str, float]) -> list[dict[str, Any]]:
     rows = []
     for contact in (True, False):
         eq = solve(p, contact=contact)
+        with np.errstate(all="ignore"):  # of numbers near the largest that there are
+            eigenvalues = eq.eigenvalues
         for slot in range(int(eq.count)):
             rows.append({
                 "state": "contact" if contact else "lift-off",
                 "stability": Stability(int(eq.stability[slot])).name.lower(),
                 "theta_deg": math.degrees(eq.theta[slot]),
                 **{name: float(getattr(eq, name)[slot]) for name in ("L", "x", "y")},
-                "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in eq.eigenvalues[slot]],
+                "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in eigenvalues[slot]],
                 "error": float(eq.error[slot]),
                 "fold": bool(eq.fold),
             })  # fmt: skip

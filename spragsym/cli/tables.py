@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import math
 from collections.abc import Sequence
+from typing import Any
 
 #: Columns where no terminal says how many: no line is broken.
 PLAIN_WIDTH = 1000
@@ -45,3 +48,18 @@ def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[objec
     for row in rows:
         table.add_row(*(cell if isinstance(cell, Text) else Text(str(cell)) for cell in row))
     show(table, whole=True)
+
+
+def print_json(thing: Any) -> None:
+    """Print JSON, in which a number that is none, or too large to be one, is null."""
+    import click
+
+    click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=False, allow_nan=False))
+
+
+def _plain(thing: Any) -> Any:
+    if isinstance(thing, dict):
+        return {name: _plain(value) for name, value in thing.items()}
+    if isinstance(thing, list | tuple):
+        return [_plain(value) for value in thing]
+    return None if isinstance(thing, float) and not math.isfinite(thing) else thing

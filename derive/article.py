@@ -1,7 +1,7 @@
 r"""What is printed: every numbered equation, appendix coefficient and definition of the article, mistakes included.
 
 J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type Behavior", Applied Sciences 10 (2020)
-2698. Nothing here is derived and nothing is mended; :mod:`derive.check` holds each entry against the derivation.
+2748. Nothing here is derived and nothing is mended; :mod:`derive.check` holds each entry against the derivation.
 
 ``latex`` is the article's typesetting. ``expression`` is its transcription: for an equation, left side less right side;
 for several components, a tuple. Where the article writes a relation between objects that it defines elsewhere (D, b, the

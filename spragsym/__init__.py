@@ -1,7 +1,7 @@
 """Sprag-slip oscillation as a cusp catastrophe: equilibria, stability, folds, cusps, jumps and motion in time.
 
 The model is that of J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type Behavior", Applied
-Sciences 10 (2020) 2698, as derived from first principles in ``derive/``. Names below are loaded when they are used.
+Sciences 10 (2020) 2748, as derived from first principles in ``derive/``. Names below are loaded when they are used.
 
 Examples
 --------

@@ -46,7 +46,7 @@ def markdown(ledger: Ledger, header: str) -> str:
         header,
         "",
         "Every numbered equation, appendix coefficient and definition of J. Kang and J. Nam, *Minimal Model for Sprag-Slip "
-        "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2698, as printed, against what follows from "
+        "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2748, as printed, against what follows from "
         "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1.",
         "",
         "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + \\sigma$, $q = B + \\sigma$.",

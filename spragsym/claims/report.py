@@ -73,7 +73,7 @@ def _head(ledger: Any, claims: list[dict[str, Any]]) -> list[str]:
         spragsym/claims/record.json. Do not edit."""),
         "",
         *_paragraph("""What follows holds J. Kang and J. Nam, *Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type
-        Behavior*, Applied Sciences 10 (2020) 2698, against a derivation from energies and forces, and against computation.
+        Behavior*, Applied Sciences 10 (2020) 2748, against a derivation from energies and forces, and against computation.
         **No picture of the article was at hand**: figures and statements are reproduced from its text and its equations. So
         nothing here says that a curve is the same as a printed one."""),
         "",

@@ -18,6 +18,7 @@ from .generated import motion as _motion
 from .generated import stability as _stability
 from .intervals import Arithmetic, arithmetic
 from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, RANGES, FloatArray, Parameters, as_number, as_numbers
+from .polynomials import Undecided
 
 _FIXED = ("kappa", "alpha", "sigma", "beta")
 
@@ -199,7 +200,7 @@ def _row(arith: Arithmetic, point: proofs.Point) -> tuple[float, ...]:
         error = max(error, float((high - low) / 2 / max(1, abs(middle))))
         values.append(float(middle))
     if error > 1e-13:
-        raise proofs.Undecided(f"an error of {error:.1e}")
+        raise Undecided(f"an error of {error:.1e}")
     return (*values, error + 1.2e-16)
 
 
@@ -350,7 +351,8 @@ def critical_friction(p: Parameters) -> float | FloatArray:
 
     Notes
     -----
-    Source: the cusp polynomial. The article's Figures 8 to 10 follow from it: the curves that jump are those with μ₀ = 0.5 above it.
+    Source: the cusp polynomial. The article's Figures 8 to 10 follow from it: the curves that jump are those with μ₀ = 0.5
+    above it.
 
     Examples
     --------
@@ -405,11 +407,15 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
 
     ends = excess(low), excess(high)
     if ends[0] * ends[1] > 0:
-        frictions = ", ".join(f"{math.tan(end + math.atan(mu0)):.6g} at {vary} = {value:g}" for end, value in zip(ends, (low, high), strict=True))
+        frictions = ", ".join(
+            f"{math.tan(end + math.atan(mu0)):.6g} at {vary} = {value:g}" for end, value in zip(ends, (low, high), strict=True)
+        )
         raise ParameterError(f"bracket: mu_cusp is {frictions}, both on one side of mu0 = {mu0:g}; widen it")
     root, outcome = brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, full_output=True, disp=False)
     if not outcome.converged or abs(excess(root)) > 1e-9:
-        raise ConvergenceError(f"mu_cusp jumps across mu0 = {mu0:g} near {vary} = {root:g}, where a cusp appears; there is no crossing")
+        raise ConvergenceError(
+            f"mu_cusp jumps across mu0 = {mu0:g} near {vary} = {root:g}, where a cusp appears; there is no crossing"
+        )
     return float(root)
 
 
@@ -461,7 +467,8 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     # K12 K21 < 0 with μ₀ > 0 needs sin θ cos θ < 0.
     theta = np.linspace(0.5 * math.pi, math.pi, int(n) + 2)[1:-1]
     with np.errstate(all="ignore"):
-        lengths = _real_positive(np.stack(_stability.flutter_sextic(np.cos(theta), np.sin(theta), kappa, alpha, sigma, beta), axis=-1))
+        sextic = _stability.flutter_sextic(np.cos(theta), np.sin(theta), kappa, alpha, sigma, beta)
+        lengths = _real_positive(np.stack(sextic, axis=-1))
         rows, _ = np.nonzero(np.isfinite(lengths))
         L, theta = lengths[np.isfinite(lengths)], theta[rows]
         c, s = np.cos(theta), np.sin(theta)
@@ -476,7 +483,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     order, curve = _chains(points)
     points = points[:, order]
     branch, count = _branch(p, points)
-    return FlutterBoundary(*points, branch, count, curve)
+    return _boundary(points, branch, count, curve)
 
 
 def flutter_onsets(p: Parameters) -> FlutterBoundary:
@@ -499,7 +506,14 @@ def flutter_onsets(p: Parameters) -> FlutterBoundary:
     points = np.array(found, dtype=float).reshape(-1, 6).T
     points = points[:, np.argsort(points[0])]
     branch, count = _branch(p, points)
-    return FlutterBoundary(*points, branch, count, np.arange(points.shape[1]))
+    return _boundary(points, branch, count, np.arange(points.shape[1]))
+
+
+def _boundary(
+    points: FloatArray, branch: NDArray[np.int64], count: NDArray[np.int64], curve: NDArray[np.int64]
+) -> FlutterBoundary:
+    theta0, mu0, theta, L, x, y = points
+    return FlutterBoundary(theta0, mu0, theta, L, x, y, branch, count, curve)
 
 
 def _onset_between(p: Parameters, along: FlutterBoundary, i: int, mu0: float) -> tuple[float, ...]:
@@ -629,8 +643,11 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         poles = np.stack([np.arctan2(e0, large), np.arctan2(large, e2)], axis=-1)
         poles = np.where(np.isfinite(large)[..., None], poles, np.nan)
     shape = p.shape
+    x, y, determinant = (np.broadcast_to(np.asarray(value, dtype=float), shape).copy() for value in (x, y, determinant))
     return LinearSprag(
-        *(np.broadcast_to(np.asarray(value, dtype=float), shape).copy() for value in (x, y, determinant)),
+        x,
+        y,
+        determinant,
         poles=np.broadcast_to(poles, (*shape, 2)).copy(),
         critical_friction=np.broadcast_to(linear_critical_friction(p), shape).copy(),
     )

@@ -1,7 +1,7 @@
 """The solver compiled by numba, from the same functions: :mod:`spragsym.kernel` and :mod:`spragsym.generated`, no second copy.
 
-Each function is compiled with its global names bound to compiled ones. What a compiled function contains is named in its cache entry
-by a hash of all sources that go into it, so that a regenerated derivation never meets an old binary.
+Each function is compiled with its global names bound to compiled ones. What a compiled function contains is named in its cache
+entry by a hash of all sources that go into it, so that a regenerated derivation never meets an old binary.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ def cbrt(x: float) -> float:
     for _ in range(3):
         cube = y * y * y
         y = y * (cube + 2.0 * x) / (2.0 * cube + x)
-    return y if x > 0.0 else 0.0  # type: ignore[no-any-return]
+    return y if x > 0.0 else 0.0
 
 
 def _bits() -> Any:
@@ -100,7 +100,7 @@ def _bits() -> Any:
     from numba import types
     from numba.extending import intrinsic
 
-    @intrinsic  # type: ignore[untyped-decorator]
+    @intrinsic
     def bits(typing_context: Any, x: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
             return builder.bitcast(arguments[0], context.get_value_type(types.int64))
@@ -115,7 +115,7 @@ def _number() -> Any:
     from numba import types
     from numba.extending import intrinsic
 
-    @intrinsic  # type: ignore[untyped-decorator]
+    @intrinsic
     def number(typing_context: Any, i: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
             return builder.bitcast(arguments[0], context.get_value_type(types.float64))
@@ -177,8 +177,8 @@ def _signatures() -> dict[str, Any]:
 _SETTLED, _OPEN, _UNSETTLED = 0, 1, 2
 
 
-def _first_roots(
-    cos0, sin0, mu0, kappa, alpha, sigma, beta, tolerance, u,  # type: ignore[no-untyped-def]
+def _first_roots(  # type: ignore[no-untyped-def]
+    cos0, sin0, mu0, kappa, alpha, sigma, beta, tolerance, u,
     out_t, out_L, out_x, out_y, out_error, out_stability, out_count, state,
 ) -> None:  # fmt: skip
     """The positive root of the first factor of every point, in contact, without a branch, so that the loop is vectorized.
@@ -203,8 +203,8 @@ def _first_roots(
         out_count[i] = 1
 
 
-def _all_roots(
-    cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar, tolerance, u,  # type: ignore[no-untyped-def]
+def _all_roots(  # type: ignore[no-untyped-def]
+    cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar, tolerance, u,
     out_t, out_L, out_x, out_y, out_error, out_stability, out_count, state,
 ) -> None:  # fmt: skip
     """Every root of the points that are open; the logic of :func:`spragsym.solver.solve`, point by point."""

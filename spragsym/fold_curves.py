@@ -1,9 +1,9 @@
 """Every fold curve in the plane of θ₀ and μ₀, by solving for all folds at each θ and joining what belongs together.
 
-At a given direction θ of the spring the two fold relations are lines in μ₀. Eliminating it leaves a conic in (cos θ₀, sin θ₀), hence
-a quartic in v = tan(θ₀/2): all folds in 0 < θ₀ < π are its positive roots. As θ moves they never cross, since two meet only where
-they vanish together, so that the k-th root of one θ belongs to the k-th of the next. Where their number changes the place is found by
-bisection and the two that end there are joined. No starting point, no step size.
+At a given direction θ of the spring the two fold relations are lines in μ₀. Eliminating it leaves a conic in (cos θ₀, sin θ₀),
+hence a quartic in v = tan(θ₀/2): all folds in 0 < θ₀ < π are its positive roots. As θ moves they never cross, since two meet
+only where they vanish together, so that the k-th root of one θ belongs to the k-th of the next. Where their number changes the
+place is found by bisection and the two that end there are joined. No starting point, no step size.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ class Strand:
 
 
 def _conic(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, ...]:
-    return _catastrophe.fold_conic(np.cos(theta), np.sin(theta), *fixed)  # type: ignore[no-any-return]
+    return _catastrophe.fold_conic(np.cos(theta), np.sin(theta), *fixed)
 
 
 def quartics(theta: FloatArray, fixed: Fixed) -> FloatArray:
@@ -64,7 +64,7 @@ def indicator(theta: FloatArray, fixed: Fixed) -> FloatArray:
     """A number that changes sign where two roots meet."""
     if fixed[1] == 0:
         e0, e1, e2, _ = _conic(theta, fixed)
-        return (4 * e0 * e2 - e1 * e1) / (4 * np.abs(e0 * e2) + e1 * e1)  # type: ignore[no-any-return]
+        return (4 * e0 * e2 - e1 * e1) / (4 * np.abs(e0 * e2) + e1 * e1)
     return discriminant(quartics(theta, fixed))[0]
 
 
@@ -261,7 +261,8 @@ def _through_an_end(
     first = bool(at_zero[0] * at_zero[1] < 0)
 
     def value(theta: float) -> float:
-        return float(_ends(np.array([theta]), fixed)[0 if first else 1][0])
+        at_start, at_end, _ = _ends(np.array([theta]), fixed)
+        return float((at_start if first else at_end)[0])
 
     theta = float(brentq(value, low, high, xtol=1e-15, rtol=1e-15)) if value(low) * value(high) < 0 else 0.5 * (low + high)
     point = np.array([[theta], [0.0 if first else other]])

@@ -5,9 +5,9 @@ the unit roundoff of the type. The algebra of the model is :mod:`spragsym.genera
 how far the result can be trusted.
 
 The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² + p2 t + q2) with real factors,
-q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one. The
-split comes from the root of the resolvent cubic that lies farthest from the mean of the three. At a fold that root stays simple,
-so that the two roots about to meet sit together in the second factor, which is then as accurate as the problem allows.
+q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one.
+The split comes from the root of the resolvent cubic that lies farthest from the mean of the three. At a fold that root stays
+simple, so that the two roots about to meet sit together in the second factor, which is then as accurate as the problem allows.
 """
 
 from __future__ import annotations

@@ -1,12 +1,13 @@
 """One point with as many digits as it takes: interval arithmetic proves the count and the digits of every equilibrium.
 
-Parameters are exact rationals. The sign of the discriminant gives the number of real roots of the quartic in t = tan(θ/2); each is
-then enclosed between two numbers where f has opposite signs. What an interval can't decide is tried again with twice the
+Parameters are exact rationals. The sign of the discriminant gives the number of real roots of the quartic in t = tan(θ/2); each
+is then enclosed between two numbers where f has opposite signs. What an interval can't decide is tried again with twice the
 bits, up to :data:`MAXIMUM_BITS`; a discriminant that still holds 0 then is reported as a fold.
 """
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -48,7 +49,7 @@ class _TooCoarse(Exception):
 
 
 def equilibria(
-    theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, contact: bool = True, digits: int = 17,
+    theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, *, contact: bool = True, digits: int = 17,
     arith: Arithmetic | None = None,
 ) -> Settled:  # fmt: skip
     """All equilibria of one point, to ``digits`` digits.
@@ -158,7 +159,7 @@ def _enclosed_roots(arith: Arithmetic, trig: tuple[Interval, ...], number: int, 
     """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots, so one root in each."""
     approximate = sorted(_approximate_roots(arith, trig), key=lambda root: abs(mpmath.im(root)) / abs(root))[:number]
     intervals = sorted((_enclose(arith, trig, mpmath.re(root), bits) for root in approximate), key=lambda ends: ends[0])
-    if any(left[1] >= right[0] for left, right in zip(intervals, intervals[1:], strict=False)):
+    if any(left[1] >= right[0] for left, right in itertools.pairwise(intervals)):
         raise _TooCoarse("two roots share an interval")
     return [arith.between(*ends) for ends in intervals]
 
@@ -186,12 +187,13 @@ def _horner(coefficients: tuple[Interval, ...], t: Interval) -> Interval:
 def _fold_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[Interval]:
     """Roots at a fold: the two that can't be told apart share one interval, twice."""
     roots = sorted(_approximate_roots(arith, trig), key=lambda root: mpmath.re(root))
-    gaps = [abs(right - left) for left, right in zip(roots, roots[1:], strict=False)]
+    gaps = [abs(right - left) for left, right in itertools.pairwise(roots)]
     first = gaps.index(min(gaps))
     one, other = roots[first], roots[first + 1]
     middle, width = mpmath.re(one + other) / 2, abs(one - other) + abs(one) * mpmath.sqrt(mpmath.ldexp(1, -mpmath.mp.prec))
     double = arith.between(middle - width, middle + width)
-    simple = [arith.between(*_enclose(arith, trig, mpmath.re(root), mpmath.mp.prec - 10)) for root in roots[:first] + roots[first + 2 :]]
+    others = roots[:first] + roots[first + 2 :]
+    simple = [arith.between(*_enclose(arith, trig, mpmath.re(root), mpmath.mp.prec - 10)) for root in others]
     return [double, double, *simple]
 
 
@@ -216,10 +218,10 @@ def _state(
     error = max((high - low) / 2 / max(1, abs(middle)) for (low, high), middle in zip(ends, middles, strict=True))
     if error > mpmath.mpf(10) ** -digits and not fold:
         raise _TooCoarse(f"an error of {mpmath.nstr(error, 2)}")
-    theta, *position = middles
     code = _stability(arith, c, s, L, trig, values, fold)
     # Adding the rounding of the middle, and of a float made of it.
-    return [State(theta, *position, code, error + mpmath.ldexp(1, -min(mpmath.mp.prec - 4, 53 if digits <= 17 else mpmath.mp.prec)))]
+    rounding = mpmath.ldexp(1, -min(mpmath.mp.prec - 4, 53 if digits <= 17 else mpmath.mp.prec))
+    return [State(middles[0], middles[1], middles[2], middles[3], code, error + rounding)]
 
 
 def _stability(

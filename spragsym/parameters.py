@@ -77,7 +77,7 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
     if isinstance(value, np.ma.MaskedArray):
         if np.ma.is_masked(value):
             raise ParameterTypeError(
-                f"{name} has {np.ma.count_masked(value)} masked values, and a masked value has no equilibria; "
+                f"{name} has {int(np.ma.getmaskarray(value).sum())} masked values, and a masked value has no equilibria; "
                 f"use {name}.compressed(), or {name}.filled(...) with a number"
             )
         value = value.data
@@ -86,7 +86,9 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
     except ValueError as error:
         raise ParameterTypeError(f"{name} is not an array of numbers ({error}); give one number or a regular array") from error
     if array.dtype.kind not in "iuf":
-        raise ParameterTypeError(f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, not {_kind(array)}")
+        raise ParameterTypeError(
+            f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, not {_kind(array)}"
+        )
     array = array.astype(np.float64)
     finite = np.isfinite(array)
     inside = finite & (array > allowed.low if allowed.open_low else array >= allowed.low) & (array < allowed.high)
@@ -193,7 +195,9 @@ class Parameters:
             return np.broadcast_shapes(*given.values())
         except ValueError as error:
             listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
-            raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+            raise ParameterError(
+                f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
+            ) from error
 
     def replace(self, **changes: ArrayLike | None) -> Parameters:
         """A copy with other values."""
@@ -327,7 +331,7 @@ class PhysicalParameters:
 
     def _groups(self) -> tuple[float, ...]:
         absent = 0.0  # V and d enter their own groups only
-        return _scales.dimensionless_groups(  # type: ignore[no-any-return]
+        return _scales.dimensionless_groups(
             self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y,
             absent if self.V is None else self.V, absent if self.d is None else self.d,
         )  # fmt: skip

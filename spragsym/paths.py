@@ -73,9 +73,9 @@ def quasi_static_path(
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
         Which equilibrium the system goes to after a jump: ``(eq, x_before) -> slot``. By default the nearest stable one in the
-        direction of sliding, x growing, or if there is none the nearest. Of one or three equilibria two vanish at a fold, so one is
-        left there and the choice is none, unless it is replaced by an integration of the motion that finds a limit cycle:
-        see :func:`spragsym.simulate`.
+        direction of sliding, x growing, or if there is none the nearest. Of one or three equilibria two vanish at a fold, so
+        one is left there and the choice is none, unless it is replaced by an integration of the motion that finds a limit
+        cycle: see :func:`spragsym.simulate`.
 
     Returns
     -------
@@ -122,10 +122,12 @@ def quasi_static_path(
             jumps.append(jump)
     ranks[done:] = rank
     if (ranks >= eq.count).any():
-        raise ConvergenceError(f"a fold lies closer to one of the values than they can be told apart; shift values a little ({vary})")
+        raise ConvergenceError(
+            f"a fold lies closer to one of the values than they can be told apart; shift values a little ({vary})"
+        )
     rows = np.arange(along.size)
-    states = (getattr(eq, name)[rows, ranks] for name in ("theta", "L", "x", "y", "stability"))
-    return Path(vary, along, *states, jumps=tuple(jumps))
+    states = {name: getattr(eq, name)[rows, ranks] for name in ("theta", "L", "x", "y", "stability")}
+    return Path(vary, along, **states, jumps=tuple(jumps))
 
 
 def _between(found: Folds, along: FloatArray, forward: float) -> list[dict[str, float]]:
@@ -181,7 +183,7 @@ def _pass_fold(
     same = int(np.nanargmin(np.abs(at_fold.theta - left.theta[slot])))
     jump = Jump(
         turn["value"], turn["theta0"], turn["mu0"], turn["theta"], turn["x"], turn["y"],
-        *(float(getattr(at_fold, name)[same]) for name in ("theta", "x", "y")),
+        float(at_fold.theta[same]), float(at_fold.x[same]), float(at_fold.y[same]),
         Stability(int(left.stability[slot])), turn["error"],
     )  # fmt: skip
     return slot, jump
@@ -214,6 +216,6 @@ def _nearest_in_sliding_direction(eq: Equilibria, x_before: float) -> int:
 def as_rows(path: Path) -> list[dict[str, Any]]:
     """The jumps as plain dictionaries, for tables and JSON."""
     return [
-        {name: getattr(jump, name) if name != "stability_after" else jump.stability_after.name.lower() for name in Jump.__annotations__}
+        {**{name: getattr(jump, name) for name in Jump.__annotations__}, "stability_after": jump.stability_after.name.lower()}
         for jump in path.jumps
     ]

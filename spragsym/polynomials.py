@@ -69,7 +69,8 @@ def _trimmed(polynomial: Polynomial, sign: Sign) -> Polynomial:
         if not isinstance(coefficients[-1], Fraction | int):
             raise Undecided("a leading coefficient holds 0")
         coefficients.pop()
-    return _primitive(tuple(coefficients)) if coefficients and isinstance(coefficients[0], Fraction | int) else tuple(coefficients)
+    exact = bool(coefficients) and isinstance(coefficients[0], Fraction | int)
+    return _primitive(tuple(coefficients)) if exact else tuple(coefficients)
 
 
 def _primitive(polynomial: tuple[Fraction, ...]) -> Polynomial:
@@ -184,12 +185,17 @@ def _interpolation(nodes: tuple[int, ...]) -> tuple[tuple[Fraction, ...], ...]:
     return tuple(rows)
 
 
-def interpolate(function: Callable[[Fraction], Coefficient], degree: int, number: Callable[[Fraction], Coefficient]) -> Polynomial:
+def interpolate(
+    function: Callable[[Fraction], Coefficient], degree: int, number: Callable[[Fraction], Coefficient]
+) -> Polynomial:
     """The polynomial of that degree through the values of ``function`` at integers about 0."""
     nodes = tuple(range(-(degree // 2), degree - degree // 2 + 1))
     basis = _interpolation(nodes)
     values = [function(Fraction(node)) for node in nodes]
     return tuple(
-        sum((value * number(row[power]) for value, row in zip(values[1:], basis[1:], strict=True)), values[0] * number(basis[0][power]))
+        sum(
+            (value * number(row[power]) for value, row in zip(values[1:], basis[1:], strict=True)),
+            values[0] * number(basis[0][power]),
+        )
         for power in range(degree + 1)
     )

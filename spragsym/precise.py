@@ -15,10 +15,11 @@ from typing import Any, TypeAlias
 import mpmath
 
 from . import ladder, proofs
-from .solver import Stability
 from .errors import ParameterError, ParameterTypeError
 from .intervals import Arithmetic, Interval, arithmetic
 from .parameters import RANGES, Range
+from .polynomials import Undecided
+from .solver import Stability
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
@@ -182,7 +183,7 @@ class CuspProof(Sequence[PreciseCusp]):
     cusps: tuple[PreciseCusp, ...]
     polynomial: tuple[Fraction, ...]
     sines: tuple[tuple[Fraction, Fraction], ...]
-    count: int
+    count: int  # type: ignore[assignment]  # not Sequence's count
 
     def __getitem__(self, index: Any) -> Any:
         return self.cusps[index]
@@ -250,8 +251,10 @@ def _cusp(arith: Arithmetic, point: proofs.Point, digits: int) -> PreciseCusp:
         middle = (low + high) / 2
         radius = max(radius, (high - low) / 2)
         if radius > mpmath.mpf(10) ** -digits * max(1, abs(middle)):
-            raise proofs.Undecided(f"an error of {mpmath.nstr(radius, 2)}")
+            raise Undecided(f"an error of {mpmath.nstr(radius, 2)}")
         middles.append(middle)
     # The rounding of the middle to the digits asked for is part of the radius.
     size = max(1, *(abs(middle) for middle in middles))
-    return PreciseCusp(*middles, radius + size * mpmath.mpf(10) ** -(digits + 4), proofs.is_versal(arith, point))
+    theta0, mu0, theta, L, x, y = middles
+    radius += size * mpmath.mpf(10) ** -(digits + 4)
+    return PreciseCusp(theta0, mu0, theta, L, x, y, radius, proofs.is_versal(arith, point))

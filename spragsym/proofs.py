@@ -47,7 +47,8 @@ def with_enough_bits(arith: Arithmetic, digits: int, attempt: Callable[[int], T]
             except (Undecided, ZeroDivisionError) as reason:
                 if bits >= MAXIMUM_BITS:
                     raise ConvergenceError(
-                        f"{what}: {bits} bits do not decide it ({reason}); the parameters are degenerate, change one of them a little"
+                        f"{what}: {bits} bits do not decide it ({reason}); the parameters are degenerate, "
+                        "change one of them a little"
                     ) from None
         bits *= 2
 
@@ -75,7 +76,7 @@ def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:
 
 
 def cusp_sines(
-    kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, bits: int
+    kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, *, bits: int
 ) -> tuple[tuple[Fraction, ...], list[tuple[Fraction, Fraction]], int]:
     """The polynomial of the cusps, an interval around each of its roots in (−1, 1), and their number by Sturm. α ≠ 1 + β."""
     coefficients = (
@@ -100,7 +101,7 @@ def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator
     if alpha == 1 + beta:
         yield from _cusps_without_a(arith, values, bits)
         return
-    sines = [arith.between(_number(low), _number(high)) for low, high in cusp_sines(kappa, alpha, sigma, beta, bits - 32)[1]]
+    sines = [arith.between(_number(low), _number(high)) for low, high in cusp_sines(kappa, alpha, sigma, beta, bits=bits - 32)[1]]
     # With α = 0 the second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = ±π/2.
     sines += [] if alpha else [arith.exact(Fraction(1)), arith.exact(Fraction(-1))]
     for s in sines:
@@ -219,9 +220,9 @@ def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -
         c, s, scale = _on_circle(t)
         if alpha:
             s0, c0 = _catastrophe.fold_angles(c, s, mu0, kappa, alpha, sigma, beta)
-            return Fraction(s0**2 + c0**2 - 1) * scale ** (_DEGREE_IN_THETA0 // 2)
+            return Fraction((s0**2 + c0**2 - 1) * scale ** (_DEGREE_IN_THETA0 // 2))
         e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
-        return Fraction(e0 + mu0 * (e1 + mu0 * e2)) * scale ** (_DEGREE_IN_THETA0 // 2)
+        return Fraction((e0 + mu0 * (e1 + mu0 * e2)) * scale ** (_DEGREE_IN_THETA0 // 2))
 
     polynomial = polynomials.squarefree(polynomials.interpolate(eliminated, _DEGREE_IN_THETA0, Fraction))
     values = tuple(arith.exact(value) for value in (kappa, alpha, sigma, beta))

@@ -238,7 +238,7 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
 
     def at(ts: list[Any], rows: NDArray[np.int64] | None = None) -> list[Root]:
         some, points = (trig, values) if rows is None else ([value[rows] for value in trig], columns.take(rows).values())
-        return [Root(t, *kernel.at_root(t, *some, *points, nbar, u)) for t in ts]
+        return [Root(t, *kernel.at_root(*(t, *some, *points, nbar, u))) for t in ts]
 
     # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
     # if they are positive, since no equilibrium in contact has sin θ < 0.
@@ -302,7 +302,8 @@ def _fill(out: _Slots, rows: Any, roots: list[Root], wanted: Any, contact: bool,
     in contact an odd number of equilibria.
     """
     rounding = 0.0 if u > 1e-17 else 1.2e-16  # what is lost when a wider type is stored as float64
-    settled, count = wanted, 0
+    settled: NDArray[np.bool_] = wanted
+    count: Any = 0
     for root in roots:
         settled = settled & ((root.member & (root.error <= TOLERANCE - rounding) & (root.code > 0)) | root.outsider)
         count = count + root.member

@@ -72,7 +72,8 @@ def test_lift_off_count_is_that_of_direct_search() -> None:
         found: list[tuple[float, float]] = []
         anchor = complex(math.cos(numbers[0]), math.sin(numbers[0]))
         for start in range(24):
-            guess = anchor - (0.4 + 0.9 * (start % 2)) * complex(math.cos(start * 0.26), math.sin(start * 0.26)) * (-1) ** (start // 12)
+            direction = complex(math.cos(start * 0.26), math.sin(start * 0.26)) * (-1) ** (start // 12)
+            guess = anchor - (0.4 + 0.9 * (start % 2)) * direction
             try:
                 theta, L, x, y = reference.refine(guess.real, guess.imag, *numbers, contact=False, digits=30)
             except ZeroDivisionError:
@@ -176,7 +177,8 @@ def test_a_fold_to_the_last_digit_is_reported_not_guessed(monkeypatch: pytest.Mo
     found = ladder.equilibria(_mpf(exact.theta0), _mpf(exact.mu0), "0.007", "0.007", "0.1", 0)
     assert found.fold
     assert len(found.states) == 3
-    assert abs(found.states[0].theta - found.states[1].theta) < 1e-15 or abs(found.states[1].theta - found.states[2].theta) < 1e-15
+    low, middle, high = (state.theta for state in found.states)
+    assert abs(low - middle) < 1e-15 or abs(middle - high) < 1e-15
     assert not ladder.equilibria(fold, "0.5", "0.007", "0.007", "0.1", 0).fold
 
 

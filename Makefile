@@ -23,6 +23,9 @@ WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1
 help:
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the tests"
+	@echo "make lint          ruff, and mypy in strict mode"
+	@echo "make coverage      the tests, and the lines and branches that they reach"
+	@echo "make regenerate    derive again and compare generated/ with what is committed"
 	@echo "make check         what CI runs: lint, types, tests with coverage, generated/ as committed"
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
@@ -67,7 +70,7 @@ lint: $(TEST)
 coverage: $(TEST)
 	$(BIN)/python -m pytest -n $(WORKERS) --cov --cov-branch --cov-report=term
 
-# Stands alone, so that CI can say which of the two went wrong: the derivation or the committed bytes.
+# The derivation, then the committed bytes: what went wrong is the last line.
 regenerate: $(DERIVE)
 	$(BIN)/python -m derive
 	git diff --exit-code -- generated/

@@ -182,4 +182,18 @@ def test_code_cells_of_the_pages_run() -> None:
     pytest.importorskip("matplotlib")
     for name in ("tutorial", "howto_units"):
         code = "\n".join(fenced(DOCS / f"{name}.md", r"\{code-cell\} python"))
+        code = re.sub(r"^[:%].*", "", code, flags=re.MULTILINE)  # tags and magics
         exec(compile(code, f"docs/{name}.md", "exec"), {})
+
+
+def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
+    """As ``make docs`` does, and the tutorial's figures are pictures."""
+    for module in ("sphinx", "myst_nb", "numpydoc", "furo"):
+        pytest.importorskip(module, exc_type=ImportError)
+    done = subprocess.run(
+        [sys.executable, "-m", "sphinx", "-W", "-q", str(DOCS), str(tmp_path / "html")],
+        capture_output=True, text=True, timeout=600,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert len(list((tmp_path / "html/_images").glob("*.png"))) >= 2
+    assert "Sheet size" not in (tmp_path / "html/tutorial.html").read_text(encoding="utf-8")

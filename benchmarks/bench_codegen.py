@@ -84,7 +84,7 @@ def main() -> None:
         points = [_point(subject, rng) for _ in range(200)]
         exact = [_exact(subject, point) for point in points]
         print(f"\n**{subject.name}**, {len(subject.arguments)} arguments, {len(subject.expressions)} results\n")
-        print("| generator | generate, s | µs a call | size | worst error / |value| |")
+        print("| generator | generate, s | µs a call | size | worst relative error |")
         print("|---|---|---|---|---|")
         for build in (_ours, _lambdify, _symforce, _wrenfold, _casadi):
             try:

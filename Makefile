@@ -82,7 +82,7 @@ package: $(TEST)
 	$(BIN)/python -m build --no-isolation --outdir dist .
 
 bench: $(TEST)
-	$(BIN)/python -m benchmarks
+	$(BIN)/python -m benchmarks --write docs/performance.md
 
 figures: $(TEST)
 	$(BIN)/spragsym figures --out figures

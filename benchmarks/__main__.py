@@ -43,10 +43,15 @@ def main() -> int:
         run = subprocess.run([sys.executable, "-m", f"benchmarks.{module}"], stdout=subprocess.PIPE, text=True, check=False)
         print(run.stdout, flush=True)
         failed += run.returncode != 0
-        parts.append(f"## {title}\n\n`python -m benchmarks.{module}`\n\n{run.stdout.strip()}\n")
+        parts.append(f"## {title}\n\n`python -m benchmarks.{module}`\n\n{_demoted(run.stdout)}\n")
     if options.write:
         options.write.write_text("\n".join(parts), encoding="utf-8")
     return int(failed > 0)
+
+
+def _demoted(text: str) -> str:
+    """A benchmark's own headings, one level below that of its section."""
+    return "\n".join(f"#{line}" if line.startswith("## ") else line for line in text.strip().splitlines())
 
 
 def _header() -> str:

@@ -126,6 +126,10 @@ def main() -> None:
     print("| method | ns a point | times faster than eigvals |\n|---|---:|---:|")
     for title, taken in rows:
         print(f"| {title} | {taken / points * 1e9:.0f} | {roots_only / taken:.1f} |")
+    print(
+        "\nThis is one point a call, as a control loop asks: every branch that a point can spare is spared, and no vector "
+        "instruction helps. The compiled Python path solves whole blocks with them (first table)."
+    )
 
 
 if __name__ == "__main__":

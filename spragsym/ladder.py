@@ -120,7 +120,7 @@ def _approximate_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[mp
 
 def _polished(monic: tuple[mpmath.mpf, ...], split: list[mpmath.mpf]) -> list[mpmath.mpf] | None:
     """Newton's method on the two factors; nothing if it does not converge."""
-    if not all(map(mpmath.isfinite, split)):
+    if not all(mpmath.isfinite(value) and value for value in split):
         return None
     for _ in range(6):
         before, split = split, list(kernel.polish(*monic, *split))
@@ -144,7 +144,8 @@ def _split(monic: tuple[mpmath.mpf, ...], trig: list[mpmath.mpf]) -> list[mpmath
     y = 4 / b * ((-z if Q > 0 else z) - r2 / 3)
     A1, _, A3 = monic
     width = mpmath.sqrt(y * y + 4)
-    q1, q2 = (y - width) / 2, (y + width) / 2
+    large = (abs(y) + width) / 2
+    q1, q2 = (-1 / large, large) if y > 0 else (-large, 1 / large)
     return [(A1 - A3 * q1) / width, q1, (A3 * q2 - A1) / width, q2]
 
 

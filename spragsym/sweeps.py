@@ -406,15 +406,14 @@ def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Set
 
 def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
     """The sweep that a file holds, if it is this one."""
+    kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
     try:
         columns, attributes = storage.read(path)
-    except (OSError, ValueError):
-        columns, attributes = {}, {}
-    if attributes.get("fingerprint") != key:
-        raise ParameterError(f"{path} exists and holds something else; remove it, or give another path")
-
-    kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
-    results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
+        if attributes.get("fingerprint") != key:
+            raise ValueError("another sweep")
+        results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
+    except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:  # HDF5 meets damage with any of them
+        raise ParameterError(f"{path} exists and holds something else; remove it, or give another path") from error
     return Sweep(inputs, **vars(settings), **results)
 
 

@@ -373,11 +373,11 @@ def finished(tmp_path_factory: pytest.TempPathFactory) -> Files:
 def test_any_file_that_is_in_the_way_ends_as_documented(
     finished: Files, kind: str, suffix: str, content: bytes | int, splice: bytes
 ) -> None:
-    """What stands where a sweep wants to resume: anything, or the right file cut somewhere, or changed where it is text."""
+    """What stands where a sweep wants to resume: anything, or the right file cut somewhere or changed."""
     if isinstance(content, int):
         whole = finished[kind]
         place = content % len(whole)
-        content = whole[:place] + splice + whole[place + len(splice) :] if splice and kind == "csv" else whole[:place]
+        content = whole[:place] + splice + whole[place + len(splice) :] if splice else whole[:place]
     with TemporaryDirectory() as folder:
         target = Path(folder) / f"a.{kind}"
         target.with_name(target.name + suffix).write_bytes(content)

@@ -27,7 +27,7 @@ def count_contact(theta0: float, mu0: float, kappa: float, alpha: float, sigma: 
     raise ArithmeticError("no precision decides the count")
 
 
-def _quartic(values: list[object], shift: bool) -> tuple[list[object], object]:
+def _quartic(values: list[object]) -> tuple[list[object], object]:
     """Coefficients of the equation for r = cot(θ/2), and s*; from F_x q sin θ = 0 with (1 + r²)² cleared."""
     theta0, mu, kappa, alpha, sigma, beta = values  # type: ignore[misc]
     s0, c0 = theta0.sin_cos()  # type: ignore[attr-defined]
@@ -43,7 +43,7 @@ def _quartic(values: list[object], shift: bool) -> tuple[list[object], object]:
 
 
 def _count(values: list[object]) -> int | None:
-    e, threshold = _quartic(values, shift=False)
+    e, threshold = _quartic(values)
     a, b, c, d, f = e[4], e[3], e[2], e[1], e[0]
     delta0 = c * c - 3 * b * d + 12 * a * f
     delta1 = 2 * c * c * c - 9 * b * c * d + 27 * b * b * f + 27 * a * d * d - 72 * a * c * f

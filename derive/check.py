@@ -244,10 +244,9 @@ def _quartic_forms() -> dict[str, Derived]:
 
 
 def _unit_norm_form() -> Derived:
-    """|D⁻¹ b|² − 1 for any invertible D, by Cramer's rule, so that the printed bᵀ (D Dᵀ)⁻¹ b is checked as an identity."""
+    """(20) and (23) for any invertible D and any b, so that the printed form is checked as an identity."""
     D, b = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
-    direction = [sp.Matrix.hstack(b, D[:, 1]).det() / D.det(), sp.Matrix.hstack(D[:, 0], b).det() / D.det()]
-    return Derived((direction[0] ** 2 + direction[1] ** 2 - 1,), about=(D, b))
+    return Derived((elimination.unit_norm(D, b),), about=(D, b))
 
 
 def _stability_forms() -> dict[str, Derived]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -211,11 +210,3 @@ def _nearest_in_sliding_direction(eq: Equilibria, x_before: float) -> int:
         if allowed.any():
             return int(slots[allowed][np.argmin(np.abs(x[allowed] - x_before))])
     raise ConvergenceError("no equilibrium is left after a jump")
-
-
-def as_rows(path: Path) -> list[dict[str, Any]]:
-    """The jumps as plain dictionaries, for tables and JSON."""
-    return [
-        {**{name: getattr(jump, name) for name in Jump.__annotations__}, "stability_after": jump.stability_after.name.lower()}
-        for jump in path.jumps
-    ]

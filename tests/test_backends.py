@@ -33,6 +33,7 @@ def test_same_counts_and_digits(contact: bool) -> None:
         other = ss.equilibria(p, contact=contact)
         assert (one.count == other.count).all(), name
         assert (one.stability == other.stability).all(), name
+        assert abs(one.escalated.mean() - other.escalated.mean()) < 0.02, name  # the ladder must not hide a mistake
         for part in ("theta", "L", "x", "y"):
             a, b = getattr(one, part), getattr(other, part)
             gap = np.abs(a - b) / np.maximum(1, np.abs(a))

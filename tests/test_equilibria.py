@@ -294,16 +294,16 @@ def test_limits_that_make_sense() -> None:
 
 
 def test_physical_parameters_come_back_to_newtons_and_metres() -> None:
-    brake = ss.PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=2e4, k_c=1e6, F_L=350, L_0=0.05, theta0=1.0, mu0=0.5, V=20, d=0.1)
+    brake = ss.PhysicalParameters(m=0.4, k=1e5, k_x=9e3, k_y=2e4, k_c=1e6, F_L=350, L_0=0.05, theta0=1.0, mu0=0.5, V=20, d=0.1)
     eq = ss.equilibria(brake.dimensionless())
     x, y = eq.x[0] * brake.scales.length, eq.y[0] * brake.scales.length
     # Newton's law with dimensions, (1) and (2), written out.
     dx, dy = 0.05 * math.cos(1.0) - x, 0.05 * math.sin(1.0) - y
     L = math.hypot(dx, dy)
     N = -1e6 * y
-    assert abs(0.5 * N - 1e5 * (0.05 - L) * dx / L - 7e3 * x) < 1e-9 * 350
+    assert abs(0.5 * N - 1e5 * (0.05 - L) * dx / L - 9e3 * x) < 1e-9 * 350
     assert abs(N - 350 - 1e5 * (0.05 - L) * dy / L - 2e4 * y) < 1e-9 * 350
-    other = ss.PhysicalParameters(m=0.4e3, k=1e2, k_x=7, k_y=20, k_c=1e3, F_L=350, L_0=50, theta0=1.0, mu0=0.5)  # N/mm, mm
+    other = ss.PhysicalParameters(m=0.4e3, k=1e2, k_x=9, k_y=20, k_c=1e3, F_L=350, L_0=50, theta0=1.0, mu0=0.5)  # N/mm, mm
     np.testing.assert_allclose(ss.equilibria(other.dimensionless()).x, eq.x, rtol=1e-13)
     belt = brake.belt()
     assert math.isclose(belt["V"] * brake.scales.length / brake.scales.time, 20, rel_tol=1e-14)

@@ -52,7 +52,7 @@ class Module:
 _ANGLE0 = (nm.c0, nm.s0)
 _ANGLE = (nm.c, nm.s)
 _STIFFNESS = (nm.alpha, nm.sigma, nm.beta)
-_PARAMETERS = (nm.mu0, nm.kappa, *_STIFFNESS)
+_PARAMETERS = nm.PARAMETERS
 _F = (nm.fa, nm.fb, nm.fd, nm.fm)
 
 
@@ -452,7 +452,7 @@ def _cusp_angles() -> tuple[sp.Expr, sp.Expr]:
 
 def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     """(α q)² N² S² + (B − α)² (1 − s²) G² − (B p α q)² S⁴ with S = 3 s² − 2, N = a s³ − κ p S, and G of cos θ₀; degree 9."""
-    n0, n2, n3, g0, g1, g4, r, N, G, width, k = sp.symbols("n0 n2 n3 g0 g1 g4 r N G width k")
+    g0, g1, g4, r, width, k = sp.symbols("g0 g1 g4 r width k")
     s = nm.s
     names = {
         **_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa),

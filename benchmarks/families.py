@@ -37,7 +37,9 @@ def near_folds(rng: np.random.Generator, n: int) -> Parameters:
     theta0, mu0, fixed = _folds(rng, n)
     off = rng.choice([-1.0, 1.0], n) * _log(rng, n, -15, -3)
     in_angle = rng.random(n) < 0.5
-    return Parameters(theta0 * np.where(in_angle, 1 + off, 1.0), mu0 * np.where(in_angle, 1.0, 1 + off), *fixed)
+    moved = theta0 * np.where(in_angle, 1 + off, 1.0)
+    moved = np.where(moved < np.pi, moved, theta0)
+    return Parameters(moved, mu0 * np.where(in_angle, 1.0, 1 + off), *fixed)
 
 
 def _folds(rng: np.random.Generator, n: int) -> tuple[Array, Array, tuple[Array, ...]]:

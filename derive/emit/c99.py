@@ -34,10 +34,12 @@ _NAMES = {"cos": "cos_theta", "sin": "sin_theta"}
 _TABLE = (
     "spragsym_prepare",
     "spragsym_equilibria",
+    "spragsym_equilibria_batch",
     "spragsym_step",
-    "guesses",
-    "locate",
-    "accept",
+    "scaled_line",
+    "split",
+    "guess",
+    "examine",
     "runge_kutta",
 )
 _LARGEST_EXACT = 2**53
@@ -118,6 +120,7 @@ def render(modules: Iterable[Module], header: str) -> dict[str, str]:
     )
     counted = cost.costs(template.HEADER + source, {item.name: item.operations for item in statics})
     described = {name: cost.describe(value) for name, value in counted.items()}
+    described["block"] = str(cost.constants(source)["BLOCK"])
     described["table"] = "\n".join(f" * - {name}: {described[name]}" for name in _TABLE)
     return {
         "c/spragsym.h": _fill(
@@ -135,8 +138,9 @@ def _fill(text: str, header: str, described: Mapping[str, str], prototypes: str 
         "header": textwrap.fill(header, 118, subsequent_indent=" * "),
         "table": described["table"],
         "prototypes": prototypes,
+        "block": described["block"],
     }
-    return re.sub(r"@(header|table|prototypes)@", lambda match: values[match[1]], text)
+    return re.sub(r"@(header|table|prototypes|block)@", lambda match: values[match[1]], text)
 
 
 # ------------------------------------------------------------------------------------------------------- text
@@ -175,7 +179,7 @@ def _static(name: str, function: Function) -> _Emitted:
     }
     lines = [
         f"/* {function.summary} Source: {function.equations}. Operations: {body.operations}. */",
-        _signature(f"static inline void {name}", function) + " {",
+        _signature(f"INLINE void {name}", function) + " {",
         *(f"    (void){_name(symbol)};" for symbol in function.arguments if symbol not in used),
         *(_statement(f"const double {_name(symbol)}", expression) for symbol, expression in body.assignments),
         *(_statement(target, expression) for target, expression in zip(targets, results, strict=True)),

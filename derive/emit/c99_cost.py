@@ -6,10 +6,12 @@ import re
 from collections import Counter
 
 #: Calls that are listed by name; ``fabs`` and ``isfinite`` count as one operation each.
-LIBM = ("sqrt", "cbrt", "exp", "sin", "cos", "acos", "atan")
+LIBM = ("sqrt", "exp", "sin", "cos", "atan")
 
 _OPERATOR = re.compile(r"(?<= )(?:[-+*/<>]|[<>]=|[-+*/]=)(?= )")
 _LOOP = re.compile(r"for \(int \w+ = \w+; \w+ < (\w+); \w+\+\+\) \{")
+#: The loop over blocks of points: costs are stated for one block.
+_BLOCKS = re.compile(r"for \(size_t \w+ = 0; \w+ < points; \w+ \+= BLOCK\)")
 _CALL = re.compile(r"\b([a-z]\w*)\(")
 _FUNCTION = re.compile(r"^(?!typedef)[\w *]*?\b(\w+)\([^;{]*\) \{", re.MULTILINE)
 
@@ -19,10 +21,8 @@ _LONGEST_ARRAY = 4
 
 def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
     """Cost of each function of ``source``; of ``emitted`` ones the operations are given."""
-    source = re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL)
-    constants = {
-        name: int(value) for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)
-    }
+    named = constants(source)
+    source = _BLOCKS.sub("", re.sub(r"/\*.*?\*/", "", source, flags=re.DOTALL))
     known: dict[str, Counter[str]] = {name: Counter({name: 1}) for name in LIBM}
     known |= {name: Counter({"operations": 1}) for name in ("fabs", "isfinite")}
     for match in _FUNCTION.finditer(source):
@@ -32,8 +32,13 @@ def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
                 body, {key: known[key] for key in LIBM}
             )
         else:
-            known[name] = _block(body, known, constants)
+            known[name] = _block(body, known, named)
     return known
+
+
+def constants(source: str) -> dict[str, int]:
+    """Whole numbers that ``source`` defines by name."""
+    return {name: int(value) for name, value in re.findall(r"#define (\w+) (\d+)$", source, re.MULTILINE)}
 
 
 def describe(cost: Counter[str]) -> str:

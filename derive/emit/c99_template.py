@@ -18,6 +18,8 @@ HEADER = r"""/**
 #ifndef SPRAGSYM_H
 #define SPRAGSYM_H
 
+#include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -96,6 +98,24 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
                                     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count);
 
 /**
+ * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
+ *
+ * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result. Works in blocks
+ * of @block@ points, with 36 kB on the stack.
+ *
+ * @param points      how many; 0 is allowed
+ * @param given       their parameters, checked here
+ * @param equilibria  of each point the first counts[i] are written, the others cleared
+ * @param counts      of each point; 0 where its status is SPRAGSYM_BAD_INPUT or SPRAGSYM_OUT_OF_RANGE
+ * @param statuses    of each point, as spragsym_prepare and spragsym_equilibria would return
+ * @return the largest of the statuses; SPRAGSYM_BAD_INPUT with nothing written for a null pointer or no such regime.
+ * Worst case, for each block or part of one: @cost:spragsym_equilibria_batch@.
+ */
+spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
+                                          spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+                                          spragsym_status statuses[]);
+
+/**
  * One step of fixed length of the motion (8)-(11) by the classical Runge-Kutta method, of fourth order across the kinks.
  *
  * The vector field is kinked where y = 0 and where x' = V. A step that ends on the other side of a kink is cut there, at
@@ -134,16 +154,29 @@ SOURCE_HEAD = r"""/**
 
 #include <float.h>
 #include <math.h>
+#include <stdint.h>
 
 #ifdef __FAST_MATH__
 #error "spragsym: -ffast-math breaks the error bounds and the checks for finite numbers"
 #endif
+/* One rounding an operation, so that results do not depend on where a compiler would fuse two; gcc asks for -std=c99 instead. */
+#if defined(__clang__) || !defined(__GNUC__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+/* What a loop calls must be part of it before it can be turned into vector instructions. */
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
 
-static inline double square(double value) { return value * value; }
+INLINE double square(double value) { return value * value; }
 
-static inline double sign(double value) { return (value > 0.0) ? 1.0 : ((value < 0.0) ? -1.0 : 0.0); }
+INLINE double sign(double value) { return (value > 0.0) ? 1.0 : ((value < 0.0) ? -1.0 : 0.0); }
 
-static inline double larger(double one, double other) { return (one > other) ? one : other; }
+INLINE double larger(double one, double other) { return (one > other) ? one : other; }
+
+INLINE double smaller(double one, double other) { return (one < other) ? one : other; }
 
 /* ------------------------------------------------------------------------------------ generated algebra */
 """
@@ -157,13 +190,17 @@ ALGORITHM = r"""
 #define SMALLEST_RATIO 1e-60
 #define SMALLEST_SCALE 1e-200
 #define LARGEST_SCALE 1e200
+#define CUBE_ROOT_STEPS 3
 #define CHORD_STEPS 2
-#define CUBIC_STEPS 2
+#define CUBIC_STEPS 1
 #define FACTOR_STEPS 1
-#define ROOT_STEPS 2
 #define MAX_ROOTS 4
 #define PIECES 3
 #define SECANTS 2
+/* Points and roots that are worked on side by side, and groups of roots that a block of points can have. */
+#define BLOCK 64
+#define LANES 16
+#define GROUPS 16
 
 /* (t^2 + p1 t + q1) (t^2 + p2 t + q2) with q1 < 0 < q2. */
 typedef struct {
@@ -173,21 +210,50 @@ typedef struct {
     double q2;
 } factors;
 
-/* f of the derivation, scaled, with bounds on the errors of its coefficients and on |f''|. */
+/* f of the derivation, scaled, with bounds on the errors of its coefficients and on |f''|; carried: double can. */
 typedef struct {
     double value[4];
     double error[4];
     double curvature;
+    int carried;
 } line;
 
-/* A root of f: its direction, f' there, and the bound on the error of the angle. */
+/* The quartic in t = tan(theta/2) has certainly two, or certainly four real roots; or rounding decides. */
+typedef struct {
+    factors F;
+    int two;
+    int four;
+} quartic;
+
+/* Real roots of the quartic that can be equilibria of a regime, ascending; certain: these are all. */
+typedef struct {
+    double t[MAX_ROOTS];
+    int count;
+    int certain;
+} guesses;
+
+/* f at one point. */
+typedef struct {
+    double cosine;
+    double sine;
+    double value;
+    double value_error;
+    double slope;
+    double slope_error;
+} place;
+
+/* What is at a guess. reach: there is a root of f, and one only, within it in t. */
 typedef struct {
     double t;
-    double cos_theta;
-    double sin_theta;
-    double slope;
-    double radius;
-} root;
+    double reach;
+    double L;
+    double x;
+    double y;
+    double error;
+    int stability;
+    int taken;   /* an equilibrium of the regime, by the numbers */
+    int certain; /* that it is, with its kind and digits, or that it is none */
+} candidate;
 
 static int finite_all(int length, const double *values) {
     for (int i = 0; i < length; i++) {
@@ -233,312 +299,506 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
     return SPRAGSYM_OK;
 }
 
-/* Coefficients of f over the largest of them, with error bounds; 0 if double can't carry them. */
-static int scaled_line(const spragsym_model *model, double nbar, line *f) {
+/* From here to `examine` there is no branch and no loop that stays one, so that many points can be worked on side by side:
+ * both sides of a choice are computed, and conditions are joined by & and |. */
+
+INLINE double relative(double error, double value) { return error / larger(1.0, fabs(value)); }
+
+/* Coefficients of f over the largest of them, with error bounds. */
+INLINE line scaled_line(const spragsym_model *model, double nbar) {
+    double value[4];
+    double error[4];
+    line f;
     algebra_f_coefficients(model->cos0, model->sin0, model->mu0, model->kappa, model->alpha, model->sigma, model->beta, nbar,
-                           f->value);
+                           value);
     bound_f_coefficients(model->cos0, model->sin0, model->mu0, model->kappa, model->alpha, model->sigma, model->beta, nbar,
-                         f->error);
-    const double scale = larger(larger(fabs(f->value[0]), fabs(f->value[1])), larger(fabs(f->value[2]), fabs(f->value[3])));
-    if (!(scale > SMALLEST_SCALE && scale < LARGEST_SCALE && finite_all(4, f->value) && finite_all(4, f->error))) {
-        return 0;
-    }
+                         error);
+    const double scale = larger(larger(fabs(value[0]), fabs(value[1])), larger(fabs(value[2]), fabs(value[3])));
+    const double sum = value[0] + value[1] + value[2] + value[3] + error[0] + error[1] + error[2] + error[3];
     const double inverse = 1.0 / scale;
     for (int i = 0; i < 4; i++) {
-        f->value[i] *= inverse;
-        f->error[i] = f->error[i] * inverse + 2.0 * DBL_EPSILON * fabs(f->value[i]);
+        f.value[i] = value[i] * inverse;
+        f.error[i] = error[i] * inverse + 2.0 * DBL_EPSILON * fabs(f.value[i]);
     }
-    curvature_f(f->value[0], f->value[1], f->value[2], f->value[3], &f->curvature);
-    f->curvature *= 1.0001;
-    return f->value[1] <= 0.0 - SMALLEST_RATIO;
+    curvature_f(f.value[0], f.value[1], f.value[2], f.value[3], &f.curvature);
+    f.curvature *= 1.0001;
+    f.carried = (scale > SMALLEST_SCALE) & (scale < LARGEST_SCALE) & (fabs(sum) < HUGE_VAL) &
+                (f.value[1] <= 0.0 - SMALLEST_RATIO);
+    return f;
 }
 
-/* 4 or 2: the number of real roots by the sign of the discriminant; 0 if rounding could change it. The cubic's
- * discriminant -4 P^3 - 27 Q^2 is the quartic's, and the quartic's roots multiply to -1: four or two are real. */
-static int certain_count(const double depressed[2], const double error[2]) {
-    const double P = fabs(depressed[0]);
-    const double Q = fabs(depressed[1]);
-    const double cube = 4.0 * P * P * P;
-    const double squared = 27.0 * Q * Q;
-    const double discriminant = (depressed[0] < 0.0) ? cube - squared : 0.0 - cube - squared;
-    const double from_P = (12.0 * P * P + (12.0 * P + 4.0 * error[0]) * error[0]) * error[0];
-    const double from_Q = (54.0 * Q + 27.0 * error[1]) * error[1];
-    const double bound = from_P + from_Q + 8.0 * DBL_EPSILON * (cube + squared) + DBL_MIN;
-    if (discriminant > bound) {
-        return 4;
+/* Cube root of x > 0: a third of the exponent by the bits, which is good to a few percent, then Halley's method. */
+INLINE double cube_root(double x) {
+    union {
+        double number;
+        uint64_t bits;
+    } start;
+    start.number = x;
+    uint64_t third = start.bits >> 2;
+    third += third >> 2;
+    third += third >> 4;
+    third += third >> 8;
+    third += third >> 16;
+    start.bits = third + UINT64_C(3071306043645493248);
+    double root = start.number;
+    for (int i = 0; i < CUBE_ROOT_STEPS; i++) {
+        const double cube = root * root * root;
+        root *= (cube + 2.0 * x) / (2.0 * cube + x);
     }
-    return (discriminant < 0.0 - bound) ? 2 : 0;
+    return root;
 }
 
 /* The root of z^3 + P z + Q of largest magnitude: the one that no other root is close to. */
-static double outermost(double P, double Q) {
+INLINE double outermost(double P, double Q) {
     const double third = P / 3.0;
     const double half = 0.5 * fabs(Q);
     const double inside = half * half + third * third * third;
-    double z;
-    if (inside >= 0.0) {
-        const double radical = cbrt(half + sqrt(inside));
-        z = (radical > 0.0) ? radical - third / radical : 0.0;
-    } else {
-        const double radius = sqrt(fabs(third));
-        const double cosine = half / (radius * radius * radius);
-        /* 2 cos(acos(cosine)/3) is the root of v^3 - 3 v = 2 cosine next to this chord. */
-        double v = 1.7320508075688772 + 0.26794919243112270 * ((cosine < 1.0) ? cosine : 1.0);
-        for (int i = 0; i < CHORD_STEPS; i++) {
-            v -= (v * v * v - 3.0 * v - 2.0 * cosine) / (3.0 * v * v - 3.0);
-        }
-        z = radius * v;
+    /* One real root: Cardano. */
+    const double radical = cube_root(half + sqrt(larger(inside, 0.0)) + DBL_MIN);
+    const double alone = radical - third / radical;
+    /* Three: 2 cos(acos(cosine)/3) is the root of v^3 - 3 v = 2 cosine next to this chord. */
+    const double radius = sqrt(larger(0.0 - third, DBL_MIN));
+    const double cosine = smaller(half / (radius * radius * radius), 1.0);
+    double v = 1.7320508075688772 + 0.26794919243112270 * cosine;
+    for (int i = 0; i < CHORD_STEPS; i++) {
+        v -= (v * v * v - 3.0 * v - 2.0 * cosine) / (3.0 * v * v - 3.0);
     }
+    const double z = (inside >= 0.0) ? alone : radius * v;
     return (Q > 0.0) ? 0.0 - z : z;
 }
 
 /* That root of the resolvent itself, to full relative accuracy, which the shift of the depressed cubic may have cost. */
-static double isolated_root(const double cubic[3], const double depressed[2]) {
+INLINE double isolated_root(const double cubic[3], const double depressed[2]) {
     double isolated = outermost(depressed[0], depressed[1]) - cubic[2] / 3.0;
     for (int i = 0; i < CUBIC_STEPS; i++) {
         const double value = ((isolated + cubic[2]) * isolated + cubic[1]) * isolated + cubic[0];
         const double slope = (3.0 * isolated + 2.0 * cubic[2]) * isolated + cubic[1];
-        if (fabs(slope) > 0.0) {
-            isolated -= value / slope;
-        }
+        const double step = value / slope;
+        isolated -= (fabs(step) < HUGE_VAL) ? step : 0.0;
     }
     return isolated;
 }
 
 /* One Newton step on both factors at once: what F1 F2 lacks of t^4 + A3 t^3 + A2 t^2 + A1 t - 1, divided by F2 modulo F1.
  * q1 q2 = -1 is kept by setting the smaller from the larger. */
-static void polish(const double A[4], factors *F) {
-    const double p1 = F->p1;
-    const double q1 = F->q1;
-    const double R3 = A[3] - (p1 + F->p2);
-    const double R2 = A[2] - (q1 + F->q2 + p1 * F->p2);
-    const double R1 = A[1] - (p1 * F->q2 + F->p2 * q1);
-    const double R0 = 0.0 - 1.0 - q1 * F->q2;
-    const double r = R1 - p1 * R2 + (p1 * p1 - q1) * R3;
-    const double s = R0 - q1 * R2 + p1 * q1 * R3;
-    const double u = F->p2 - p1;
-    const double v = F->q2 - q1;
-    const double resultant = v * v - p1 * u * v + q1 * u * u;
-    if (!(fabs(resultant) > 0.0)) {
-        return;
-    }
-    const double inverse = 1.0 / resultant;
+INLINE factors polish(double A1, double A2, double A3, factors F) {
+    const double R3 = A3 - (F.p1 + F.p2);
+    const double R2 = A2 - (F.q1 + F.q2 + F.p1 * F.p2);
+    const double R1 = A1 - (F.p1 * F.q2 + F.p2 * F.q1);
+    const double R0 = 0.0 - 1.0 - F.q1 * F.q2;
+    const double r = R1 - F.p1 * R2 + (F.p1 * F.p1 - F.q1) * R3;
+    const double s = R0 - F.q1 * R2 + F.p1 * F.q1 * R3;
+    const double u = F.p2 - F.p1;
+    const double v = F.q2 - F.q1;
+    const double inverse = 1.0 / (v * v - F.p1 * u * v + F.q1 * u * u);
     const double step_p1 = (r * v - s * u) * inverse;
-    const double step_q1 = (r * u * q1 + s * (v - p1 * u)) * inverse;
+    const double step_q1 = (r * u * F.q1 + s * (v - F.p1 * u)) * inverse;
     const double step_p2 = R3 - step_p1;
-    const double step_q2 = R2 - step_q1 - F->p2 * step_p1 - p1 * step_p2;
-    const double next_q1 = q1 + step_q1;
-    const double next_q2 = F->q2 + step_q2;
-    if (!(next_q1 < 0.0 && next_q2 > 0.0 && isfinite(step_p1) && isfinite(next_q1) && isfinite(next_q2))) {
-        return;
-    }
-    F->p1 = p1 + step_p1;
-    F->p2 += step_p2;
-    F->q1 = (fabs(next_q1) >= next_q2) ? next_q1 : 0.0 - 1.0 / next_q2;
-    F->q2 = (fabs(next_q1) >= next_q2) ? 0.0 - 1.0 / next_q1 : next_q2;
+    const double step_q2 = R2 - step_q1 - F.p2 * step_p1 - F.p1 * step_p2;
+    /* Where three roots meet the factors share one, and the step is none. */
+    const int sound = (F.q1 + step_q1 < 0.0) & (F.q2 + step_q2 > 0.0) & (fabs(step_p1 + step_p2 + step_q1 + step_q2) < HUGE_VAL);
+    F.p1 += sound ? step_p1 : 0.0;
+    F.q1 += sound ? step_q1 : 0.0;
+    F.p2 += sound ? step_p2 : 0.0;
+    F.q2 += sound ? step_q2 : 0.0;
+    const int low = 0.0 - F.q1 >= F.q2;
+    const double other = 0.0 - 1.0 / (low ? F.q1 : F.q2);
+    F.q1 = low ? F.q1 : other;
+    F.q2 = low ? other : F.q2;
+    return F;
 }
 
-/* Two quadratic factors of the quartic in t = tan(theta/2) from the isolated root of its resolvent: a close pair of
- * roots ends up together, in the second. */
-static factors factorize(const double e[5], double resolvent_root) {
+/* Two quadratic factors of the quartic in t from the isolated root of its resolvent: a close pair of roots ends up together,
+ * in the second. */
+INLINE factors factorize(const double e[5], double resolvent_root) {
     const double b = e[0];
     const double inverse = 1.0 / e[4];
-    const double A[4] = {0.0 - 1.0, e[1] * inverse, e[2] * inverse, e[3] * inverse};
+    const double A1 = e[1] * inverse;
+    const double A2 = e[2] * inverse;
+    const double A3 = e[3] * inverse;
     const double twice = 2.0 * resolvent_root;
-    const double hypotenuse = sqrt(twice * twice + b * b);
+    const double sum = fabs(twice) + sqrt(twice * twice + b * b);
+    const double quotient = (twice < 0.0) ? b / sum : sum / b;
     factors F;
-    F.q1 = (twice >= 0.0) ? (twice + hypotenuse) / b : b / (hypotenuse - twice);
-    F.q1 = (F.q1 < 0.0) ? F.q1 : 0.0 - DBL_EPSILON;
+    F.q1 = (quotient < 0.0) ? quotient : 0.0 - DBL_EPSILON;
     F.q2 = 0.0 - 1.0 / F.q1;
     const double over_gap = 1.0 / (F.q2 - F.q1);
-    F.p1 = (A[1] - A[3] * F.q1) * over_gap;
-    F.p2 = (A[3] * F.q2 - A[1]) * over_gap;
+    F.p1 = (A1 - A3 * F.q1) * over_gap;
+    F.p2 = (A3 * F.q2 - A1) * over_gap;
     for (int i = 0; i < FACTOR_STEPS; i++) {
-        polish(A, &F);
+        F = polish(A1, A2, A3, F);
     }
     return F;
 }
 
-/* Real roots of t^2 + p t + q without cancellation; their number. */
-static int quadratic_roots(double p, double q, double roots[2]) {
+/* The roots of t^2 + p t + q without cancellation; whether they are real. */
+INLINE int quadratic_roots(double p, double q, double roots[2]) {
     const double half = 0.5 * p;
     const double inside = half * half - q;
-    if (!(inside >= 0.0)) {
-        return 0;
-    }
-    const double outer = (half > 0.0) ? 0.0 - half - sqrt(inside) : sqrt(inside) - half;
-    if (!(fabs(outer) > 0.0)) {
-        return 0;
-    }
+    const double radical = sqrt(larger(inside, 0.0));
+    const double outer = (half > 0.0) ? 0.0 - half - radical : radical - half;
     roots[0] = outer;
     roots[1] = q / outer;
-    return 2;
+    return inside >= 0.0;
 }
 
-static void sort(int length, double *values) {
-    for (int i = 1; i < MAX_ROOTS; i++) {
-        for (int j = 1; j < MAX_ROOTS; j++) {
-            if (j < length && values[j] < values[j - 1]) {
-                const double smaller = values[j];
-                values[j] = values[j - 1];
-                values[j - 1] = smaller;
-            }
-        }
-    }
+/* The quartic of f in its factors. Its roots multiply to -1: four or two of them are real, by the sign of the discriminant,
+ * which is that of its resolvent, -4 P^3 - 27 Q^2. */
+INLINE quartic split(const line *f) {
+    const double *const c = f->value;
+    const double *const off = f->error;
+    double e[5];
+    double cubic[3];
+    double depressed[2];
+    double error[2];
+    quartic it;
+    algebra_t_quartic(c[0], c[1], c[2], c[3], e);
+    algebra_resolvent(c[0], c[1], c[2], c[3], cubic);
+    algebra_depressed(c[0], c[1], c[2], c[3], depressed);
+    bound_depressed(c[0], c[1], c[2], c[3], off[0], off[1], off[2], off[3], error);
+    it.F = factorize(e, isolated_root(cubic, depressed));
+    const double P = fabs(depressed[0]);
+    const double Q = fabs(depressed[1]);
+    const double cube = 4.0 * P * P * P;
+    const double squared = 27.0 * Q * Q;
+    const double discriminant = ((depressed[0] < 0.0) ? cube : 0.0 - cube) - squared;
+    const double from_P = (12.0 * P * P + (12.0 * P + 4.0 * error[0]) * error[0]) * error[0];
+    const double from_Q = (54.0 * Q + 27.0 * error[1]) * error[1];
+    const double bound = from_P + from_Q + 8.0 * DBL_EPSILON * (cube + squared) + DBL_MIN;
+    it.four = discriminant > bound;
+    it.two = discriminant < 0.0 - bound;
+    return it;
 }
 
-static void direction(double t, root *at) {
-    const double squared = t * t;
-    at->t = t;
-    at->cos_theta = (1.0 - t) * (1.0 + t) / (1.0 + squared);
-    at->sin_theta = 2.0 * t / (1.0 + squared);
+/* In contact only positive roots matter: with sin theta < 0 < L, y = sin theta0 - L sin theta would be positive. The first
+ * factor has a root of either sign; those of the second are complex, or both negative if p2 > 0, or both positive. If they are
+ * real or nearly so, |p2| is about 2 sqrt(q2) or more: no rounding error turns its sign. */
+INLINE guesses guess(const quartic *it, double nbar) {
+    const int contact = nbar > 0.0;
+    const int negative = (it->F.p2 > 0.0) & (it->F.p2 * it->F.p2 > it->F.q2);
+    const int spared = it->two | (contact & negative);
+    double first[2];
+    double second[2];
+    guesses all;
+    (void)quadratic_roots(it->F.p1, it->F.q1, first);
+    const int real = quadratic_roots(it->F.p2, it->F.q2, second);
+    const int more = real & !spared;
+    all.count = (contact ? 1 : 2) + (more ? 2 : 0);
+    all.certain = spared | (real & it->four);
+    /* A sorting network; what is left out goes to the end. */
+    const double a = contact ? HUGE_VAL : smaller(first[0], first[1]);
+    const double b = larger(first[0], first[1]);
+    const double c = more ? second[0] : HUGE_VAL;
+    const double d = more ? second[1] : HUGE_VAL;
+    const double inner = larger(smaller(a, b), smaller(c, d));
+    const double outer = smaller(larger(a, b), larger(c, d));
+    all.t[0] = smaller(smaller(a, b), smaller(c, d));
+    all.t[1] = smaller(inner, outer);
+    all.t[2] = larger(inner, outer);
+    all.t[3] = larger(larger(a, b), larger(c, d));
+    return all;
 }
 
-/* A root of f from a guess. Where Kantorovich's theorem holds for f with all its rounding errors there is exactly one root
- * within the radius; where it does not, the radius is HUGE_VAL. */
-static root locate(double t, const line *f) {
+/* f at tan(theta/2) = t with bounds on its errors. */
+INLINE place look(const line *f, double t) {
     const double *const c = f->value;
     const double *const e = f->error;
-    root at;
-    double value;
-    double value_error;
-    double slope_error;
-    direction(t, &at);
-    algebra_f(at.cos_theta, at.sin_theta, c[0], c[1], c[2], c[3], &value);
-    algebra_f_slope(at.cos_theta, at.sin_theta, c[0], c[1], c[2], c[3], &at.slope);
-    bound_f(at.cos_theta, at.sin_theta, c[0], c[1], c[2], c[3], e[0], e[1], e[2], e[3], &value_error);
-    for (int i = 0; i < ROOT_STEPS; i++) {
-        /* A single step is sound for a root that stands alone, and gains nothing below the rounding of f. */
-        if (fabs(value) > value_error && 4.0 * f->curvature * fabs(value) < at.slope * at.slope) {
-            direction(at.t - 0.5 * value / at.slope * (1.0 + at.t * at.t), &at);
-            algebra_f(at.cos_theta, at.sin_theta, c[0], c[1], c[2], c[3], &value);
-            algebra_f_slope(at.cos_theta, at.sin_theta, c[0], c[1], c[2], c[3], &at.slope);
-            bound_f(at.cos_theta, at.sin_theta, c[0], c[1], c[2], c[3], e[0], e[1], e[2], e[3], &value_error);
-        }
-    }
-    bound_f_slope(at.cos_theta, at.sin_theta, c[0], c[1], c[2], c[3], e[0], e[1], e[2], e[3], &slope_error);
-    const double steep = fabs(at.slope) - slope_error;
-    const double off = fabs(value) + value_error;
-    at.radius = HUGE_VAL;
-    if (steep > 0.0) {
-        const double h = f->curvature * off / (steep * steep);
-        if (h <= 0.5) {
-            at.radius = off / steep / (1.0 - h);
-        }
-    }
+    const double over = 1.0 / (1.0 + t * t);
+    place at;
+    at.cosine = (1.0 - t) * (1.0 + t) * over;
+    at.sine = 2.0 * t * over;
+    algebra_f(at.cosine, at.sine, c[0], c[1], c[2], c[3], &at.value);
+    bound_f(at.cosine, at.sine, c[0], c[1], c[2], c[3], e[0], e[1], e[2], e[3], &at.value_error);
+    algebra_f_slope(at.cosine, at.sine, c[0], c[1], c[2], c[3], &at.slope);
+    bound_f_slope(at.cosine, at.sine, c[0], c[1], c[2], c[3], e[0], e[1], e[2], e[3], &at.slope_error);
     return at;
 }
 
-/* Stability from the sign of f', which is that of det K, and of the discriminant and the trace in eq. (27). */
-static spragsym_stability classify(const spragsym_model *model, const root *at, double L, double L_error, double nbar,
-                                   int *certain) {
-    double value[3];
-    double error[3];
-    if (at->slope < 0.0) {
-        *certain = at->radius < HUGE_VAL;
-        return SPRAGSYM_DIVERGENT;
-    }
-    algebra_measures(at->cos_theta, at->sin_theta, L, model->mu0, model->alpha, model->sigma, model->beta, nbar, value);
-    bound_measures(at->cos_theta, at->sin_theta, L, model->mu0, model->alpha, model->sigma, model->beta, nbar, at->radius,
-                   L_error, error);
-    *certain = at->radius < HUGE_VAL && fabs(value[2]) > error[2];
-    if (value[2] < 0.0) {
-        return SPRAGSYM_FLUTTER;
-    }
-    *certain = *certain && fabs(value[0]) > error[0];
-    return (value[0] > 0.0) ? SPRAGSYM_STABLE : SPRAGSYM_DIVERGENT;
+/* A Newton step on f, if it is sound: the root stands alone, and f is above its rounding error. */
+INLINE double improve(const line *f, double t) {
+    const place at = look(f, t);
+    const int sound = (fabs(at.value) > at.value_error) & (4.0 * f->curvature * fabs(at.value) < at.slope * at.slope);
+    const double step = 0.5 * at.value / at.slope * (1.0 + t * t);
+    return t - (sound ? step : 0.0);
 }
 
-static double relative(double error, double value) { return error / larger(1.0, fabs(value)); }
+/* The equilibrium at a root of f near a guess. Where Kantorovich's theorem holds for f with all its rounding errors there is
+ * exactly one root within the radius. */
+INLINE candidate examine(const spragsym_model *model, const line *f, double guessed, double nbar) {
+    const double t = improve(f, guessed);
+    const place here = look(f, t);
+    const double cosine = here.cosine;
+    const double sine = here.sine;
+    double state[3];
+    double state_error[3];
+    double measure[3];
+    double measure_error[3];
+    candidate at;
+    const double steep = fabs(here.slope) - here.slope_error;
+    const double step = (fabs(here.value) + here.value_error) / steep;
+    const double h = f->curvature * step / steep;
+    const double radius = step / (1.0 - h);
+    const int proved = (steep > 0.0) & (h <= 0.5);
 
-/* The equilibrium at a root of f, if it is one of this regime: 1 or 0. */
-static int accept(const spragsym_model *model, const root *at, spragsym_regime regime, spragsym_equilibrium *found,
-                  int *certain) {
-    const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
-    double value[3];
-    double error[3];
-    algebra_state(at->cos_theta, at->sin_theta, model->cos0, model->sin0, model->kappa, model->sigma, model->beta, nbar, value);
-    bound_state(at->cos_theta, at->sin_theta, model->cos0, model->sin0, model->kappa, model->sigma, model->beta, nbar,
-                at->radius, error);
+    algebra_state(cosine, sine, model->cos0, model->sin0, model->kappa, model->sigma, model->beta, nbar, state);
+    bound_state(cosine, sine, model->cos0, model->sin0, model->kappa, model->sigma, model->beta, nbar, radius, state_error);
     /* The bound is of second order in the error of the angle: it holds while that is small beside sin theta. */
-    const int bounded = at->radius < 1e-3 * fabs(at->sin_theta) && finite_all(3, error);
-    const int known = bounded && fabs(value[0]) > error[0];
-    if (!(value[0] > 0.0)) {
-        *certain = known;
-        return 0;
-    }
-    *certain = known && fabs(value[2]) > error[2];
-    if ((value[2] < 0.0) != (regime == SPRAGSYM_CONTACT) || !finite_all(3, value)) {
-        return 0;
-    }
-    int stability_certain;
-    found->theta = 2.0 * atan(at->t);
-    found->L = value[0];
-    found->x = value[1];
-    found->y = value[2];
-    found->stability = classify(model, at, value[0], error[0], nbar, &stability_certain);
-    const double angle_error = at->radius + 2.0 * DBL_EPSILON * fabs(found->theta);
-    found->error = larger(larger(relative(angle_error, found->theta), relative(error[0], value[0])),
-                          larger(relative(error[1], value[1]), relative(error[2], value[2])));
-    found->error = bounded ? found->error : HUGE_VAL;
-    *certain = *certain && stability_certain && found->error <= TOLERANCE;
-    return 1;
+    const int bounded = proved & (radius < 1e-3 * fabs(sine)) & (state_error[0] + state_error[1] + state_error[2] < HUGE_VAL);
+    const int finite = fabs(state[0] + state[1] + state[2]) < HUGE_VAL;
+    const int contact = nbar > 0.0;
+    const double clear = contact ? 0.0 - state[2] : state[2];
+    const int member = (state[0] > state_error[0]) & (clear > state_error[2]);
+    const int outsider = (state[0] < 0.0 - state_error[0]) | (clear < 0.0 - state_error[2]);
+    at.taken = finite & (state[0] > 0.0) & ((clear > 0.0) | (!contact & (clear >= 0.0)));
+
+    /* Eq. (27), with the sign of f', which is that of det K. */
+    algebra_measures(cosine, sine, state[0], model->mu0, model->alpha, model->sigma, model->beta, nbar, measure);
+    bound_measures(cosine, sine, state[0], model->mu0, model->alpha, model->sigma, model->beta, nbar, radius, state_error[0],
+                   measure_error);
+    const int saddle = here.slope < 0.0;
+    const int flutter = !saddle & (measure[2] < 0.0);
+    const int known = saddle | ((fabs(measure[2]) > measure_error[2]) & (flutter | (fabs(measure[0]) > measure_error[0])));
+    at.stability = (saddle | !(measure[0] > 0.0)) ? SPRAGSYM_DIVERGENT : SPRAGSYM_STABLE;
+    at.stability = flutter ? SPRAGSYM_FLUTTER : at.stability;
+
+    at.t = t;
+    /* In t the radius is (1 + t^2)/2 times that of the angle; twice that covers its growth. */
+    at.reach = radius * (1.0 + t * t);
+    at.L = state[0];
+    at.x = state[1];
+    at.y = state[2];
+    const double error = larger(larger(radius + 8.0 * DBL_EPSILON, relative(state_error[0], state[0])),
+                                larger(relative(state_error[1], state[1]), relative(state_error[2], state[2])));
+    at.error = bounded ? error : HUGE_VAL;
+    at.certain = bounded & (outsider | (member & known & (error <= TOLERANCE)));
+    return at;
 }
 
-/* Guesses of all real roots of f in t, ascending; their number. *certain: the sign of the discriminant stands. */
-static int guesses(const line *f, double roots[MAX_ROOTS], int *certain) {
-    const double *const c = f->value;
-    const double *const e = f->error;
-    double quartic[5];
-    double cubic[3];
-    double depressed[2];
-    double depressed_error[2];
-    algebra_t_quartic(c[0], c[1], c[2], c[3], quartic);
-    algebra_resolvent(c[0], c[1], c[2], c[3], cubic);
-    algebra_depressed(c[0], c[1], c[2], c[3], depressed);
-    bound_depressed(c[0], c[1], c[2], c[3], e[0], e[1], e[2], e[3], depressed_error);
-    const factors F = factorize(quartic, isolated_root(cubic, depressed));
-    int count = quadratic_roots(F.p1, F.q1, roots);
-    count += quadratic_roots(F.p2, F.q2, roots + count);
-    sort(count, roots);
-    *certain = count == certain_count(depressed, depressed_error);
-    return count;
+/* The equilibria of a point as they are written, root by root in ascending order; end: of the last root's reach. */
+typedef struct {
+    double end;
+    int count;
+    int certain;
+} tally;
+
+static void add(const candidate *at, tally *sum, spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    sum->certain = sum->certain && at->certain && at->t - at->reach > sum->end;
+    sum->end = at->t + at->reach;
+    if (at->taken) {
+        spragsym_equilibrium *const found = &equilibria[sum->count++];
+        found->theta = 2.0 * atan(at->t);
+        found->L = at->L;
+        found->x = at->x;
+        found->y = at->y;
+        found->error = at->error;
+        found->stability = (spragsym_stability)at->stability;
+    }
+}
+
+static void clear_from(int count, spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    const spragsym_equilibrium none = {0.0, 0.0, 0.0, 0.0, 0.0, SPRAGSYM_NONE};
+    for (int i = count; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
+        equilibria[i] = none;
+    }
 }
 
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
                                     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
-    line f;
-    double t[MAX_ROOTS] = {0.0, 0.0, 0.0, 0.0};
-    double previous_end = 0.0 - HUGE_VAL;
-    int certain;
-    int found = 0;
     if (!model || !equilibria || !count || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
         return SPRAGSYM_BAD_INPUT;
     }
-    if (!scaled_line(model, (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0, &f)) {
+    const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
+    const line f = scaled_line(model, nbar);
+    if (!f.carried) {
         return SPRAGSYM_OUT_OF_RANGE;
     }
-    const int real = guesses(&f, t, &certain);
+    const quartic it = split(&f);
+    const guesses all = guess(&it, nbar);
+    tally sum = {0.0 - HUGE_VAL, 0, all.certain};
     for (int i = 0; i < MAX_ROOTS; i++) {
-        /* Of one negative root nothing more need be known in contact: with sin theta < 0 < L, y = sin theta0 - L sin theta > 0. */
-        const int needed = i < real && (regime == SPRAGSYM_LIFTOFF || t[i] > 0.0 || t[1] < 0.0);
-        if (needed) {
-            const root at = locate(t[i], &f);
-            /* In t the radius is (1 + t^2)/2 times that of the angle; twice that covers its growth. */
-            const double reach = at.radius * (1.0 + at.t * at.t);
-            int sure;
-            certain = certain && at.radius * (1.0 + fabs(at.t)) < 0.5 && at.t - reach > previous_end;
-            previous_end = at.t + reach;
-            found += accept(model, &at, regime, &equilibria[found], &sure);
-            certain = certain && sure;
+        if (i < all.count) {
+            const candidate at = examine(model, &f, all.t[i], nbar);
+            add(&at, &sum, equilibria);
         }
     }
-    const spragsym_equilibrium none = {0.0, 0.0, 0.0, 0.0, 0.0, SPRAGSYM_NONE};
-    for (int i = found; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
-        equilibria[i] = none;
+    clear_from(sum.count, equilibria);
+    *count = sum.count;
+    return sum.certain ? SPRAGSYM_OK : SPRAGSYM_UNCERTAIN;
+}
+
+/* Models in columns. */
+typedef struct {
+    double cos0[BLOCK];
+    double sin0[BLOCK];
+    double mu0[BLOCK];
+    double kappa[BLOCK];
+    double alpha[BLOCK];
+    double sigma[BLOCK];
+    double beta[BLOCK];
+    double t[MAX_ROOTS][BLOCK];
+    int carried[BLOCK];
+    int count[BLOCK];
+    int certain[BLOCK];
+} point_columns;
+
+/* Guesses with their models, and what is there, in columns. */
+typedef struct {
+    double cos0[LANES];
+    double sin0[LANES];
+    double mu0[LANES];
+    double kappa[LANES];
+    double alpha[LANES];
+    double sigma[LANES];
+    double beta[LANES];
+    double t[LANES];
+    double reach[LANES];
+    double L[LANES];
+    double x[LANES];
+    double y[LANES];
+    double error[LANES];
+    int stability[LANES];
+    int taken[LANES];
+    int certain[LANES];
+} root_columns;
+
+static void guess_columns(double nbar, point_columns *p) {
+    for (int i = 0; i < BLOCK; i++) {
+        const spragsym_model model = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i]};
+        const line f = scaled_line(&model, nbar);
+        const quartic it = split(&f);
+        const guesses all = guess(&it, nbar);
+        p->t[0][i] = all.t[0];
+        p->t[1][i] = all.t[1];
+        p->t[2][i] = all.t[2];
+        p->t[3][i] = all.t[3];
+        p->carried[i] = f.carried;
+        p->count[i] = all.count;
+        p->certain[i] = all.certain;
     }
-    *count = found;
-    return certain ? SPRAGSYM_OK : SPRAGSYM_UNCERTAIN;
+}
+
+static void examine_columns(double nbar, root_columns *r) {
+    for (int i = 0; i < LANES; i++) {
+        const spragsym_model model = {r->cos0[i], r->sin0[i], r->mu0[i], r->kappa[i], r->alpha[i], r->sigma[i], r->beta[i]};
+        const line f = scaled_line(&model, nbar);
+        const candidate at = examine(&model, &f, r->t[i], nbar);
+        r->t[i] = at.t;
+        r->reach[i] = at.reach;
+        r->L[i] = at.L;
+        r->x[i] = at.x;
+        r->y[i] = at.y;
+        r->error[i] = at.error;
+        r->stability[i] = at.stability;
+        r->taken[i] = at.taken;
+        r->certain[i] = at.certain;
+    }
+}
+
+/* Checked parameters into columns, and points that are refused out of the way. */
+static void load(int points, const spragsym_parameters given[], spragsym_status statuses[], point_columns *p) {
+    for (int i = 0; i < BLOCK; i++) {
+        spragsym_model model = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        if (i < points) {
+            statuses[i] = spragsym_prepare(&given[i], &model);
+        }
+        p->cos0[i] = model.cos0;
+        p->sin0[i] = model.sin0;
+        p->mu0[i] = model.mu0;
+        p->kappa[i] = model.kappa;
+        p->alpha[i] = model.alpha;
+        p->sigma[i] = model.sigma;
+        p->beta[i] = model.beta;
+    }
+}
+
+/* The guesses of all points one after the other; how many. Points that double can't carry have none. */
+static int line_up(int points, spragsym_status statuses[], point_columns *p, root_columns groups[GROUPS]) {
+    int total = 0;
+    for (int i = 0; i < BLOCK; i++) {
+        if (i < points && statuses[i] == SPRAGSYM_OK && !p->carried[i]) {
+            statuses[i] = SPRAGSYM_OUT_OF_RANGE;
+        }
+        const int count = (i < points && statuses[i] == SPRAGSYM_OK) ? p->count[i] : 0;
+        for (int j = 0; j < MAX_ROOTS; j++) {
+            if (j < count) {
+                root_columns *const r = &groups[total / LANES];
+                const int lane = total % LANES;
+                r->cos0[lane] = p->cos0[i];
+                r->sin0[lane] = p->sin0[i];
+                r->mu0[lane] = p->mu0[i];
+                r->kappa[lane] = p->kappa[i];
+                r->alpha[lane] = p->alpha[i];
+                r->sigma[lane] = p->sigma[i];
+                r->beta[lane] = p->beta[i];
+                r->t[lane] = p->t[j][i];
+                total++;
+            }
+        }
+    }
+    return total;
+}
+
+/* The answers back to their points; the largest status. */
+static spragsym_status unload(int points, const point_columns *p, const root_columns groups[GROUPS],
+                              spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+                              spragsym_status statuses[]) {
+    spragsym_status worst = SPRAGSYM_OK;
+    int next = 0;
+    for (int i = 0; i < BLOCK; i++) {
+        if (i < points) {
+            tally sum = {0.0 - HUGE_VAL, 0, p->certain[i]};
+            const int count = (statuses[i] == SPRAGSYM_OK) ? p->count[i] : 0;
+            for (int j = 0; j < MAX_ROOTS; j++) {
+                if (j < count) {
+                    const root_columns *const r = &groups[next / LANES];
+                    const int lane = next % LANES;
+                    const candidate at = {r->t[lane], r->reach[lane], r->L[lane], r->x[lane], r->y[lane], r->error[lane],
+                                          r->stability[lane], r->taken[lane], r->certain[lane]};
+                    add(&at, &sum, equilibria[i]);
+                    next++;
+                }
+            }
+            clear_from(sum.count, equilibria[i]);
+            counts[i] = sum.count;
+            if (statuses[i] == SPRAGSYM_OK && !sum.certain) {
+                statuses[i] = SPRAGSYM_UNCERTAIN;
+            }
+            worst = (statuses[i] > worst) ? statuses[i] : worst;
+        }
+    }
+    return worst;
+}
+
+spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
+                                          spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+                                          spragsym_status statuses[]) {
+    static const root_columns empty;
+    root_columns groups[GROUPS];
+    point_columns p;
+    spragsym_status worst = SPRAGSYM_OK;
+    if (!given || !equilibria || !counts || !statuses || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
+        return SPRAGSYM_BAD_INPUT;
+    }
+    const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
+    /* Lanes that no root is in are computed too: with old numbers, but with numbers. */
+    for (int i = 0; i < GROUPS; i++) {
+        groups[i] = empty;
+    }
+    for (size_t start = 0; start < points; start += BLOCK) {
+        const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
+        load(length, given + start, statuses + start, &p);
+        guess_columns(nbar, &p);
+        const int total = line_up(length, statuses + start, &p, groups);
+        for (int i = 0; i < GROUPS; i++) {
+            if (i * LANES < total) {
+                examine_columns(nbar, &groups[i]);
+            }
+        }
+        const spragsym_status status =
+            unload(length, &p, groups, equilibria + start, counts + start, statuses + start);
+        worst = (status > worst) ? status : worst;
+    }
+    return worst;
 }
 
 /* What the motion needs beside its state: the smooth regime it is in. */
@@ -687,7 +947,7 @@ spragsym_status spragsym_step(const spragsym_model *model, double V, double d, d
 }
 """
 
-MAKEFILE = """# Builds the example: `make && ./example`.
+MAKEFILE = """# Builds the example: `make && ./example`. For batches add -O3 -march=native -fno-math-errno -fno-trapping-math to CFLAGS.
 CC ?= cc
 CFLAGS ?= -O2
 override CFLAGS += -std=c99 -Wall -Wextra -Wpedantic -Werror

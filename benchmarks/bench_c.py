@@ -1,136 +1,100 @@
-"""Nanoseconds a point of the C target beside batched ``numpy.linalg.eigvals``.
+"""The C target beside the other compiled path, NumPy and eigenvalues, in one run; and what it vouches for where it is hard.
 
-Run ``python benchmarks/bench_c.py [points]``; it prints a Markdown table.
+``python -m benchmarks.bench_c [N]``: N random points, 1 000 000 by default; Markdown tables.
 """
 
 from __future__ import annotations
 
-import ctypes
 import os
-import subprocess
+import shutil
 import sys
-import tempfile
-import time
-from collections.abc import Callable
-from importlib import resources
-from pathlib import Path
-from typing import Any
 
 # One thread everywhere, set before NumPy loads its libraries: the C target has no threads.
 for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ[_name] = "1"
 
-import numpy as np  # noqa: E402
+import time
+from collections.abc import Callable
+from functools import partial
 
-from spragsym.generated import equilibrium  # noqa: E402
+import numpy as np
 
-_REPEATS = 5
-_BUILDS = (("gcc -O2", ["-O2"]), ("gcc -O3 -march=native", ["-O3", "-march=native"]))
-_DRIVER = """
-#include <stddef.h>
-#include "spragsym.h"
-size_t batch(size_t points, const spragsym_parameters *given, size_t *uncertain);
-size_t batch(size_t points, const spragsym_parameters *given, size_t *uncertain) {
-    size_t total = 0;
-    for (size_t i = 0; i < points; i++) {
-        spragsym_model model;
-        spragsym_equilibrium found[SPRAGSYM_MAX_EQUILIBRIA];
-        int count = 0;
-        if (spragsym_prepare(&given[i], &model) == SPRAGSYM_OK) {
-            *uncertain += spragsym_equilibria(&model, SPRAGSYM_CONTACT, found, &count) != SPRAGSYM_OK;
-        }
-        total += (size_t)count;
-    }
-    return total;
-}
-"""
+import spragsym as ss
+from benchmarks import c_target
+from benchmarks.bench_equilibria import _with_backend, eigvals
+from benchmarks.families import FAMILIES, random
+
+_REPEATS = 7
+_BUILDS = (("-O2", ("-O2",)), ("-O3 -march=native …", c_target.FAST))
 
 
-def parameters(points: int) -> Any:
-    """Random points around the article's values: theta0, mu0, kappa, alpha, sigma, beta."""
-    rng = np.random.default_rng(6)
-    return np.column_stack(
-        [
-            rng.uniform(0.0, np.pi, points),
-            rng.uniform(0.0, 1.5, points),
-            10 ** rng.uniform(-3, -1, points),
-            10 ** rng.uniform(-3, 0, points),
-            10 ** rng.uniform(-2, 0, points),
-            rng.uniform(0.0, 0.5, points),
-        ]
-    )
+def main(n: int = 1_000_000) -> None:
+    """Print both tables."""
+    speed(n)
+    print()
+    trust(max(n // 10, 1000))
 
 
-def compile_batch(flags: list[str], folder: Path) -> Any:
-    """The solver over an array, as a function of a shared object."""
-    for name in ("spragsym.h", "spragsym.c"):
-        (folder / name).write_bytes(resources.files("spragsym.generated").joinpath("c", name).read_bytes())
-    (folder / "batch.c").write_text(_DRIVER)
-    library = folder / f"batch{'_'.join(flags)}.so"
-    command: list[str | Path] = ["gcc", "-std=c99", *flags, "-shared", "-fPIC", "-o", library]
-    subprocess.run([*command, "batch.c", "spragsym.c", "-lm"], cwd=folder, check=True)
-    function = ctypes.CDLL(str(library)).batch
-    function.restype = ctypes.c_size_t
-    return function
-
-
-def companions(values: Any) -> Any:
-    """Companion matrices of the quartic in t."""
-    theta0, mu0, kappa, alpha, sigma, beta = values.T
-    e0, e1, e2, e3, e4 = equilibrium.t_quartic(
-        *equilibrium.f_coefficients(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, 1.0)
-    )
-    matrices = np.zeros((len(values), 4, 4))
-    matrices[:, 0, :] = np.column_stack([-e3 / e4, -e2 / e4, -e1 / e4, -e0 / e4])
-    matrices[:, (1, 2, 3), (0, 1, 2)] = 1.0
-    return matrices
-
-
-def seconds(work: Callable[[], object]) -> float:
-    """Best of a few."""
-    best = float("inf")
-    for _ in range(_REPEATS):
-        begin = time.perf_counter()
-        work()
-        best = min(best, time.perf_counter() - begin)
-    return best
-
-
-def main() -> None:
-    """Print a Markdown table."""
-    points = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
-    values = np.ascontiguousarray(parameters(points))
-    address = values.ctypes.data_as(ctypes.c_void_p)
-    rows = []
-    counts = set()
-    uncertain = 0
-    with tempfile.TemporaryDirectory() as folder:
+def speed(n: int) -> None:
+    """Nanoseconds a point, everything included from the parameters to states, stability and error bounds."""
+    p = random(np.random.default_rng(1), n)
+    rows, out = c_target.table(p), c_target.room(n)
+    works: dict[str, Callable[[], object]] = {}
+    for compiler in filter(shutil.which, ("gcc", "clang")):
         for title, flags in _BUILDS:
-            batch = compile_batch(flags, Path(folder))
-            flagged = ctypes.c_size_t(0)
-            counts.add(batch(ctypes.c_size_t(points), address, ctypes.byref(flagged)))
-            uncertain = flagged.value
-            taken = seconds(
-                lambda batch=batch: batch(ctypes.c_size_t(points), address, ctypes.byref(ctypes.c_size_t(0)))  # type: ignore[misc]
-            )
-            rows.append((f"C, all equilibria, states, stability, bounds, {title}", taken))
-    sample = values[: max(points // 10, 1)]
-    matrices = companions(sample)
-    roots_only = seconds(lambda: np.linalg.eigvals(matrices)) * points / len(sample)
-    rows.append(("numpy.linalg.eigvals, batched, roots only", roots_only))
-    assert len(counts) == 1, "the builds disagree"
+            library = c_target.build(compiler, flags)
+            for way, batch in (("one point a call", False), ("batch", True)):
+                works[f"C, {way}, {compiler} {title}"] = partial(c_target.solve, library, rows, out, batch=batch)
+    works["numba, 1 thread"] = partial(_with_backend, "numba", 1, p)
+    works["NumPy"] = partial(_with_backend, "numpy", 1, p)
+    works["numpy.linalg.eigvals, batched, L-quartic, roots only"] = partial(eigvals, p)
+    taken = dict.fromkeys(works, np.inf)
+    for _ in range(_REPEATS):  # in turn, so that other load on the machine meets all alike
+        for title, work in works.items():
+            begin = time.perf_counter()
+            work()
+            taken[title] = min(taken[title], time.perf_counter() - begin)
+    fastest = min(taken.values())
     print(
-        f"{points} random points, one thread, best of {_REPEATS}; "
-        f"{counts.pop()} equilibria, {uncertain} points uncertain\n"
+        f"{n:,} random points in contact, one thread, best of {_REPEATS} in turn, from the parameters to states, stability and "
+        f"error bounds. The flags of the fast builds: `{' '.join(c_target.FAST)}`.\n"
     )
-    print("| method | ns a point | times faster than eigvals |\n|---|---:|---:|")
-    for title, taken in rows:
-        print(f"| {title} | {taken / points * 1e9:.0f} | {roots_only / taken:.1f} |")
+    print("| method | ns a point | times eigvals | time over the fastest |\n|---|---|---|---|")
+    reference = taken["numpy.linalg.eigvals, batched, L-quartic, roots only"]
+    for title, seconds in taken.items():
+        print(f"| {title} | {1e9 * seconds / n:,.0f} | {reference / seconds:.1f} | {seconds / fastest:.2f} |")
+
+
+def trust(n: int) -> None:
+    """What the batch vouches for in each family, against the Python path with its ladder."""
+    library = c_target.build(next(filter(shutil.which, ("gcc", "clang", "cc"))), c_target.FAST)
     print(
-        "\nThis is one point a call, as a control loop asks: every branch that a point can spare is spared, and no vector "
-        "instruction helps. The compiled Python path solves whole blocks with them (first table)."
+        f"{n:,} points of each family against the Python path with its ladder: the share that is vouched for; among these wrong "
+        "counts or kinds, the largest error over max(1, |value|), and the largest over both error bounds together.\n"
     )
+    print("| family | regime | vouched for | wrong | largest error | largest / bounds |\n|---|---|---|---|---|---|")
+    for place, (family, points) in enumerate(FAMILIES.items()):
+        p = points(np.random.default_rng([6, place]), n)
+        for contact in (True, False):
+            print(f"| {family} | {'contact' if contact else 'lift-off'} |{_compare(library, p, contact)}", flush=True)
+
+
+def _compare(library: object, p: ss.Parameters, contact: bool) -> str:
+    eq, out = ss.equilibria(p, contact=contact), c_target.room(p.shape[0])
+    c_target.solve(library, c_target.table(p), out, contact)  # type: ignore[arg-type]
+    found = out.equilibria[:, : eq.theta.shape[1]]
+    vouched = out.status == 0
+    same = vouched & (out.count == eq.count)
+    written = same[:, None] & (np.arange(found.shape[1]) < eq.count[:, None])
+    wrong = np.count_nonzero(vouched & ~same) + np.count_nonzero((found["stability"] != eq.stability) & written)
+    worst = over = 0.0
+    for name in ("theta", "L", "x", "y"):
+        ours, exact = found[name][written], getattr(eq, name)[written]
+        error = np.abs(ours - exact) / np.maximum(1, np.abs(exact))
+        worst = max(worst, float(error.max(initial=0.0)))
+        over = max(over, float((error / (found["error"][written] + eq.error[written])).max(initial=0.0)))
+    return f" {np.mean(vouched):.3%} | {wrong} | {worst:.1e} | {over:.2f} |"
 
 
 if __name__ == "__main__":
-    main()
+    main(*map(int, sys.argv[1:]))

@@ -6,13 +6,12 @@
 from __future__ import annotations
 
 import os
-import shutil
 import sys
 
-# One thread everywhere, set before NumPy loads its libraries: the C target has no threads.
-for _name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
-    os.environ[_name] = "1"
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+import shutil
 import time
 from collections.abc import Callable
 from functools import partial

@@ -171,6 +171,14 @@ def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     )
 
 
+def compile_inside(folder: Path, text: str) -> Any:
+    """The function ``run`` of ``text``, which sees the static functions of the source."""
+    (folder / "inside.c").write_text(f'#include "spragsym.c"\n{text}', encoding="utf-8")
+    command: list[str | Path] = [COMPILERS[0], "-std=c99", "-O1", "-shared", "-fPIC", f"-I{SOURCES}"]
+    subprocess.run([*command, "-o", folder / "inside.so", folder / "inside.c", "-lm"], check=True, timeout=60)
+    return ctypes.CDLL(str(folder / "inside.so")).run
+
+
 def _pointer(array: Any) -> Any:
     assert array.flags.c_contiguous
     return array.ctypes.data_as(ctypes.c_void_p)
@@ -227,7 +235,7 @@ def _stability(K: Any) -> int:
     return STABLE if determinant > 0 and trace > 0 else DIVERGENT
 
 
-def _decades(rng: np.random.Generator, low: float, high: float, count: int) -> Any:
+def _decades(rng: np.random.Generator, low: float, high: float, count: Any) -> Any:
     return 10.0 ** rng.uniform(low, high, count)
 
 
@@ -450,14 +458,9 @@ def test_bounds_hold_and_are_not_idle(tmp_path: Path, name: str, entered: int) -
     """
     count, results = ALGEBRA[name]
     passed = ", ".join([*(f"a[{k}]" for k in range(count)), *["0.0"] * entered, "out"])
-    text = '#include "spragsym.c"\nvoid run(const double *a, double *out);\n'
+    text = 'void run(const double *a, double *out);\n'
     text += f"void run(const double *a, double *out) {{\n    bound_{name}({passed});\n}}\n"
-    (tmp_path / "bound.c").write_text(text, encoding="utf-8")
-    command: list[str | Path] = [COMPILERS[0], "-std=c99", "-O1", "-shared", "-fPIC", f"-I{SOURCES}"]
-    subprocess.run(
-        [*command, "-o", tmp_path / "bound.so", tmp_path / "bound.c", "-lm"], check=True, timeout=60
-    )
-    run = ctypes.CDLL(str(tmp_path / "bound.so")).run
+    run = compile_inside(tmp_path, text)
     rng = np.random.default_rng(8)
     worst = np.zeros(results)
     for _ in range(400):
@@ -470,6 +473,25 @@ def test_bounds_hold_and_are_not_idle(tmp_path: Path, name: str, entered: int) -
         worst = np.maximum(worst, np.array(errors) / bound)
     assert np.all(worst <= 1.0)
     assert np.all(worst >= 0.02)
+
+
+def test_cosine_and_sine(tmp_path: Path) -> None:
+    """Within one unit in the last place over (0, π), next to its ends, to the zero of the cosine and to where formulas change."""
+    rng = np.random.default_rng(11)
+    quarters = np.arange(5) * (math.pi / 4)
+    near = np.ravel(quarters[:, None] + rng.choice([-1.0, 1.0], (5, 300)) * _decades(rng, -17, -1, (5, 300)))
+    x = np.concatenate([rng.uniform(0.0, math.pi, 3000), near, quarters, np.nextafter(quarters, 0), np.nextafter(quarters, 4)])
+    x = x[(x > 1e-300) & (x < math.pi)]
+    run = compile_inside(
+        tmp_path, "void run(double x, double *out);\nvoid run(double x, double *out) { cosine_and_sine(x, out, out + 1); }\n"
+    )
+    found, worst = np.empty(2), 0.0
+    with mpmath.workdps(50):
+        for angle in x:
+            run(ctypes.c_double(angle), _pointer(found))
+            for value, exact in zip(found, (mpmath.cos(angle), mpmath.sin(angle)), strict=True):
+                worst = max(worst, float(abs(mpmath.mpf(value) - exact) / mpmath.mpf(np.spacing(abs(value)))))
+    assert 0.5 < worst < 0.8
 
 
 def test_guesses_at_a_fold_are_good(library: ctypes.CDLL) -> None:

@@ -274,28 +274,52 @@ static spragsym_status deliver(int length, const double *values, double *result)
     return SPRAGSYM_OK;
 }
 
-spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym_model *model) {
+/* cos x and sin x for 0 < x < pi, within one unit in the last place, without a branch. x = k pi/2 + (r + tail) with |r| <= pi/4
+ * by pi/2 in two parts, of which the first leaves nothing to round; then the polynomials of fdlibm's k_sin.c and k_cos.c. */
+INLINE void cosine_and_sine(double x, double *cosine, double *sine) {
+    const double half_pi = 1.57079632679489655800e+00;
+    const double rest = 6.12323399573676603587e-17;
+    const double k = ((x > 0.78539816339744831) ? 1.0 : 0.0) + ((x > 2.3561944901923448) ? 1.0 : 0.0);
+    const double near = x - k * half_pi;
+    const double r = near - k * rest;
+    const double tail = (near - r) - k * rest;
+    const double z = r * r;
+    const double odd = 8.33333333332248946124e-03 +
+                       z * (-1.98412698298579493134e-04 +
+                            z * (2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10)));
+    const double s = r - ((z * (0.5 * tail - z * r * odd) - tail) - z * r * -1.66666666666666324348e-01);
+    const double even =
+        4.16666666666666019037e-02 +
+        z * (-1.38888888888741095749e-03 +
+             z * (2.48015872894767294178e-05 +
+                  z * (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))));
+    const double half = 0.5 * z;
+    const double top = 1.0 - half;
+    const double c = top + (((1.0 - top) - half) + (z * z * even - r * tail));
+    const double s_or_c = (k == 1.0) ? c : s;
+    *sine = (k > 1.0) ? 0.0 - s : s_or_c;
+    const double c_or_s = (k == 1.0) ? 0.0 - s : c;
+    *cosine = (k > 1.0) ? 0.0 - c : c_or_s;
+}
+
+static int allowed(const spragsym_parameters *given) {
     const double pi = 3.14159265358979323846;
-    const spragsym_parameters *const given = parameters;
-    if (!given || !model) {
-        return SPRAGSYM_BAD_INPUT;
-    }
     /* Written so that a NaN fails. */
-    if (!(given->theta0 > 0.0 && given->theta0 < pi && given->mu0 >= 0.0 && given->kappa > 0.0 && given->alpha >= 0.0 &&
-          given->sigma > 0.0 && given->beta >= 0.0)) {
+    return given->theta0 > 0.0 && given->theta0 < pi && given->mu0 >= 0.0 && given->kappa > 0.0 && given->alpha >= 0.0 &&
+           given->sigma > 0.0 && given->beta >= 0.0 && isfinite(given->mu0) && isfinite(given->kappa) &&
+           isfinite(given->alpha) && isfinite(given->sigma) && isfinite(given->beta);
+}
+
+spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym_model *model) {
+    if (!parameters || !model || !allowed(parameters)) {
         return SPRAGSYM_BAD_INPUT;
     }
-    if (!isfinite(given->mu0) || !isfinite(given->kappa) || !isfinite(given->alpha) || !isfinite(given->sigma) ||
-        !isfinite(given->beta)) {
-        return SPRAGSYM_BAD_INPUT;
-    }
-    model->cos0 = cos(given->theta0);
-    model->sin0 = sin(given->theta0);
-    model->mu0 = given->mu0;
-    model->kappa = given->kappa;
-    model->alpha = given->alpha;
-    model->sigma = given->sigma;
-    model->beta = given->beta;
+    cosine_and_sine(parameters->theta0, &model->cos0, &model->sin0);
+    model->mu0 = parameters->mu0;
+    model->kappa = parameters->kappa;
+    model->alpha = parameters->alpha;
+    model->sigma = parameters->sigma;
+    model->beta = parameters->beta;
     return SPRAGSYM_OK;
 }
 
@@ -628,6 +652,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
 
 /* Models in columns. */
 typedef struct {
+    double theta0[BLOCK];
     double cos0[BLOCK];
     double sin0[BLOCK];
     double mu0[BLOCK];
@@ -663,6 +688,7 @@ typedef struct {
 
 static void guess_columns(double nbar, point_columns *p) {
     for (int i = 0; i < BLOCK; i++) {
+        cosine_and_sine(p->theta0[i], &p->cos0[i], &p->sin0[i]);
         const spragsym_model model = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i]};
         const line f = scaled_line(&model, nbar);
         const quartic it = split(&f);
@@ -694,20 +720,21 @@ static void examine_columns(double nbar, root_columns *r) {
     }
 }
 
-/* Checked parameters into columns, and points that are refused out of the way. */
+/* Parameters into columns; points that are refused give way to a harmless one. */
 static void load(int points, const spragsym_parameters given[], spragsym_status statuses[], point_columns *p) {
+    const spragsym_parameters harmless = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     for (int i = 0; i < BLOCK; i++) {
-        spragsym_model model = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        const int good = i < points && allowed(&given[i]);
+        const spragsym_parameters *const from = good ? &given[i] : &harmless;
+        p->theta0[i] = from->theta0;
+        p->mu0[i] = from->mu0;
+        p->kappa[i] = from->kappa;
+        p->alpha[i] = from->alpha;
+        p->sigma[i] = from->sigma;
+        p->beta[i] = from->beta;
         if (i < points) {
-            statuses[i] = spragsym_prepare(&given[i], &model);
+            statuses[i] = good ? SPRAGSYM_OK : SPRAGSYM_BAD_INPUT;
         }
-        p->cos0[i] = model.cos0;
-        p->sin0[i] = model.sin0;
-        p->mu0[i] = model.mu0;
-        p->kappa[i] = model.kappa;
-        p->alpha[i] = model.alpha;
-        p->sigma[i] = model.sigma;
-        p->beta[i] = model.beta;
     }
 }
 

@@ -67,8 +67,7 @@ def _with_backend(name: str, threads: int, p: ss.Parameters) -> ss.Equilibria:
 
 def compiled_roots_and_counts(p: ss.Parameters) -> object:
     """The compiled counterpart of :func:`roots_and_counts`."""
-    theta0, *values = p.broadcast(*_NAMES)
-    return compiled.roots_and_counts((np.cos(theta0), np.sin(theta0), *values))
+    return compiled.roots_and_counts(p.broadcast(*_NAMES))
 
 
 def _head(p: ss.Parameters, n: int) -> ss.Parameters:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 from types import FunctionType
@@ -43,11 +43,11 @@ def _fingerprint() -> str:
 
 @cache
 def _namespace() -> dict[str, Any]:
-    """Compiled versions of the kernel and of the generated functions that it uses, by name."""
+    """Compiled versions of the kernel, of the generated functions that it uses, and of the two loops below, by name."""
     numba = _numba()
-    compiled: dict[str, Any] = {"np": np}
+    compiled: dict[str, Any] = {"np": np, "_LENGTH": _LENGTH, "_UNSURE": _UNSURE, "_MEMBER": _MEMBER, "_OUTSIDER": _OUTSIDER}
     compiled.update(sqrt=math.sqrt, absolute=abs, bits=_bits(), number=_number())
-    for scalar in (where, maximum, minimum, copysign, cbrt):
+    for scalar in (where, maximum, minimum, copysign, cbrt, cosine_and_sine):
         bound = FunctionType(scalar.__code__, compiled, scalar.__name__)
         compiled[scalar.__name__] = numba.njit(bound, error_model="numpy", inline="always")
     for name, value in vars(kernel).items():
@@ -60,6 +60,11 @@ def _namespace() -> dict[str, Any]:
         # Annotations name types that compiled code has no use for.
         bound = FunctionType(original.__code__, compiled, name, original.__defaults__)
         compiled[name] = numba.njit(bound, error_model="numpy", inline="always")
+    bound = FunctionType(_line.__code__, compiled, _line.__name__)
+    compiled[_line.__name__] = numba.njit(bound, error_model="numpy", inline="always")
+    for loop in (_guess, _look):
+        bound = FunctionType(loop.__code__, compiled, loop.__name__)
+        compiled[loop.__name__] = numba.njit(bound, error_model="numpy")
     return compiled
 
 
@@ -93,6 +98,37 @@ def cbrt(x: float) -> float:
         cube = y * y * y
         y = y * (cube + 2.0 * x) / (2.0 * cube + x)
     return y if x > 0.0 else 0.0
+
+
+def cosine_and_sine(x: float) -> tuple[float, float]:
+    """cos x and sin x for 0 < x < π, within 0.8 units in the last place, without a call, so that a loop can be vectorized.
+
+    x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round; then the
+    polynomials of fdlibm's k_sin.c and k_cos.c.
+    """
+    k = where(x > 0.7853981633974483, 1.0, 0.0) + where(x > 2.356194490192345, 1.0, 0.0)
+    near = x - k * 1.5707963267948966
+    rest = k * 6.123233995736766e-17
+    r = near - rest
+    tail = (near - r) - rest
+    z = r * r
+    odd = 8.33333333332248946124e-03 + z * (
+        -1.98412698298579493134e-04
+        + z * (2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10))
+    )
+    s = r - ((z * (0.5 * tail - z * r * odd) - tail) - z * r * -1.66666666666666324348e-01)
+    even = 4.16666666666666019037e-02 + z * (
+        -1.38888888888741095749e-03
+        + z
+        * (
+            2.48015872894767294178e-05
+            + z * (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))
+        )
+    )
+    half = 0.5 * z
+    top = 1.0 - half
+    c = top + (((1.0 - top) - half) + (z * z * even - r * tail))
+    return where(k == 1.0, -s, where(k > 1.0, -c, c)), where(k == 1.0, c, where(k > 1.0, -s, s))
 
 
 def _bits() -> Any:
@@ -134,21 +170,19 @@ def _compiled(function: Callable[..., Any]) -> Any:
     return _numba().njit(_signatures()[function.__name__], error_model="numpy", cache=True, nogil=True)(bound)
 
 
-def solve(values: tuple[Any, ...], contact: bool, tolerance: float, out: Any) -> NDArray[np.int64]:
-    """As :func:`spragsym.solver.solve` in float64: write what is settled to ``out``, return the indices of what is not."""
+def solve(values: Sequence[Any], contact: bool, tolerance: float, out: Any) -> NDArray[np.int64]:
+    """As :func:`spragsym.solver.solve` in float64: write what is settled to ``out``, return the indices of what is not.
+
+    ``values`` are θ₀, μ₀, κ, α, σ, β, each an array or one number for all points.
+    """
     n = out.count.size
-    columns = [_column(value, n) for value in values]
-    state = np.empty(n, dtype=np.int8)
-    slots = tuple(getattr(out, name).T for name in ("theta", "L", "x", "y", "error", "stability"))
-    u = 2.0**-53
-    if contact:
-        _compiled(_first_roots)(*columns, tolerance, u, *(part[0] for part in slots), out.count, state)
-    else:
-        state[:] = _OPEN
-    _compiled(_all_roots)(*columns, int(contact), tolerance, u, *slots, out.count, state)
+    settled = np.empty(n, dtype=np.bool_)
+    slots = (getattr(out, name).T for name in ("theta", "L", "x", "y", "error", "stability"))
+    columns = (_column(value, n) for value in values)
+    _compiled(_solve)(*columns, float(contact), tolerance, 2.0**-53, *slots, out.count, settled)
     np.arctan(out.theta.T, out=out.theta.T)
     np.multiply(out.theta.T, 2.0, out=out.theta.T)
-    return np.flatnonzero(state == _UNSETTLED)
+    return np.flatnonzero(~settled)
 
 
 def _column(value: Any, n: int) -> NDArray[np.float64]:
@@ -158,114 +192,118 @@ def _column(value: Any, n: int) -> NDArray[np.float64]:
 
 @cache
 def _signatures() -> dict[str, Any]:
-    """Types of the loops' arguments: one set for each, so that each is compiled once."""
+    """Types of the arguments: one set for each loop that Python calls, so that each is compiled once."""
     from numba import types
 
-    given = [types.Array(types.float64, 1, "C", readonly=True)] * 7
-    column, codes, numbers = types.float64[::1], types.int8[::1], types.int64[::1]
-    real, whole = types.float64, types.int64
+    given = [types.Array(types.float64, 1, "C", readonly=True)] * 6
+    real, codes, numbers, flags = types.float64, types.int8, types.int64[::1], types.boolean[::1]
     return {
-        "_first_roots": types.void(*given, real, real, *[column] * 5, codes, numbers, codes),
-        "_all_roots": types.void(
-            *given, whole, real, real, *[types.float64[:, :]] * 5, types.int8[:, :], numbers, codes
-        ),
-        "_roots": types.void(*given, real, types.float64[:, ::1], codes),
+        "_solve": types.void(*given, real, real, real, *[real[:, :]] * 5, codes[:, :], numbers, flags),
+        "_roots": types.void(*given, real, real[:, ::1], codes[::1]),
     }
 
 
-# State of a point between and after the two passes.
-_SETTLED, _OPEN, _UNSETTLED = 0, 1, 2
+# The solver is four loops over a few hundred points at a time, which stay in the processor's cache: guesses for all points; all
+# roots that need a look, one after the other; that look; and what it means for each point. The first and the third hold the
+# arithmetic and no branch, so that they are vectorized, whatever the number of equilibria.
+_LENGTH = 256
+# What a look at a root says.
+_UNSURE, _MEMBER, _OUTSIDER = 0, 1, 2
 
 
-def _first_roots(  # type: ignore[no-untyped-def]
-    cos0, sin0, mu0, kappa, alpha, sigma, beta, tolerance, u,
-    out_t, out_L, out_x, out_y, out_error, out_stability, out_count, state,
+def _solve(  # type: ignore[no-untyped-def]
+    theta0, mu0, kappa, alpha, sigma, beta, nbar, tolerance, u,
+    out_t, out_L, out_x, out_y, out_error, out_stability, out_count, settled,
 ) -> None:  # fmt: skip
-    """The positive root of the first factor of every point, in contact, without a branch, so that the loop is vectorized.
+    """Every point: tan(θ/2) in the place of θ, and what is settled."""
+    t0, t1, t2, t3 = np.empty(_LENGTH), np.empty(_LENGTH), np.empty(_LENGTH), np.empty(_LENGTH)
+    number = np.empty(_LENGTH, np.int64)
+    most = 4 * _LENGTH
+    r_theta0, r_mu0, r_kappa, r_alpha = np.empty(most), np.empty(most), np.empty(most), np.empty(most)
+    r_sigma, r_beta, t = np.empty(most), np.empty(most), np.empty(most)
+    L, x, y, radius, error = np.empty(most), np.empty(most), np.empty(most), np.empty(most), np.empty(most)
+    verdict, code = np.empty(most, np.int64), np.empty(most, np.int64)
+    for begin in range(0, out_count.size, _LENGTH):
+        end = min(begin + _LENGTH, out_count.size)
+        _guess(
+            theta0[begin:end], mu0[begin:end], kappa[begin:end], alpha[begin:end], sigma[begin:end], beta[begin:end],
+            nbar, u, t0, t1, t2, t3, number,
+        )  # fmt: skip
+        roots = 0
+        for i in range(end - begin):
+            for j in range(number[i]):
+                t[roots] = t0[i] if j == 0 else t1[i] if j == 1 else t2[i] if j == 2 else t3[i]
+                r_theta0[roots], r_mu0[roots], r_kappa[roots] = theta0[begin + i], mu0[begin + i], kappa[begin + i]
+                r_alpha[roots], r_sigma[roots], r_beta[roots] = alpha[begin + i], sigma[begin + i], beta[begin + i]
+                roots += 1
+        _look(
+            t[:roots], r_theta0, r_mu0, r_kappa, r_alpha, r_sigma, r_beta, nbar, tolerance, u,
+            L, x, y, radius, error, verdict, code,
+        )  # fmt: skip
+        root = 0
+        for i in range(end - begin):
+            place = 0
+            good = number[i] > 0
+            for j in range(number[i]):
+                good = good and verdict[root] != _UNSURE
+                good = good and (j == 0 or apart(t[root - 1], radius[root - 1], t[root], radius[root]))  # type: ignore[name-defined]  # noqa: F821
+                if verdict[root] == _MEMBER and place < out_t.shape[0]:
+                    out_t[place, begin + i], out_L[place, begin + i] = t[root], L[root]
+                    out_x[place, begin + i], out_y[place, begin + i] = x[root], y[root]
+                    out_error[place, begin + i], out_stability[place, begin + i] = error[root], code[root]
+                    place += 1
+                root += 1
+            good = good and (nbar == 0.0 or place % 2 == 1)
+            settled[begin + i] = good
+            out_count[begin + i] = place if good else 0
 
-    Points that need their second factor stay open; tan(θ/2) is left in the place of θ.
-    """
-    for i in range(out_count.size):
-        c0, s0, mu, k, al, si, be = cos0[i], sin0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i]
-        a, b, d, m = f_coefficients(c0, s0, mu, k, al, si, be, 1)  # type: ignore[name-defined]  # noqa: F821
-        a_sum, d_sum = f_magnitudes(c0, s0, mu, k, al, si, be, 1)  # type: ignore[name-defined]  # noqa: F821
+
+def _line(theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, nbar: Any) -> Any:
+    """cos θ₀ and sin θ₀, the coefficients of f, and the sums that bound their rounding errors."""
+    c0, s0 = cosine_and_sine(theta0)
+    a, b, d, m = f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)  # type: ignore[name-defined]  # noqa: F821
+    a_sum, d_sum = f_magnitudes(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)  # type: ignore[name-defined]  # noqa: F821
+    return c0, s0, a, b, d, m, a_sum, d_sum
+
+
+def _guess(theta0, mu0, kappa, alpha, sigma, beta, nbar, u, t0, t1, t2, t3, number) -> None:  # type: ignore[no-untyped-def]
+    """tan(θ/2) at the roots that may be equilibria, ascending, and how many; 0 where float64 leaves that open."""
+    for i in range(theta0.size):
+        _, _, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar)
         D, D_error = discriminant(a, b, d, m, a_sum, d_sum, u)  # type: ignore[name-defined]  # noqa: F821
         p1, q1, p2, q2 = factors(a, b, d, m)  # type: ignore[name-defined]  # noqa: F821
-        large, small, _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821
-        t = where(large > 0.0, large, small)
+        one, other, _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821
+        third, fourth, square = root_pair(p2, q2)  # type: ignore[name-defined]  # noqa: F821
+        contact = nbar > 0.0
+        more = (not D > D_error) & (not (contact & (p2 > 0.0)))
+        # A sorting network; what is left out goes to the end.
+        low, high = where(contact, np.inf, minimum(one, other)), maximum(one, other)
+        third = where(more, third, np.inf)
+        fourth = where(more, fourth, np.inf)
+        a1, a2, b1, b2 = minimum(low, high), maximum(low, high), minimum(third, fourth), maximum(third, fourth)
+        inner, outer = maximum(a1, b1), minimum(a2, b2)
+        t0[i], t1[i], t2[i], t3[i] = minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2)
+        number[i] = where(more & (square < 0.0), 0, where(contact, 1, 2) + where(more, 2, 0))
+
+
+def _look(  # type: ignore[no-untyped-def]
+    t, theta0, mu0, kappa, alpha, sigma, beta, nbar, tolerance, u, out_L, out_x, out_y, out_radius, out_error, verdict, out_code
+) -> None:
+    """What is at each root, and whether that is an equilibrium with all its digits, or certainly none."""
+    for i in range(t.size):
+        c0, s0, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar)
         L, x, y, radius, error, member, outsider, code = at_root(  # type: ignore[name-defined]  # noqa: F821
-            t, a, b, d, m, a_sum, d_sum, c0, s0, mu, k, al, si, be, 1, u
+            t[i], a, b, d, m, a_sum, d_sum, c0, s0, mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar, u
         )
-        out_t[i], out_L[i], out_x[i], out_y[i], out_error[i], out_stability[i] = t, L, x, y, error, code
-        alone = (D > D_error) | (p2 > 0.0)
+        out_L[i], out_x[i], out_y[i], out_radius[i], out_error[i], out_code[i] = L, x, y, radius, error, code
         sure = member & (error <= tolerance) & (code > 0)
-        state[i] = where(alone & sure, 0, where(alone, 2, 1))
-        out_count[i] = 1
-
-
-def _all_roots(  # type: ignore[no-untyped-def]
-    cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar, tolerance, u,
-    out_t, out_L, out_x, out_y, out_error, out_stability, out_count, state,
-) -> None:  # fmt: skip
-    """Every root of the points that are open; the logic of :func:`spragsym.solver.solve`, point by point."""
-    for i in range(out_count.size):
-        if state[i] != 1:
-            continue
-        c0, s0, mu, k, al, si, be = cos0[i], sin0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i]
-        a, b, d, m = f_coefficients(c0, s0, mu, k, al, si, be, nbar)  # type: ignore[name-defined]  # noqa: F821
-        a_sum, d_sum = f_magnitudes(c0, s0, mu, k, al, si, be, nbar)  # type: ignore[name-defined]  # noqa: F821
-        D, D_error = discriminant(a, b, d, m, a_sum, d_sum, u)  # type: ignore[name-defined]  # noqa: F821
-        p1, q1, p2, q2 = factors(a, b, d, m)  # type: ignore[name-defined]  # noqa: F821
-        large, small, _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821
-        t0, t1, t2, t3 = max(large, small), np.nan, np.nan, np.nan
-        roots = 1
-        if nbar == 0:
-            t0, t1, roots = min(large, small), max(large, small), 2
-        if not D > D_error and (nbar == 0 or not p2 > 0.0):
-            one, other, square = root_pair(p2, q2)  # type: ignore[name-defined]  # noqa: F821
-            if square < 0.0:
-                one = np.nan
-            if nbar == 0:
-                t2, t3 = one, other
-            else:
-                t1, t2 = one, other
-            roots += 2
-            for _ in range(3):  # ascending; with a NaN anywhere the point is not settled below
-                if t0 > t1:
-                    t0, t1 = t1, t0
-                if t1 > t2:
-                    t1, t2 = t2, t1
-                if t2 > t3:
-                    t2, t3 = t3, t2
-        good = True
-        place = 0
-        before, before_radius = -np.inf, 0.0
-        for j in range(roots):
-            t = t0 if j == 0 else t1 if j == 1 else t2 if j == 2 else t3
-            L, x, y, radius, error, member, outsider, code = at_root(  # type: ignore[name-defined]  # noqa: F821
-                t, a, b, d, m, a_sum, d_sum, c0, s0, mu, k, al, si, be, nbar, u
-            )
-            good = good and ((member and error <= tolerance and code > 0) or outsider)
-            good = good and (j == 0 or apart(before, before_radius, t, radius))  # type: ignore[name-defined]  # noqa: F821
-            before, before_radius = t, radius
-            if member and place < out_t.shape[0]:
-                out_t[place, i], out_L[place, i], out_x[place, i], out_y[place, i] = t, L, x, y
-                out_error[place, i] = error
-                out_stability[place, i] = code
-                place += 1
-        if nbar == 1 and place % 2 == 0:
-            good = False
-        state[i] = 0 if good else 2
-        out_count[i] = place
-        for j in range(place if good else 0, out_t.shape[0]):
-            out_t[j, i] = out_L[j, i] = out_x[j, i] = out_y[j, i] = out_error[j, i] = np.nan
-            out_stability[j, i] = 0
+        verdict[i] = where(sure, _MEMBER, where(outsider, _OUTSIDER, _UNSURE))
 
 
 def roots_and_counts(values: tuple[Any, ...]) -> tuple[NDArray[np.float64], NDArray[np.int8]]:
     """The two factors' four roots in t and the number of real ones, −1 where float64 leaves it open; for benchmarks.
 
-    ``values`` are cos θ₀, sin θ₀, μ₀, κ, α, σ, β of one length; roots have the shape (4, n), contact.
+    ``values`` are θ₀, μ₀, κ, α, σ, β of one length; roots have the shape (4, n), contact.
     """
     n = np.size(values[0])
     roots, count = np.empty((4, n)), np.empty(n, dtype=np.int8)
@@ -274,11 +312,9 @@ def roots_and_counts(values: tuple[Any, ...]) -> tuple[NDArray[np.float64], NDAr
     return roots, count
 
 
-def _roots(cos0, sin0, mu0, kappa, alpha, sigma, beta, u, roots, count) -> None:  # type: ignore[no-untyped-def]
+def _roots(theta0, mu0, kappa, alpha, sigma, beta, u, roots, count) -> None:  # type: ignore[no-untyped-def]
     for i in range(count.size):
-        c0, s0, mu, k, al, si, be = cos0[i], sin0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i]
-        a, b, d, m = f_coefficients(c0, s0, mu, k, al, si, be, 1)  # type: ignore[name-defined]  # noqa: F821
-        a_sum, d_sum = f_magnitudes(c0, s0, mu, k, al, si, be, 1)  # type: ignore[name-defined]  # noqa: F821
+        _, _, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], 1)
         D, bound = discriminant(a, b, d, m, a_sum, d_sum, u)  # type: ignore[name-defined]  # noqa: F821
         p1, q1, p2, q2 = factors(a, b, d, m)  # type: ignore[name-defined]  # noqa: F821
         roots[0, i], roots[1, i], _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821

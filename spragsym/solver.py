@@ -120,14 +120,16 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     size = int(np.prod(shape))
     out = _Slots(size, slots)
     backend, threads = backends.chosen(size)
-    given = _given(p)
-    method, length = (compiled_solve, COMPILED_BLOCK) if backend == "numba" else (solve, BLOCK)
+    if backend == "numba":
+        method, length, given = _by_numba, COMPILED_BLOCK, _given(p, p.theta0)
+    else:
+        # Once for each θ₀ given, before they are broadcast.
+        method, length, given = _by_numpy, BLOCK, _given(p, np.cos(p.theta0), np.sin(p.theta0))
 
     def block(begin: int) -> NDArray[np.int64]:
         end = min(begin + length, size)
-        columns = Columns(end - begin, *(_slice(value, begin, end) for value in given))
         with np.errstate(all="ignore"):
-            return begin + method(columns, contact, out.rows(begin, begin + columns.size), np.float64)
+            return begin + method([_slice(value, begin, end) for value in given], contact, out.rows(begin, end))
 
     # glibc gives freed memory back to the system and faults it in again until it has seen one large block freed.
     np.empty(1 << 19)
@@ -203,15 +205,11 @@ class Columns:
         return Columns(int(rows.size), *(value[rows] if np.ndim(value) else value for value in self.values()))
 
 
-def _given(p: Parameters) -> list[Any]:
-    """cos θ₀, sin θ₀ and the other parameters, each a float or an array of the common shape.
-
-    cos θ₀ and sin θ₀ are computed once for each θ₀ given, before they are broadcast.
-    """
-    values = [np.cos(p.theta0), np.sin(p.theta0), p.mu0, p.kappa, p.alpha, p.sigma, p.beta]
+def _given(p: Parameters, *angles: NDArray[np.float64]) -> list[Any]:
+    """θ₀, or its cosine and sine, and the other parameters, each a float or an array of the common shape."""
     return [
         value.item() if value.size == 1 else value.reshape(-1) if value.shape == p.shape else np.broadcast_to(value, p.shape)
-        for value in values
+        for value in (*angles, p.mu0, p.kappa, p.alpha, p.sigma, p.beta)
     ]
 
 
@@ -258,11 +256,16 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
     return np.flatnonzero(~settled)
 
 
-def compiled_solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.float64]) -> NDArray[np.int64]:
-    """The same by the compiled kernel, which is float64."""
+def _by_numpy(values: list[Any], contact: bool, out: _Slots) -> NDArray[np.int64]:
+    """:func:`solve` in float64."""
+    return solve(Columns(out.count.size, *values), contact, out, np.float64)
+
+
+def _by_numba(values: list[Any], contact: bool, out: _Slots) -> NDArray[np.int64]:
+    """The same by the compiled kernel."""
     from . import compiled
 
-    return compiled.solve(columns.values(), contact, TOLERANCE, out)
+    return compiled.solve(values, contact, TOLERANCE, out)
 
 
 def _ascending(values: list[Any]) -> list[Any]:

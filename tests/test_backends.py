@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 from collections.abc import Iterator
 
+import mpmath
 import numpy as np
 import pytest
 
 import spragsym as ss
 from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym import backends
+from spragsym import backends, compiled
 
 pytest.importorskip("numba")
 
@@ -50,6 +52,21 @@ def test_same_guarantee() -> None:
     worst, ratio = worst_errors(p, eq, rng, 60)
     assert worst <= 1e-12
     assert ratio <= 1
+
+
+def test_cosine_and_sine() -> None:
+    """Within one unit in the last place over (0, π), next to its ends, to the zero of the cosine and to where formulas change."""
+    rng = np.random.default_rng(24)
+    quarters = np.arange(5) * (math.pi / 4)
+    near = quarters[:, None] + rng.choice([-1.0, 1.0], (5, 300)) * 10 ** rng.uniform(-17, -1, (5, 300))
+    angles = np.concatenate([rng.uniform(0.0, math.pi, 3000), near.ravel(), np.nextafter(quarters, 0), np.nextafter(quarters, 4)])
+    worst = 0.0
+    with mpmath.workdps(50):
+        for angle in map(float, angles[(angles > 1e-300) & (angles < math.pi)]):
+            exact = mpmath.cos(angle), mpmath.sin(angle)
+            for value, truth in zip(compiled.cosine_and_sine(angle), exact, strict=True):
+                worst = max(worst, float(abs(value - truth) / math.ulp(value)))
+    assert 0.5 < worst < 0.8
 
 
 def test_threads_do_not_show() -> None:

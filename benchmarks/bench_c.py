@@ -66,7 +66,7 @@ def speed(n: int) -> None:
 
 def trust(n: int) -> None:
     """What the batch vouches for in each family, against the Python path with its ladder."""
-    library = c_target.build(next(filter(shutil.which, ("gcc", "clang", "cc"))), c_target.FAST)
+    library = c_target.build(c_target.compiler() or "cc", c_target.FAST)
     print(
         f"{n:,} points of each family against the Python path with its ladder: the share that is vouched for; among these wrong "
         "counts or kinds, the largest error over max(1, |value|), and the largest over both error bounds together.\n"

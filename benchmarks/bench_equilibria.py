@@ -20,6 +20,7 @@ import numpy as np
 import scipy.optimize
 
 import spragsym as ss
+from benchmarks import c_target
 from benchmarks.families import random
 from spragsym import compiled, kernel
 from spragsym.generated.equilibrium import contact_quartic, f_coefficients, residuals, t_quartic
@@ -44,6 +45,9 @@ def main(n: int = 1_000_000) -> None:
         ("ours, numba, 1 thread: states, stability, error bounds", partial(_with_backend, "numba", 1), p),
         ("ours, numba, 2 threads: states, stability, error bounds", partial(_with_backend, "numba", 2), p),
     ]
+    if compiler := c_target.compiler():
+        in_c = partial(c_target.batch, c_target.build(compiler, c_target.FAST), c_target.room(n))
+        methods.append((f"ours, C, {compiler}: states, stability, error bounds", in_c, p))
     for _, method, _ in methods[4:]:
         method(first)  # compile, or load what was compiled before
     for name, method, points in methods:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import shutil
 import subprocess
 import tempfile
 from dataclasses import dataclass
@@ -48,6 +49,11 @@ class Solved:
     status: NDArray[np.intc]
 
 
+def compiler() -> str | None:
+    """The first C compiler on this machine, if any."""
+    return next(filter(shutil.which, ("gcc", "clang", "cc")), None)
+
+
 def build(compiler: str, flags: tuple[str, ...], source: Path | None = None) -> ctypes.CDLL:
     """The C target, from the installed package or from another folder, as a shared library."""
     with tempfile.TemporaryDirectory() as name:
@@ -76,3 +82,11 @@ def solve(library: ctypes.CDLL, rows: NDArray[np.float64], out: Solved, contact:
     function = library.spragsym_equilibria_batch if batch else library.one_by_one
     pointers = (array.ctypes.data_as(ctypes.c_void_p) for array in (out.equilibria, out.count, out.status))
     function(ctypes.c_size_t(len(rows)), rows.ctypes.data_as(ctypes.c_void_p), ctypes.c_int(contact), *pointers)
+
+
+def batch(library: ctypes.CDLL, out: Solved, p: ss.Parameters) -> Solved:
+    """All points in contact into the first rows of ``out``, from parameters as Python has them."""
+    rows = table(p)
+    some = Solved(*(part[: len(rows)] for part in (out.equilibria, out.count, out.status)))
+    solve(library, rows, some)
+    return some

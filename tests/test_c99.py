@@ -676,6 +676,7 @@ def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
     subprocess.run(["make", "-C", out, f"CC={COMPILERS[0]}"], check=True, capture_output=True, timeout=60)
     printed = subprocess.run([out / "example"], check=True, capture_output=True, text=True, timeout=60).stdout
     assert "contact: 1\n  theta 2.203367573653" in printed
+    assert "theta0 from 44 to 45 degrees: 3 to 1 equilibria\ntheta0 from 155 to 156 degrees: 1 to 3 equilibria\n" in printed
     assert CliRunner().invoke(cli, arguments).exit_code == 0  # nothing differs
     (out / "main.c").write_text("mine\n", encoding="utf-8")
     refused = CliRunner().invoke(cli, arguments)

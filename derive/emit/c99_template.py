@@ -218,14 +218,13 @@ typedef struct {
     int carried;
 } line;
 
-/* The quartic in t = tan(theta/2) has certainly two, or certainly four real roots; or rounding decides. */
+/* The quartic in t = tan(theta/2); two: it certainly has two real roots, not four. */
 typedef struct {
     factors F;
     int two;
-    int four;
 } quartic;
 
-/* Real roots of the quartic that can be equilibria of a regime, ascending; certain: these are all. */
+/* Real roots of the quartic that can be equilibria of a regime, ascending; certain: there are no more. */
 typedef struct {
     double t[MAX_ROOTS];
     int count;
@@ -362,7 +361,6 @@ INLINE double cube_root(double x) {
     third += third >> 2;
     third += third >> 4;
     third += third >> 8;
-    third += third >> 16;
     start.bits = third + UINT64_C(3071306043645493248);
     double root = start.number;
     for (int i = 0; i < CUBE_ROOT_STEPS; i++) {
@@ -466,7 +464,7 @@ INLINE int quadratic_roots(double p, double q, double roots[2]) {
     return inside >= 0.0;
 }
 
-/* The quartic of f in its factors. Its roots multiply to -1: four or two of them are real, by the sign of the discriminant,
+/* The quartic of f in its factors. Its roots multiply to -1: four or two of them are real, two if its discriminant is negative,
  * which is that of its resolvent, -4 P^3 - 27 Q^2. */
 INLINE quartic split(const line *f) {
     const double *const c = f->value;
@@ -489,7 +487,6 @@ INLINE quartic split(const line *f) {
     const double from_P = (12.0 * P * P + (12.0 * P + 4.0 * error[0]) * error[0]) * error[0];
     const double from_Q = (54.0 * Q + 27.0 * error[1]) * error[1];
     const double bound = from_P + from_Q + 8.0 * DBL_EPSILON * (cube + squared) + DBL_MIN;
-    it.four = discriminant > bound;
     it.two = discriminant < 0.0 - bound;
     return it;
 }
@@ -508,7 +505,7 @@ INLINE guesses guess(const quartic *it, double nbar) {
     const int real = quadratic_roots(it->F.p2, it->F.q2, second);
     const int more = real & !spared;
     all.count = (contact ? 1 : 2) + (more ? 2 : 0);
-    all.certain = spared | (real & it->four);
+    all.certain = spared | real;
     /* A sorting network; what is left out goes to the end. */
     const double a = contact ? HUGE_VAL : smaller(first[0], first[1]);
     const double b = larger(first[0], first[1]);

@@ -337,6 +337,37 @@ def test_strict_flags(compiler: str, level: str, tmp_path: Path) -> None:
     compile_driver(tmp_path, compiler, level, "-Wconversion", "-Wshadow", "-Wstrict-prototypes")
 
 
+@pytest.mark.parametrize("flag", ["-ffast-math", "-ffinite-math-only", "-Ofast"])
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_flags_that_break_the_bounds_are_refused(compiler: str, flag: str, tmp_path: Path) -> None:
+    command: list[str | Path] = [compiler, "-std=c99", flag, "-c", SOURCES / "spragsym.c", "-o", tmp_path / "spragsym.o"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode != 0
+    assert "break the error bounds" in done.stderr
+
+
+def test_example_of_the_page(tmp_path: Path) -> None:
+    """The function that the page on C shows for many points: it compiles, and counts what Python counts."""
+    page = (SOURCES.parents[1] / "docs" / "howto_c.md").read_text(encoding="utf-8")
+    shown = next(block for block in re.findall(r"```c\n(.*?)```", page, re.DOTALL) if "count_all" in block)
+    text = f"""
+#include <stdlib.h>
+{shown}
+int run(size_t points, const spragsym_parameters *given, size_t *numbers);
+int run(size_t points, const spragsym_parameters *given, size_t *numbers) {{
+    return count_all(points, given, numbers, numbers + 5);
+}}
+"""
+    run = compile_inside(tmp_path, text)
+    rng = np.random.default_rng(10)
+    points = np.ascontiguousarray(_random(rng, 10_000, mu0=rng.uniform(0.0, 1.5, 10_000)))
+    numbers = np.zeros(6, dtype=np.uintp)
+    assert run(ctypes.c_size_t(len(points)), _pointer(points), _pointer(numbers)) == 0
+    theirs = np.bincount(ss.equilibria(ss.Parameters(*points.T)).count, minlength=5)
+    assert numbers[:5].sum() == len(points)
+    assert abs(numbers[:5].astype(int) - theirs).max() <= numbers[5] < 10
+
+
 def test_sanitizers(tmp_path: Path) -> None:
     """No undefined behaviour, no access out of bounds, over the adversarial set and over nonsense."""
     compiler = COMPILERS[0]
@@ -496,6 +527,7 @@ def test_batch_refuses(library: ctypes.CDLL) -> None:
     for missing in (0, 2, 3, 4):
         changed = [None if place == missing else argument for place, argument in enumerate(arguments)]
         assert library.spragsym_equilibria_batch(ctypes.c_size_t(1), *changed) == BAD_INPUT
+        assert library.spragsym_equilibria_batch(ctypes.c_size_t(0), *changed) == OK
     arguments[1] = 7
     assert library.spragsym_equilibria_batch(ctypes.c_size_t(1), *arguments) == BAD_INPUT
     assert (counts[0], status[0]) == (-5, -5)
@@ -737,6 +769,10 @@ def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
     printed = subprocess.run([out / "example"], check=True, capture_output=True, text=True, timeout=60).stdout
     assert "contact: 1\n  theta 2.203367573653" in printed
     assert "theta0 from 44 to 45 degrees: 3 to 1 equilibria\ntheta0 from 155 to 156 degrees: 1 to 3 equilibria\n" in printed
+    for flags, again in (("", False), ("ARCH=-O1", True), ("ARCH=-O1", False)):
+        command = ["make", "-C", str(out), f"CC={COMPILERS[0]}", *filter(None, [flags])]
+        built = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+        assert ("spragsym.o" in built.stdout) == again  # other flags make anew
     assert CliRunner().invoke(cli, arguments).exit_code == 0  # nothing differs
     (out / "main.c").write_text("mine\n", encoding="utf-8")
     refused = CliRunner().invoke(cli, arguments)

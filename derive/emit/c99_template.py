@@ -12,8 +12,9 @@ HEADER = r"""/**
  * @header@
  *
  * Angles are radians; lengths, times and forces are dimensionless: text after (9) of the article. Every function returns a
- * status, and writes its results only with SPRAGSYM_OK or SPRAGSYM_UNCERTAIN: no NaN ever leaves this library.
- * Link with -lm. Do not compile with -ffast-math: the error bounds rest on IEEE 754.
+ * status, and writes results only with SPRAGSYM_OK or SPRAGSYM_UNCERTAIN: no NaN ever leaves this library.
+ * Compile with -std=c99 or -ffp-contract=off, and link with -lm. Do not compile with -ffast-math or a part of it: the error
+ * bounds rest on IEEE 754.
  */
 #ifndef SPRAGSYM_H
 #define SPRAGSYM_H
@@ -31,8 +32,8 @@ extern "C" {
 typedef enum {
     SPRAGSYM_OK = 0,           /**< done, and vouched for */
     SPRAGSYM_UNCERTAIN = 1,    /**< done, but in double precision the number, the kind or twelve digits can't be vouched for */
-    SPRAGSYM_BAD_INPUT = 2,    /**< a null pointer, a NaN, an infinity or a parameter out of its range; nothing written */
-    SPRAGSYM_OUT_OF_RANGE = 3  /**< allowed numbers whose result double can't carry; nothing written */
+    SPRAGSYM_BAD_INPUT = 2,    /**< a null pointer, a NaN, an infinity or a parameter out of its range; no results */
+    SPRAGSYM_OUT_OF_RANGE = 3  /**< allowed numbers whose result double can't carry; no results */
 } spragsym_status;
 
 /** Lift-off or contact: the n-bar of eq. (29). */
@@ -88,7 +89,7 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
  * All equilibria of one regime with their stability, by ascending theta: roots of eq. (12), (13) with eq. (22)-(25).
  *
  * SPRAGSYM_UNCERTAIN: close to a fold, to the edge of contact or to the onset of flutter, or far from the scale of the
- * article. The best guess is written; decide with a margin in the parameters, or with the Python package's ladder.
+ * article. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python package's ladder.
  *
  * @param regime       SPRAGSYM_CONTACT: those with L > 0 and y < 0; SPRAGSYM_LIFTOFF: those with L > 0 and y >= 0.
  * @param equilibria   the first *count are written, the others cleared.
@@ -100,15 +101,17 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
 /**
  * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
  *
- * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result. Works in blocks
- * of @block@ points, with 36 kB on the stack.
+ * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result under -std=c99.
+ * Works in blocks of @block@ points, with 36 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
+ * stay in the processor's cache. Calls from several threads on different arrays do not disturb each other.
  *
- * @param points      how many; 0 is allowed
+ * @param points      how many; with 0, pointers may be null
  * @param given       their parameters, checked here
  * @param equilibria  of each point the first counts[i] are written, the others cleared
  * @param counts      of each point; 0 where its status is SPRAGSYM_BAD_INPUT or SPRAGSYM_OUT_OF_RANGE
  * @param statuses    of each point, as spragsym_prepare and spragsym_equilibria would return
- * @return the largest of the statuses; SPRAGSYM_BAD_INPUT with nothing written for a null pointer or no such regime.
+ * @return the largest of the statuses, so that SPRAGSYM_UNCERTAIN is nothing unusual; SPRAGSYM_BAD_INPUT with nothing written
+ *         for a null pointer or no such regime.
  * Worst case, for each block or part of one: @cost:spragsym_equilibria_batch@.
  */
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
@@ -155,11 +158,14 @@ SOURCE_HEAD = r"""/**
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
-#ifdef __FAST_MATH__
-#error "spragsym: -ffast-math breaks the error bounds and the checks for finite numbers"
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "spragsym: -ffast-math and its parts break the error bounds and the checks for finite numbers"
 #endif
-/* One rounding an operation, so that results do not depend on where a compiler would fuse two; gcc asks for -std=c99 instead. */
+/* One rounding an operation, so that no bit depends on where a compiler would fuse two. gcc wants -std=c99 for it, or
+ * -ffp-contract=off; without, bits may differ, and the bounds hold all the same. */
 #if defined(__clang__) || !defined(__GNUC__)
 #pragma STDC FP_CONTRACT OFF
 #endif
@@ -796,18 +802,16 @@ static spragsym_status unload(int points, const point_columns *p, const root_col
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
                                           spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
                                           spragsym_status statuses[]) {
-    static const root_columns empty;
     root_columns groups[GROUPS];
     point_columns p;
     spragsym_status worst = SPRAGSYM_OK;
-    if (!given || !equilibria || !counts || !statuses || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
+    const int missing = !given || !equilibria || !counts || !statuses;
+    if ((points > 0 && missing) || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
         return SPRAGSYM_BAD_INPUT;
     }
     const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
     /* Lanes that no root is in are computed too: with old numbers, but with numbers. */
-    for (int i = 0; i < GROUPS; i++) {
-        groups[i] = empty;
-    }
+    memset(groups, 0, sizeof groups);
     for (size_t start = 0; start < points; start += BLOCK) {
         const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
         load(length, given + start, statuses + start, &p);
@@ -971,20 +975,26 @@ spragsym_status spragsym_step(const spragsym_model *model, double V, double d, d
 }
 """
 
-MAKEFILE = """# Builds the example: `make && ./example`. For batches add -O3 -march=native -fno-math-errno -fno-trapping-math to CFLAGS.
+MAKEFILE = """# Builds the example: `make && ./example`. For batches, where the machine that builds is the one that runs:
+# `make ARCH=-march=native`.
 CC ?= cc
-CFLAGS ?= -O2
-override CFLAGS += -std=c99 -Wall -Wextra -Wpedantic -Werror
+CFLAGS ?= -O3 -fno-math-errno -fno-trapping-math
+ARCH ?=
+override CFLAGS += $(ARCH) -std=c99 -Wall -Wextra -Wpedantic -Werror
 
 example: main.o spragsym.o
 \t$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
-main.o spragsym.o: spragsym.h
+main.o spragsym.o: spragsym.h flags
+
+# Other flags than those of the last build make everything anew.
+flags: always
+\t@echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' > $@
 
 clean:
-\trm -f example main.o spragsym.o
+\trm -f example main.o spragsym.o flags
 
-.PHONY: clean
+.PHONY: always clean
 """
 
 EXAMPLE = r"""/* Equilibria at the article's base values, their number against theta0, and some steps of the motion. */

@@ -47,7 +47,7 @@ _LARGEST_EXACT = 2**53
 _UNIT = sp.Symbol("unit", positive=True)
 _ROUNDOFF = {_UNIT: sp.Rational(1, 2**53)}
 #: Roundings in cos θ and sin θ computed from tan(θ/2), and units in cos θ₀ and sin θ₀ within one in the last place.
-_INEXACT = {nm.c: 6, nm.s: 3, nm.c0: 2, nm.s0: 2}
+_INEXACT = {nm.c: 7, nm.s: 4, nm.c0: 2, nm.s0: 2}
 
 
 class CPrinter(AlgebraPrinter):

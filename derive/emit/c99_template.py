@@ -14,7 +14,7 @@ HEADER = r"""/**
  * Angles are radians; lengths, times and forces are dimensionless: text after (9) of the article. Every function returns a
  * status, and writes results only with SPRAGSYM_OK or SPRAGSYM_UNCERTAIN: no NaN ever leaves this library.
  * Compile with -std=c99 or -ffp-contract=off, and link with -lm. Do not compile with -ffast-math or a part of it: the error
- * bounds rest on IEEE 754.
+ * bounds rest on IEEE 754, with rounding to nearest and gradual underflow, as every program starts with.
  */
 #ifndef SPRAGSYM_H
 #define SPRAGSYM_H
@@ -74,7 +74,7 @@ typedef struct {
     double L;     /**< length of the spring */
     double x;     /**< displacement along the belt */
     double y;     /**< displacement across the belt, negative into it */
-    double error; /**< bound on |error| of theta, L, x and y, each over max(1, |value|); HUGE_VAL if none is known */
+    double error; /**< bound on |error| of theta, L, x and y, each over max(1, |exact value|); HUGE_VAL if none is known */
     spragsym_stability stability;
 } spragsym_equilibrium;
 
@@ -88,8 +88,9 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
 /**
  * All equilibria of one regime with their stability, by ascending theta: roots of eq. (12), (13) with eq. (22)-(25).
  *
- * SPRAGSYM_UNCERTAIN: close to a fold, to the edge of contact or to the onset of flutter, or far from the scale of the
- * article. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python package's ladder.
+ * SPRAGSYM_UNCERTAIN: close to a fold or to the onset of flutter, with hardly any preload, or far from the scale of the
+ * article. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python
+ * package's ladder.
  *
  * @param regime       SPRAGSYM_CONTACT: those with L > 0 and y < 0; SPRAGSYM_LIFTOFF: those with L > 0 and y >= 0.
  * @param equilibria   the first *count are written, the others cleared.
@@ -164,6 +165,9 @@ SOURCE_HEAD = r"""/**
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "spragsym: -ffast-math and its parts break the error bounds and the checks for finite numbers"
 #endif
+#if FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD == -1
+#error "spragsym: doubles must be computed in double precision"
+#endif
 /* One rounding an operation, so that no bit depends on where a compiler would fuse two. gcc wants -std=c99 for it, or
  * -ffp-contract=off; without, bits may differ, and the bounds hold all the same. */
 #if defined(__clang__) || !defined(__GNUC__)
@@ -196,6 +200,10 @@ ALGORITHM = r"""
 #define SMALLEST_RATIO 1e-60
 #define SMALLEST_SCALE 1e-200
 #define LARGEST_SCALE 1e200
+/* A parameter smaller than this, but not 0, may lose digits to underflow. */
+#define SMALLEST_PARAMETER 1e-250
+/* Error of a coefficient over the largest of them from which bounds of first order in it do not hold. */
+#define LARGEST_ERROR 1e-6
 #define CUBE_ROOT_STEPS 3
 #define CHORD_STEPS 2
 #define CUBIC_STEPS 1
@@ -216,18 +224,21 @@ typedef struct {
     double q2;
 } factors;
 
-/* f of the derivation, scaled, with bounds on the errors of its coefficients and on |f''|; carried: double can. */
+/* f of the derivation, scaled, with bounds on the errors of its coefficients and on |f''|; carried: double can; sound: and
+ * the bounds hold. */
 typedef struct {
     double value[4];
     double error[4];
     double curvature;
     int carried;
+    int sound;
 } line;
 
-/* The quartic in t = tan(theta/2); two: it certainly has two real roots, not four. */
+/* The quartic in t = tan(theta/2); two: it certainly has two real roots, not four; lone: and certainly one positive root. */
 typedef struct {
     factors F;
     int two;
+    int lone;
 } quartic;
 
 /* Real roots of the quartic that can be equilibria of a regime, ascending; certain: there are no more. */
@@ -245,9 +256,9 @@ typedef struct {
     double value_error;
     double slope;
     double slope_error;
-} place;
+} sample;
 
-/* What is at a guess. reach: there is a root of f, and one only, within it in t. */
+/* What is at a guess. reach: there is a root of f within it in t, and one only in a part of it. */
 typedef struct {
     double t;
     double reach;
@@ -279,8 +290,9 @@ static spragsym_status deliver(int length, const double *values, double *result)
     return SPRAGSYM_OK;
 }
 
-/* cos x and sin x for 0 < x < pi, within one unit in the last place, without a branch. x = k pi/2 + (r + tail) with |r| <= pi/4
- * by pi/2 in two parts, of which the first leaves nothing to round; then the polynomials of fdlibm's k_sin.c and k_cos.c. */
+/* cos x and sin x for 0 < x < pi, within one unit in the last place (0.80 measured), without a branch. x = k pi/2 + (r + tail)
+ * with |r| <= pi/4, by pi/2 in two parts, of which the first leaves nothing to round; then the polynomials of fdlibm's k_sin.c
+ * and k_cos.c. */
 INLINE void cosine_and_sine(double x, double *cosine, double *sine) {
     const double half_pi = 1.57079632679489655800e+00;
     const double rest = 6.12323399573676603587e-17;
@@ -331,7 +343,10 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
 /* From here to `examine` there is no branch and no loop that stays one, so that many points can be worked on side by side:
  * both sides of a choice are computed, and conditions are joined by & and |. */
 
-INLINE double relative(double error, double value) { return error / larger(1.0, fabs(value)); }
+/* Over max(1, |exact value|), which may be smaller than the value. */
+INLINE double relative(double error, double value) { return error / larger(1.0, fabs(value) - error); }
+
+INLINE int normal(double parameter) { return (parameter > SMALLEST_PARAMETER) | (parameter <= 0.0); }
 
 /* Coefficients of f over the largest of them, with error bounds. */
 INLINE line scaled_line(const spragsym_model *model, double nbar) {
@@ -353,6 +368,8 @@ INLINE line scaled_line(const spragsym_model *model, double nbar) {
     f.curvature *= 1.0001;
     f.carried = (scale > SMALLEST_SCALE) & (scale < LARGEST_SCALE) & (fabs(sum) < HUGE_VAL) &
                 (f.value[1] <= 0.0 - SMALLEST_RATIO);
+    f.sound = (larger(larger(f.error[0], f.error[1]), larger(f.error[2], f.error[3])) < LARGEST_ERROR) & normal(model->sin0) &
+              normal(model->mu0) & normal(model->kappa) & normal(model->alpha) & normal(model->sigma) & normal(model->beta);
     return f;
 }
 
@@ -470,8 +487,9 @@ INLINE int quadratic_roots(double p, double q, double roots[2]) {
     return inside >= 0.0;
 }
 
-/* The quartic of f in its factors. Its roots multiply to -1: four or two of them are real, two if its discriminant is negative,
- * which is that of its resolvent, -4 P^3 - 27 Q^2. */
+/* The quartic e0 + e1 t + ... of f in its factors. Its roots multiply to -1: four or two of them are real, two if its
+ * discriminant is negative, which is that of its resolvent, -4 P^3 - 27 Q^2. With e0 < 0 < e4 and e2 <= 0, Descartes' rule of
+ * signs leaves one positive root if e1 < 0. */
 INLINE quartic split(const line *f) {
     const double *const c = f->value;
     const double *const off = f->error;
@@ -494,16 +512,15 @@ INLINE quartic split(const line *f) {
     const double from_Q = (54.0 * Q + 27.0 * error[1]) * error[1];
     const double bound = from_P + from_Q + 8.0 * DBL_EPSILON * (cube + squared) + DBL_MIN;
     it.two = discriminant < 0.0 - bound;
+    it.lone = e[1] < 0.0 - 2.0 * (off[0] + off[2]) - 4.0 * DBL_EPSILON * (fabs(c[0]) + fabs(c[2]));
     return it;
 }
 
 /* In contact only positive roots matter: with sin theta < 0 < L, y = sin theta0 - L sin theta would be positive. The first
- * factor has a root of either sign; those of the second are complex, or both negative if p2 > 0, or both positive. If they are
- * real or nearly so, |p2| is about 2 sqrt(q2) or more: no rounding error turns its sign. */
+ * factor has a root of either sign; those of the second are complex, or both negative, or both positive. */
 INLINE guesses guess(const quartic *it, double nbar) {
     const int contact = nbar > 0.0;
-    const int negative = (it->F.p2 > 0.0) & (it->F.p2 * it->F.p2 > it->F.q2);
-    const int spared = it->two | (contact & negative);
+    const int spared = it->two | (contact & it->lone);
     double first[2];
     double second[2];
     guesses all;
@@ -527,11 +544,11 @@ INLINE guesses guess(const quartic *it, double nbar) {
 }
 
 /* f at tan(theta/2) = t with bounds on its errors. */
-INLINE place look(const line *f, double t) {
+INLINE sample look(const line *f, double t) {
     const double *const c = f->value;
     const double *const e = f->error;
     const double over = 1.0 / (1.0 + t * t);
-    place at;
+    sample at;
     at.cosine = (1.0 - t) * (1.0 + t) * over;
     at.sine = 2.0 * t * over;
     algebra_f(at.cosine, at.sine, c[0], c[1], c[2], c[3], &at.value);
@@ -543,7 +560,7 @@ INLINE place look(const line *f, double t) {
 
 /* A Newton step on f, if it is sound: the root stands alone, and f is above its rounding error. */
 INLINE double improve(const line *f, double t) {
-    const place at = look(f, t);
+    const sample at = look(f, t);
     const int sound = (fabs(at.value) > at.value_error) & (4.0 * f->curvature * fabs(at.value) < at.slope * at.slope);
     const double step = 0.5 * at.value / at.slope * (1.0 + t * t);
     return t - (sound ? step : 0.0);
@@ -553,7 +570,7 @@ INLINE double improve(const line *f, double t) {
  * exactly one root within the radius. */
 INLINE candidate examine(const spragsym_model *model, const line *f, double guessed, double nbar) {
     const double t = improve(f, guessed);
-    const place here = look(f, t);
+    const sample here = look(f, t);
     const double cosine = here.cosine;
     const double sine = here.sine;
     double state[3];
@@ -565,11 +582,15 @@ INLINE candidate examine(const spragsym_model *model, const line *f, double gues
     const double step = (fabs(here.value) + here.value_error) / steep;
     const double h = f->curvature * step / steep;
     const double radius = step / (1.0 - h);
-    const int proved = (steep > 0.0) & (h <= 0.5);
+    const int proved = f->sound & (steep > 0.0) & (h <= 0.5);
 
     algebra_state(cosine, sine, model->cos0, model->sin0, model->kappa, model->sigma, model->beta, nbar, state);
     bound_state(cosine, sine, model->cos0, model->sin0, model->kappa, model->sigma, model->beta, nbar, radius, state_error);
-    /* The bound is of second order in the error of the angle: it holds while that is small beside sin theta. */
+    /* The bounds are of second order in the error of the angle. While that is small beside sin theta they are good to a
+     * thousandth, what is proved stays on one side of sin theta = 0, and in t = tan(theta/2) it grows as reach has it. */
+    for (int i = 0; i < 3; i++) {
+        state_error[i] *= 1.001;
+    }
     const int bounded = proved & (radius < 1e-3 * fabs(sine)) & (state_error[0] + state_error[1] + state_error[2] < HUGE_VAL);
     const int finite = fabs(state[0] + state[1] + state[2]) < HUGE_VAL;
     const int contact = nbar > 0.0;
@@ -584,7 +605,9 @@ INLINE candidate examine(const spragsym_model *model, const line *f, double gues
                    measure_error);
     const int saddle = here.slope < 0.0;
     const int flutter = !saddle & (measure[2] < 0.0);
-    const int known = saddle | ((fabs(measure[2]) > measure_error[2]) & (flutter | (fabs(measure[0]) > measure_error[0])));
+    const int close = state_error[0] < 1e-3 * fabs(state[0]); /* bounds of first order in the error of L */
+    const int decided = (fabs(measure[2]) > measure_error[2]) & (flutter | (fabs(measure[0]) > measure_error[0]));
+    const int known = saddle | (close & decided);
     at.stability = (saddle | !(measure[0] > 0.0)) ? SPRAGSYM_DIVERGENT : SPRAGSYM_STABLE;
     at.stability = flutter ? SPRAGSYM_FLUTTER : at.stability;
 
@@ -601,26 +624,41 @@ INLINE candidate examine(const spragsym_model *model, const line *f, double gues
     return at;
 }
 
-/* The equilibria of a point as they are written, root by root in ascending order; end: of the last root's reach. */
+/* The equilibria of a point as they are written, root by root in ascending order; end: of the last root's reach, and to begin
+ * with of what no root may be in. */
 typedef struct {
     double end;
     int count;
     int certain;
 } tally;
 
+static tally nothing_yet(double nbar, int certain) {
+    tally sum;
+    sum.end = (nbar > 0.0) ? 0.0 : 0.0 - HUGE_VAL;
+    sum.count = 0;
+    sum.certain = certain;
+    return sum;
+}
+
 static void add(const candidate *at, tally *sum, spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     sum->certain = sum->certain && at->certain && at->t - at->reach > sum->end;
     sum->end = at->t + at->reach;
     if (at->taken) {
-        spragsym_equilibrium *const found = &equilibria[sum->count++];
-        found->theta = 2.0 * atan(at->t);
-        found->L = at->L;
-        found->x = at->x;
-        found->y = at->y;
-        found->error = at->error;
-        found->stability = (spragsym_stability)at->stability;
+        const spragsym_equilibrium found = {2.0 * atan(at->t), at->L, at->x, at->y, at->error, (spragsym_stability)at->stability};
+        int place = sum->count++;
+        /* Roots that may be one can have changed places. */
+        for (int i = 1; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
+            if (place > 0 && equilibria[place - 1].theta > found.theta) {
+                equilibria[place] = equilibria[place - 1];
+                place--;
+            }
+        }
+        equilibria[place] = found;
     }
 }
+
+/* All roots seen: whether the count stands, which in contact is one or three. */
+static int stands(const tally *sum, double nbar) { return sum->certain && (!(nbar > 0.0) || sum->count % 2 == 1); }
 
 static void clear_from(int count, spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     const spragsym_equilibrium none = {0.0, 0.0, 0.0, 0.0, 0.0, SPRAGSYM_NONE};
@@ -641,7 +679,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
     }
     const quartic it = split(&f);
     const guesses all = guess(&it, nbar);
-    tally sum = {0.0 - HUGE_VAL, 0, all.certain};
+    tally sum = nothing_yet(nbar, all.certain);
     for (int i = 0; i < MAX_ROOTS; i++) {
         if (i < all.count) {
             const candidate at = examine(model, &f, all.t[i], nbar);
@@ -650,7 +688,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
     }
     clear_from(sum.count, equilibria);
     *count = sum.count;
-    return sum.certain ? SPRAGSYM_OK : SPRAGSYM_UNCERTAIN;
+    return stands(&sum, nbar) ? SPRAGSYM_OK : SPRAGSYM_UNCERTAIN;
 }
 
 /* Models in columns. */
@@ -769,14 +807,14 @@ static int line_up(int points, spragsym_status statuses[], point_columns *p, roo
 }
 
 /* The answers back to their points; the largest status. */
-static spragsym_status unload(int points, const point_columns *p, const root_columns groups[GROUPS],
+static spragsym_status unload(double nbar, int points, const point_columns *p, const root_columns groups[GROUPS],
                               spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
                               spragsym_status statuses[]) {
     spragsym_status worst = SPRAGSYM_OK;
     int next = 0;
     for (int i = 0; i < BLOCK; i++) {
         if (i < points) {
-            tally sum = {0.0 - HUGE_VAL, 0, p->certain[i]};
+            tally sum = nothing_yet(nbar, p->certain[i]);
             const int count = (statuses[i] == SPRAGSYM_OK) ? p->count[i] : 0;
             for (int j = 0; j < MAX_ROOTS; j++) {
                 if (j < count) {
@@ -790,7 +828,7 @@ static spragsym_status unload(int points, const point_columns *p, const root_col
             }
             clear_from(sum.count, equilibria[i]);
             counts[i] = sum.count;
-            if (statuses[i] == SPRAGSYM_OK && !sum.certain) {
+            if (statuses[i] == SPRAGSYM_OK && !stands(&sum, nbar)) {
                 statuses[i] = SPRAGSYM_UNCERTAIN;
             }
             worst = (statuses[i] > worst) ? statuses[i] : worst;
@@ -823,7 +861,7 @@ spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_paramete
             }
         }
         const spragsym_status status =
-            unload(length, &p, groups, equilibria + start, counts + start, statuses + start);
+            unload(nbar, length, &p, groups, equilibria + start, counts + start, statuses + start);
         worst = (status > worst) ? status : worst;
     }
     return worst;

@@ -172,3 +172,16 @@ FAMILIES: dict[str, Callable[[np.random.Generator, int], Parameters]] = {
     "no friction or alpha": frictionless,
     "beta = 0": no_stiffness_across,
 }
+
+#: Points found by search at the ends of scale: factors whose signs drown in rounding, and digits lost to underflow.
+EXTREMES: tuple[tuple[float, ...], ...] = tuple(
+    tuple(map(float.fromhex, line.split()))
+    for line in (
+        "0x1.194edf1fbb437p-35 0x1.22c21aa91e6f1p+2 0x1.d0cf45d642307p-37 0x1.f502d7de5902cp+0 0x1.8341a5de04f3ap-1 0x0p+0",
+        "0x1.80828afeba655p+0 0x1.16ccdf5a955b8p+45 0x1.fc2edddc25e1cp-16 0x1.fba25e690fff0p+9 0x1.4c0dd29144266p+7 0x0p+0",
+        "0x1.d7cf5a257d721p-24 0x1.6e8677a453b4cp+20 0x1.387eba489bbccp-26 0x1.6e878239b5451p+20 0x1.129e30ea11167p+19 0x1.c7da14a10ac30p-7",
+        "0x1.921fb54442970p+0 0x1.cb9b094c28374p+450 0x1.69da9dcb46b63p-52 0x1.417b918e9909ap+257 0x1.e49058cf1d7edp-55 0x1.3a6db5a8592c1p-244",
+        "0x1.51faaaf17df26p+0 0x0p+0 0x1.1a181e66273e7p+506 0x0.0000000000002p-1022 0x0.0000000000004p-1022 0x1.b5530d2b69725p+508",
+        "0x1.53a884ba60604p-53 0x1.8e27de7964698p+41 0x1.17b395b28b0c1p-30 0x1.b8bbd675c51c0p-37 0x1.7458a9f0311b2p-16 0x1.79dff667a66fcp+64",
+    )
+)

@@ -8,6 +8,8 @@ coefficients and a term that is positive.
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
@@ -50,8 +52,14 @@ def _penetration() -> sp.Expr:
     return -nm.q * elimination.state()[nm.y]
 
 
+def _changes(signs: Iterable[int]) -> int:
+    """Changes of sign in a row of −1, 0, 1, zeros left out."""
+    return sum(one != other for one, other in itertools.pairwise(sign for sign in signs if sign))
+
+
 def _quartic() -> tuple[Step, ...]:
     quartic = elimination.quartic_in_t()
+    friction = sp.Symbol("mu_0", positive=True)
     t = sp.Symbol("t", positive=True)
     sine = sp.expand_trig(sp.sin(2 * sp.atan(t)))
     _, across = equilibrium.balance()
@@ -66,6 +74,18 @@ def _quartic() -> tuple[Step, ...]:
             "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive at ±∞, so that it has an "
             "odd number of roots on either side of 0, and at most three positive ones",
             len(quartic) == 5 and quartic[4] == -nm.fb and quartic[0] == nm.fb,
+        ),
+        Step(
+            "three positive roots need a + d > 0: that of t is 2 (a + d), that of t² is −4 m with m = μ₀ σ ≥ 0, and without "
+            "the first positive the coefficients change sign once, which by Descartes' rule leaves one positive root",
+            sp.expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
+            and quartic[2] == -4 * nm.fm
+            and manifestly_positive(
+                _in_contact(nm.fm).subs(nm.mu0, friction), (_sigma, friction), strict_symbols=(_sigma, friction)
+            )
+            and all(
+                _changes((-1, e1, e2, e3, 1)) == 1 for e1 in (-1, 0) for e2 in (-1, 0) for e3 in (-1, 0, 1)
+            ),
         ),
         Step(
             "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x adds no root",

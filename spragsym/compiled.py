@@ -22,7 +22,10 @@ from .errors import MissingExtraError
 from .generated import SOURCE_HASH
 
 #: Functions of the kernel in the order in which they build on each other.
-_KERNEL = ("depressed", "discriminant", "simple_root", "polish", "factors", "root_pair", "stability", "apart", "at_root")
+_KERNEL = (
+    "depressed", "discriminant", "lone", "normal", "simple_root", "polish", "factors", "root_pair", "stability", "apart",
+    "at_root",
+)  # fmt: skip
 
 
 def _numba() -> Any:
@@ -245,7 +248,7 @@ def _solve(  # type: ignore[no-untyped-def]
             place = 0
             good = number[i] > 0
             for j in range(number[i]):
-                good = good and verdict[root] != _UNSURE
+                good = good and verdict[root] != _UNSURE and (nbar == 0.0 or t[root] > 0.0)
                 good = good and (j == 0 or apart(t[root - 1], radius[root - 1], t[root], radius[root]))  # type: ignore[name-defined]  # noqa: F821
                 if verdict[root] == _MEMBER and place < out_t.shape[0]:
                     out_t[place, begin + i], out_L[place, begin + i] = t[root], L[root]
@@ -269,13 +272,14 @@ def _line(theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, 
 def _guess(theta0, mu0, kappa, alpha, sigma, beta, nbar, u, t0, t1, t2, t3, number) -> None:  # type: ignore[no-untyped-def]
     """tan(θ/2) at the roots that may be equilibria, ascending, and how many; 0 where float64 leaves that open."""
     for i in range(theta0.size):
-        _, _, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar)
+        _, s0, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar)
         D, D_error = discriminant(a, b, d, m, a_sum, d_sum, u)  # type: ignore[name-defined]  # noqa: F821
         p1, q1, p2, q2 = factors(a, b, d, m)  # type: ignore[name-defined]  # noqa: F821
         one, other, _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821
         third, fourth, square = root_pair(p2, q2)  # type: ignore[name-defined]  # noqa: F821
         contact = nbar > 0.0
-        more = (not D > D_error) & (not (contact & (p2 > 0.0)))
+        more = (not D > D_error) & (not (contact & lone(a, b, d, m, a_sum, d_sum, u)))  # type: ignore[name-defined]  # noqa: F821
+        usual = normal(s0, mu0[i], kappa[i], alpha[i], sigma[i], beta[i])  # type: ignore[name-defined]  # noqa: F821
         # A sorting network; what is left out goes to the end.
         low, high = where(contact, np.inf, minimum(one, other)), maximum(one, other)
         third = where(more, third, np.inf)
@@ -283,7 +287,8 @@ def _guess(theta0, mu0, kappa, alpha, sigma, beta, nbar, u, t0, t1, t2, t3, numb
         a1, a2, b1, b2 = minimum(low, high), maximum(low, high), minimum(third, fourth), maximum(third, fourth)
         inner, outer = maximum(a1, b1), minimum(a2, b2)
         t0[i], t1[i], t2[i], t3[i] = minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2)
-        number[i] = where(more & (square < 0.0), 0, where(contact, 1, 2) + where(more, 2, 0))
+        open_still = (more & (square < 0.0)) | (not usual)
+        number[i] = where(open_still, 0, where(contact, 1, 2) + where(more, 2, 0))
 
 
 def _look(  # type: ignore[no-untyped-def]

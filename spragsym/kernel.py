@@ -39,12 +39,14 @@ where, maximum, minimum = np.where, np.maximum, np.minimum
 absolute, copysign, sqrt, cbrt = np.abs, np.copysign, np.sqrt, np.cbrt
 
 # Bounds on rounding errors, in units of u, each relative to the same expression with all of its terms positive. They count the
-# operations that lead there, parameters taken as exact, cos θ₀ and sin θ₀ as good to 2 u.
-IN_F = 16.0
+# operations that lead there, parameters taken as exact, cos θ₀ and sin θ₀ as good to 2 u; a test counts them again.
+IN_F = 22.0
 IN_P = 20.0
 IN_Q = 24.0
 IN_STATE = 16.0
 IN_THETA = 16.0
+#: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
+SMALLEST = 1e-250
 #: Largest h = |f| max|f″| / f′² for which the radius below is taken: Kantorovich asks for 1/2.
 KANTOROVICH = 0.05
 
@@ -117,6 +119,18 @@ def discriminant(a: Value, b: Value, d: Value, m: Value, a_sum: Value, d_sum: Va
     return P * P * P + Q * Q, error
 
 
+def lone(a: Value, b: Value, d: Value, m: Value, a_sum: Value, d_sum: Value, u: Value) -> Value:
+    """Whether certainly one root in t is positive, and not three: Descartes' rule with e₀ < 0 < e₄, e₂ ≤ 0 and e₁ < 0."""
+    _, e1, _, _, _ = t_quartic(a, b, d, m)
+    return e1 < -2.0 * IN_F * u * (a_sum + d_sum)
+
+
+def normal(sin0: Value, mu0: Value, kappa: Value, alpha: Value, sigma: Value, beta: Value) -> Value:
+    """Whether the bounds below can count on relative rounding errors."""
+    fine = (sin0 > SMALLEST) & (kappa > SMALLEST) & (sigma > SMALLEST)
+    return fine & ((mu0 > SMALLEST) | (mu0 <= 0.0)) & ((alpha > SMALLEST) | (alpha <= 0.0)) & ((beta > SMALLEST) | (beta <= 0.0))
+
+
 def polish(
     A1: Value, A2: Value, A3: Value, p1: Value, q1: Value, p2: Value, q2: Value
 ) -> tuple[Value, Value, Value, Value]:
@@ -179,12 +193,13 @@ def at_root(
     rounding = IN_STATE * u
     L_error = L_sum * (1.01 * relative * swing + rounding)
     y_error = (1.01 * sigma * radius * swing + rounding * (sigma * (sin0 + size_s) + kappa)) / stiff
-    x_error = L_error + 1.01 * L_sum * radius + rounding
+    x_error = L_error + L_sum * (1.01 * radius + rounding) + rounding
     error = maximum(x_error / maximum(minimum(L, absolute(x)), 1.0), maximum(radius + IN_THETA * u, y_error))
     beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
     member = (L > L_error) & (beyond > y_error)
     outsider = (L < -L_error) | (beyond < -y_error)
-    code = stability(c, s, L, slope, relative + 8.0 * u, mu0, alpha, sigma, beta, nbar)
+    uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
+    code = stability(c, s, L, slope, uncertainty, mu0, alpha, sigma, beta, nbar)
     return L, x, y, radius, error, member, outsider, code
 
 

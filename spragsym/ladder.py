@@ -64,7 +64,7 @@ def equilibria(
         with arith.precision(bits):
             try:
                 return _settle(arith, theta0, rational, contact, digits, bits)
-            except _TooCoarse as reason:
+            except (_TooCoarse, ZeroDivisionError) as reason:
                 if bits >= MAXIMUM_BITS:
                     raise ConvergenceError(
                         f"{bits} bits do not settle theta0={theta0}, mu0={mu0}, kappa={kappa}, alpha={alpha}, sigma={sigma}, "
@@ -123,8 +123,12 @@ def _polished(monic: tuple[mpmath.mpf, ...], split: list[mpmath.mpf]) -> list[mp
     if not all(mpmath.isfinite(value) and value for value in split):
         return None
     for _ in range(6):
-        before, split = split, list(kernel.polish(*monic, *split))
-        if max(abs(new - old) / abs(old) for new, old in zip(split, before, strict=True)) < mpmath.ldexp(1, 8 - mpmath.mp.prec):
+        try:
+            before, split = split, list(kernel.polish(*monic, *split))
+        except ZeroDivisionError:
+            return None
+        close = mpmath.ldexp(1, 8 - mpmath.mp.prec)
+        if all(abs(new - old) <= close * abs(old) for new, old in zip(split, before, strict=True)):
             return split
     return None
 

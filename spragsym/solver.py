@@ -239,11 +239,11 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
         return [Root(t, *kernel.at_root(*(t, *some, *points, nbar, u))) for t in ts]
 
     # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
-    # if they are positive, since no equilibrium in contact has sin θ < 0.
+    # where these may be positive, since no equilibrium in contact has sin θ < 0.
     ts = [np.where(large > 0.0, large, small)]
     paired = ~(D > D_error)
     if contact:
-        paired &= ~(p2 > 0.0)
+        paired &= ~kernel.lone(a, b, d, m, a_sum, d_sum, u)
     else:
         ts.insert(0, np.where(large > 0.0, small, large))
     settled = _fill(out, slice(None), at(ts), ~paired, contact, u)
@@ -253,7 +253,7 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
         one = np.where(square < 0.0, np.nan, one)
         roots = _ascending([*(t[pairs] for t in ts), one, other])
         settled[pairs] = _fill(out, pairs, at(roots, pairs), True, contact, u)
-    return np.flatnonzero(~settled)
+    return np.flatnonzero(~(settled & kernel.normal(*values[1:])))
 
 
 def _by_numpy(values: list[Any], contact: bool, out: _Slots) -> NDArray[np.int64]:
@@ -311,7 +311,7 @@ def _fill(out: _Slots, rows: Any, roots: list[Root], wanted: Any, contact: bool,
         settled = settled & ((root.member & (root.error <= TOLERANCE - rounding) & (root.code > 0)) | root.outsider)
         count = count + root.member
     if contact:
-        settled = settled & (count % 2 == 1)
+        settled = settled & (count % 2 == 1) & (roots[0].t > 0.0)
     for below, above in itertools.pairwise(roots):
         # Two proved roots are different when the intervals that hold them are.
         settled = settled & kernel.apart(below.t, below.radius, above.t, above.radius)

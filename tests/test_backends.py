@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks.families import FAMILIES
+from benchmarks.families import EXTREMES, FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym import backends, compiled
+from spragsym import backends, compiled, ladder
 
 pytest.importorskip("numba")
 
@@ -52,6 +52,30 @@ def test_same_guarantee() -> None:
     worst, ratio = worst_errors(p, eq, rng, 60)
     assert worst <= 1e-12
     assert ratio <= 1
+
+
+@pytest.mark.parametrize("backend", ["numpy", "numba"])
+def test_where_digits_run_out(backend: str) -> None:
+    """Points found by search, each alone against intervals."""
+    ss.set_backend(backend)
+    eq = ss.equilibria(ss.Parameters(*np.array(EXTREMES).T))
+    for i, point in enumerate(EXTREMES):
+        truth = ladder.equilibria(*point, digits=30).states
+        assert eq.count[i] == len(truth)
+        for place, exact in enumerate(truth):
+            for name in ("theta", "L", "x", "y"):
+                gap = abs(getattr(eq, name)[i, place] - getattr(exact, name)) / max(1, abs(getattr(exact, name)))
+                assert gap <= eq.error[i, place] <= 1e-12
+
+
+@pytest.mark.parametrize("backend", ["numpy", "numba"])
+def test_underflow_is_left_to_the_ladder(backend: str) -> None:
+    """No count of roundings covers what a subnormal parameter loses."""
+    ss.set_backend(backend)
+    article = ss.Parameters.article(theta0=1.0)
+    for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
+        assert ss.equilibria(article.replace(**{name: 1e-251})).escalated
+    assert not ss.equilibria(article.replace(mu0=0.0, alpha=0.0, beta=0.0)).escalated
 
 
 def test_cosine_and_sine() -> None:

@@ -19,7 +19,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import spragsym as ss
-from benchmarks.families import FAMILIES
+from benchmarks.families import EXTREMES, FAMILIES
 from spragsym import compiled, ladder
 from spragsym.cli import cli, export
 from spragsym.derive.emit import c99_cost
@@ -591,35 +591,7 @@ def test_guesses_near_a_cusp_are_good(library: ctypes.CDLL) -> None:
     assert np.mean(counts != truth) < 0.07
 
 
-@pytest.mark.parametrize(
-    "point",
-    [
-        tuple(map(float.fromhex, (
-            "0x1.194edf1fbb437p-35", "0x1.22c21aa91e6f1p+2", "0x1.d0cf45d642307p-37",
-            "0x1.f502d7de5902cp+0", "0x1.8341a5de04f3ap-1", "0x0p+0",
-        ))),
-        tuple(map(float.fromhex, (
-            "0x1.80828afeba655p+0", "0x1.16ccdf5a955b8p+45", "0x1.fc2edddc25e1cp-16",
-            "0x1.fba25e690fff0p+9", "0x1.4c0dd29144266p+7", "0x0p+0",
-        ))),
-        tuple(map(float.fromhex, (
-            "0x1.d7cf5a257d721p-24", "0x1.6e8677a453b4cp+20", "0x1.387eba489bbccp-26",
-            "0x1.6e878239b5451p+20", "0x1.129e30ea11167p+19", "0x1.c7da14a10ac30p-7",
-        ))),
-        tuple(map(float.fromhex, (
-            "0x1.921fb54442970p+0", "0x1.cb9b094c28374p+450", "0x1.69da9dcb46b63p-52",
-            "0x1.417b918e9909ap+257", "0x1.e49058cf1d7edp-55", "0x1.3a6db5a8592c1p-244",
-        ))),
-        tuple(map(float.fromhex, (
-            "0x1.51faaaf17df26p+0", "0x0p+0", "0x1.1a181e66273e7p+506",
-            "0x0.0000000000002p-1022", "0x0.0000000000004p-1022", "0x1.b5530d2b69725p+508",
-        ))),
-        tuple(map(float.fromhex, (
-            "0x1.53a884ba60604p-53", "0x1.8e27de7964698p+41", "0x1.17b395b28b0c1p-30",
-            "0x1.b8bbd675c51c0p-37", "0x1.7458a9f0311b2p-16", "0x1.79dff667a66fcp+64",
-        ))),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize("point", EXTREMES)
 def test_where_digits_run_out(library: ctypes.CDLL, point: Any) -> None:
     """Found by search: where factors have no correct sign left, or underflow takes digits. Vouched for is only what is true."""
     [(status, found)] = solve(library, [point], CONTACT)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from typing import Any
 
 import mpmath
 import numpy as np
@@ -13,7 +14,8 @@ import spragsym as ss
 from benchmarks import reference
 from benchmarks.families import FAMILIES, random
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym import intervals, ladder, solver
+from spragsym import intervals, kernel, ladder, solver
+from spragsym.generated.equilibrium import f_coefficients
 
 FOLD_DEG = 44.5593177025653  # left fold at base values, by three continuation codes (peers)
 
@@ -41,6 +43,63 @@ def test_families_reach_what_they_are_named_for() -> None:
     folds, wedge = FAMILIES["near folds"](rng, 500), FAMILIES["cusp wedge"](rng, 500)
     assert ss.equilibria(folds).escalated.mean() > 0.2
     assert 0.2 < (ss.equilibria(wedge).count == 3).mean() < 0.9
+
+
+class _Roundings:
+    """A number that knows only how many roundings at most went into a monomial of it; dividing by an exact one costs one."""
+
+    def __init__(self, count: int = 0) -> None:
+        self.count = count
+
+    def __add__(self, other: Any) -> _Roundings:
+        return self if isinstance(other, int | float) and other == 0 else _Roundings(max(self.count, _count(other)) + 1)
+
+    __radd__ = __sub__ = __rsub__ = __add__
+
+    def __mul__(self, other: Any) -> _Roundings:
+        exact = isinstance(other, int | float) and math.frexp(abs(other))[0] == 0.5
+        return self if exact else _Roundings(self.count + _count(other) + 1)
+
+    __rmul__ = __truediv__ = __mul__
+
+    def __rtruediv__(self, other: Any) -> _Roundings:
+        return _Roundings(self.count + _count(other) + 1)
+
+    def __neg__(self) -> _Roundings:
+        return self
+
+
+def _count(value: Any) -> int:
+    return value.count if isinstance(value, _Roundings) else 0
+
+
+def test_bounds_count_every_rounding() -> None:
+    """The constants of the kernel against the emitted code, run on numbers that count: none is below the worst case."""
+    exact, angle, t = _Roundings(), _Roundings(2), _Roundings()
+    over = 1.0 / (1.0 + t * t)
+    s, c = 2.0 * t * over, (1.0 - t) * (1.0 + t) * over
+    line = kernel.f_coefficients(angle, angle, *[exact] * 5, exact)
+    P, Q = kernel.depressed(*kernel.resolvent(*line))
+    L, x, y = kernel.state(c, s, angle, angle, *[exact] * 4)
+    e1 = kernel.t_quartic(*line)[1]
+    worst = max(_count(value) for value in (kernel.f(c, s, *line), kernel.f_slope(c, s, *line), e1))
+    assert (worst, P.count, Q.count) == pytest.approx((kernel.IN_F, kernel.IN_P, kernel.IN_Q), abs=2)
+    assert worst <= kernel.IN_F
+    assert P.count <= kernel.IN_P
+    assert Q.count <= kernel.IN_Q
+    assert max(L.count, y.count) <= kernel.IN_STATE
+    assert x.count <= 2 * kernel.IN_STATE  # once with L, once with x
+
+
+def test_three_equilibria_need_a_positive_sum() -> None:
+    """Three imply a + d > 0; the converse is not so."""
+    for number, family in enumerate(("random", "near folds", "cusp wedge")):
+        p = FAMILIES[family](np.random.default_rng([41, number]), 500)
+        theta0, *values = p.broadcast("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+        a, _, d, _ = f_coefficients(np.cos(theta0), np.sin(theta0), *values, 1)
+        count = ss.equilibria(p).count
+        assert (a + d > 0)[count == 3].all()
+        assert (a + d > 0)[count == 1].any()
 
 
 def test_middle_of_three_is_divergent() -> None:

@@ -16,7 +16,10 @@ import sympy as sp
 
 from .. import nomenclature as nm
 from . import c99_cost as cost
-from . import c99_template as template
+from .c99_equilibria import EQUILIBRIA
+from .c99_export import EXAMPLE, MAKEFILE
+from .c99_header import HEADER, SOURCE_HEAD
+from .c99_motion import MOTION
 from .functions import Function, Module
 from .python import AlgebraPrinter
 from .python import _meaning as meaning
@@ -112,23 +115,24 @@ def render(modules: Iterable[Module], header: str) -> dict[str, str]:
     statics += [_static(name, function) for name, function in _internal(known).items()]
     source = "\n".join(
         [
-            template.SOURCE_HEAD,
+            SOURCE_HEAD,
             *(item.text for item in statics),
-            template.ALGORITHM,
+            EQUILIBRIA,
+            MOTION,
             *(_wrapper(function) for function in public),
         ]
     )
-    counted = cost.costs(template.HEADER + source, {item.name: item.operations for item in statics})
+    counted = cost.costs(HEADER + source, {item.name: item.operations for item in statics})
     described = {name: cost.describe(value) for name, value in counted.items()}
     described["block"] = str(cost.constants(source)["BLOCK"])
     described["table"] = "\n".join(f" * - {name}: {described[name]}" for name in _TABLE)
     return {
         "c/spragsym.h": _fill(
-            template.HEADER, header, described, "".join(_prototype(function) for function in public)
+            HEADER, header, described, "".join(_prototype(function) for function in public)
         ),
         "c/spragsym.c": _fill(source, header, described),
-        "c/main.c": template.EXAMPLE,
-        "c/Makefile": template.MAKEFILE,
+        "c/main.c": EXAMPLE,
+        "c/Makefile": MAKEFILE,
     }
 
 

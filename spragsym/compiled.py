@@ -23,8 +23,8 @@ from .generated import SOURCE_HASH
 
 #: Functions of the kernel in the order in which they build on each other.
 _KERNEL = (
-    "depressed", "discriminant", "lone", "normal", "simple_root", "polish", "factors", "root_pair", "stability", "apart",
-    "at_root",
+    "cosine_and_sine", "depressed", "discriminant", "lone", "normal", "simple_root", "polish", "factors", "root_pair",
+    "stability", "apart", "at_root",
 )  # fmt: skip
 
 
@@ -50,7 +50,7 @@ def _namespace() -> dict[str, Any]:
     numba = _numba()
     compiled: dict[str, Any] = {"np": np, "_LENGTH": _LENGTH, "_UNSURE": _UNSURE, "_MEMBER": _MEMBER, "_OUTSIDER": _OUTSIDER}
     compiled.update(sqrt=math.sqrt, absolute=abs, bits=_bits(), number=_number())
-    for scalar in (where, maximum, minimum, copysign, cbrt, cosine_and_sine):
+    for scalar in (where, maximum, minimum, copysign, cbrt):
         bound = FunctionType(scalar.__code__, compiled, scalar.__name__)
         compiled[scalar.__name__] = numba.njit(bound, error_model="numpy", inline="always")
     for name, value in vars(kernel).items():
@@ -101,37 +101,6 @@ def cbrt(x: float) -> float:
         cube = y * y * y
         y = y * (cube + 2.0 * x) / (2.0 * cube + x)
     return y if x > 0.0 else 0.0
-
-
-def cosine_and_sine(x: float) -> tuple[float, float]:
-    """cos x and sin x for 0 < x < π, within 0.8 units in the last place, without a call, so that a loop can be vectorized.
-
-    x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round; then the
-    polynomials of fdlibm's k_sin.c and k_cos.c.
-    """
-    k = where(x > 0.7853981633974483, 1.0, 0.0) + where(x > 2.356194490192345, 1.0, 0.0)
-    near = x - k * 1.5707963267948966
-    rest = k * 6.123233995736766e-17
-    r = near - rest
-    tail = (near - r) - rest
-    z = r * r
-    odd = 8.33333333332248946124e-03 + z * (
-        -1.98412698298579493134e-04
-        + z * (2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10))
-    )
-    s = r - ((z * (0.5 * tail - z * r * odd) - tail) - z * r * -1.66666666666666324348e-01)
-    even = 4.16666666666666019037e-02 + z * (
-        -1.38888888888741095749e-03
-        + z
-        * (
-            2.48015872894767294178e-05
-            + z * (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))
-        )
-    )
-    half = 0.5 * z
-    top = 1.0 - half
-    c = top + (((1.0 - top) - half) + (z * z * even - r * tail))
-    return where(k == 1.0, -s, where(k > 1.0, -c, c)), where(k == 1.0, c, where(k > 1.0, -s, s))
 
 
 def _bits() -> Any:
@@ -263,7 +232,7 @@ def _solve(  # type: ignore[no-untyped-def]
 
 def _line(theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, nbar: Any) -> Any:
     """cos θ₀ and sin θ₀, the coefficients of f, and the sums that bound their rounding errors."""
-    c0, s0 = cosine_and_sine(theta0)
+    c0, s0 = cosine_and_sine(theta0)  # type: ignore[name-defined]  # noqa: F821
     a, b, d, m = f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)  # type: ignore[name-defined]  # noqa: F821
     a_sum, d_sum = f_magnitudes(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)  # type: ignore[name-defined]  # noqa: F821
     return c0, s0, a, b, d, m, a_sum, d_sum

@@ -1,8 +1,8 @@
 """The equilibrium solver for one point, in elementwise operations.
 
-Every function runs on arrays of any float type and, compiled, on scalars: no branches, no loops over points, no state; ``u`` is
-the unit roundoff of the type. The algebra of the model is :mod:`spragsym.generated`; here is only how its quartic is solved, and
-how far the result can be trusted.
+Every function but the first runs on arrays of any float type, and all do, compiled, on scalars: no branches, no loops over
+points, no state; ``u`` is the unit roundoff of the type. The algebra of the model is :mod:`spragsym.generated`; here is only how its
+quartic is solved, and how far the result can be trusted.
 
 The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² + p2 t + q2) with real factors,
 q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one.
@@ -47,8 +47,43 @@ IN_STATE = 16.0
 IN_THETA = 16.0
 #: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
 SMALLEST = 1e-250
+#: What underflow may add to P³ + Q² at most, generously.
+UNDERFLOW = 1e-307
+#: Lengths from which the next product may overflow.
+LARGEST = 1e300
 #: Largest h = |f| max|f″| / f′² for which the radius below is taken: Kantorovich asks for 1/2.
 KANTOROVICH = 0.05
+
+
+def cosine_and_sine(x: Value) -> tuple[Value, Value]:
+    """cos x and sin x for 0 < x < π in float64, within one unit in the last place, which not every library's are.
+
+    x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round; then the
+    polynomials of fdlibm's k_sin.c and k_cos.c.
+    """
+    k = where(x > 0.7853981633974483, 1.0, 0.0) + where(x > 2.356194490192345, 1.0, 0.0)
+    near = x - k * 1.5707963267948966
+    rest = k * 6.123233995736766e-17
+    r = near - rest
+    tail = (near - r) - rest
+    z = r * r
+    odd = 8.33333333332248946124e-03 + z * (
+        -1.98412698298579493134e-04
+        + z * (2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 + z * 1.58969099521155010221e-10))
+    )
+    s = r - ((z * (0.5 * tail - z * r * odd) - tail) - z * r * -1.66666666666666324348e-01)
+    even = 4.16666666666666019037e-02 + z * (
+        -1.38888888888741095749e-03
+        + z
+        * (
+            2.48015872894767294178e-05
+            + z * (-2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))
+        )
+    )
+    half = 0.5 * z
+    top = 1.0 - half
+    c = top + (((1.0 - top) - half) + (z * z * even - r * tail))
+    return where(k == 1.0, -s, where(k > 1.0, -c, c)), where(k == 1.0, c, where(k > 1.0, -s, s))
 
 
 def factors(a: Value, b: Value, d: Value, m: Value) -> tuple[Value, Value, Value, Value]:
@@ -115,7 +150,7 @@ def discriminant(a: Value, b: Value, d: Value, m: Value, a_sum: Value, d_sum: Va
     Q_sum = 0.5 * (R0 + mean * (R1 + 2.0 * mean * mean))
     P_bound = absolute(P) + IN_P * u * P_sum
     Q_bound = absolute(Q) + IN_Q * u * Q_sum
-    error = u * (P_bound * P_bound * P_sum * (3.0 * IN_P + 4.0) + Q_bound * Q_sum * (2.0 * IN_Q + 4.0))
+    error = u * (P_bound * P_bound * P_sum * (3.0 * IN_P + 4.0) + Q_bound * Q_sum * (2.0 * IN_Q + 4.0)) + UNDERFLOW
     return P * P * P + Q * Q, error
 
 
@@ -196,7 +231,7 @@ def at_root(
     x_error = L_error + L_sum * (1.01 * radius + rounding) + rounding
     error = maximum(x_error / maximum(minimum(L, absolute(x)), 1.0), maximum(radius + IN_THETA * u, y_error))
     beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
-    member = (L > L_error) & (beyond > y_error)
+    member = (L > L_error) & (beyond > y_error) & (L + absolute(x) + absolute(y) < LARGEST)
     outsider = (L < -L_error) | (beyond < -y_error)
     uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
     code = stability(c, s, L, slope, uncertainty, mu0, alpha, sigma, beta, nbar)

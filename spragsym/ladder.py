@@ -19,8 +19,9 @@ from . import kernel
 from .errors import ConvergenceError
 from .intervals import Arithmetic, Interval, arithmetic, sign
 
-#: Bits of the first try, and the bits at which a discriminant that holds 0 is taken for a fold.
-FIRST_BITS, MAXIMUM_BITS = 128, 4096
+#: Bits of the first try, and those at which a discriminant that holds 0 is taken for a fold: the latter, and as many again for
+#: each power of two between the parameters, since the discriminant is of the sixth degree in coefficients of theirs.
+FIRST_BITS, MAXIMUM_BITS, BITS_A_SPREAD = 128, 4096, 8
 
 
 @dataclass(frozen=True)
@@ -59,13 +60,13 @@ def equilibria(
     """
     arith = arith or arithmetic()
     rational = [Fraction(value) for value in (mu0, kappa, alpha, sigma, beta)]
-    bits = max(FIRST_BITS, int(3.4 * digits) + 64)
+    bits, most = max(FIRST_BITS, int(3.4 * digits) + 64), _most_bits(theta0, rational)
     while True:
         with arith.precision(bits):
             try:
-                return _settle(arith, theta0, rational, contact, digits, bits)
+                return _settle(arith, theta0, rational, contact, digits, bits, bits >= most)
             except (_TooCoarse, ZeroDivisionError) as reason:
-                if bits >= MAXIMUM_BITS:
+                if bits >= most:
                     raise ConvergenceError(
                         f"{bits} bits do not settle theta0={theta0}, mu0={mu0}, kappa={kappa}, alpha={alpha}, sigma={sigma}, "
                         f"beta={beta}: {reason}; move the point off the boundary that it is on"
@@ -73,8 +74,15 @@ def equilibria(
         bits *= 2
 
 
+def _most_bits(theta0: Any, rational: list[Fraction]) -> int:
+    """The bits at which trying ends."""
+    given = [Fraction(1), *rational, *([] if callable(theta0) else [Fraction(theta0)])]
+    powers = [value.numerator.bit_length() - value.denominator.bit_length() for value in given if value]
+    return MAXIMUM_BITS + BITS_A_SPREAD * (max(powers) - min(powers))
+
+
 def _settle(
-    arith: Arithmetic, theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int
+    arith: Arithmetic, theta0: Any, rational: list[Fraction], contact: bool, digits: int, bits: int, last: bool
 ) -> Settled:
     angle = theta0(arith) if callable(theta0) else arith.exact(Fraction(theta0))
     values = (*arith.cos_sin(angle), *map(arith.exact, rational), int(contact))
@@ -82,7 +90,7 @@ def _settle(
     P, Q = kernel.depressed(*kernel.resolvent(*trig))
     discriminant = sign(arith, P * P * P + Q * Q)
     fold = discriminant == 0
-    if fold and bits < MAXIMUM_BITS:
+    if fold and not last:
         raise _TooCoarse("the discriminant holds 0")
     roots = _fold_roots(arith, trig) if fold else _enclosed_roots(arith, trig, 4 if discriminant < 0 else 2, bits)
     states = [state for root in roots for state in _state(arith, root, trig, values, digits, fold)]

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import backends, kernel
+from .errors import ConvergenceError
 from .generated import stability as _stability
 from .parameters import FloatArray, Parameters
 
@@ -123,8 +124,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     if backend == "numba":
         method, length, given = _by_numba, COMPILED_BLOCK, _given(p, p.theta0)
     else:
-        # Once for each θ₀ given, before they are broadcast.
-        method, length, given = _by_numpy, BLOCK, _given(p, np.cos(p.theta0), np.sin(p.theta0))
+        method, length, given = _by_numpy, BLOCK, _given(p, *_directions(p.theta0))
 
     def block(begin: int) -> NDArray[np.int64]:
         end = min(begin + length, size)
@@ -211,6 +211,15 @@ def _given(p: Parameters, *angles: NDArray[np.float64]) -> list[Any]:
         value.item() if value.size == 1 else value.reshape(-1) if value.shape == p.shape else np.broadcast_to(value, p.shape)
         for value in (*angles, p.mu0, p.kappa, p.alpha, p.sigma, p.beta)
     ]
+
+
+def _directions(theta0: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """cos θ₀ and sin θ₀, once for each θ₀ given, before they are broadcast; block by block, which stays in the cache."""
+    cos0, sin0 = np.empty(theta0.size), np.empty(theta0.size)
+    for begin in range(0, theta0.size, BLOCK):
+        some = slice(begin, begin + BLOCK)
+        cos0[some], sin0[some] = kernel.cosine_and_sine(theta0.flat[some])
+    return cos0.reshape(theta0.shape), sin0.reshape(theta0.shape)
 
 
 def _slice(value: Any, begin: int, end: int) -> Any:
@@ -382,9 +391,15 @@ def _extended_precision() -> bool:
 
 
 def _store(out: _Slots, row: int, found: Any) -> None:
+    import mpmath
+
     out.count[row] = len(found.states)
     out.fold[row] = found.fold
     for slot, state in enumerate(found.states):
         out.theta[row, slot], out.L[row, slot], out.x[row, slot], out.y[row, slot] = state.theta, state.L, state.x, state.y
         out.stability[row, slot] = state.stability
         out.error[row, slot] = state.error
+        if not np.isfinite(out.L[row, slot] + out.x[row, slot] + out.y[row, slot]):
+            raise ConvergenceError(
+                f"an equilibrium with log10 L = {float(mpmath.log10(state.L)):.6g} is beyond float64; spragsym.precise carries it"
+            )

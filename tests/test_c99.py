@@ -20,7 +20,7 @@ from scipy.optimize import brentq
 
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
-from spragsym import compiled, ladder
+from spragsym import kernel, ladder
 from spragsym.cli import cli, export
 from spragsym.derive.emit import c99_cost
 from spragsym.generated import equilibrium, motion, stability
@@ -568,7 +568,7 @@ def test_cosine_and_sine_are_those_of_python(tmp_path: Path) -> None:
     found = np.empty(2)
     for angle in [*rng.uniform(0.0, math.pi, 2000), *_decades(rng, -300, 0, 100), *(math.pi - _decades(rng, -15, 0, 100))]:
         run(ctypes.c_double(angle), _pointer(found))
-        assert tuple(found) == compiled.cosine_and_sine(angle)
+        assert tuple(found) == kernel.cosine_and_sine(angle)
 
 
 def test_guesses_at_a_fold_are_good(library: ctypes.CDLL) -> None:

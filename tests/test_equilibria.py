@@ -229,6 +229,7 @@ def test_a_fold_to_the_last_digit_is_reported_not_guessed(monkeypatch: pytest.Mo
     # With few bits the discriminant next to a fold holds 0: two slots share the double root.
     monkeypatch.setattr(ladder, "FIRST_BITS", 128)
     monkeypatch.setattr(ladder, "MAXIMUM_BITS", 128)
+    monkeypatch.setattr(ladder, "BITS_A_SPREAD", 0)
     fold = Fraction(math.radians(FOLD_DEG))
     exact = ss.precise.cusps(dps=60)[2]
     found = ladder.equilibria(_mpf(exact.theta0), _mpf(exact.mu0), "0.007", "0.007", "0.1", 0)
@@ -255,6 +256,23 @@ def test_precise_takes_numbers_exactly() -> None:
 
 
 # ------------------------------------------------------------------------------------------------------- shapes
+
+
+@pytest.mark.parametrize("backend", ["numpy", "numba"])
+@pytest.mark.parametrize("size", [1e160, 1e200])
+def test_what_float64_cannot_carry_is_said(backend: str, size: float) -> None:
+    """A length of 1e399 is no inf with twelve digits."""
+    if backend == "numba":
+        pytest.importorskip("numba")
+    ss.set_backend(backend)
+    p = ss.Parameters(theta0=1.0, mu0=size, kappa=size, alpha=1.0, sigma=1.0, beta=1.0)
+    try:
+        with pytest.raises(ss.ConvergenceError, match=r"log10 L = .* is beyond float64; spragsym\.precise carries it"):
+            ss.equilibria(p)
+    finally:
+        ss.set_backend("auto")
+    [state] = ss.precise.equilibria(1.0, size, size, 1.0, 1.0, 1.0)
+    assert mpmath.isfinite(state.L)
 
 
 def test_shapes_broadcast() -> None:

@@ -13,7 +13,7 @@ EQUILIBRIA = r"""
 /* A parameter smaller than this, but not 0, may lose digits to underflow. */
 #define SMALLEST_PARAMETER 1e-250
 /* Error of a coefficient over the largest of them from which bounds of first order in it do not hold. */
-#define LARGEST_ERROR 1e-6
+#define LARGEST_ERROR 1e-8
 #define CUBE_ROOT_STEPS 3
 #define CHORD_STEPS 2
 #define CUBIC_STEPS 1

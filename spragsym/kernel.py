@@ -1,8 +1,8 @@
 """The equilibrium solver for one point, in elementwise operations.
 
 Every function but the first runs on arrays of any float type, and all do, compiled, on scalars: no branches, no loops over
-points, no state; ``u`` is the unit roundoff of the type. The algebra of the model is :mod:`spragsym.generated`; here is only how its
-quartic is solved, and how far the result can be trusted.
+points, no state; ``u`` is the unit roundoff of the type. The algebra of the model is :mod:`spragsym.generated`; here is only how
+its quartic is solved, and how far the result can be trusted.
 
 The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² + p2 t + q2) with real factors,
 q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one.

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from . import backends, kernel
 from .errors import ConvergenceError
 from .generated import stability as _stability
-from .parameters import FloatArray, Parameters
+from .parameters import NAMES, FloatArray, Parameters
 
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
 TOLERANCE = 1e-12
@@ -379,10 +379,8 @@ def _escalate(p: Parameters, contact: bool, out: _Slots, rows: NDArray[np.int64]
         from . import ladder
 
         for row in left:
-            found = ladder.equilibria(
-                *(float(value[row]) for value in (theta0, mu0, kappa, alpha, sigma, beta)), contact=contact
-            )
-            _store(out, int(rows[row]), found)
+            point = tuple(float(value[row]) for value in (theta0, mu0, kappa, alpha, sigma, beta))
+            _store(out, int(rows[row]), point, ladder.equilibria(*point, contact=contact))
 
 
 def _extended_precision() -> bool:
@@ -390,7 +388,7 @@ def _extended_precision() -> bool:
     return bool(np.finfo(np.longdouble).nmant == 63)
 
 
-def _store(out: _Slots, row: int, found: Any) -> None:
+def _store(out: _Slots, row: int, point: tuple[float, ...], found: Any) -> None:
     import mpmath
 
     out.count[row] = len(found.states)
@@ -400,6 +398,8 @@ def _store(out: _Slots, row: int, found: Any) -> None:
         out.stability[row, slot] = state.stability
         out.error[row, slot] = state.error
         if not np.isfinite(out.L[row, slot] + out.x[row, slot] + out.y[row, slot]):
+            named = ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
             raise ConvergenceError(
-                f"an equilibrium with log10 L = {float(mpmath.log10(state.L)):.6g} is beyond float64; spragsym.precise carries it"
+                f"log10 L = {float(mpmath.log10(state.L)):.6g} at an equilibrium of {named} is beyond float64; "
+                "spragsym.precise carries it"
             )

@@ -267,7 +267,7 @@ def test_what_float64_cannot_carry_is_said(backend: str, size: float) -> None:
     ss.set_backend(backend)
     p = ss.Parameters(theta0=1.0, mu0=size, kappa=size, alpha=1.0, sigma=1.0, beta=1.0)
     try:
-        with pytest.raises(ss.ConvergenceError, match=r"log10 L = .* of theta0=1\.0, mu0=.* is beyond float64; spragsym\.precise"):
+        with pytest.raises(ss.ConvergenceError, match=r"log10 L = .* of theta0=1\.0, mu0=.* is beyond float64"):
             ss.equilibria(p)
     finally:
         ss.set_backend("auto")

@@ -245,7 +245,7 @@ def _guess(theta0, mu0, kappa, alpha, sigma, beta, nbar, u, t0, t1, t2, t3, numb
         D, D_error = discriminant(a, b, d, m, a_sum, d_sum, u)  # type: ignore[name-defined]  # noqa: F821
         p1, q1, p2, q2 = factors(a, b, d, m)  # type: ignore[name-defined]  # noqa: F821
         one, other, _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821
-        third, fourth, square = root_pair(p2, q2)  # type: ignore[name-defined]  # noqa: F821
+        third, fourth, _ = root_pair(p2, q2)  # type: ignore[name-defined]  # noqa: F821
         contact = nbar > 0.0
         more = (not D > D_error) & (not (contact & lone(a, b, d, m, a_sum, d_sum, u)))  # type: ignore[name-defined]  # noqa: F821
         usual = normal(s0, mu0[i], kappa[i], alpha[i], sigma[i], beta[i])  # type: ignore[name-defined]  # noqa: F821
@@ -256,8 +256,7 @@ def _guess(theta0, mu0, kappa, alpha, sigma, beta, nbar, u, t0, t1, t2, t3, numb
         a1, a2, b1, b2 = minimum(low, high), maximum(low, high), minimum(third, fourth), maximum(third, fourth)
         inner, outer = maximum(a1, b1), minimum(a2, b2)
         t0[i], t1[i], t2[i], t3[i] = minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2)
-        open_still = (more & (square < 0.0)) | (not usual)
-        number[i] = where(open_still, 0, where(contact, 1, 2) + where(more, 2, 0))
+        number[i] = where(usual, where(contact, 1, 2) + where(more, 2, 0), 0)
 
 
 def _look(  # type: ignore[no-untyped-def]

@@ -49,8 +49,6 @@ IN_THETA = 16.0
 SMALLEST = 1e-250
 #: What underflow may add to P³ + Q² at most, generously.
 UNDERFLOW = 1e-307
-#: Lengths from which the next product may overflow.
-LARGEST = 1e300
 #: Largest h = |f| max|f″| / f′² for which the radius below is taken: Kantorovich asks for 1/2.
 KANTOROVICH = 0.05
 
@@ -231,7 +229,7 @@ def at_root(
     x_error = L_error + L_sum * (1.01 * radius + rounding) + rounding
     error = maximum(x_error / maximum(minimum(L, absolute(x)), 1.0), maximum(radius + IN_THETA * u, y_error))
     beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
-    member = (L > L_error) & (beyond > y_error) & (L + absolute(x) + absolute(y) < LARGEST)
+    member = (L > L_error) & (beyond > y_error)
     outsider = (L < -L_error) | (beyond < -y_error)
     uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
     code = stability(c, s, L, slope, uncertainty, mu0, alpha, sigma, beta, nbar)

@@ -102,6 +102,13 @@ def test_three_equilibria_need_a_positive_sum() -> None:
         assert (a + d > 0)[count == 1].any()
 
 
+def test_roots_that_may_be_one_do_not_count_as_two() -> None:
+    """Intervals around θ = 2 atan t that touch."""
+    assert kernel.apart(0.5, 0.07, 0.6, 0.07)  # 2 · 0.1 over 1 + 0.36
+    assert not kernel.apart(0.5, 0.08, 0.6, 0.07)
+    assert not kernel.apart(0.6, 0.01, 0.5, 0.01)
+
+
 def test_middle_of_three_is_divergent() -> None:
     eq = ss.equilibria(random(np.random.default_rng(4), 20_000))
     three = eq.count == 3

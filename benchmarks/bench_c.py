@@ -56,7 +56,8 @@ def speed(n: int) -> None:
     fastest = min(taken.values())
     print(
         f"{n:,} random points in contact, one thread, best of {_REPEATS} in turn, from the parameters to states, stability and "
-        f"error bounds. The flags of the fast builds: `{' '.join(c_target.FAST)}`.\n"
+        f"error bounds. C writes to arrays that are there, Python allocates its results. The flags of the fast builds: "
+        f"`{' '.join(c_target.FAST)}`.\n"
     )
     print("| method | ns a point | times eigvals | time over the fastest |\n|---|---|---|---|")
     reference = taken["numpy.linalg.eigvals, batched, L-quartic, roots only"]

@@ -26,9 +26,9 @@ from spragsym.generated.equilibrium import (
     state,
     t_quartic,
 )
+from spragsym.parameters import NAMES
 
 Array = NDArray[np.float64]
-_NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 _HARD = ("random", "near folds", "cusp wedge", "false double root", "right angle", "light preload")
 
 
@@ -66,7 +66,7 @@ def _gap(found: Array, exact: Array) -> float:
 
 def _exact(p: ss.Parameters) -> list[Array]:
     rows = []
-    for point in zip(*p.broadcast(*_NAMES), strict=True):
+    for point in zip(*p.broadcast(*NAMES), strict=True):
         states = ladder.equilibria(*map(float, point), digits=30).states
         rows.append(np.array([[float(one.L), float(one.x), float(one.y)] for one in states]))
     return rows
@@ -86,7 +86,7 @@ def _in_c(library: ctypes.CDLL, p: ss.Parameters) -> list[Array | None]:
 
 def _from_L(p: ss.Parameters, batched: bool) -> list[Array | None]:
     """Roots of the published quartic, states by solving (16), those with L > 0 and y < 0."""
-    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*_NAMES)
+    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)
     quartic = np.stack(contact_quartic(c0, s0, mu0, kappa, alpha, sigma, beta), axis=-1)
     roots = _eigvals(quartic) if batched else np.array([np.roots(row[::-1]) for row in quartic])
@@ -109,7 +109,7 @@ def _from_L(p: ss.Parameters, batched: bool) -> list[Array | None]:
 
 def _from_t(p: ss.Parameters) -> list[Array | None]:
     """Roots of the quartic in tan(θ/2), states by the explicit formulas, those with L > 0 and y < 0."""
-    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*_NAMES)
+    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)
     quartic = np.stack(t_quartic(*f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1)), axis=-1)
     rows = []

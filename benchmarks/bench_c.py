@@ -11,6 +11,7 @@ import sys
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+import ctypes
 import shutil
 import time
 from collections.abc import Callable
@@ -79,9 +80,9 @@ def trust(n: int) -> None:
             print(f"| {family} | {'contact' if contact else 'lift-off'} |{_compare(library, p, contact)}", flush=True)
 
 
-def _compare(library: object, p: ss.Parameters, contact: bool) -> str:
+def _compare(library: ctypes.CDLL, p: ss.Parameters, contact: bool) -> str:
     eq, out = ss.equilibria(p, contact=contact), c_target.room(p.shape[0])
-    c_target.solve(library, c_target.table(p), out, contact)  # type: ignore[arg-type]
+    c_target.solve(library, c_target.table(p), out, contact)
     found = out.equilibria[:, : eq.theta.shape[1]]
     vouched = out.status == 0
     same = vouched & (out.count == eq.count)

@@ -73,7 +73,7 @@ def continuation(steps: int = 1000, step: float = 0.01) -> list[tuple[float, flo
 
     point = np.array([0.9776286848725, math.radians(44.5593177025653), 0.5])
     tangent = np.array([0.3, 0.6, -0.7])
-    found = [tuple(point)]
+    found = [(float(point[0]), float(point[1]), float(point[2]))]
     for _ in range(steps):
         guess = point + step * tangent
 
@@ -83,10 +83,10 @@ def continuation(steps: int = 1000, step: float = 0.01) -> list[tuple[float, flo
         new = fsolve(closed, guess, xtol=1e-13)
         tangent = (new - point) / np.linalg.norm(new - point)
         point = new
-        found.append(tuple(point))
+        found.append((float(point[0]), float(point[1]), float(point[2])))
         if not 0 < point[1] < math.pi or point[2] < 0:
             break
-    return found  # type: ignore[return-value]
+    return found
 
 
 if __name__ == "__main__":

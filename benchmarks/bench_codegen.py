@@ -66,13 +66,13 @@ def subjects() -> tuple[Subject, ...]:
     jacobian = sp.Matrix(rates).jacobian(state)
     in_motion = (*state, nm.c0, nm.s0, nm.mu0, nm.kappa, nm.alpha, nm.sigma, nm.beta, nm.V, nm.creep, nm.nbar, _SIDE)
 
-    rhs, jacobian_of_rhs = (f.__wrapped__ for f in (_motion.regime_rhs, _motion.regime_jacobian))  # type: ignore[attr-defined]
+    rhs, jacobian_of_rhs = inspect.unwrap(_motion.regime_rhs), inspect.unwrap(_motion.regime_jacobian)
 
     def rhs_and_jacobian(*values: Any) -> tuple[Any, ...]:
         return rhs(*values, xp=math), jacobian_of_rhs(*values, xp=math)
 
     return (
-        Subject("K", in_K, tuple(K), _stability.stiffness.__wrapped__, "stability", "stiffness"),  # type: ignore[attr-defined]
+        Subject("K", in_K, tuple(K), inspect.unwrap(_stability.stiffness), "stability", "stiffness"),
         Subject("rhs and Jacobian", in_motion, (*rates, *jacobian), rhs_and_jacobian, "motion", "regime_jacobian"),
     )
 
@@ -186,10 +186,11 @@ def _wrenfold(subject: Subject) -> Outcome:
 
     # wrenfold reads its arguments from a signature.
     kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
-    described.__signature__ = inspect.Signature([inspect.Parameter(name, kind) for name in names])  # type: ignore[attr-defined]
-    described.__annotations__ = dict.fromkeys(names, FloatScalar)
+    model: Any = described
+    model.__signature__ = inspect.Signature([inspect.Parameter(name, kind) for name in names])
+    model.__annotations__ = dict.fromkeys(names, FloatScalar)
     begin = time.perf_counter()
-    function, source = code_generation.generate_python(described)
+    function, source = code_generation.generate_python(model)
     seconds = time.perf_counter() - begin
     return Outcome("wrenfold", seconds, function, f"{source.count(chr(10))} lines")
 

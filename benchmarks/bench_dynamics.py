@@ -6,6 +6,7 @@ do. Run ``python benchmarks/bench_dynamics.py``; it takes a few minutes, nearly 
 
 from __future__ import annotations
 
+import inspect
 import math
 import multiprocessing
 import time
@@ -30,7 +31,7 @@ FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copys
 
 def plain(theta0: float, rtol: float, method: str) -> float:
     """RMS of x as a user of ``solve_ivp`` gets it: the same field, over the kinks, Simpson's rule."""
-    algebra: Any = motion.rhs.__wrapped__  # type: ignore[attr-defined]
+    algebra = inspect.unwrap(motion.rhs)
     constants = (math.cos(theta0), math.sin(theta0), 0.5, 0.007, 0.007, 0.1, 0.0, V, D)
 
     def field(_: float, state: np.ndarray) -> tuple[float, ...]:

@@ -24,9 +24,8 @@ from benchmarks import c_target
 from benchmarks.families import random
 from spragsym import compiled, kernel
 from spragsym.generated.equilibrium import contact_quartic, f_coefficients, residuals, t_quartic
+from spragsym.parameters import NAMES
 from spragsym.solver import BLOCK
-
-_NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
 
 def main(n: int = 1_000_000) -> None:
@@ -71,11 +70,11 @@ def _with_backend(name: str, threads: int, p: ss.Parameters) -> ss.Equilibria:
 
 def compiled_roots_and_counts(p: ss.Parameters) -> object:
     """The compiled counterpart of :func:`roots_and_counts`."""
-    return compiled.roots_and_counts(p.broadcast(*_NAMES))
+    return compiled.roots_and_counts(p.broadcast(*NAMES))
 
 
 def _head(p: ss.Parameters, n: int) -> ss.Parameters:
-    return ss.Parameters(*(value[:n] for value in p.broadcast(*_NAMES)))
+    return ss.Parameters(*(value[:n] for value in p.broadcast(*NAMES)))
 
 
 def _seconds_a_point(method: Callable[[ss.Parameters], object], p: ss.Parameters) -> float:
@@ -94,7 +93,7 @@ def _seconds_a_point(method: Callable[[ss.Parameters], object], p: ss.Parameters
 
 
 def _coefficients(p: ss.Parameters) -> np.ndarray:
-    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*_NAMES)
+    theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     return np.stack(contact_quartic(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta), axis=-1)
 
 
@@ -116,7 +115,7 @@ def eigvals(p: ss.Parameters) -> np.ndarray:
 def fsolve_starts(p: ss.Parameters) -> list[int]:
     """scipy.optimize.root on F_x, F_y from eight directions, and how many different roots it finds."""
     counts = []
-    for theta0, *values in zip(*p.broadcast(*_NAMES), strict=True):
+    for theta0, *values in zip(*p.broadcast(*NAMES), strict=True):
         c0, s0 = np.cos(theta0), np.sin(theta0)
         found: list[np.ndarray] = []
 
@@ -135,7 +134,7 @@ def polyroots(p: ss.Parameters) -> list[int]:
     """mpmath.polyroots of the quartic in t at 50 digits."""
     counts = []
     with mpmath.workdps(50):
-        for theta0, *values in zip(*p.broadcast(*_NAMES), strict=True):
+        for theta0, *values in zip(*p.broadcast(*NAMES), strict=True):
             angle = mpmath.mpf(float(theta0))
             numbers = [mpmath.mpf(float(value)) for value in values]
             quartic = t_quartic(*f_coefficients(mpmath.cos(angle), mpmath.sin(angle), *numbers, 1))
@@ -146,7 +145,7 @@ def polyroots(p: ss.Parameters) -> list[int]:
 
 def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     """All four roots in t as two factors and their number, with the bound that says where it is certain; no states."""
-    columns = p.broadcast(*_NAMES)
+    columns = p.broadcast(*NAMES)
     n = columns[0].size
     count = np.empty(n, dtype=np.int8)
     roots = np.empty((4, n))

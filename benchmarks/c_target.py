@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 import spragsym as ss
+from spragsym.parameters import NAMES
 
 #: Flags under which gcc and clang make vector instructions of the loops; none changes a result.
 FAST = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 EQUILIBRIUM = np.dtype(
     [*((name, np.float64) for name in ("theta", "L", "x", "y", "error")), ("stability", np.intc)], align=True
 )
-_NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 # One point a call, as a control loop asks.
 _LOOP = """
 #include "spragsym.h"
@@ -69,7 +69,7 @@ def build(compiler: str, flags: tuple[str, ...], source: Path | None = None) -> 
 
 def table(p: ss.Parameters) -> NDArray[np.float64]:
     """Parameters in the rows that C takes."""
-    return np.ascontiguousarray(np.stack(p.broadcast(*_NAMES), axis=-1).reshape(-1, 6))
+    return np.ascontiguousarray(np.stack(p.broadcast(*NAMES), axis=-1).reshape(-1, 6))
 
 
 def room(points: int) -> Solved:

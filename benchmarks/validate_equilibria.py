@@ -14,8 +14,7 @@ import numpy as np
 import spragsym as ss
 from benchmarks import reference
 from benchmarks.families import FAMILIES
-
-_NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+from spragsym.parameters import NAMES
 
 
 def main(total: int = 1_000_000, digits_checked: int = 300, seed: int = 20200416) -> int:
@@ -47,7 +46,7 @@ def main(total: int = 1_000_000, digits_checked: int = 300, seed: int = 20200416
 
 def wrong_counts(p: ss.Parameters, eq: ss.Equilibria) -> int:
     """Points whose number of equilibria in contact is not the reference's."""
-    columns = p.broadcast(*_NAMES)
+    columns = p.broadcast(*NAMES)
     return sum(
         reference.count_contact(*map(float, point)) != count
         for point, count in zip(zip(*columns, strict=True), eq.count.tolist(), strict=True)
@@ -56,7 +55,7 @@ def wrong_counts(p: ss.Parameters, eq: ss.Equilibria) -> int:
 
 def worst_errors(p: ss.Parameters, eq: ss.Equilibria, rng: np.random.Generator, checked: int) -> tuple[float, float]:
     """Largest |error| / max(1, |value|) of a subsample, and the largest share of the bound that one reaches."""
-    columns = p.broadcast(*_NAMES)
+    columns = p.broadcast(*NAMES)
     worst = ratio = 0.0
     for row in rng.choice(eq.count.size, min(checked, eq.count.size), replace=False):
         point = [float(column[row]) for column in columns]

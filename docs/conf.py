@@ -9,7 +9,7 @@ from typing import Any
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT))
 
-from spragsym import __version__  # noqa: E402
+from spragsym import __version__  # noqa: E402  # after the path that it is found on
 
 project = "spragsym"
 author = copyright = "The spragsym developers"

@@ -10,6 +10,7 @@ import hashlib
 import math
 from collections.abc import Callable, Sequence
 from functools import cache
+from math import isnan
 from pathlib import Path
 from types import FunctionType
 from typing import Any
@@ -20,6 +21,18 @@ from numpy.typing import NDArray
 from . import kernel
 from .errors import MissingExtraError
 from .generated import SOURCE_HASH
+from .kernel import (
+    apart,
+    at_root,
+    cosine_and_sine,
+    discriminant,
+    f_coefficients,
+    f_magnitudes,
+    factors,
+    lone,
+    normal,
+    root_pair,
+)
 
 #: Functions of the kernel in the order in which they build on each other.
 _KERNEL = (
@@ -49,25 +62,26 @@ def _namespace() -> dict[str, Any]:
     """Compiled versions of the kernel, of the generated functions that it uses, and of the two loops below, by name."""
     numba = _numba()
     compiled: dict[str, Any] = {"np": np, "_LENGTH": _LENGTH, "_UNSURE": _UNSURE, "_MEMBER": _MEMBER, "_OUTSIDER": _OUTSIDER}
-    compiled.update(sqrt=math.sqrt, absolute=abs, bits=_bits(), number=_number())
+    compiled.update(sqrt=math.sqrt, absolute=abs, isnan=math.isnan)
+    compiled.update(bits=_bitcast("float64", "int64"), number=_bitcast("int64", "float64"))
+
+    def bind(function: Any, inline: str = "always") -> None:
+        # Annotations name types that compiled code has no use for.
+        bound = FunctionType(function.__code__, compiled, function.__name__, function.__defaults__)
+        compiled[function.__name__] = numba.njit(bound, error_model="numpy", inline=inline)
+
     for scalar in (where, maximum, minimum, copysign, cbrt):
-        bound = FunctionType(scalar.__code__, compiled, scalar.__name__)
-        compiled[scalar.__name__] = numba.njit(bound, error_model="numpy", inline="always")
+        bind(scalar)
     for name, value in vars(kernel).items():
         if isinstance(value, FunctionType) and value.__module__ != kernel.__name__:
             compiled[name] = numba.njit(value, error_model="numpy", inline="always")
         elif isinstance(value, float):
             compiled[name] = value
     for name in _KERNEL:
-        original = getattr(kernel, name)
-        # Annotations name types that compiled code has no use for.
-        bound = FunctionType(original.__code__, compiled, name, original.__defaults__)
-        compiled[name] = numba.njit(bound, error_model="numpy", inline="always")
-    bound = FunctionType(_line.__code__, compiled, _line.__name__)
-    compiled[_line.__name__] = numba.njit(bound, error_model="numpy", inline="always")
+        bind(getattr(kernel, name))
+    bind(_line)
     for loop in (_guess, _look):
-        bound = FunctionType(loop.__code__, compiled, loop.__name__)
-        compiled[loop.__name__] = numba.njit(bound, error_model="numpy")
+        bind(loop, inline="never")
     return compiled
 
 
@@ -78,12 +92,12 @@ def where(condition: bool, yes: float, no: float) -> float:
 
 def maximum(one: float, other: float) -> float:
     """numpy.maximum for scalars: NaN if either is."""
-    return one if one > other or one != one else other  # noqa: PLR0124
+    return one if one > other or isnan(one) else other
 
 
 def minimum(one: float, other: float) -> float:
     """numpy.minimum for scalars: NaN if either is."""
-    return one if one < other or one != one else other  # noqa: PLR0124
+    return one if one < other or isnan(one) else other
 
 
 def copysign(size: float, sign: float) -> float:
@@ -96,41 +110,28 @@ def cbrt(x: float) -> float:
 
     A third of the exponent through the bits, then three steps of Halley's method, each of which triples the digits.
     """
-    y = number(int(float(bits(x)) * 0.3333333333333333) + 3071306043645493248)  # type: ignore[name-defined]  # noqa: F821
+    y = number(int(float(bits(x)) * 0.3333333333333333) + 3071306043645493248)  # type: ignore[name-defined]  # noqa: F821  # bound in _namespace
     for _ in range(3):
         cube = y * y * y
         y = y * (cube + 2.0 * x) / (2.0 * cube + x)
     return y if x > 0.0 else 0.0
 
 
-def _bits() -> Any:
-    """A float64's bits as an int64."""
+def _bitcast(given: str, wanted: str) -> Any:
+    """A function that reads the bits of one type of number as another."""
     from numba import types
     from numba.extending import intrinsic
 
-    @intrinsic
-    def bits(typing_context: Any, x: Any) -> Any:
-        def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            return builder.bitcast(arguments[0], context.get_value_type(types.int64))
-
-        return types.int64(types.float64), generate
-
-    return bits
-
-
-def _number() -> Any:
-    """The float64 with an int64's bits."""
-    from numba import types
-    from numba.extending import intrinsic
+    signature = getattr(types, wanted)(getattr(types, given))
 
     @intrinsic
-    def number(typing_context: Any, i: Any) -> Any:
+    def cast(typing_context: Any, value: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-            return builder.bitcast(arguments[0], context.get_value_type(types.float64))
+            return builder.bitcast(arguments[0], context.get_value_type(signature.return_type))
 
-        return types.float64(types.int64), generate
+        return signature, generate
 
-    return number
+    return cast
 
 
 @cache
@@ -218,7 +219,7 @@ def _solve(  # type: ignore[no-untyped-def]
             good = number[i] > 0
             for j in range(number[i]):
                 good = good and verdict[root] != _UNSURE and (nbar == 0.0 or t[root] > 0.0)
-                good = good and (j == 0 or apart(t[root - 1], radius[root - 1], t[root], radius[root]))  # type: ignore[name-defined]  # noqa: F821
+                good = good and (j == 0 or apart(t[root - 1], radius[root - 1], t[root], radius[root]))
                 if verdict[root] == _MEMBER and place < out_t.shape[0]:
                     out_t[place, begin + i], out_L[place, begin + i] = t[root], L[root]
                     out_x[place, begin + i], out_y[place, begin + i] = x[root], y[root]
@@ -232,9 +233,9 @@ def _solve(  # type: ignore[no-untyped-def]
 
 def _line(theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma: Any, beta: Any, nbar: Any) -> Any:
     """cos θ₀ and sin θ₀, the coefficients of f, and the sums that bound their rounding errors."""
-    c0, s0 = cosine_and_sine(theta0)  # type: ignore[name-defined]  # noqa: F821
-    a, b, d, m = f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)  # type: ignore[name-defined]  # noqa: F821
-    a_sum, d_sum = f_magnitudes(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)  # type: ignore[name-defined]  # noqa: F821
+    c0, s0 = cosine_and_sine(theta0)
+    a, b, d, m = f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)
+    a_sum, d_sum = f_magnitudes(c0, s0, mu0, kappa, alpha, sigma, beta, nbar)
     return c0, s0, a, b, d, m, a_sum, d_sum
 
 
@@ -242,13 +243,13 @@ def _guess(theta0, mu0, kappa, alpha, sigma, beta, nbar, u, t0, t1, t2, t3, numb
     """tan(θ/2) at the roots that may be equilibria, ascending, and how many; 0 where float64 leaves that open."""
     for i in range(theta0.size):
         _, s0, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar)
-        D, D_error = discriminant(a, b, d, m, a_sum, d_sum, u)  # type: ignore[name-defined]  # noqa: F821
-        p1, q1, p2, q2 = factors(a, b, d, m)  # type: ignore[name-defined]  # noqa: F821
-        one, other, _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821
-        third, fourth, _ = root_pair(p2, q2)  # type: ignore[name-defined]  # noqa: F821
+        D, D_error = discriminant(a, b, d, m, a_sum, d_sum, u)
+        p1, q1, p2, q2 = factors(a, b, d, m)
+        one, other, _ = root_pair(p1, q1)
+        third, fourth, _ = root_pair(p2, q2)
         contact = nbar > 0.0
-        more = (not D > D_error) & (not (contact & lone(a, b, d, m, a_sum, d_sum, u)))  # type: ignore[name-defined]  # noqa: F821
-        usual = normal(s0, mu0[i], kappa[i], alpha[i], sigma[i], beta[i])  # type: ignore[name-defined]  # noqa: F821
+        more = (not D > D_error) & (not (contact & lone(a, b, d, m, a_sum, d_sum, u)))
+        usual = normal(s0, mu0[i], kappa[i], alpha[i], sigma[i], beta[i])
         # A sorting network; what is left out goes to the end.
         low, high = where(contact, np.inf, minimum(one, other)), maximum(one, other)
         third = where(more, third, np.inf)
@@ -265,7 +266,7 @@ def _look(  # type: ignore[no-untyped-def]
     """What is at each root, and whether that is an equilibrium with all its digits, or certainly none."""
     for i in range(t.size):
         c0, s0, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar)
-        L, x, y, radius, error, member, outsider, code = at_root(  # type: ignore[name-defined]  # noqa: F821
+        L, x, y, radius, error, member, outsider, code = at_root(
             t[i], a, b, d, m, a_sum, d_sum, c0, s0, mu0[i], kappa[i], alpha[i], sigma[i], beta[i], nbar, u
         )
         out_L[i], out_x[i], out_y[i], out_radius[i], out_error[i], out_code[i] = L, x, y, radius, error, code
@@ -288,10 +289,10 @@ def roots_and_counts(values: tuple[Any, ...]) -> tuple[NDArray[np.float64], NDAr
 def _roots(theta0, mu0, kappa, alpha, sigma, beta, u, roots, count) -> None:  # type: ignore[no-untyped-def]
     for i in range(count.size):
         _, _, a, b, d, m, a_sum, d_sum = _line(theta0[i], mu0[i], kappa[i], alpha[i], sigma[i], beta[i], 1)
-        D, bound = discriminant(a, b, d, m, a_sum, d_sum, u)  # type: ignore[name-defined]  # noqa: F821
-        p1, q1, p2, q2 = factors(a, b, d, m)  # type: ignore[name-defined]  # noqa: F821
-        roots[0, i], roots[1, i], _ = root_pair(p1, q1)  # type: ignore[name-defined]  # noqa: F821
-        roots[2, i], roots[3, i], _ = root_pair(p2, q2)  # type: ignore[name-defined]  # noqa: F821
+        D, bound = discriminant(a, b, d, m, a_sum, d_sum, u)
+        p1, q1, p2, q2 = factors(a, b, d, m)
+        roots[0, i], roots[1, i], _ = root_pair(p1, q1)
+        roots[2, i], roots[3, i], _ = root_pair(p2, q2)
         count[i] = -1 if abs(D) <= bound else 4 if D < 0 else 2
 
 

@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.util
+import inspect
 import math
 import threading
 from collections.abc import Callable
@@ -241,7 +242,7 @@ def _scipy(problem: Problem) -> Motion:
 
 
 def _field(problem: Problem, regime: Regime) -> Callable[[float, FloatArray], State]:
-    algebra: Any = motion.regime_rhs.__wrapped__  # type: ignore[attr-defined]
+    algebra = inspect.unwrap(motion.regime_rhs)
     nbar, side, near = regime
     constants, xp = (*problem.constants, nbar, side), _FLOATS if near else _FLOATS_FAR
 
@@ -326,7 +327,7 @@ class _Compiled:
         V, d = constants[7:]
         nbar, side, near, reach = (hy.par[i] for i in range(9, 13))
         xp = SimpleNamespace(sqrt=hy.sqrt, exp=lambda z: near * hy.exp(z))
-        algebra: Any = motion.regime_rhs.__wrapped__  # type: ignore[attr-defined]
+        algebra = inspect.unwrap(motion.regime_rhs)
         ax, ay = algebra(x, y, vx, vy, *constants, nbar, side, xp=xp)
         borders = {
             self._contact: y + GAP * (1 - 2 * nbar),

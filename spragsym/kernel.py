@@ -12,6 +12,7 @@ simple, so that the two roots about to meet sit together in the second factor, w
 
 from __future__ import annotations
 
+import inspect
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -22,17 +23,17 @@ from .generated import stability as _stability
 #: A float, an array, or a compiled scalar.
 Value: TypeAlias = Any
 
-f_coefficients = _equilibrium.f_coefficients.__wrapped__  # type: ignore[attr-defined]
-f_magnitudes = _equilibrium.f_magnitudes.__wrapped__  # type: ignore[attr-defined]
-resolvent = _equilibrium.resolvent.__wrapped__  # type: ignore[attr-defined]
-t_quartic = _equilibrium.t_quartic.__wrapped__  # type: ignore[attr-defined]
-f = _equilibrium.f.__wrapped__  # type: ignore[attr-defined]
-f_slope = _equilibrium.f_slope.__wrapped__  # type: ignore[attr-defined]
-state = _equilibrium.state.__wrapped__  # type: ignore[attr-defined]
-f_curvature = _equilibrium.f_curvature.__wrapped__  # type: ignore[attr-defined]
-f_third = _equilibrium.f_third.__wrapped__  # type: ignore[attr-defined]
-stiffness = _stability.stiffness.__wrapped__  # type: ignore[attr-defined]
-invariants = _stability.invariants.__wrapped__  # type: ignore[attr-defined]
+f_coefficients = inspect.unwrap(_equilibrium.f_coefficients)
+f_magnitudes = inspect.unwrap(_equilibrium.f_magnitudes)
+resolvent = inspect.unwrap(_equilibrium.resolvent)
+t_quartic = inspect.unwrap(_equilibrium.t_quartic)
+f = inspect.unwrap(_equilibrium.f)
+f_slope = inspect.unwrap(_equilibrium.f_slope)
+state = inspect.unwrap(_equilibrium.state)
+f_curvature = inspect.unwrap(_equilibrium.f_curvature)
+f_third = inspect.unwrap(_equilibrium.f_third)
+stiffness = inspect.unwrap(_stability.stiffness)
+invariants = inspect.unwrap(_stability.invariants)
 
 # Named, so that the compiled kernel can bind versions for scalars.
 where, maximum, minimum = np.where, np.maximum, np.minimum

@@ -130,12 +130,12 @@ def _polished(monic: tuple[mpmath.mpf, ...], split: list[mpmath.mpf]) -> list[mp
     """Newton's method on the two factors; nothing if it does not converge."""
     if not all(mpmath.isfinite(value) and value for value in split):
         return None
+    close = mpmath.ldexp(1, 8 - mpmath.mp.prec)
     for _ in range(6):
         try:
             before, split = split, list(kernel.polish(*monic, *split))
         except ZeroDivisionError:
             return None
-        close = mpmath.ldexp(1, 8 - mpmath.mp.prec)
         if all(abs(new - old) <= close * abs(old) for new, old in zip(split, before, strict=True)):
             return split
     return None

@@ -18,6 +18,7 @@ from . import kernel, polynomials
 from .errors import ConvergenceError
 from .generated import catastrophe as _catastrophe
 from .intervals import Arithmetic, Interval, sign
+from .parameters import NAMES
 from .polynomials import Undecided
 
 #: Bits of the first try and of the last.
@@ -191,10 +192,9 @@ def folds(arith: Arithmetic, vary: str, exact: dict[str, Fraction], bits: int) -
     if vary == "theta0":
         yield from _folds_in_theta0(arith, exact, bits)
         return
-    names = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
-    fixed = {name: arith.exact(exact[name]) for name in names if name != vary}
+    fixed = {name: arith.exact(exact[name]) for name in NAMES if name != vary}
     c0, s0 = arith.cos_sin(fixed.pop("theta0"))
-    others = [fixed[name] for name in names[1:] if name != vary]
+    others = [fixed[name] for name in NAMES[1:] if name != vary]
     lines = _LINES[vary]
 
     def eliminated(t: Fraction) -> Interval:
@@ -208,7 +208,7 @@ def folds(arith: Arithmetic, vary: str, exact: dict[str, Fraction], bits: int) -
         u1, w1, u2, w2 = lines(c, s, c0, s0, *others)
         value = -u1 / w1 if sign(arith, w1) else -u2 / w2
         found = {**fixed, vary: value}
-        for point in _in_contact(arith, c, s, c0, s0, found["mu0"], tuple(found[name] for name in names[2:])):
+        for point in _in_contact(arith, c, s, c0, s0, found["mu0"], tuple(found[name] for name in NAMES[2:])):
             yield Point((arith.exact(exact["theta0"]), *point.parameters[1:]), point.theta, point.L, point.x, point.y)
 
 

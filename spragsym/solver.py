@@ -258,8 +258,7 @@ def solve(columns: Columns, contact: bool, out: _Slots, dtype: type[np.floating[
     settled = _fill(out, slice(None), at(ts), ~paired, contact, u)
     pairs = np.flatnonzero(paired)
     if pairs.size:
-        one, other, square = kernel.root_pair(p2[pairs], q2[pairs])
-        one = np.where(square < 0.0, np.nan, one)
+        one, other, _ = kernel.root_pair(p2[pairs], q2[pairs])
         roots = _ascending([*(t[pairs] for t in ts), one, other])
         settled[pairs] = _fill(out, pairs, at(roots, pairs), True, contact, u)
     return np.flatnonzero(~(settled & kernel.normal(*values[1:])))
@@ -361,7 +360,7 @@ def _escalate(p: Parameters, contact: bool, out: _Slots, rows: NDArray[np.int64]
     """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals."""
     theta0, mu0, kappa, alpha, sigma, beta = (
         np.broadcast_to(getattr(p, name), p.shape).flat[rows]
-        for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+        for name in NAMES
     )
     out.escalated[rows] = True
     left = np.arange(rows.size)
@@ -389,8 +388,6 @@ def _extended_precision() -> bool:
 
 
 def _store(out: _Slots, row: int, point: tuple[float, ...], found: Any) -> None:
-    import mpmath
-
     out.count[row] = len(found.states)
     out.fold[row] = found.fold
     for slot, state in enumerate(found.states):
@@ -398,6 +395,8 @@ def _store(out: _Slots, row: int, point: tuple[float, ...], found: Any) -> None:
         out.stability[row, slot] = state.stability
         out.error[row, slot] = state.error
         if not np.isfinite(out.L[row, slot] + out.x[row, slot] + out.y[row, slot]):
+            import mpmath
+
             named = ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
             raise ConvergenceError(
                 f"log10 L = {float(mpmath.log10(state.L)):.6g} at an equilibrium of {named} is beyond float64; "

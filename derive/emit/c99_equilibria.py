@@ -23,6 +23,9 @@ EQUILIBRIA = r"""
 #define BLOCK 64
 #define LANES 16
 #define GROUPS 16
+#if GROUPS * LANES != MAX_ROOTS * BLOCK
+#error "spragsym: the groups must have room for every root of a block"
+#endif
 
 /* (t^2 + p1 t + q1) (t^2 + p2 t + q2) with q1 < 0 < q2. */
 typedef struct {
@@ -588,7 +591,7 @@ static void load(int points, const spragsym_parameters given[], spragsym_status 
 }
 
 /* The guesses of all points one after the other; how many. Points that double can't carry have none. */
-static int line_up(int points, spragsym_status statuses[], point_columns *p, root_columns groups[GROUPS]) {
+static int line_up(int points, spragsym_status statuses[], const point_columns *p, root_columns groups[GROUPS]) {
     int total = 0;
     for (int i = 0; i < BLOCK; i++) {
         if (i < points && statuses[i] == SPRAGSYM_OK && !p->carried[i]) {

@@ -190,8 +190,11 @@ def broadcasting(function: Callable[_P, _R]) -> Callable[_P, _R]:
         arrays = [value for value in numbers if isinstance(value, np.ndarray)]
         if arrays:
             shape = np.broadcast_shapes(*(value.shape for value in arrays))
-            return _fill(result, shape, np.result_type(*arrays))  # type: ignore[no-any-return]
-        return _typed(result, numbers)  # type: ignore[no-any-return]
+            result = _fill(result, shape, np.result_type(*arrays))
+        else:
+            result = _typed(result, numbers)
+        shared: _R = result
+        return shared
 
     return shaped
 

@@ -115,7 +115,8 @@ def _row(statement: Statement) -> Row:
 
 def _rounded(value: Any, digits: int) -> Value:
     if isinstance(value, np.ndarray | list | tuple):
-        return [_rounded(item, digits) for item in value]  # type: ignore[return-value]
+        items: list[Any] = [_rounded(item, digits) for item in value]
+        return items
     if isinstance(value, float | np.floating):
         return float(f"{float(value):.{digits}g}")
     return int(value) if isinstance(value, np.integer | int) and not isinstance(value, bool) else str(value)

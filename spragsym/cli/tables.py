@@ -5,13 +5,16 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
 
 #: Columns where no terminal says how many: no line is broken.
 PLAIN_WIDTH = 1000
 
 
-def show(thing: object, whole: bool = False) -> None:
+def show(thing: RenderableType, whole: bool = False) -> None:
     """Print a table or a styled text on stdout, in a pipe without styles and without blanks at the ends of lines.
 
     What is ``whole`` is not fitted into a narrow terminal, which then breaks the lines itself.
@@ -23,7 +26,7 @@ def show(thing: object, whole: bool = False) -> None:
     wide = Console(highlight=False, width=PLAIN_WIDTH)
     if wide.is_terminal:
         out = Console(highlight=False)
-        least = Measurement.get(wide, wide.options, thing).maximum if whole else 0  # type: ignore[arg-type]
+        least = Measurement.get(wide, wide.options, thing).maximum if whole else 0
         out.width = max(out.width, least)
         out.print(thing)
         return

@@ -103,7 +103,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
  *
  * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result under -std=c99.
- * Works in blocks of @block@ points, with 36 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
+ * Works in blocks of @block@ points, with 37 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
  * stay in the processor's cache. Calls from several threads on different arrays do not disturb each other.
  *
  * @param points      how many; with 0, pointers may be null

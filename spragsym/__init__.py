@@ -17,7 +17,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from ._version import __version__
-from .errors import ConvergenceError, MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
+from .errors import BackendError, ConvergenceError, MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
 from .parameters import Parameters, PhysicalParameters, Scales
 
 if TYPE_CHECKING:
@@ -105,6 +105,7 @@ _LAZY: dict[str, str] = {
 }
 
 __all__ = [
+    "BackendError",
     "ConvergenceError",
     "MissingExtraError",
     "ParameterError",

@@ -1,14 +1,11 @@
-"""Which code solves many points: NumPy, or the same formulas compiled by numba."""
+"""Which code solves many points: NumPy, or the same kernel compiled from the generated C."""
 
 from __future__ import annotations
 
-import importlib.util
 from dataclasses import dataclass
 
-from .errors import MissingExtraError, ParameterError
-
-#: Points from which the compiled solver is chosen by itself: below, importing it takes longer than NumPy's answer.
-WORTH_COMPILING = 20_000
+from .errors import BackendError, ParameterError
+from .statics import compiled
 
 
 @dataclass
@@ -21,21 +18,22 @@ _choice = _Choice()
 
 
 def set_backend(name: str, threads: int = 1) -> None:
-    """Choose how :func:`spragsym.equilibria` solves points; counts and digits are the same, bounds included.
+    """Choose how :func:`spragsym.equilibria` solves points; counts are the same, and digits within the bounds.
 
     Parameters
     ----------
-    name : {"auto", "numpy", "numba"}
-        ``"auto"``, the default, takes numba for 20 000 points and more where it is installed, and NumPy otherwise.
+    name : {"auto", "numpy", "compiled"}
+        ``"auto"``, the default, takes the compiled solver where a C compiler was at hand on installation, as in the wheels, and
+        NumPy otherwise.
     threads : int
-        Threads of the compiled solver; results do not depend on it.
+        Threads that solve blocks of points; results do not depend on it.
 
     Raises
     ------
     ParameterError
         For another name or a number of threads below 1.
-    MissingExtraError
-        For ``"numba"`` where it is not installed.
+    BackendError
+        For ``"compiled"`` where it was not built.
 
     Examples
     --------
@@ -44,12 +42,15 @@ def set_backend(name: str, threads: int = 1) -> None:
     'numpy'
     >>> set_backend("auto")
     """
-    if name not in ("auto", "numpy", "numba"):
-        raise ParameterError(f"backend = {name!r} is not one of 'auto', 'numpy' and 'numba'")
+    if name not in ("auto", "numpy", "compiled"):
+        raise ParameterError(f"backend = {name!r} is not one of 'auto', 'numpy' and 'compiled'")
     if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
         raise ParameterError(f"threads = {threads!r} is not a number of threads; give an integer of 1 or more")
-    if name == "numba" and not _has_numba():
-        raise MissingExtraError("the backend 'numba'", "numba", "fast")
+    if name == "compiled" and not compiled.available():
+        raise BackendError(
+            "the backend 'compiled' was not built: no C compiler was found on installation; "
+            "install a wheel, or a compiler and spragsym again"
+        )
     _choice.name, _choice.threads = name, threads
 
 
@@ -58,12 +59,8 @@ def get_backend() -> str:
     return _choice.name
 
 
-def chosen(points: int) -> tuple[str, int]:
-    """The backend for so many points, and its threads."""
+def chosen() -> tuple[str, int]:
+    """The backend to use, and its threads."""
     if _choice.name == "auto":
-        return ("numba" if points >= WORTH_COMPILING and _has_numba() else "numpy"), _choice.threads
+        return ("compiled" if compiled.available() else "numpy"), _choice.threads
     return _choice.name, _choice.threads
-
-
-def _has_numba() -> bool:
-    return importlib.util.find_spec("numba") is not None

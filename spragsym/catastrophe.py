@@ -95,7 +95,8 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
         mu0 = _catastrophe.surface(c, s, c0, s0, kappa, alpha, sigma, beta)
         L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
         slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1))
-        code = kernel.stability(c, s, L, slope, 0.0, mu0, alpha, sigma, beta, 1)
+        point = kernel.Point(c0, s0, mu0, kappa, alpha, sigma, beta, 1)
+        code = kernel.stability(kernel.Direction(c, s), L, slope, 0.0, point).code
     good = (y < 0) & (L > 0) & np.isfinite(mu0)
     mu0, L, x, y = (np.where(good, value, np.nan) for value in (mu0, L, x, y))
     return Surface(direction, reference, mu0, L, x, y, np.where(good, code, 0).astype(np.int8))

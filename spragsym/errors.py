@@ -27,3 +27,7 @@ class MissingExtraError(SpragsymError, ImportError):
             f"{feature} needs {module}, which is not installed; install the extra that brings it: "
             f"pip install 'spragsym[{extra}]'"
         )
+
+
+class BackendError(SpragsymError, ImportError):
+    """A backend that this installation does not have."""

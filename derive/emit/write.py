@@ -14,7 +14,7 @@ from pathlib import Path
 
 import sympy as sp
 
-from . import c99, ledger, python
+from . import bounds, language, ledger, targets
 from .functions import further_parameters, modules
 from .ledger import Ledger
 
@@ -22,9 +22,10 @@ SOURCES = Path(__file__).resolve().parent.parent
 
 
 def source_hash() -> str:
-    """SHA-256 over the names and bytes of all files of ``derive/``."""
+    """SHA-256 over the names and bytes of all source files of ``derive/``."""
     digest = hashlib.sha256()
-    for path in sorted(SOURCES.rglob("*.py"), key=lambda path: path.relative_to(SOURCES).as_posix()):
+    files = (path for path in SOURCES.rglob("*") if path.is_file() and path.suffix not in (".pyc", ".pyo"))
+    for path in sorted(files, key=lambda path: path.relative_to(SOURCES).as_posix()):
         digest.update(path.relative_to(SOURCES).as_posix().encode() + b"\0" + path.read_bytes() + b"\0")
     return digest.hexdigest()
 
@@ -36,16 +37,19 @@ def render(outcome: Ledger) -> dict[str, str]:
     names = modules()
     listed = "\n".join(f"- :mod:`{module.name}`: {module.summary}" for module in names)
     init = (
-        f'"""Plain algebra, derived from first principles and checked against the article.\n\n{listed}\n\n{header}\n"""\n\n'
+        f'"""Plain algebra, derived from first principles and checked against the article.\n\n{listed}\n'
+        f'- :mod:`kernel`: The equilibria of one point, and how far they can be trusted.\n\n{header}\n"""\n\n'
         f'#: SHA-256 of the derivation that this package was generated from.\nSOURCE_HASH = "{digest}"\n'
     )
+    kernel = language.read()
+    known = {function.name: function for module in names for function in module.functions}
+    material = targets.Material(names, kernel, bounds.counts(kernel, known), header)
+    # A variant with parameters of its own is printed by targets that can.
+    wanted = [target for target in targets.targets() if target.further or not further_parameters()]
     return {
         "__init__.py": init,
         "py.typed": "",
-        "_broadcast.py": python.BROADCAST_SOURCE.format(header=header),
-        **{f"{module.name}.py": python.render(module, header) for module in names},
-        # The C model holds the published parameters only: a variant that needs more has no C.
-        **({} if further_parameters() else c99.render(names, header.replace("``", ""))),
+        **{path: text for target in wanted for path, text in targets.files(target, material).items()},
         "ledger.json": json.dumps(ledger.as_dict(outcome, digest), indent=1, ensure_ascii=False) + "\n",
         "LEDGER.md": ledger.markdown(outcome, header),
     }

@@ -1,11 +1,4 @@
-# ruff: noqa: E501  # C is 124 wide
-"""The C header around the generated prototypes, and the head of the C source.
-
-In these texts ``@cost:name@`` is replaced by the counted worst case of the function ``name``, ``@...@`` by generated text. They
-keep to what :mod:`.c99_cost` can count: loops with constant bounds, one function a definition.
-"""
-
-HEADER = r"""/**
+/**
  * @file spragsym.h
  * Equilibria, stability and motion of the sprag-slip oscillator, for real-time use. C99, no allocation, no global state.
  *
@@ -139,54 +132,9 @@ spragsym_status spragsym_step(const spragsym_model *model, double V, double d, d
  * The algebra that the above stands on. Each is generated from the derivation and agrees with the function of that name in
  * the Python package `spragsym.generated`, operation for operation. Matrices are row by row.
  */
-@prototypes@
+/* @prototypes@ */
 #ifdef __cplusplus
 }
 #endif
 
 #endif
-"""
-
-SOURCE_HEAD = r"""/**
- * @file spragsym.c
- * @header@
- *
- * Worst-case operations, counted in this text: + - * / and comparisons of doubles, then calls of libm.
-@table@
- */
-#include "spragsym.h"
-
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "spragsym: -ffast-math and its parts break the error bounds and the checks for finite numbers"
-#endif
-#if FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD == -1
-#error "spragsym: doubles must be computed in double precision"
-#endif
-/* One rounding an operation, so that no bit depends on where a compiler would fuse two. gcc wants -std=c99 for it, or
- * -ffp-contract=off; without, bits may differ, and the bounds hold all the same. */
-#if defined(__clang__) || !defined(__GNUC__)
-#pragma STDC FP_CONTRACT OFF
-#endif
-/* What a loop calls must be part of it before it can be turned into vector instructions. */
-#ifdef __GNUC__
-#define INLINE static inline __attribute__((always_inline))
-#else
-#define INLINE static inline
-#endif
-
-INLINE double square(double value) { return value * value; }
-
-INLINE double sign(double value) { return (value > 0.0) ? 1.0 : ((value < 0.0) ? -1.0 : 0.0); }
-
-INLINE double larger(double one, double other) { return (one > other) ? one : other; }
-
-INLINE double smaller(double one, double other) { return (one < other) ? one : other; }
-
-/* ------------------------------------------------------------------------------------ generated algebra */
-"""

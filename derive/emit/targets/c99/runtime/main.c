@@ -1,29 +1,4 @@
-# ruff: noqa: E501  # C is 124 wide
-"""What an export brings along: a makefile and an example."""
-
-MAKEFILE = """# Builds the example: `make && ./example`. For batches, where the machine that builds is the one that runs:
-# `make ARCH=-march=native`.
-CC ?= cc
-CFLAGS ?= -O3 -fno-math-errno -fno-trapping-math
-ARCH ?=
-override CFLAGS += $(ARCH) -std=c99 -Wall -Wextra -Wpedantic -Werror
-
-example: main.o spragsym.o
-\t$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $^ -lm
-
-main.o spragsym.o: spragsym.h flags
-
-# Other flags than those of the last build make everything anew.
-flags: always
-\t@echo '$(CC) $(CFLAGS)' | cmp -s - $@ || echo '$(CC) $(CFLAGS)' > $@
-
-clean:
-\trm -f example main.o spragsym.o flags
-
-.PHONY: always clean
-"""
-
-EXAMPLE = r"""/* Equilibria at the article's base values, their number against theta0, and some steps of the motion. */
+/* Equilibria at the article's base values, their number against theta0, and some steps of the motion. */
 #include <stdio.h>
 
 #include "spragsym.h"
@@ -88,4 +63,3 @@ int main(void) {
     }
     return 0;
 }
-"""

@@ -1,0 +1,175 @@
+"""The small language of ``derive/kernel.py``: its primitives, and how a target reads it.
+
+A function is a docstring, statements and a return. Statements assign a name, unpack the results of generated algebra into names,
+or repeat statements a fixed number of times. Everything has one of three kinds: a real number, a flag, or a record.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any, TypeAlias
+
+#: A number: a float, an array of any float type, an interval, whatever the target computes with.
+Real: TypeAlias = Any
+#: True or false, or an array of such.
+Flag: TypeAlias = Any
+
+KERNEL = Path(__file__).resolve().parent.parent / "kernel.py"
+REAL, FLAG = "Real", "Flag"
+
+
+def _primitive(name: str) -> Callable[..., Any]:
+    def unbound(*_: Any) -> Any:
+        raise TypeError(f"{name} has no meaning before a target gives it one")
+
+    return unbound
+
+
+#: What every target provides: both sides of a choice computed, and functions of one or two reals.
+where, maximum, minimum, absolute, sqrt, cube_root = map(
+    _primitive, ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
+)
+PRIMITIVES = ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
+
+
+@dataclass(frozen=True)
+class Record:
+    """A named tuple of reals and flags."""
+
+    name: str
+    summary: str
+    fields: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Routine:
+    """One function of the kernel."""
+
+    name: str
+    summary: str
+    arguments: tuple[tuple[str, str], ...]
+    returns: str
+    body: tuple[ast.stmt, ...]
+
+
+@dataclass(frozen=True)
+class Constant:
+    """A named number, and the comment above it."""
+
+    name: str
+    value: float
+    comment: str
+
+
+@dataclass(frozen=True)
+class Source:
+    """The kernel as read: what a target prints, and the text itself for a target that is Python."""
+
+    text: str
+    constants: tuple[Constant, ...]
+    records: Mapping[str, Record]
+    routines: Mapping[str, Routine]
+
+    @cached_property
+    def lines(self) -> list[str]:
+        """Lines of the text, from line 1 at index 0."""
+        return self.text.splitlines()
+
+
+class KernelError(ArithmeticError):
+    """The kernel's source is not in its language."""
+
+
+def read(path: Path = KERNEL) -> Source:
+    """Parse the kernel."""
+    text = path.read_text(encoding="utf-8")
+    lines = text.splitlines()
+    constants, records, routines = [], {}, {}
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.Assign):
+            constants.append(_constant(node, lines))
+        elif isinstance(node, ast.ClassDef):
+            records[node.name] = _record(node)
+        elif isinstance(node, ast.FunctionDef):
+            routines[node.name] = _routine(node)
+    return Source(text, tuple(constants), records, routines)
+
+
+def _constant(node: ast.Assign, lines: list[str]) -> Constant:
+    (target,) = node.targets
+    assert isinstance(target, ast.Name)
+    comment = []
+    line = node.lineno - 2
+    while lines[line].startswith("#:"):
+        comment.insert(0, lines[line].removeprefix("#:").strip())
+        line -= 1
+    value = float("inf") if isinstance(node.value, ast.Call) else ast.literal_eval(node.value)
+    return Constant(target.id, float(value), " ".join(comment))
+
+
+def _record(node: ast.ClassDef) -> Record:
+    fields = [(item.target.id, item.annotation.id) for item in node.body if isinstance(item, ast.AnnAssign)]  # type: ignore[union-attr]
+    return Record(node.name, ast.get_docstring(node) or "", tuple(fields))
+
+
+def _routine(node: ast.FunctionDef) -> Routine:
+    arguments = tuple((argument.arg, _kind(argument.annotation, node)) for argument in node.args.args)
+    return Routine(node.name, ast.get_docstring(node) or "", arguments, _kind(node.returns, node), tuple(node.body[1:]))
+
+
+def _kind(annotation: ast.expr | None, node: ast.AST) -> str:
+    if not isinstance(annotation, ast.Name):
+        raise KernelError(f"line {node.lineno}: arguments and results need a kind: Real, Flag or a record")  # type: ignore[attr-defined]
+    return annotation.id
+
+
+# ------------------------------------------------------------------------------------------------------ kinds
+
+
+@dataclass(frozen=True)
+class Kinds:
+    """What is real, what is a flag, and what is a record, anywhere in the kernel."""
+
+    source: Source
+
+    def of(self, expression: ast.expr, names: Mapping[str, str]) -> str:
+        """The kind of an expression, given that of the names in it."""
+        match expression:
+            case ast.Constant():
+                return REAL
+            case ast.Name(id=name):
+                return names.get(name, REAL)
+            case ast.Attribute(value=value, attr=attribute):
+                return dict(self.source.records[self.of(value, names)].fields)[attribute]
+            case ast.Compare():
+                return FLAG
+            case ast.BinOp(op=ast.BitAnd() | ast.BitOr()) | ast.UnaryOp(op=ast.Invert()):
+                return FLAG
+            case ast.BinOp() | ast.UnaryOp():
+                return REAL
+            case ast.Call(func=ast.Name(id="where"), args=[_, yes, _]):
+                return self.of(yes, names)
+            case ast.Call(func=ast.Name(id=name)):
+                if name in self.source.records:
+                    return name
+                return self.source.routines[name].returns if name in self.source.routines else REAL
+        raise KernelError(f"line {expression.lineno}: {ast.unparse(expression)} is not in the kernel's language")
+
+    def calls(self, routine: Routine) -> Iterator[str]:
+        """Names of all functions that a routine calls."""
+        for statement in routine.body:
+            for node in ast.walk(statement):
+                if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
+                    yield node.func.id
+
+
+def passes(loop: ast.For) -> int:
+    """How often a loop repeats."""
+    match loop.iter:
+        case ast.Call(func=ast.Name(id="range"), args=[ast.Constant(value=int(number))]):
+            return number
+    raise KernelError(f"line {loop.lineno}: a loop runs over range(number)")

@@ -1,0 +1,153 @@
+"""Generated algebra in C: the statements of the Python target, operation for operation."""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...functions import Function
+from ...statements import flatten, straight_line
+from ..python.algebra import AlgebraPrinter, meaning
+
+_WIDTH = 124
+#: Names that mean something else in C.
+_NAMES = {"cos": "cos_theta", "sin": "sin_theta"}
+_LARGEST_EXACT = 2**53
+
+
+class CPrinter(AlgebraPrinter):
+    """The statements of the Python printer in C, operation for operation."""
+
+    def _print_Symbol(self, expression: sp.Symbol) -> str:
+        return _NAMES.get(expression.name, str(expression.name))
+
+    def _print_Integer(self, expression: sp.Integer) -> str:
+        if abs(int(expression)) > _LARGEST_EXACT:
+            raise ArithmeticError(f"the integer {expression} would be rounded")
+        return f"{int(expression)}.0"
+
+    def _print_One(self, expression: sp.Integer) -> str:
+        return "1.0"
+
+    def _print_Zero(self, expression: sp.Integer) -> str:
+        return "0.0"
+
+    def _print_NegativeOne(self, expression: sp.Integer) -> str:
+        return "-1.0"
+
+    def _print_Rational(self, expression: sp.Rational) -> str:
+        # One division of two exact numbers: the rational, rounded once.
+        numerator, denominator = sp.Integer(expression.p), sp.Integer(expression.q)
+        return f"({self._print_Integer(numerator)}/{self._print_Integer(denominator)})"
+
+    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
+        if expression.exp == 2:
+            return f"square({self._print(expression.base)})"
+        if expression.exp == -2:
+            return f"1.0/square({self._print(expression.base)})"
+        return re.sub(r"^1/", "1.0/", super()._print_Pow(expression, rational=rational)).replace("xp.", "")
+
+    def _print_exp(self, expression: sp.exp) -> str:
+        return f"exp({self._print(expression.args[0])})"
+
+    def _print_Abs(self, expression: sp.Abs) -> str:
+        return f"fabs({self._print(expression.args[0])})"
+
+    def _print_sign(self, expression: sp.sign) -> str:
+        return f"sign({self._print(expression.args[0])})"
+
+
+_PRINTER = CPrinter({"order": None})
+
+
+@dataclass(frozen=True)
+class Emitted:
+    """A static function of the C source."""
+
+    name: str
+    text: str
+    operations: int
+
+
+def _name(symbol: sp.Symbol) -> str:
+    return str(_PRINTER.doprint(symbol))
+
+
+def _result(function: Function) -> str:
+    count = len(list(flatten(function.results)))
+    return f"double result[{count}]" if isinstance(function.results, tuple) else "double *result"
+
+
+def _signature(start: str, function: Function, result: str | None) -> str:
+    tied = "\N{NO-BREAK SPACE}"  # a type stays on the line of its name
+    arguments = [f"double {_name(symbol)}" for symbol in function.arguments] + [result] * (result is not None)
+    listed = ", ".join(argument.replace(" ", tied) for argument in arguments)
+    filled = textwrap.fill(f"{start}({listed})", _WIDTH, subsequent_indent="    ", break_long_words=False)
+    return filled.replace(tied, " ")
+
+
+def static(name: str, function: Function) -> Emitted:
+    """The algebra itself, unchecked: one result is returned, several are written to an array."""
+    body = straight_line(function)
+    results = list(flatten(body.results))
+    single = not isinstance(function.results, tuple)
+    targets = ["return"] if single else [f"result[{index}] =" for index in range(len(results))]
+    used = {symbol for expression in [*dict(body.assignments).values(), *results] for symbol in expression.free_symbols}
+    start = f"INLINE {'double' if single else 'void'} {name}"
+    lines = [
+        f"/* {function.summary} Source: {function.equations}. Operations: {body.operations}. */",
+        _signature(start, function, None if single else _result(function)) + " {",
+        *(f"    (void){_name(symbol)};" for symbol in function.arguments if symbol not in used),
+        *(_statement(f"const double {_name(symbol)} =", expression) for symbol, expression in body.assignments),
+        *(_statement(target, expression) for target, expression in zip(targets, results, strict=True)),
+        "}\n",
+    ]
+    return Emitted(name, "\n".join(lines), body.operations)
+
+
+def _statement(target: str, expression: sp.Expr) -> str:
+    line = f"    {target} {_PRINTER.doprint(expression)};"
+    return textwrap.fill(
+        line, _WIDTH, subsequent_indent=" " * 8, break_long_words=False, break_on_hyphens=False
+    )
+
+
+def wrapper(function: Function) -> str:
+    """The public function: no null pointer in, no NaN out."""
+    count = len(list(flatten(function.results)))
+    arguments = [_name(symbol) for symbol in function.arguments]
+    several = isinstance(function.results, tuple)
+    passed = ", ".join([*arguments, "value"] if several else arguments)
+    call = f"{'' if several else 'value[0] = '}algebra_{function.name}({passed});"
+    call = textwrap.fill(f"    {call}", _WIDTH, subsequent_indent=" " * 8)
+    given = textwrap.fill(f"    const double given[] = {{{', '.join(arguments)}}};", _WIDTH, subsequent_indent=" " * 8)
+    return (
+        _signature(f"spragsym_status spragsym_{function.name}", function, _result(function)) + " {\n"
+        f"{given}\n"
+        f"    double value[{count}];\n"
+        f"    if (!result || !finite_all({len(function.arguments)}, given)) {{\n"
+        "        return SPRAGSYM_BAD_INPUT;\n"
+        "    }\n"
+        f"{call}\n"
+        f"    return deliver({count}, value, result);\n"
+        "}\n"
+    )
+
+
+def prototype(function: Function) -> str:
+    meanings = {
+        _name(symbol): meaning(symbol)[0].replace("θ₀", "theta0").replace("θ", "theta")
+        for symbol in function.arguments
+    }
+    described = "".join(f" * @param {name} {text}\n" for name, text in meanings.items())
+    operations = straight_line(function).operations
+    summary = textwrap.fill(f"{function.summary} Source: {function.equations}.", 118, subsequent_indent=" * ")
+    return (
+        f"\n/**\n * {summary}\n{described}"
+        f" * @param result {function.returns}\n * Operations: {operations}.\n */\n"
+        + _signature(f"spragsym_status spragsym_{function.name}", function, _result(function))
+        + ";\n"
+    )

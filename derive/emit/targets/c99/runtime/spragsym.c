@@ -1,0 +1,568 @@
+/**
+ * @file spragsym.c
+ * @header@
+ *
+ * Worst-case operations, counted in this text: + - * / and comparisons of doubles, then calls of libm.
+@table@
+ */
+#include "spragsym.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "spragsym: -ffast-math and its parts break the error bounds and the checks for finite numbers"
+#endif
+#if FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD == -1
+#error "spragsym: doubles must be computed in double precision"
+#endif
+/* One rounding an operation, so that no bit depends on where a compiler would fuse two. gcc wants -std=c99 for it, or
+ * -ffp-contract=off; without, bits may differ, and the bounds hold all the same. */
+#if defined(__clang__) || !defined(__GNUC__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+/* On x86-64 the two loops over columns are compiled for three generations of processors, of which the fastest that is there
+ * runs: the same bits, since no operations are fused. Not under a sanitizer, which starts later than the choice is made. */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && __GNUC__ >= 12 && defined(__STRICT_ANSI__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(SPRAGSYM_ONE_BUILD)
+#define CLONED __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define CLONED
+#endif
+/* What a loop calls must be part of it before it can be turned into vector instructions. */
+#ifdef __GNUC__
+#define INLINE static inline __attribute__((always_inline))
+#else
+#define INLINE static inline
+#endif
+
+INLINE double square(double value) { return value * value; }
+
+INLINE double sign(double value) { return (value > 0.0) ? 1.0 : ((value < 0.0) ? -1.0 : 0.0); }
+
+INLINE double larger(double one, double other) { return (one > other) ? one : other; }
+
+INLINE double smaller(double one, double other) { return (one < other) ? one : other; }
+
+/* ------------------------------------------------------------------------------------ generated algebra */
+/* @algebra@ */
+/* --------------------------------------------------------------------------------------------- the kernel */
+
+#define CUBE_ROOT_STEPS 3
+
+/* Cube root of x > 0, 0 of 0: a third of the exponent by the bits, which is good to a few percent, then Halley's method. */
+INLINE double cube_root(double x) {
+    union {
+        double number;
+        uint64_t bits;
+    } start;
+    start.number = x;
+    uint64_t third = start.bits >> 2;
+    third += third >> 2;
+    third += third >> 4;
+    third += third >> 8;
+    start.bits = third + UINT64_C(3071306043645493248);
+    double root = start.number;
+    for (int i = 0; i < CUBE_ROOT_STEPS; i++) {
+        const double cube = root * root * root;
+        root *= (cube + 2.0 * x) / (2.0 * cube + x);
+    }
+    return (x > 0.0) ? root : 0.0;
+}
+
+/* @kernel@ */
+/* ------------------------------------------------------------------------------------------- equilibria */
+
+/* Error per value that SPRAGSYM_OK vouches for. */
+#define TOLERANCE 1e-12
+#define UNIT_ROUNDOFF (0.5 * DBL_EPSILON)
+#define MAX_ROOTS 4
+/* Points and roots that are worked on side by side, and groups of roots that a block of points can have. */
+#define BLOCK 64
+#define LANES 16
+#define GROUPS 16
+#if GROUPS * LANES != MAX_ROOTS * BLOCK
+#error "spragsym: the groups must have room for every root of a block"
+#endif
+
+static int finite_all(int length, const double *values) {
+    for (int i = 0; i < length; i++) {
+        if (!isfinite(values[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static spragsym_status deliver(int length, const double *values, double *result) {
+    if (!finite_all(length, values)) {
+        return SPRAGSYM_OUT_OF_RANGE;
+    }
+    for (int i = 0; i < length; i++) {
+        result[i] = values[i];
+    }
+    return SPRAGSYM_OK;
+}
+
+static int allowed(const spragsym_parameters *given) {
+    const double pi = 3.14159265358979323846;
+    /* Written so that a NaN fails. */
+    return given->theta0 > 0.0 && given->theta0 < pi && given->mu0 >= 0.0 && given->kappa > 0.0 && given->alpha >= 0.0 &&
+           given->sigma > 0.0 && given->beta >= 0.0 && isfinite(given->mu0) && isfinite(given->kappa) &&
+           isfinite(given->alpha) && isfinite(given->sigma) && isfinite(given->beta);
+}
+
+spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym_model *model) {
+    if (!parameters || !model || !allowed(parameters)) {
+        return SPRAGSYM_BAD_INPUT;
+    }
+    const Direction undeformed = cosine_and_sine(parameters->theta0);
+    model->cos0 = undeformed.cosine;
+    model->sin0 = undeformed.sine;
+    model->mu0 = parameters->mu0;
+    model->kappa = parameters->kappa;
+    model->alpha = parameters->alpha;
+    model->sigma = parameters->sigma;
+    model->beta = parameters->beta;
+    return SPRAGSYM_OK;
+}
+
+/* Columns: one array a quantity, so that many points or roots are worked on side by side. */
+typedef struct {
+    double theta0[BLOCK];
+    double cos0[BLOCK];
+    double sin0[BLOCK];
+    double mu0[BLOCK];
+    double kappa[BLOCK];
+    double alpha[BLOCK];
+    double sigma[BLOCK];
+    double beta[BLOCK];
+    double t[MAX_ROOTS][BLOCK];
+    double count[BLOCK];
+    int certain[BLOCK];
+    int representable[BLOCK];
+} point_columns;
+
+/* Guessed roots with their points, and what is there. */
+typedef struct {
+    double cos0[LANES];
+    double sin0[LANES];
+    double mu0[LANES];
+    double kappa[LANES];
+    double alpha[LANES];
+    double sigma[LANES];
+    double beta[LANES];
+    double t[LANES];
+    double theta[LANES];
+    double L[LANES];
+    double x[LANES];
+    double y[LANES];
+    double radius[LANES];
+    double error[LANES];
+    double code[LANES];
+    int member[LANES];
+    int outsider[LANES];
+    int known[LANES];
+} root_columns;
+
+CLONED static void guess_columns(double nbar, point_columns *p) {
+    for (int i = 0; i < BLOCK; i++) {
+        const Direction undeformed = cosine_and_sine(p->theta0[i]);
+        const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
+                             p->alpha[i],       p->sigma[i],     p->beta[i], nbar};
+        const Balance line = balance(point);
+        const Guesses all = guesses(point, line, UNIT_ROUNDOFF);
+        p->cos0[i] = undeformed.cosine;
+        p->sin0[i] = undeformed.sine;
+        p->t[0][i] = all.t0;
+        p->t[1][i] = all.t1;
+        p->t[2][i] = all.t2;
+        p->t[3][i] = all.t3;
+        p->count[i] = all.count;
+        p->certain[i] = all.certain;
+        p->representable[i] = representable(line);
+    }
+}
+
+CLONED static void root_at_columns(double nbar, root_columns *r) {
+    for (int i = 0; i < LANES; i++) {
+        const Point point = {r->cos0[i], r->sin0[i], r->mu0[i], r->kappa[i], r->alpha[i], r->sigma[i], r->beta[i], nbar};
+        const Root root = at_root(r->t[i], point, balance(point), UNIT_ROUNDOFF);
+        r->theta[i] = 2.0 * arctangent(r->t[i]);
+        r->L[i] = root.L;
+        r->x[i] = root.x;
+        r->y[i] = root.y;
+        r->radius[i] = root.radius;
+        r->error[i] = root.error;
+        r->code[i] = root.code;
+        r->member[i] = root.member;
+        r->outsider[i] = root.outsider;
+        r->known[i] = root.known;
+    }
+}
+
+/* The equilibria of a point as they are written, root by root in ascending order. */
+typedef struct {
+    double nbar;
+    double t;      /* of the last root */
+    double radius; /* of the interval in theta that holds it */
+    int roots;
+    int count;
+    int certain;
+} tally;
+
+static tally nothing_yet(double nbar, int certain) {
+    const tally none = {nbar, 0.0, 0.0, 0, 0, certain};
+    return none;
+}
+
+static int sure(const Root *at) { return at->outsider || (at->member && at->known && at->error <= TOLERANCE); }
+
+/* Two proved roots are different when the intervals that hold them are; in contact all lie above t = 0. */
+static void see(double t, const Root *at, tally *sum) {
+    const int separate = (sum->roots > 0) ? apart(sum->t, sum->radius, t, at->radius) : !(sum->nbar > 0.0) || t > 0.0;
+    sum->certain = sum->certain && sure(at) && separate;
+    sum->t = t;
+    sum->radius = at->radius;
+    sum->roots++;
+}
+
+static void add(double t, double theta, const Root *at, tally *sum,
+                spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    const int contact = sum->nbar > 0.0;
+    const double clear = contact ? -at->y : at->y;
+    see(t, at, sum);
+    if (isfinite(at->L + at->x + at->y) && at->L > 0.0 && (clear > 0.0 || (!contact && clear >= 0.0))) {
+        const double error = isfinite(at->error) ? at->error : HUGE_VAL;
+        const spragsym_equilibrium found = {theta, at->L, at->x, at->y, error, (spragsym_stability)(int)at->code};
+        int place = sum->count++;
+        /* Roots that may be one can have changed places. */
+        for (int i = 1; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
+            if (place > 0 && equilibria[place - 1].theta > found.theta) {
+                equilibria[place] = equilibria[place - 1];
+                place--;
+            }
+        }
+        equilibria[place] = found;
+    }
+}
+
+/* All roots seen: whether the count stands, which in contact is one or three. */
+static int stands(const tally *sum) { return sum->certain && (!(sum->nbar > 0.0) || sum->count % 2 == 1); }
+
+static void clear_from(int count, spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    const spragsym_equilibrium none = {0.0, 0.0, 0.0, 0.0, 0.0, SPRAGSYM_NONE};
+    for (int i = count; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
+        equilibria[i] = none;
+    }
+}
+
+spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
+                                    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
+    if (!model || !equilibria || !count || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
+        return SPRAGSYM_BAD_INPUT;
+    }
+    const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
+    const Point point = {model->cos0, model->sin0, model->mu0, model->kappa, model->alpha, model->sigma, model->beta, nbar};
+    const Balance line = balance(point);
+    if (!representable(line)) {
+        return SPRAGSYM_OUT_OF_RANGE;
+    }
+    const Guesses all = guesses(point, line, UNIT_ROUNDOFF);
+    const double t[MAX_ROOTS] = {all.t0, all.t1, all.t2, all.t3};
+    tally sum = nothing_yet(nbar, all.certain);
+    for (int i = 0; i < MAX_ROOTS; i++) {
+        if ((double)i < all.count) {
+            const Root root = at_root(t[i], point, line, UNIT_ROUNDOFF);
+            add(t[i], 2.0 * arctangent(t[i]), &root, &sum, equilibria);
+        }
+    }
+    clear_from(sum.count, equilibria);
+    *count = sum.count;
+    return stands(&sum) ? SPRAGSYM_OK : SPRAGSYM_UNCERTAIN;
+}
+
+/* The guesses of all points one after the other; how many. Points that are refused have none. */
+static int line_up(int points, const int refused[BLOCK], const point_columns *p, root_columns groups[GROUPS]) {
+    int total = 0;
+    for (int i = 0; i < BLOCK; i++) {
+        const int count = (i < points && !refused[i]) ? (int)p->count[i] : 0;
+        for (int j = 0; j < MAX_ROOTS; j++) {
+            if (j < count) {
+                root_columns *const r = &groups[total / LANES];
+                const int lane = total % LANES;
+                r->cos0[lane] = p->cos0[i];
+                r->sin0[lane] = p->sin0[i];
+                r->mu0[lane] = p->mu0[i];
+                r->kappa[lane] = p->kappa[i];
+                r->alpha[lane] = p->alpha[i];
+                r->sigma[lane] = p->sigma[i];
+                r->beta[lane] = p->beta[i];
+                r->t[lane] = p->t[j][i];
+                total++;
+            }
+        }
+    }
+    return total;
+}
+
+/* One root out of its columns. */
+static Root taken_from(const root_columns *r, int lane) {
+    const Root root = {r->L[lane],     r->x[lane],        r->y[lane],    r->radius[lane], r->error[lane],
+                       r->member[lane], r->outsider[lane], r->code[lane], r->known[lane]};
+    return root;
+}
+
+/* What is at every root of a block of points, whose guesses are there. */
+static void solve_columns(double nbar, int points, const int refused[BLOCK], const point_columns *p,
+                          root_columns groups[GROUPS]) {
+    const int total = line_up(points, refused, p, groups);
+    for (int i = 0; i < GROUPS; i++) {
+        if (i * LANES < total) {
+            root_at_columns(nbar, &groups[i]);
+        }
+    }
+}
+
+/* Parameters into columns; points that are refused give way to a harmless one. */
+static void load(int points, const spragsym_parameters given[], spragsym_status statuses[], point_columns *p) {
+    const spragsym_parameters harmless = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    for (int i = 0; i < BLOCK; i++) {
+        const int good = i < points && allowed(&given[i]);
+        const spragsym_parameters *const from = good ? &given[i] : &harmless;
+        p->theta0[i] = from->theta0;
+        p->mu0[i] = from->mu0;
+        p->kappa[i] = from->kappa;
+        p->alpha[i] = from->alpha;
+        p->sigma[i] = from->sigma;
+        p->beta[i] = from->beta;
+        if (i < points) {
+            statuses[i] = good ? SPRAGSYM_OK : SPRAGSYM_BAD_INPUT;
+        }
+    }
+}
+
+/* Points whose quartic double can't carry are refused as well. */
+static void refuse(int points, const point_columns *p, spragsym_status statuses[], int refused[BLOCK]) {
+    for (int i = 0; i < BLOCK; i++) {
+        refused[i] = 1;
+        if (i < points) {
+            if (statuses[i] == SPRAGSYM_OK && !p->representable[i]) {
+                statuses[i] = SPRAGSYM_OUT_OF_RANGE;
+            }
+            refused[i] = statuses[i] != SPRAGSYM_OK;
+        }
+    }
+}
+
+/* The answers back to their points; the largest status. */
+static spragsym_status unload(double nbar, int points, const point_columns *p, const root_columns groups[GROUPS],
+                              spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+                              spragsym_status statuses[]) {
+    spragsym_status worst = SPRAGSYM_OK;
+    int next = 0;
+    for (int i = 0; i < BLOCK; i++) {
+        if (i < points) {
+            tally sum = nothing_yet(nbar, p->certain[i]);
+            const int count = (statuses[i] == SPRAGSYM_OK) ? (int)p->count[i] : 0;
+            for (int j = 0; j < MAX_ROOTS; j++) {
+                if (j < count) {
+                    const root_columns *const r = &groups[next / LANES];
+                    const int lane = next % LANES;
+                    const Root root = taken_from(r, lane);
+                    add(r->t[lane], r->theta[lane], &root, &sum, equilibria[i]);
+                    next++;
+                }
+            }
+            clear_from(sum.count, equilibria[i]);
+            counts[i] = sum.count;
+            if (statuses[i] == SPRAGSYM_OK && !stands(&sum)) {
+                statuses[i] = SPRAGSYM_UNCERTAIN;
+            }
+            worst = (statuses[i] > worst) ? statuses[i] : worst;
+        }
+    }
+    return worst;
+}
+
+spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
+                                          spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+                                          spragsym_status statuses[]) {
+    root_columns groups[GROUPS];
+    point_columns p;
+    int refused[BLOCK];
+    spragsym_status worst = SPRAGSYM_OK;
+    const int missing = !given || !equilibria || !counts || !statuses;
+    if ((points > 0 && missing) || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
+        return SPRAGSYM_BAD_INPUT;
+    }
+    const double nbar = (regime == SPRAGSYM_CONTACT) ? 1.0 : 0.0;
+    /* Lanes that hold no root are computed all the same: they start as zeros, and keep what the last block left there. */
+    memset(groups, 0, sizeof groups);
+    for (size_t start = 0; start < points; start += BLOCK) {
+        const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
+        load(length, given + start, statuses + start, &p);
+        guess_columns(nbar, &p);
+        refuse(length, &p, statuses + start, refused);
+        solve_columns(nbar, length, refused, &p, groups);
+        const spragsym_status status =
+            unload(nbar, length, &p, groups, equilibria + start, counts + start, statuses + start);
+        worst = (status > worst) ? status : worst;
+    }
+    return worst;
+}
+
+/* ----------------------------------------------------------------------------------------------- motion */
+
+#define PIECES 3
+#define SECANTS 2
+
+/* What the motion needs beside its state: the smooth regime it is in. */
+typedef struct {
+    const spragsym_model *model;
+    double V;
+    double d;
+    double nbar;
+    double side;
+} motion;
+
+static void derivative(const motion *in, const double state[4], double rate[4]) {
+    const spragsym_model *const m = in->model;
+    rate[0] = state[2];
+    rate[1] = state[3];
+    algebra_regime_rhs(state[0], state[1], state[2], state[3], m->cos0, m->sin0, m->mu0, m->kappa, m->alpha, m->sigma, m->beta,
+                       in->V, in->d, in->nbar, in->side, rate + 2);
+}
+
+static void copy(const double from[4], double to[4]) {
+    for (int i = 0; i < 4; i++) {
+        to[i] = from[i];
+    }
+}
+
+static void advance(const double state[4], double h, const double rate[4], double next[4]) {
+    for (int i = 0; i < 4; i++) {
+        next[i] = state[i] + h * rate[i];
+    }
+}
+
+/* One classical Runge-Kutta step in one smooth regime. */
+static void runge_kutta(const motion *in, double h, const double state[4], double next[4]) {
+    double k1[4];
+    double k2[4];
+    double k3[4];
+    double k4[4];
+    double middle[4];
+    derivative(in, state, k1);
+    advance(state, 0.5 * h, k1, middle);
+    derivative(in, middle, k2);
+    advance(state, 0.5 * h, k2, middle);
+    derivative(in, middle, k3);
+    advance(state, h, k3, middle);
+    derivative(in, middle, k4);
+    for (int i = 0; i < 4; i++) {
+        next[i] = state[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
+    }
+}
+
+/* Distances to the two kinks, positive inside the regime: into or above the belt, behind or ahead of it. */
+static void distances(const motion *in, const double state[4], double distance[2]) {
+    distance[0] = (in->nbar > 0.0) ? 0.0 - state[1] : state[1];
+    distance[1] = in->side * (in->V - state[2]);
+}
+
+/* The sign of the first of three that is not zero. */
+static double leading_sign(double value, double first, double second) {
+    const double deciding = (fabs(value) > 0.0) ? value : ((fabs(first) > 0.0) ? first : second);
+    return (deciding > 0.0) ? 1.0 : 0.0 - 1.0;
+}
+
+/* The regime that the motion goes on in: by the state, and on a kink by where the state is headed, for which the regime
+ * does not matter: forces are continuous there. */
+static void enter(motion *in, const double state[4]) {
+    double rate[4];
+    derivative(in, state, rate);
+    in->nbar = (leading_sign(state[1], state[3], rate[3]) < 0.0) ? 1.0 : 0.0;
+    in->side = leading_sign(in->V - state[2], 0.0 - rate[2], 1.0);
+}
+
+/* The kink that a step from distances `before` to `after` crosses first, or -1, and a guess at which share of the step. */
+static int crossed(const double before[2], const double after[2], double *share) {
+    int kink = -1;
+    *share = 1.0;
+    for (int i = 0; i < 2; i++) {
+        if (before[i] > 0.0 && after[i] < 0.0) {
+            const double at = before[i] / (before[i] - after[i]);
+            if (at < *share) {
+                *share = at;
+                kink = i;
+            }
+        }
+    }
+    return kink;
+}
+
+/* As far as the first kink, or to the end of h; what is left of h. */
+static double piece(motion *in, double h, double state[4], int last) {
+    double next[4];
+    double before[2];
+    double after[2];
+    double share;
+    distances(in, state, before);
+    runge_kutta(in, h, state, next);
+    distances(in, next, after);
+    const int kink = crossed(before, after, &share);
+    if (last || kink < 0) {
+        copy(next, state);
+        return 0.0;
+    }
+    /* Regula falsi on the step itself: each pass gains an order in h. */
+    double low = 0.0;
+    double high = 1.0;
+    double at_low = before[kink];
+    double at_high = after[kink];
+    for (int i = 0; i < SECANTS; i++) {
+        runge_kutta(in, share * h, state, next);
+        distances(in, next, after);
+        if (after[kink] > 0.0) {
+            low = share;
+            at_low = after[kink];
+        } else {
+            high = share;
+            at_high = after[kink];
+        }
+        if (i < SECANTS - 1 && at_low > at_high) {
+            share = low + (high - low) * at_low / (at_low - at_high);
+        }
+    }
+    copy(next, state);
+    if (kink == 0) {
+        in->nbar = 1.0 - in->nbar;
+    } else {
+        in->side = 0.0 - in->side;
+    }
+    return (1.0 - share) * h;
+}
+
+spragsym_status spragsym_step(const spragsym_model *model, double V, double d, double h, double state[4]) {
+    if (!model || !state || !isfinite(V) || !(d > 0.0) || !isfinite(d) || !(h > 0.0) || !isfinite(h) ||
+        !finite_all(4, state)) {
+        return SPRAGSYM_BAD_INPUT;
+    }
+    motion in = {model, V, d, (state[1] < 0.0) ? 1.0 : 0.0, (V >= state[2]) ? 1.0 : 0.0 - 1.0};
+    double next[4];
+    copy(state, next);
+    enter(&in, next);
+    double left = h;
+    for (int i = 0; i < PIECES; i++) {
+        if (left > 0.0) {
+            left = piece(&in, left, next, i == PIECES - 1);
+        }
+    }
+    return deliver(4, next, state);
+}
+
+/* @wrappers@ */

@@ -1,0 +1,35 @@
+"""The kernel in Python: its own text, with names bound to NumPy's functions and to the generated algebra."""
+
+from __future__ import annotations
+
+import ast
+
+from ...language import Kinds
+from .. import Material
+
+
+def render(material: Material, header: str) -> str:
+    """``generated/kernel.py``: functions of floats and of arrays of any float type."""
+    source = material.kernel
+    tree = ast.parse(source.text)
+    kinds = Kinds(source)
+    called = {name for it in source.routines.values() for name in kinds.calls(it)}
+    homes = {function.name: module.name for module in material.modules for function in module.functions}
+    used = sorted((homes[name], name) for name in called if name in homes)
+    docstring = ast.get_docstring(tree) or ""
+    first, rest = docstring.split("\n\n", 1)
+    explained = rest.split("\n\n", 1)[1]
+    bound = "\n".join(f"{name} = inspect.unwrap({home}.{name})" for home, name in used)
+    counts = "\n".join(f"{name} = {value!r}" for name, value in material.counts.items())
+    constants_and_code = source.text[source.text.index("#: A parameter") :]
+    return (
+        f'"""{first}\n\n{explained}\n\n{header}\n"""\n\n'
+        "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
+        f"from . import {', '.join(sorted({home for home, _ in used}))}\n\n"
+        "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an array of such.\nFlag: TypeAlias = Any\n\n"
+        "where, maximum, minimum, absolute, sqrt = numpy.where, numpy.maximum, numpy.minimum, numpy.abs, numpy.sqrt\n"
+        "cube_root = numpy.cbrt\n"
+        f"{bound}\n\n"
+        "# Counts of roundings, derived from the statements of this file and of the algebra.\n"
+        f"{counts}\n\n{constants_and_code}"
+    )

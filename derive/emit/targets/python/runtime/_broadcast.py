@@ -1,0 +1,58 @@
+"""Shape of results: whatever a result depends on, it has the shape of all arguments together.
+
+@header@
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, ParamSpec, TypeAlias, TypeVar
+
+import numpy as np
+
+#: Anything with + − × ÷ and integer powers: float, array, Fraction, mpmath number or interval, Arb ball, expression.
+Number: TypeAlias = Any
+
+_P = ParamSpec("_P")
+_R = TypeVar("_R")
+
+
+def broadcasting(function: Callable[_P, _R]) -> Callable[_P, _R]:
+    """Give every result the common shape of the arguments, constants included.
+
+    The undecorated algebra is ``function.__wrapped__``, for compilers.
+    """
+
+    @wraps(function)
+    def shaped(*args: _P.args, **kwargs: _P.kwargs) -> _R:
+        result: Any = function(*args, **kwargs)
+        numbers = [value for name, value in kwargs.items() if name != "xp"]
+        numbers += args
+        arrays = [value for value in numbers if isinstance(value, np.ndarray)]
+        if arrays:
+            shape = np.broadcast_shapes(*(value.shape for value in arrays))
+            result = _fill(result, shape, np.result_type(*arrays))
+        else:
+            result = _typed(result, numbers)
+        shared: _R = result
+        return shared
+
+    return shaped
+
+
+def _fill(result: Any, shape: tuple[int, ...], dtype: Any) -> Any:
+    if isinstance(result, tuple):
+        return tuple(_fill(item, shape, dtype) for item in result)
+    if np.shape(result) == shape:
+        return np.asarray(result)
+    filled = np.empty(shape, dtype=np.result_type(dtype, result) if dtype != object else object)
+    filled[...] = result
+    return filled
+
+
+def _typed(result: Any, numbers: list[Any]) -> Any:
+    """Constants of the algebra in the number type of the arguments."""
+    if isinstance(result, tuple):
+        return tuple(_typed(item, numbers) for item in result)
+    return result + 0 * sum(numbers) if isinstance(result, int) else result

@@ -1,0 +1,214 @@
+/* The generated C solver as a Python extension: points in columns to equilibria in columns, without the interpreter's lock.
+ *
+ * solve(theta0, mu0, kappa, alpha, sigma, beta, contact, settled, count, first, further) -> number of rows of `further`
+ *
+ * Parameters are buffers of doubles of one length n or of length 1. `settled` and `count` are n signed chars. `first` is a tuple
+ * of the six columns theta, L, x, y, error (doubles) and stability (signed chars), of n each; `further` a tuple of a buffer of n
+ * 64-bit rows, then the six columns with room for n rows of the slots 1 and up.
+ *
+ * count(theta0, ..., beta, counts): -1 where double can't tell. */
+#define PY_SSIZE_T_CLEAN
+#include <Python.h>
+
+#include "spragsym.c"
+
+#define COLUMNS 6
+#define PARAMETERS 6
+
+typedef struct {
+    Py_buffer given[PARAMETERS];
+    Py_buffer settled;
+    Py_buffer count;
+    Py_buffer first[COLUMNS];
+    Py_buffer rows;
+    Py_buffer further[COLUMNS];
+    int held;
+} buffers;
+
+static Py_buffer *buffer_at(buffers *all, int place) {
+    Py_buffer *const in_order[] = {
+        &all->given[0], &all->given[1], &all->given[2],   &all->given[3],   &all->given[4],   &all->given[5],   &all->settled,
+        &all->count,    &all->first[0], &all->first[1],   &all->first[2],   &all->first[3],   &all->first[4],   &all->first[5],
+        &all->rows,     &all->further[0], &all->further[1], &all->further[2], &all->further[3], &all->further[4], &all->further[5]};
+    return in_order[place];
+}
+
+static void release(buffers *all) {
+    for (int i = 0; i < all->held; i++) {
+        PyBuffer_Release(buffer_at(all, i));
+    }
+}
+
+/* The next buffer, with room for `items` of a size, or for one if `or_one`. */
+static int hold(buffers *all, PyObject *object, Py_ssize_t size, Py_ssize_t items, int writable) {
+    Py_buffer *const view = buffer_at(all, all->held);
+    if (PyObject_GetBuffer(object, view, writable ? PyBUF_WRITABLE : PyBUF_SIMPLE) != 0) {
+        return 0;
+    }
+    all->held++;
+    if (items >= 0 && view->len != size * items && (writable || view->len != size)) {
+        PyErr_SetString(PyExc_ValueError, "a buffer has the wrong length");
+        return 0;
+    }
+    return 1;
+}
+
+static double at(const Py_buffer *view, Py_ssize_t place) {
+    const double *const values = (const double *)view->buf;
+    return (view->len == (Py_ssize_t)sizeof(double)) ? values[0] : values[place];
+}
+
+/* A block of parameters, the rest of it filled with a harmless point; refused: those that are no parameters. */
+static void load_columns(const Py_buffer given[PARAMETERS], Py_ssize_t start, int points, point_columns *p, int refused[BLOCK]) {
+    for (int i = 0; i < BLOCK; i++) {
+        spragsym_parameters one = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+        refused[i] = 1;
+        if (i < points) {
+            const spragsym_parameters here = {at(&given[0], start + i), at(&given[1], start + i), at(&given[2], start + i),
+                                              at(&given[3], start + i), at(&given[4], start + i), at(&given[5], start + i)};
+            if (allowed(&here)) {
+                one = here;
+                refused[i] = 0;
+            }
+        }
+        p->theta0[i] = one.theta0;
+        p->mu0[i] = one.mu0;
+        p->kappa[i] = one.kappa;
+        p->alpha[i] = one.alpha;
+        p->sigma[i] = one.sigma;
+        p->beta[i] = one.beta;
+    }
+}
+
+static void store(const Py_buffer columns[COLUMNS], Py_ssize_t place, double theta, const Root *root) {
+    ((double *)columns[0].buf)[place] = theta;
+    ((double *)columns[1].buf)[place] = root->L;
+    ((double *)columns[2].buf)[place] = root->x;
+    ((double *)columns[3].buf)[place] = root->y;
+    ((double *)columns[4].buf)[place] = root->error;
+    ((signed char *)columns[5].buf)[place] = (signed char)root->code;
+}
+
+static void store_none(const Py_buffer columns[COLUMNS], Py_ssize_t place) {
+    const Root none = {Py_NAN, Py_NAN, Py_NAN, Py_NAN, Py_NAN, 0, 0, 0.0, 0};
+    store(columns, place, Py_NAN, &none);
+}
+
+/* What the groups say of a block, into the columns; the rows of `further` that are used by then. */
+static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, int points, const int refused[BLOCK],
+                                 const point_columns *p, const root_columns groups[GROUPS], Py_ssize_t used) {
+    const Py_ssize_t slots = (nbar > 0.0) ? 2 : 3;
+    int next = 0;
+    for (int i = 0; i < points; i++) {
+        tally sum = nothing_yet(nbar, !refused[i] && p->certain[i]);
+        const int roots = refused[i] ? 0 : (int)p->count[i];
+        for (int j = 0; j < roots; j++) {
+            const root_columns *const r = &groups[next / LANES];
+            const int lane = next % LANES;
+            const Root root = taken_from(r, lane);
+            see(r->t[lane], &root, &sum);
+            if (root.member) {
+                if (sum.count == 0) {
+                    store(all->first, start + i, r->theta[lane], &root);
+                } else {
+                    store(all->further, slots * used + sum.count - 1, r->theta[lane], &root);
+                }
+                sum.count++;
+            }
+            next++;
+        }
+        const int good = !refused[i] && stands(&sum);
+        ((signed char *)all->settled.buf)[start + i] = (signed char)good;
+        ((signed char *)all->count.buf)[start + i] = (signed char)(good ? sum.count : 0);
+        if (good && sum.count > 1) {
+            for (Py_ssize_t slot = sum.count - 1; slot < slots; slot++) {
+                store_none(all->further, slots * used + slot);
+            }
+            ((int64_t *)all->rows.buf)[used++] = (int64_t)(start + i);
+        }
+    }
+    return used;
+}
+
+static Py_ssize_t solve_all(buffers *all, double nbar, Py_ssize_t points) {
+    root_columns groups[GROUPS];
+    point_columns p;
+    int refused[BLOCK];
+    Py_ssize_t used = 0;
+    memset(groups, 0, sizeof groups);
+    for (Py_ssize_t start = 0; start < points; start += BLOCK) {
+        const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
+        load_columns(all->given, start, length, &p, refused);
+        guess_columns(nbar, &p);
+        for (int i = 0; i < BLOCK; i++) {
+            refused[i] = refused[i] || !p.representable[i];
+        }
+        solve_columns(nbar, length, refused, &p, groups);
+        used = unload_columns(all, nbar, start, length, refused, &p, groups, used);
+    }
+    return used;
+}
+
+static int hold_columns(buffers *all, PyObject *tuple, int offset, Py_ssize_t items) {
+    for (int i = 0; i < COLUMNS; i++) {
+        const Py_ssize_t size = (i < COLUMNS - 1) ? (Py_ssize_t)sizeof(double) : 1;
+        if (!hold(all, PyTuple_GET_ITEM(tuple, i + offset), size, items, 1)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact, PyObject *settled, PyObject *count,
+                    PyObject *first, PyObject *further) {
+    if (!PyTuple_Check(first) || !PyTuple_Check(further) || PyTuple_GET_SIZE(first) != COLUMNS ||
+        PyTuple_GET_SIZE(further) != COLUMNS + 1) {
+        PyErr_SetString(PyExc_TypeError, "first and further are tuples of 6 and 7 buffers");
+        return 0;
+    }
+    const Py_ssize_t points = PyObject_Length(count);
+    if (points < 0) {
+        return 0;
+    }
+    for (int i = 0; i < PARAMETERS; i++) {
+        if (!hold(all, given[i], (Py_ssize_t)sizeof(double), points, 0)) {
+            return 0;
+        }
+    }
+    return hold(all, settled, 1, points, 1) && hold(all, count, 1, points, 1) && hold_columns(all, first, 0, points) &&
+           hold(all, PyTuple_GET_ITEM(further, 0), (Py_ssize_t)sizeof(int64_t), points, 1) &&
+           hold_columns(all, further, 1, points * (contact ? 2 : 3));
+}
+
+static PyObject *solve(PyObject *module, PyObject *arguments) {
+    PyObject *given[PARAMETERS];
+    PyObject *settled;
+    PyObject *count;
+    PyObject *first;
+    PyObject *further;
+    int contact;
+    buffers all;
+    (void)module;
+    all.held = 0;
+    if (!PyArg_ParseTuple(arguments, "OOOOOOiOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &contact,
+                          &settled, &count, &first, &further)) {
+        return NULL;
+    }
+    Py_ssize_t used = -1;
+    if (hold_all(&all, given, contact, settled, count, first, further)) {
+        const Py_ssize_t points = all.count.len;
+        Py_BEGIN_ALLOW_THREADS;
+        used = solve_all(&all, contact ? 1.0 : 0.0, points);
+        Py_END_ALLOW_THREADS;
+    }
+    release(&all);
+    return (used < 0) ? NULL : PyLong_FromSsize_t(used);
+}
+
+static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
+                                {NULL, NULL, 0, NULL}};
+
+static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,
+                                        NULL, NULL, NULL, NULL};
+
+PyMODINIT_FUNC PyInit__compiled(void) { return PyModule_Create(&definition); }

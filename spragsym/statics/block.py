@@ -1,0 +1,105 @@
+"""A block of points at once in NumPy, in one float type: the kernel on arrays, for all first roots and then for the other ones."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..generated import kernel
+from .slots import Slots, gathered
+
+#: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
+TOLERANCE = 1e-12
+
+
+def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np.floating[Any]]) -> NDArray[np.int64]:
+    """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
+
+    Settled: every root is an equilibrium with its digits or certainly none, all of them are different, and in contact their
+    number is odd.
+
+    Parameters
+    ----------
+    point : Point
+        Each an array of length ``size`` or one number for all.
+    """
+    u = dtype(np.finfo(dtype).eps / 2)
+    contact = point.nbar > 0
+    line = kernel.Balance(*np.broadcast_arrays(*kernel.balance(point), np.empty(size))[:-1])
+    D = kernel.discriminant(line, u)
+    halves = kernel.factors(line.a, line.b, line.d, line.m)
+    large, small, _ = kernel.root_pair(halves.p1, halves.q1)
+
+    # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
+    # where these may be positive, since no equilibrium in contact has sin θ < 0.
+    paired = ~(D.value > D.error)
+    if contact:
+        paired &= ~kernel.one_positive(line, u)
+        settled = _one_each(np.where(large > 0.0, large, small), point, line, out, begin, u)
+    else:
+        lower, upper = np.where(large > 0.0, small, large), np.where(large > 0.0, large, small)
+        settled = _some(np.stack([lower, upper], axis=1), point, line, out, begin + np.arange(size), u)
+    pairs = np.flatnonzero(paired)
+    if pairs.size:
+        t = [np.where(large > 0.0, large, small)] if contact else [large, small]
+        one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
+        roots = np.sort(np.stack([*(value[pairs] for value in t), one, other], axis=1), axis=1)
+        settled[pairs] = _some(roots, _rows(point, pairs), _rows(line, pairs), out, begin + pairs, u)
+    return np.flatnonzero(~settled)
+
+
+def _rows(record: Any, rows: NDArray[np.int64]) -> Any:
+    """Some of the points of a record."""
+    return type(record)(*(value[rows] if np.ndim(value) else value for value in record))
+
+
+def _columns(t: Any, root: kernel.Root, rounding: float) -> dict[str, Any]:
+    return {
+        "theta": 2.0 * np.arctan(t), "L": root.L, "x": root.x, "y": root.y, "error": root.error + rounding, "stability": root.code,
+    }  # fmt: skip
+
+
+def _rounding(u: np.floating[Any]) -> float:
+    """What is lost when a wider type is stored as float64."""
+    return 0.0 if u > 1e-17 else 1.2e-16
+
+
+def _sure(root: kernel.Root, u: np.floating[Any]) -> Any:
+    return root.member & root.known & (root.error <= TOLERANCE - _rounding(u))
+
+
+def _one_each(
+    t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, begin: int, u: np.floating[Any]
+) -> NDArray[np.bool_]:
+    """One root a point, in contact, where it is an equilibrium for certain if it is one at all."""
+    root = kernel.at_root(t, point, line, u)
+    settled: NDArray[np.bool_] = _sure(root, u) & (t > 0.0)
+    rows = slice(begin, begin + t.size)
+    # What is not settled is written again by whoever settles it: there is always a first equilibrium.
+    for name, values in _columns(t, root, _rounding(u)).items():
+        out.first[name][rows] = values
+    out.count[rows] = settled
+    return settled
+
+
+def _some(
+    t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
+) -> NDArray[np.bool_]:
+    """Several roots a point, in ascending order along the second axis."""
+    roots = [kernel.at_root(t[:, place], point, line, u) for place in range(t.shape[1])]
+    settled = np.ones(len(t), dtype=np.bool_)
+    for root in roots:
+        settled &= _sure(root, u) | root.outsider
+    for place, (below, above) in enumerate(itertools.pairwise(roots)):
+        # Two proved roots are different when the intervals that hold them are.
+        settled &= kernel.apart(t[:, place], below.radius, t[:, place + 1], above.radius)
+    columns = [_columns(t[:, place], root, _rounding(u)) for place, root in enumerate(roots)]
+    stacked = {name: np.stack([column[name] for column in columns], axis=1) for name in columns[0]}
+    count, packed = gathered(np.stack([root.member for root in roots], axis=1), stacked, out.slots)
+    if point.nbar > 0:
+        settled &= (count % 2 == 1) & (t[:, 0] > 0.0)
+    out.put(rows, np.where(settled, count, 0), packed)
+    return settled

@@ -1,0 +1,52 @@
+"""The generated C solver on columns of points, where it was compiled on installation."""
+
+from __future__ import annotations
+
+import importlib.util
+import threading
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .slots import COLUMNS, Slots
+
+#: Points solved in one call: enough to forget its overhead, few enough for the results of the rare ones to stay in cache.
+BLOCK = 1 << 14
+
+_ROOM = threading.local()
+
+
+@cache
+def available() -> bool:
+    """Whether the extension module was built."""
+    return importlib.util.find_spec("spragsym.statics._compiled") is not None
+
+
+def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    """As :func:`spragsym.statics.block.solve` in float64: write what is settled to ``out``, return which points are not.
+
+    ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
+    """
+    from . import _compiled  # type: ignore[attr-defined]  # built on installation, if there was a compiler
+
+    rows, further = _room(out.slots - 1)
+    settled = np.empty(size, dtype=np.bool_)
+    here = slice(begin, begin + size)
+    first = tuple(out.first[name][here] for name in COLUMNS)
+    some = tuple(column[:size] for column in further)
+    used = _compiled.solve(*values, int(contact), settled, out.count[here], first, (rows[:size], *some))
+    if used:
+        out.further.append((begin + rows[:used], {name: some[i][:used].copy() for i, name in enumerate(COLUMNS)}))
+    return np.flatnonzero(~settled)
+
+
+def _room(slots: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:
+    """Arrays that each thread uses again and again for the points with more than one equilibrium."""
+    kept = _ROOM.__dict__.setdefault("by_slots", {})
+    if slots not in kept:
+        kinds = [np.int8 if name == "stability" else np.float64 for name in COLUMNS]
+        kept[slots] = np.empty(BLOCK, dtype=np.int64), tuple(np.empty((BLOCK, slots), dtype=kind) for kind in kinds)
+    room: tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]] = kept[slots]
+    return room

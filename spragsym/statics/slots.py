@@ -1,0 +1,80 @@
+"""Where results are kept: the first equilibrium of every point in columns, and of the few points that have more, the others apart.
+
+Memory that is touched for the first time costs as much as the solving: what most points don't have is not written. Padded
+arrays, of one more axis than the parameters, are made when they are asked for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+#: What is known of an equilibrium.
+COLUMNS = ("theta", "L", "x", "y", "error", "stability")
+_TYPES: dict[str, Any] = {name: np.float64 for name in COLUMNS} | {"stability": np.int8}
+
+#: Columns by name; of one point each row, or of one point and slot.
+Columns = Mapping[str, NDArray[Any]]
+
+
+@dataclass
+class Slots:
+    """Equilibria of ``size`` points, up to ``slots`` of each.
+
+    Attributes
+    ----------
+    count : ndarray of int8
+        How many each point has.
+    first : mapping of str to ndarray
+        Of every point, the first; undefined where there is none.
+    further : list of (rows, columns)
+        Of some points, all of those that are in slots 1 and up, columns of shape (len(rows), slots − 1), NaN and 0 beyond the
+        count. A later entry replaces an earlier one.
+    """
+
+    size: int
+    slots: int
+    count: NDArray[np.int8] = field(init=False)
+    first: dict[str, NDArray[Any]] = field(init=False)
+    further: list[tuple[NDArray[np.int64], Columns]] = field(init=False, default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.count = np.zeros(self.size, dtype=np.int8)
+        self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
+
+    def put(self, rows: NDArray[np.int64], count: NDArray[Any], columns: Columns) -> None:
+        """Set all equilibria of some points, columns of shape (len(rows), slots)."""
+        self.count[rows] = count
+        for name, values in columns.items():
+            self.first[name][rows] = values[:, 0]
+        self.further.append((rows, {name: np.ascontiguousarray(values[:, 1:]) for name, values in columns.items()}))
+
+    def padded(self, name: str) -> NDArray[Any]:
+        """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the stability, beyond the count."""
+        kind = _TYPES[name]
+        nothing = np.nan if kind is np.float64 else 0
+        table: NDArray[Any] = np.empty((self.slots, self.size), dtype=kind)
+        table[0] = self.first[name]
+        table[1:] = nothing
+        for rows, columns in self.further:
+            table[1:, rows] = columns[name].T
+        table[0, self.count == 0] = nothing
+        return table.T
+
+
+def gathered(members: NDArray[np.bool_], columns: Columns, slots: int) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
+    """Of candidates of shape (k, candidates), the members moved to the front and empty slots behind them; and their number."""
+    order = np.argsort(~members, axis=1, kind="stable")
+    count = np.count_nonzero(members, axis=1)
+    empty = np.arange(order.shape[1]) >= count[:, None]
+    packed = {}
+    for name, values in columns.items():
+        table = np.full((len(members), slots), np.nan if _TYPES[name] is np.float64 else 0, dtype=_TYPES[name])
+        table[:, : order.shape[1]] = np.take_along_axis(values, order, axis=1)
+        table[:, : order.shape[1]][empty] = np.nan if _TYPES[name] is np.float64 else 0
+        packed[name] = table
+    return count, packed

@@ -295,6 +295,13 @@ def one_positive(line: Balance, u: Real) -> Flag:
     return e1 < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
 
 
+def single(point: Point, u: Real) -> Flag:
+    """Whether there certainly is one equilibrium in contact: one root in t is positive, and (one or three) it is in contact."""
+    line = balance(point)
+    D = discriminant(line, u)
+    return ((D.value > D.error) | one_positive(line, u)) & sound(point) & representable(line)
+
+
 # -------------------------------------------------------------------------------------------------- the two factors
 
 

@@ -52,6 +52,7 @@ if TYPE_CHECKING:
     from .paths import quasi_static_path as quasi_static_path
     from .solver import Equilibria as Equilibria
     from .solver import Stability as Stability
+    from .solver import count as count
     from .solver import equilibria as equilibria
     from .sweeps import Basin as Basin
     from .sweeps import Regime as Regime
@@ -63,6 +64,7 @@ if TYPE_CHECKING:
 
 #: Public name → module that defines it. A module's own name stands for the module.
 _LAZY: dict[str, str] = {
+    "count": "solver",
     "Equilibria": "solver",
     "equilibria": "solver",
     "Stability": "solver",

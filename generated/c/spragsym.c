@@ -613,6 +613,13 @@ INLINE int one_positive(Balance line, double u) {
     return e1 < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size);
 }
 
+/* Whether there certainly is one equilibrium in contact: one root in t is positive, and (one or three) it is in contact. */
+INLINE int single(Point point, double u) {
+    const Balance line = balance(point);
+    const Discriminant D = discriminant(line, u);
+    return ((D.value > D.error) | one_positive(line, u)) & sound(point) & representable(line);
+}
+
 /* The root of z^3 + 3 P z + 2 Q of largest magnitude: the one that no other root is close to. */
 INLINE double outermost(double P, double Q) {
     const double size = fabs(Q);
@@ -878,6 +885,7 @@ typedef struct {
     double alpha[BLOCK];
     double sigma[BLOCK];
     double beta[BLOCK];
+    double nbar[BLOCK]; /* the same for all; gcc makes vectors of a choice only where what decides is in a column */
     double t[MAX_ROOTS][BLOCK];
     double count[BLOCK];
     int certain[BLOCK];
@@ -906,11 +914,11 @@ typedef struct {
     int known[LANES];
 } root_columns;
 
-CLONED static void guess_columns(double nbar, point_columns *p) {
+CLONED static void guess_columns(point_columns *p) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
-                             p->alpha[i],       p->sigma[i],     p->beta[i], nbar};
+                             p->alpha[i],       p->sigma[i],     p->beta[i], p->nbar[i]};
         const Balance line = balance(point);
         const Guesses all = guesses(point, line, UNIT_ROUNDOFF);
         p->cos0[i] = undeformed.cosine;
@@ -1066,7 +1074,8 @@ static void solve_columns(double nbar, int points, const int refused[BLOCK], con
 }
 
 /* Parameters into columns; points that are refused give way to a harmless one. */
-static void load(int points, const spragsym_parameters given[], spragsym_status statuses[], point_columns *p) {
+static void load(double nbar, int points, const spragsym_parameters given[], spragsym_status statuses[],
+                 point_columns *p) {
     const spragsym_parameters harmless = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     for (int i = 0; i < BLOCK; i++) {
         const int good = i < points && allowed(&given[i]);
@@ -1077,6 +1086,7 @@ static void load(int points, const spragsym_parameters given[], spragsym_status 
         p->alpha[i] = from->alpha;
         p->sigma[i] = from->sigma;
         p->beta[i] = from->beta;
+        p->nbar[i] = nbar;
         if (i < points) {
             statuses[i] = good ? SPRAGSYM_OK : SPRAGSYM_BAD_INPUT;
         }
@@ -1142,8 +1152,8 @@ spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_paramete
     memset(groups, 0, sizeof groups);
     for (size_t start = 0; start < points; start += BLOCK) {
         const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
-        load(length, given + start, statuses + start, &p);
-        guess_columns(nbar, &p);
+        load(nbar, length, given + start, statuses + start, &p);
+        guess_columns(&p);
         refuse(length, &p, statuses + start, refused);
         solve_columns(nbar, length, refused, &p, groups);
         const spragsym_status status =

@@ -6,7 +6,7 @@
  * of the six columns theta, L, x, y, error (doubles) and stability (signed chars), of n each; `further` a tuple of a buffer of n
  * 64-bit rows, then the six columns with room for n rows of the slots 1 and up.
  *
- * count(theta0, ..., beta, counts): -1 where double can't tell. */
+ * single(theta0, mu0, kappa, alpha, sigma, beta, flags): where there certainly is one equilibrium in contact. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -59,7 +59,8 @@ static double at(const Py_buffer *view, Py_ssize_t place) {
 }
 
 /* A block of parameters, the rest of it filled with a harmless point; refused: those that are no parameters. */
-static void load_columns(const Py_buffer given[PARAMETERS], Py_ssize_t start, int points, point_columns *p, int refused[BLOCK]) {
+static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssize_t start, int points, point_columns *p,
+                         int refused[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
         spragsym_parameters one = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
         refused[i] = 1;
@@ -77,6 +78,7 @@ static void load_columns(const Py_buffer given[PARAMETERS], Py_ssize_t start, in
         p->alpha[i] = one.alpha;
         p->sigma[i] = one.sigma;
         p->beta[i] = one.beta;
+        p->nbar[i] = nbar;
     }
 }
 
@@ -138,8 +140,8 @@ static Py_ssize_t solve_all(buffers *all, double nbar, Py_ssize_t points) {
     memset(groups, 0, sizeof groups);
     for (Py_ssize_t start = 0; start < points; start += BLOCK) {
         const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
-        load_columns(all->given, start, length, &p, refused);
-        guess_columns(nbar, &p);
+        load_columns(all->given, nbar, start, length, &p, refused);
+        guess_columns(&p);
         for (int i = 0; i < BLOCK; i++) {
             refused[i] = refused[i] || !p.representable[i];
         }
@@ -205,7 +207,55 @@ static PyObject *solve(PyObject *module, PyObject *arguments) {
     return (used < 0) ? NULL : PyLong_FromSsize_t(used);
 }
 
+CLONED static void single_columns(const point_columns *p, int flags[BLOCK]) {
+    for (int i = 0; i < BLOCK; i++) {
+        const Direction undeformed = cosine_and_sine(p->theta0[i]);
+        const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
+                             p->alpha[i],       p->sigma[i],     p->beta[i], p->nbar[i]};
+        flags[i] = single(point, UNIT_ROUNDOFF);
+    }
+}
+
+static PyObject *find_single(PyObject *module, PyObject *arguments) {
+    PyObject *given[PARAMETERS];
+    PyObject *result;
+    buffers all;
+    (void)module;
+    all.held = 0;
+    if (!PyArg_ParseTuple(arguments, "OOOOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &result)) {
+        return NULL;
+    }
+    const Py_ssize_t points = PyObject_Length(result);
+    int held = points >= 0;
+    for (int i = 0; held && i < PARAMETERS; i++) {
+        held = hold(&all, given[i], (Py_ssize_t)sizeof(double), points, 0);
+    }
+    held = held && hold(&all, result, 1, points, 1);
+    if (held) {
+        point_columns p;
+        int refused[BLOCK];
+        int flags[BLOCK];
+        signed char *const to = (signed char *)all.settled.buf;
+        Py_BEGIN_ALLOW_THREADS;
+        for (Py_ssize_t start = 0; start < points; start += BLOCK) {
+            const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
+            load_columns(all.given, 1.0, start, length, &p, refused);
+            single_columns(&p, flags);
+            for (int i = 0; i < length; i++) {
+                to[start + i] = (signed char)(flags[i] && !refused[i]);
+            }
+        }
+        Py_END_ALLOW_THREADS;
+    }
+    release(&all);
+    if (!held) {
+        return NULL;
+    }
+    Py_RETURN_NONE;
+}
+
 static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
+                                {"single", find_single, METH_VARARGS, "Where there certainly is one equilibrium in contact."},
                                 {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,

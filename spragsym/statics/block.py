@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from typing import Any
 
 import numpy as np
@@ -41,12 +40,12 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
         settled = _one_each(np.where(large > 0.0, large, small), point, line, out, begin, u)
     else:
         lower, upper = np.where(large > 0.0, small, large), np.where(large > 0.0, large, small)
-        settled = _some(np.stack([lower, upper], axis=1), point, line, out, begin + np.arange(size), u)
+        settled = _some(np.stack([lower, upper]), point, line, out, begin + np.arange(size), u)
     pairs = np.flatnonzero(paired)
     if pairs.size:
         t = [np.where(large > 0.0, large, small)] if contact else [large, small]
         one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
-        roots = np.sort(np.stack([*(value[pairs] for value in t), one, other], axis=1), axis=1)
+        roots = np.sort(np.stack([*(value[pairs] for value in t), one, other]), axis=0)
         settled[pairs] = _some(roots, _rows(point, pairs), _rows(line, pairs), out, begin + pairs, u)
     return np.flatnonzero(~settled)
 
@@ -88,18 +87,17 @@ def _one_each(
 def _some(
     t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
 ) -> NDArray[np.bool_]:
-    """Several roots a point, in ascending order along the second axis."""
-    roots = [kernel.at_root(t[:, place], point, line, u) for place in range(t.shape[1])]
-    settled = np.ones(len(t), dtype=np.bool_)
-    for root in roots:
-        settled &= _sure(root, u) | root.outsider
-    for place, (below, above) in enumerate(itertools.pairwise(roots)):
-        # Two proved roots are different when the intervals that hold them are.
-        settled &= kernel.apart(t[:, place], below.radius, t[:, place + 1], above.radius)
-    columns = [_columns(t[:, place], root, _rounding(u)) for place, root in enumerate(roots)]
-    stacked = {name: np.stack([column[name] for column in columns], axis=1) for name in columns[0]}
-    count, packed = gathered(np.stack([root.member for root in roots], axis=1), stacked, out.slots)
+    """Several roots a point, in ascending order along the first axis: lined up, so that they are looked at in one go."""
+    roots, points = t.shape
+    every = np.tile(np.arange(points), roots)
+    root = kernel.at_root(t.ravel(), _rows(point, every), _rows(line, every), u)
+    sure = (_sure(root, u) | root.outsider).reshape(t.shape)
+    radius = np.broadcast_to(root.radius, every.shape).reshape(t.shape)
+    # Two proved roots are different when the intervals that hold them are.
+    settled: NDArray[np.bool_] = sure.all(axis=0) & kernel.apart(t[:-1], radius[:-1], t[1:], radius[1:]).all(axis=0)
+    columns = {name: values.reshape(t.shape) for name, values in _columns(t.ravel(), root, _rounding(u)).items()}
+    count, packed = gathered(root.member.reshape(t.shape), columns, out.slots)
     if point.nbar > 0:
-        settled &= (count % 2 == 1) & (t[:, 0] > 0.0)
+        settled &= (count % 2 == 1) & (t[0] > 0.0)
     out.put(rows, np.where(settled, count, 0), packed)
     return settled

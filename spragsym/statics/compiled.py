@@ -12,9 +12,6 @@ from numpy.typing import NDArray
 
 from .slots import COLUMNS, Slots
 
-#: Points solved in one call: enough to forget its overhead, few enough for the results of the rare ones to stay in cache.
-BLOCK = 1 << 14
-
 _ROOM = threading.local()
 
 
@@ -31,22 +28,31 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
     """
     from . import _compiled  # type: ignore[attr-defined]  # built on installation, if there was a compiler
 
-    rows, further = _room(out.slots - 1)
+    rows, further = _room(out.slots - 1, size)
     settled = np.empty(size, dtype=np.bool_)
     here = slice(begin, begin + size)
     first = tuple(out.first[name][here] for name in COLUMNS)
     some = tuple(column[:size] for column in further)
     used = _compiled.solve(*values, int(contact), settled, out.count[here], first, (rows[:size], *some))
     if used:
-        out.further.append((begin + rows[:used], {name: some[i][:used].copy() for i, name in enumerate(COLUMNS)}))
+        out.further.append((begin + rows[:used], {name: some[i][:used].T.copy() for i, name in enumerate(COLUMNS)}))
     return np.flatnonzero(~settled)
 
 
-def _room(slots: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:
+def single(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.bool_]:
+    """Where there certainly is one equilibrium in contact; ``values`` as for :func:`solve`."""
+    from . import _compiled  # type: ignore[attr-defined]  # as above
+
+    flags = np.empty(size, dtype=np.bool_)
+    _compiled.single(*values, flags)
+    return flags
+
+
+def _room(slots: int, size: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:
     """Arrays that each thread uses again and again for the points with more than one equilibrium."""
     kept = _ROOM.__dict__.setdefault("by_slots", {})
-    if slots not in kept:
+    if slots not in kept or kept[slots][0].size < size:
         kinds = [np.int8 if name == "stability" else np.float64 for name in COLUMNS]
-        kept[slots] = np.empty(BLOCK, dtype=np.int64), tuple(np.empty((BLOCK, slots), dtype=kind) for kind in kinds)
+        kept[slots] = np.empty(size, dtype=np.int64), tuple(np.empty((size, slots), dtype=kind) for kind in kinds)
     room: tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]] = kept[slots]
     return room

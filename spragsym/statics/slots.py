@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,8 @@ from numpy.typing import NDArray
 #: What is known of an equilibrium.
 COLUMNS = ("theta", "L", "x", "y", "error", "stability")
 _TYPES: dict[str, Any] = {name: np.float64 for name in COLUMNS} | {"stability": np.int8}
+#: What stands in an empty slot.
+_NOTHING: dict[str, float] = {name: np.nan for name in COLUMNS} | {"stability": 0}
 
 #: Columns by name; of one point each row, or of one point and slot.
 Columns = Mapping[str, NDArray[Any]]
@@ -32,7 +35,7 @@ class Slots:
     first : mapping of str to ndarray
         Of every point, the first; undefined where there is none.
     further : list of (rows, columns)
-        Of some points, all of those that are in slots 1 and up, columns of shape (len(rows), slots − 1), NaN and 0 beyond the
+        Of some points, all of those that are in slots 1 and up, columns of shape (slots − 1, len(rows)), NaN and 0 beyond the
         count. A later entry replaces an earlier one.
     """
 
@@ -47,34 +50,43 @@ class Slots:
         self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
 
     def put(self, rows: NDArray[np.int64], count: NDArray[Any], columns: Columns) -> None:
-        """Set all equilibria of some points, columns of shape (len(rows), slots)."""
+        """Set all equilibria of some points, columns of shape (slots, len(rows))."""
         self.count[rows] = count
         for name, values in columns.items():
-            self.first[name][rows] = values[:, 0]
-        self.further.append((rows, {name: np.ascontiguousarray(values[:, 1:]) for name, values in columns.items()}))
+            self.first[name][rows] = values[0]
+        self.further.append((rows, {name: values[1:] for name, values in columns.items()}))
 
     def padded(self, name: str) -> NDArray[Any]:
         """A column as an array of shape (size, slots), in memory slot by slot; NaN, or 0 for the stability, beyond the count."""
         kind = _TYPES[name]
-        nothing = np.nan if kind is np.float64 else 0
+        nothing = _NOTHING[name]
         table: NDArray[Any] = np.empty((self.slots, self.size), dtype=kind)
         table[0] = self.first[name]
         table[1:] = nothing
         for rows, columns in self.further:
-            table[1:, rows] = columns[name].T
+            table[1:, rows] = columns[name]
         table[0, self.count == 0] = nothing
         return table.T
 
 
-def gathered(members: NDArray[np.bool_], columns: Columns, slots: int) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
-    """Of candidates of shape (k, candidates), the members moved to the front and empty slots behind them; and their number."""
-    order = np.argsort(~members, axis=1, kind="stable")
-    count = np.count_nonzero(members, axis=1)
-    empty = np.arange(order.shape[1]) >= count[:, None]
+def gathered(members: NDArray[np.bool_], candidates: Columns, slots: int) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
+    """Of the candidates of each point, shape (candidates, points), the members moved to the front; and their number."""
+    pattern = np.left_shift(members, np.arange(len(members))[:, None], dtype=np.int64).sum(axis=0)
+    order, number = _orders(len(members), slots)
+    count = number[pattern]
+    partial = np.flatnonzero(count < len(members))
+    chosen, empty = order[pattern[partial]].T, np.arange(slots)[:, None] >= count[partial]
     packed = {}
-    for name, values in columns.items():
-        table = np.full((len(members), slots), np.nan if _TYPES[name] is np.float64 else 0, dtype=_TYPES[name])
-        table[:, : order.shape[1]] = np.take_along_axis(values, order, axis=1)
-        table[:, : order.shape[1]][empty] = np.nan if _TYPES[name] is np.float64 else 0
+    for name, nothing in _NOTHING.items():
+        table = np.full((slots, members.shape[1]), nothing, dtype=_TYPES[name])
+        table[: len(members)] = candidates[name]
+        table[:, partial] = np.where(empty, nothing, np.take_along_axis(table[:, partial], chosen, axis=0))
         packed[name] = table
     return count, packed
+
+
+@cache
+def _orders(candidates: int, slots: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """For every set of members, as bits, the order that puts them first, and how many they are."""
+    flags = np.arange(1 << candidates)[:, None] >> np.arange(slots) & 1
+    return np.argsort(1 - flags, axis=1, kind="stable"), flags.sum(axis=1)

@@ -12,6 +12,7 @@ from .generated.kernel import (
     Point,
     Root,
     apart,
+    arctangent,
     at_root,
     balance,
     cosine_and_sine,
@@ -26,7 +27,7 @@ from .generated.kernel import (
 )
 
 __all__ = [
-    "Balance", "Direction", "Point", "Root", "apart", "at_root", "balance", "cosine_and_sine", "depressed", "discriminant",
+    "Balance", "Direction", "Point", "Root", "apart", "arctangent", "at_root", "balance", "cosine_and_sine", "depressed", "discriminant",
     "f", "f_coefficients", "f_curvature", "f_slope", "f_third", "factors", "guesses", "invariants", "one_positive", "polish",
     "resolvent", "root_pair", "stability", "state", "stiffness", "t_quartic",
 ]  # fmt: skip

@@ -15,8 +15,9 @@ import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym import backends, kernel, ladder
+from spragsym.statics import compiled
 
-pytest.importorskip("numba")
+pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
 
 
 @pytest.fixture(autouse=True)
@@ -31,7 +32,7 @@ def test_same_counts_and_digits(contact: bool) -> None:
         p = family(np.random.default_rng([21, number]), 300)
         ss.set_backend("numpy")
         one = ss.equilibria(p, contact=contact)
-        ss.set_backend("numba")
+        ss.set_backend("compiled")
         other = ss.equilibria(p, contact=contact)
         assert (one.count == other.count).all(), name
         assert (one.stability == other.stability).all(), name
@@ -44,7 +45,7 @@ def test_same_counts_and_digits(contact: bool) -> None:
 
 
 def test_same_guarantee() -> None:
-    ss.set_backend("numba")
+    ss.set_backend("compiled")
     rng = np.random.default_rng(22)
     p = FAMILIES["random"](rng, 500)
     eq = ss.equilibria(p)
@@ -54,7 +55,7 @@ def test_same_guarantee() -> None:
     assert ratio <= 1
 
 
-@pytest.mark.parametrize("backend", ["numpy", "numba"])
+@pytest.mark.parametrize("backend", ["numpy", "compiled"])
 def test_where_digits_run_out(backend: str) -> None:
     """Points found by search, each alone against intervals."""
     ss.set_backend(backend)
@@ -68,7 +69,7 @@ def test_where_digits_run_out(backend: str) -> None:
                 assert gap <= eq.error[i, place] <= 1e-12
 
 
-@pytest.mark.parametrize("backend", ["numpy", "numba"])
+@pytest.mark.parametrize("backend", ["numpy", "compiled"])
 def test_underflow_is_left_to_the_ladder(backend: str) -> None:
     """No count of roundings covers what a subnormal parameter loses."""
     ss.set_backend(backend)
@@ -76,6 +77,20 @@ def test_underflow_is_left_to_the_ladder(backend: str) -> None:
     for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta"):
         assert ss.equilibria(article.replace(**{name: 1e-251})).escalated
     assert not ss.equilibria(article.replace(mu0=0.0, alpha=0.0, beta=0.0)).escalated
+
+
+def test_arctangent() -> None:
+    """Within one unit in the last place, over all magnitudes and next to where formulas change."""
+    rng = np.random.default_rng(26)
+    changes = np.array([0.0, 7 / 16, 11 / 16, 19 / 16, 39 / 16])
+    near = (changes[:, None] + rng.choice([-1.0, 1.0], (5, 300)) * 10 ** rng.uniform(-17, -1, (5, 300))).ravel()
+    numbers = np.concatenate([rng.normal(size=2000), near, np.nextafter(changes, 9), 10 ** rng.uniform(-300, 300, 600)])
+    found = kernel.arctangent(numbers)
+    with mpmath.workdps(50):
+        worst = max(
+            float(abs(value - mpmath.atan(number)) / math.ulp(value)) for number, value in zip(map(float, numbers), map(float, found))
+        )
+    assert 0.5 < worst < 1.0
 
 
 def test_cosine_and_sine() -> None:
@@ -97,7 +112,7 @@ def test_threads_do_not_show() -> None:
     p = FAMILIES["random"](np.random.default_rng(23), 3000)
     results = []
     for threads in (1, 2):
-        ss.set_backend("numba", threads=threads)
+        ss.set_backend("compiled", threads=threads)
         results.append(ss.equilibria(p))
     np.testing.assert_array_equal(results[0].theta, results[1].theta)
     np.testing.assert_array_equal(results[0].error, results[1].error)
@@ -105,20 +120,29 @@ def test_threads_do_not_show() -> None:
 
 def test_choice_by_itself() -> None:
     assert ss.get_backend() == "auto"
-    assert backends.chosen(10) == ("numpy", 1)
-    assert backends.chosen(10**6) == ("numba", 1)
+    assert backends.chosen() == ("compiled", 1)
     ss.set_backend("numpy")
-    assert backends.chosen(10**6) == ("numpy", 1)
+    assert backends.chosen() == ("numpy", 1)
 
 
-def test_without_numba(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(backends, "_has_numba", lambda: False)
-    assert backends.chosen(10**6) == ("numpy", 1)
-    with pytest.raises(ss.MissingExtraError, match=r"spragsym\[fast\]"):
-        ss.set_backend("numba")
+def test_without_a_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compiled, "available", lambda: False)
+    assert backends.chosen() == ("numpy", 1)
+    with pytest.raises(ss.BackendError, match="compiler"):
+        ss.set_backend("compiled")
 
 
-@pytest.mark.parametrize("arguments", [("cuda",), ("numba", 0), ("numba", True)])
+@pytest.mark.parametrize("backend", ["numpy", "compiled"])
+def test_count_is_that_of_equilibria(backend: str) -> None:
+    ss.set_backend(backend)
+    for number, (name, family) in enumerate(FAMILIES.items()):
+        p = family(np.random.default_rng([25, number]), 300)
+        assert (ss.count(p) == ss.equilibria(p).count).all(), name
+    shaped = ss.Parameters.article(theta0=np.radians([[30.0], [49.0]]), mu0=[0.5, 0.0, 0.7])
+    assert ss.count(shaped).tolist() == ss.equilibria(shaped).count.tolist()
+
+
+@pytest.mark.parametrize("arguments", [("cuda",), ("compiled", 0), ("compiled", True)])
 def test_bad_choice(arguments: tuple[object, ...]) -> None:
     with pytest.raises(ss.ParameterError):
         ss.set_backend(*arguments)  # type: ignore[arg-type]

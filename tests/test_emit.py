@@ -13,7 +13,8 @@ import sympy as sp
 from spragsym.derive import __main__ as command
 from spragsym.derive import article, check, elimination, stability, theorem
 from spragsym.derive import nomenclature as nm
-from spragsym.derive.emit import python, write
+from spragsym.derive.emit import write
+from spragsym.derive.emit.targets.python import algebra as python
 
 ROOT = Path(__file__).resolve().parent.parent
 COMMITTED = ROOT / "generated"

@@ -197,7 +197,7 @@ def _row(arith: Arithmetic, point: proofs.Point) -> tuple[float, ...]:
     for interval in (*point.parameters, point.theta, point.L, point.x, point.y):
         low, high = arith.ends(interval)
         middle = (low + high) / 2
-        error = max(error, float((high - low) / 2 / max(1, abs(middle))))
+        error = max(error, float((high - low) / 2 / max(Fraction(1), abs(middle))))
         values.append(float(middle))
     if error > 1e-13:
         raise Undecided(f"an error of {error:.1e}")

@@ -12,8 +12,6 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeVar
 
-import mpmath
-
 from . import kernel, polynomials
 from .errors import ConvergenceError
 from .generated import catastrophe as _catastrophe
@@ -102,7 +100,7 @@ def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator
     if alpha == 1 + beta:
         yield from _cusps_without_a(arith, values, bits)
         return
-    sines = [arith.between(_number(low), _number(high)) for low, high in cusp_sines(kappa, alpha, sigma, beta, bits=bits - 32)[1]]
+    sines = [arith.between(low, high) for low, high in cusp_sines(kappa, alpha, sigma, beta, bits=bits - 32)[1]]
     # With α = 0 the second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = ±π/2.
     sines += [] if alpha else [arith.exact(Fraction(1)), arith.exact(Fraction(-1))]
     for s in sines:
@@ -143,7 +141,7 @@ def _interval_roots(arith: Arithmetic, polynomial: tuple[Interval, ...], bits: i
         for low, high in polynomials.real_roots(chart, -one, one, lambda v: sign(arith, v), arith.exact, half):
             if backward and (low <= 0 <= high or abs(low) == 1 or abs(high) == 1):
                 continue
-            root = arith.between(_number(low), _number(high))
+            root = arith.between(low, high)
             yield 1 / root if backward else root
 
 
@@ -252,14 +250,8 @@ def _positive_roots(
     below, between = Fraction(-1, 7), Fraction(13, 11)
     for low, high in polynomials.real_roots(polynomial, below, between, signs, number, bits):
         if low > 0 or high > 0:
-            yield arith.between(_number(low), _number(high))
+            yield arith.between(low, high)
     backward = tuple(reversed(polynomial))
     for low, high in polynomials.real_roots(backward, below, 1 / between, signs, number, bits):
         if low > 0 or high > 0:
-            yield 1 / arith.between(_number(low), _number(high))
-
-
-def _number(value: Fraction) -> mpmath.mpf:
-    """A dyadic rational as an mpf, exactly; another one to the digits of its numerator and denominator."""
-    with mpmath.workprec(max(64, value.numerator.bit_length(), value.denominator.bit_length()) + 8):
-        return mpmath.mpf(value.numerator) / value.denominator
+            yield 1 / arith.between(low, high)

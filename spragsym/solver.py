@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import enum
 import itertools
+import math
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cached_property
@@ -53,6 +55,10 @@ class Equilibria:
         Points that float64 could not settle and more digits did.
     fold : ndarray of bool
         Points that are a fold to the last digit that could be tried: one state stands in two slots.
+    undecided : ndarray of bool
+        Points without an answer, whose ``count`` is 0 and whose slots are empty; :meth:`reason` says why.
+    reasons : dict
+        The reason for each of them, by its position in ``count.flat``.
     """
 
     parameters: Parameters
@@ -66,6 +72,18 @@ class Equilibria:
     error: FloatArray
     escalated: NDArray[np.bool_]
     fold: NDArray[np.bool_]
+    undecided: NDArray[np.bool_]
+    reasons: Mapping[int, str]
+
+    def reason(self, *index: int) -> str:
+        """Why the point of that index has no answer; empty where it has one."""
+        return self.reasons.get(int(np.arange(self.count.size).reshape(self.count.shape)[index]), "")
+
+    def decided(self) -> Equilibria:
+        """Itself, for what needs all points; :class:`ConvergenceError` with the first reason where one has no answer."""
+        for reason in self.reasons.values():
+            raise ConvergenceError(reason)
+        return self
 
     @cached_property
     def eigenvalues(self) -> NDArray[np.complex128]:
@@ -96,14 +114,20 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     Returns
     -------
     Equilibria
-        One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|).
+        One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|). Points of an array that have no
+        answer are marked ``undecided``.
+
+    Raises
+    ------
+    ConvergenceError
+        For a single point that lies on a border that no number of digits can settle, as where L = 0, or whose length or
+        displacement float64 can't carry.
 
     Notes
     -----
     Source: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated; stability by (27)–(28). The count is proved:
     the sign of the discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64 can't, the
-    point is solved again with more digits: extended precision where the machine has it, then intervals (python-flint's Arb with
-    the extra ``certify``, otherwise mpmath).
+    point is solved again with more digits: extended precision where the machine has it, then intervals.
 
     Examples
     --------
@@ -140,8 +164,11 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     else:
         unsettled = [block(begin) for begin in begins]
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
-    if left.size:
-        _escalate(p, contact, out, left)
+    reasons = _escalate(p, contact, out, left) if left.size else {}
+    if reasons and not shape:
+        raise ConvergenceError(reasons[0])
+    undecided = np.zeros(size, dtype=np.bool_)
+    undecided[list(reasons)] = True
     return Equilibria(
         parameters=p,
         contact=contact,
@@ -152,6 +179,8 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
         },
         escalated=out.escalated.reshape(shape),
         fold=out.fold.reshape(shape),
+        undecided=undecided.reshape(shape),
+        reasons=reasons,
     )
 
 
@@ -356,8 +385,11 @@ def _scatter(out: _Slots, index: NDArray[np.int64], roots: list[Root], chosen: N
 # -------------------------------------------------------------------------------------------------- more digits
 
 
-def _escalate(p: Parameters, contact: bool, out: _Slots, rows: NDArray[np.int64]) -> None:
-    """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals."""
+def _escalate(p: Parameters, contact: bool, out: _Slots, rows: NDArray[np.int64]) -> dict[int, str]:
+    """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals.
+
+    Returns why points are left without an answer, by row.
+    """
     theta0, mu0, kappa, alpha, sigma, beta = (
         np.broadcast_to(getattr(p, name), p.shape).flat[rows]
         for name in NAMES
@@ -374,12 +406,18 @@ def _escalate(p: Parameters, contact: bool, out: _Slots, rows: NDArray[np.int64]
         with np.errstate(all="ignore"):
             left = solve(columns, contact, again, np.longdouble)
         out.put(rows, again)
+    reasons = {}
     if left.size:
         from . import ladder
 
         for row in left:
             point = tuple(float(value[row]) for value in (theta0, mu0, kappa, alpha, sigma, beta))
-            _store(out, int(rows[row]), point, ladder.equilibria(*point, contact=contact))
+            try:
+                _store(out, int(rows[row]), point, ladder.equilibria(*point, contact=contact))
+            except ConvergenceError as reason:
+                _clear(out, int(rows[row]))
+                reasons[int(rows[row])] = str(reason)
+    return reasons
 
 
 def _extended_precision() -> bool:
@@ -387,18 +425,30 @@ def _extended_precision() -> bool:
     return bool(np.finfo(np.longdouble).nmant == 63)
 
 
+def _clear(out: _Slots, row: int) -> None:
+    """Empty slots, whatever an attempt with fewer digits has left there."""
+    for values in (out.theta, out.L, out.x, out.y, out.error):
+        values[row] = np.nan
+    out.stability[row], out.count[row], out.fold[row] = 0, 0, False
+
+
 def _store(out: _Slots, row: int, point: tuple[float, ...], found: Any) -> None:
+    """States rounded to float64, by at most half a unit in the last place, which the error includes."""
+    _clear(out, row)
     out.count[row] = len(found.states)
     out.fold[row] = found.fold
     for slot, state in enumerate(found.states):
         out.theta[row, slot], out.L[row, slot], out.x[row, slot], out.y[row, slot] = state.theta, state.L, state.x, state.y
         out.stability[row, slot] = state.stability
-        out.error[row, slot] = state.error
+        out.error[row, slot] = float(state.error) + 1.2e-16
         if not np.isfinite(out.L[row, slot] + out.x[row, slot] + out.y[row, slot]):
-            import mpmath
-
             named = ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
             raise ConvergenceError(
-                f"log10 L = {float(mpmath.log10(state.L)):.6g} at an equilibrium of {named} is beyond float64; "
-                "spragsym.precise carries it"
+                f"log10 L = {_log10(state.L):.6g} at an equilibrium of {named} is beyond float64; spragsym.precise carries it"
             )
+
+
+def _log10(value: Any) -> float:
+    """The logarithm of an mpf, of any size."""
+    _, mantissa, exponent, _ = value._mpf_
+    return math.log10(mantissa) + int(exponent) * math.log10(2)

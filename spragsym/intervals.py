@@ -4,8 +4,8 @@ A :class:`Ball` is an interval (mid ± rad) 2^exp of three integers. It carries 
 to, and every rounding goes into ``rad``. Integers are exact, so nothing here depends on a precision that is kept elsewhere.
 
 python-flint's Arb and mpmath's intervals keep theirs in one variable for all threads (``flint.ctx.prec``, ``mpmath.iv.prec``, and
-mpmath's memory of π in a second one): to set it changes what other threads of the user's compute meanwhile, which no lock of this
-package can prevent. With the few hundred bits of a proof most time is Python's own, and Arb is no faster (``spragsym.ladder`` takes 0.7 ms a point with these, and took 0.9).
+mpmath's memory of π in another): to set it changes what the user's other threads compute meanwhile, which no lock of this package
+can prevent. Nor would Arb be faster, since at a few hundred bits the time goes into calling it.
 All precisions are in bits.
 """
 

@@ -169,14 +169,15 @@ def lift_off() -> Found:
 def roots_of_21() -> Found:
     """Real roots of the quartic in L, with 40 digits, beside the equilibria."""
     angles, real, sliding = (30, 49, 90, 160), [], []
-    with mpmath.workdps(40):
-        numbers = [mpmath.mpf(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
-        for angle in angles:
-            theta0 = mpmath.radians(angle)
-            coefficients = _equilibrium.contact_quartic(mpmath.cos(theta0), mpmath.sin(theta0), *numbers)
-            roots = mpmath.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
-            real.append(sum(abs(mpmath.im(root)) < mpmath.mpf(10) ** -20 for root in roots))
-            sliding.append(len(precise.equilibria(theta0_deg=angle, dps=20)))
+    own = mpmath.mp.clone()  # mpmath.mp belongs to all threads
+    own.dps = 40
+    numbers = [own.mpf(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
+    for angle in angles:
+        theta0 = own.radians(angle)
+        coefficients = _equilibrium.contact_quartic(own.cos(theta0), own.sin(theta0), *numbers)
+        roots = own.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
+        real.append(sum(abs(own.im(root)) < own.mpf(10) ** -20 for root in roots))
+        sliding.append(len(precise.equilibria(theta0_deg=angle, dps=20)))
     holds = all(one == other + 1 for one, other in zip(real, sliding, strict=True))
     return Found(holds, {"theta0_deg": list(angles), "real roots": real, "equilibria": sliding})
 
@@ -301,11 +302,11 @@ def separates() -> Found:
 
 
 def cusp() -> Found:
-    cusp = next(one for one in precise.cusps(dps=20) if 0 < one.theta0 < mpmath.pi and one.mu0 > 0)
+    cusp = next(one for one in precise.cusps(dps=20) if 0 < one.theta0 < math.pi and one.mu0 > 0)
     ends = _deg(catastrophe.folds(_article(mu0=0.0)).theta0)
+    angle = math.degrees(cusp.theta0)
     values: dict[str, Value] = {
-        "theta0_deg": float(mpmath.degrees(cusp.theta0)), "mu0": float(cusp.mu0),
-        "two jumps for theta0_deg from, to": [float(ends[0]), float(mpmath.degrees(cusp.theta0))],
+        "theta0_deg": angle, "mu0": float(cusp.mu0), "two jumps for theta0_deg from, to": [float(ends[0]), angle],
     }  # fmt: skip
     numbers = [catastrophe.folds(_at(angle), "mu0").mu0.size for angle in (ends[0] - 0.01, ends[0] + 0.01, 68.0, 68.03)]
     return Found(cusp.versal and numbers == [1, 2, 2, 0], values)

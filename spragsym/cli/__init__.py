@@ -29,7 +29,7 @@ COMMANDS = {
 }
 
 #: Module that may be missing → the extra that brings it.
-EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "numba": "fast", "flint": "certify",
+EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "numba": "fast",
           "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 

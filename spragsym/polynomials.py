@@ -10,7 +10,7 @@ import itertools
 import math
 from collections.abc import Callable, Sequence
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, TypeAlias
 
 #: A Fraction or an interval.
@@ -61,9 +61,32 @@ def common_divisor(one: Polynomial, other: Polynomial) -> Polynomial:
     dividend, divisor = primitive(one), primitive(other)
     if len(dividend) < len(divisor):
         dividend, divisor = divisor, dividend
+    if _coprime(dividend, divisor):
+        return (Fraction(1),)
     while divisor:
         dividend, divisor = divisor, primitive(_negated_remainder(dividend, divisor))
     return dividend
+
+
+#: A prime; residues of it tell quickly that two polynomials have no common factor.
+_PRIME = 2**61 - 1
+
+
+def _coprime(one: Polynomial, other: Polynomial) -> bool:
+    """Whether residues prove that there is no common factor: it would be one of the residues as well."""
+    dividend, divisor = ([value.numerator % _PRIME for value in polynomial] for polynomial in (one, other))
+    if not (divisor and dividend[-1] and divisor[-1]):
+        return False
+    while len(divisor) > 1:
+        inverse = pow(divisor[-1], -1, _PRIME)
+        while len(dividend) >= len(divisor):
+            factor, shift = dividend.pop() * inverse % _PRIME, len(dividend) + 1 - len(divisor)
+            for power, value in enumerate(divisor[:-1]):
+                dividend[shift + power] = (dividend[shift + power] - factor * value) % _PRIME
+        while dividend and not dividend[-1]:
+            dividend.pop()
+        dividend, divisor = divisor, dividend
+    return bool(divisor)
 
 
 def squarefree(polynomial: Polynomial) -> Polynomial:
@@ -165,7 +188,9 @@ def _variations(chain: list[Polynomial], t: Coefficient, sign: Sign) -> int:
 def real_roots(
     polynomial: Polynomial, low: Fraction, high: Fraction, sign: Sign, number: Callable[[Fraction], Coefficient], bits: int
 ) -> list[tuple[Fraction, Fraction]]:
-    """Every different real root in (low, high], ascending, each in an interval of width below 2^−bits.
+    """Every different real root in (low, high], ascending, each in an interval (left, right] of width below 2^−bits.
+
+    Exact coefficients: isolated by Descartes' rule of signs, to that width relative to the root. Intervals: by Sturm's theorem.
 
     Parameters
     ----------
@@ -176,6 +201,8 @@ def real_roots(
     number : callable
         Makes a coefficient of a rational.
     """
+    if isinstance(polynomial[0], Fraction):
+        return _exact_roots(primitive(polynomial), low, high, bits)
     chain = sturm_chain(polynomial, sign)
     found: list[tuple[Fraction, Fraction]] = []
     pending = [(low, high, count_between(chain, number(low), number(high), sign))]
@@ -205,8 +232,6 @@ def _bisect(
     polynomial: Polynomial, left: Fraction, right: Fraction, sign: Sign, number: Callable[[Fraction], Coefficient], bits: int
 ) -> tuple[Fraction, Fraction]:
     """Narrow an interval (left, right] that holds one simple root."""
-    if isinstance(polynomial[0], Fraction):
-        return _refine(polynomial, left, right, bits)
     above = sign(evaluate(polynomial, number(right)))
     if above == 0:
         raise Undecided("the polynomial holds 0 at an end")
@@ -219,38 +244,87 @@ def _bisect(
     return left, right
 
 
-def _refine(polynomial: Polynomial, left: Fraction, right: Fraction, bits: int) -> tuple[Fraction, Fraction]:
-    """The same over integers: the secant's guess on a grid of 2^m cells, m twice as large when it was right and half when not.
+def _exact_roots(polynomial: Polynomial, low: Fraction, high: Fraction, bits: int) -> list[tuple[Fraction, Fraction]]:
+    """:func:`real_roots` over integers."""
+    scale = high - low
+    unit = _between_0_and_1([value.numerator for value in polynomial], low, scale)
+    cells = [*_isolated(tuple(unit)), *([(1, 1, 0)] if sum(unit) == 0 else [])]
+    return sorted(_refine(unit, cell, low, scale, bits) for cell in cells)
+
+
+@lru_cache(maxsize=64)
+def _isolated(unit: tuple[int, ...]) -> tuple[tuple[int, int, int], ...]:
+    """(n, m, k) for each simple root in (0, 1): it lies in (n, m)/2^k, or is n/2^k = m/2^k.
+
+    Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one root (Collins, Akritas 1976).
+    """
+    found = []
+    pending = [(list(unit), 0, 0)]
+    while pending:
+        polynomial, n, k = pending.pop()
+        changes = _sign_changes(_shifted_by_1(polynomial[::-1]))
+        if changes == 1:
+            found.append((n, n + 1, k))
+        elif changes > 1:
+            degree = len(polynomial) - 1
+            left = [value << (degree - power) for power, value in enumerate(polynomial)]
+            right = _shifted_by_1(left)
+            if right[0] == 0:
+                found.append((2 * n + 1, 2 * n + 1, k + 1))
+            pending += [(left, 2 * n, k + 1), (right, 2 * n + 1, k + 1)]
+    return tuple(found)
+
+
+def _shifted_by_1(coefficients: Sequence[int]) -> list[int]:
+    """Coefficients of the polynomial at u + 1."""
+    values = list(coefficients)
+    for start in range(len(values) - 1):
+        for power in range(len(values) - 2, start - 1, -1):
+            values[power] += values[power + 1]
+    return values
+
+
+def _sign_changes(coefficients: Sequence[int]) -> int:
+    signs = [value > 0 for value in coefficients if value]
+    return sum(left != right for left, right in itertools.pairwise(signs))
+
+
+def _refine(
+    unit: list[int], cell: tuple[int, int, int], start: Fraction, scale: Fraction, bits: int
+) -> tuple[Fraction, Fraction]:
+    """Narrow a cell with one root: the secant's guess on a grid of 2^m cells, m twice as large when right, else half.
 
     Source: quadratic interval refinement, J. Abbott (2006).
     """
-    scale = right - left
-    unit = _between_0_and_1([value.numerator for value in polynomial], left, scale)
-    above = exact_sign(sum(unit))
-    if above == 0:
-        return right, right
-    n, k, m = 0, 0, 1
-    while not _narrow(scale / 2**k, left + scale * Fraction(n, 2**k), left + scale * Fraction(n + 1, 2**k), bits):
-        n, k = n << m, k + m
-        low, high = _homogeneous(unit, n, 1 << k), _homogeneous(unit, n + (1 << m), 1 << k)
-        # At the left end there may be another root, which belongs to the interval before.
-        guess = 1 << (m - 1) if m == 1 or low == 0 else min(max((low << m) // (low - high), 1), (1 << m) - 1)
-        value = _homogeneous(unit, n + guess, 1 << k) * above
+    n, last, k = cell
+
+    def at(numerator: int) -> Fraction:
+        return start + scale * Fraction(numerator, 1 << k)
+
+    if n == last:
+        return at(n), at(n)
+    # At the ends there may be other roots, which belong to their own cells: the sign just inside the right one decides.
+    above = exact_sign(_homogeneous(unit, last, 1 << k)) or -exact_sign(_homogeneous(_derivative(unit), last, 1 << k))
+    m = 1
+    while True:
+        low, high = (_homogeneous(unit, end, 1 << k) for end in (n, n + 1))
+        if high and _narrow(scale / 2**k, at(n), at(n + 1), bits):
+            return at(n), at(n + 1)
+        m = m if low and high else 1
+        guess = (n << m) + (1 if m == 1 else min(max((low << m) // (low - high), 1), (1 << m) - 1))
+        value = _homogeneous(unit, guess, 1 << k + m) * above
         if value == 0:
-            root = left + scale * Fraction(n + guess, 1 << k)
-            return root, root
+            k += m
+            return at(guess), at(guess)
         step = -1 if value > 0 else 1
-        other = _homogeneous(unit, n + guess + step, 1 << k) * above if m > 1 and low else 0
-        if m == 1:
-            n, m = n + (guess if value < 0 else 0), 2
-        elif value * other < 0:
-            n, m = n + guess + min(step, 0), 2 * m
+        if m == 1 or value * _homogeneous(unit, guess + step, 1 << k + m) * above < 0:
+            n, k, m = guess + min(step, 0), k + m, 2 * m
         else:
-            # The root is on the side of the guess that its sign tells: go back to a wider cell and halve it.
-            n, k, m = n >> m, k - m, max(1, m // 2)
-            if not low:
-                m = 1
-    return left + scale * Fraction(n, 2**k), left + scale * Fraction(n + 1, 2**k)
+            m //= 2
+
+
+def _derivative(coefficients: Sequence[int]) -> list[int]:
+    return [power * value for power, value in enumerate(coefficients)][1:]
 
 
 def _between_0_and_1(coefficients: Sequence[int], left: Fraction, scale: Fraction) -> list[int]:

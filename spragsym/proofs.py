@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any, TypeVar
 
 from . import kernel, polynomials
@@ -101,22 +102,37 @@ def cusp_sines(
 
     Roots in [−1, 1], and for α = 0 in (−1, 1).
     """
+    polynomial, simple = _cusp_polynomial(kappa, alpha, sigma, beta)
+    chain = polynomials.sturm_chain(simple, polynomials.exact_sign)
+    count = polynomials.count_between(chain, -_ONE, _ONE, polynomials.exact_sign)
+    at_ends = [polynomials.evaluate(simple, end) == 0 for end in (-_ONE, _ONE)]
+    count += at_ends[0] if alpha else -at_ends[1]
+    roots = _cusp_roots((kappa, alpha, sigma, beta), bits)
+    if len(roots) != count:
+        raise ArithmeticError("isolation and Sturm's count disagree")  # can't happen: both are exact
+    return polynomial, roots, count
+
+
+_ONE = Fraction(1)
+
+
+@lru_cache(maxsize=64)
+def _cusp_polynomial(kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction) -> tuple[polynomials.Polynomial, ...]:
+    """The polynomial of the cusps in sin θ, and the same with every root once."""
     coefficients = (
         _catastrophe.cusp_polynomial(kappa, alpha, sigma, beta) if alpha else _catastrophe.cusp_cubic(kappa, sigma, beta)
     )
     polynomial = tuple(Fraction(value) for value in coefficients)
-    one = Fraction(1)
-    simple = polynomials.squarefree(polynomial)
-    roots = polynomials.real_roots(simple, -one, one, polynomials.exact_sign, Fraction, bits)
-    count = polynomials.count_between(polynomials.sturm_chain(simple, polynomials.exact_sign), -one, one, polynomials.exact_sign)
-    if polynomials.evaluate(simple, -one) == 0:
-        roots, count = [(-one, -one), *roots], count + 1
-    if not alpha:
-        upright = [root for root in roots if root in ((one, one), (-one, -one))]
-        roots, count = [root for root in roots if root not in upright], count - len(upright)
-    if len(roots) != count:
-        raise ArithmeticError("isolation and Sturm's count disagree")  # can't happen: both are exact
-    return polynomial, roots, count
+    return polynomial, polynomials.squarefree(polynomial)
+
+
+def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[tuple[Fraction, Fraction]]:
+    """Intervals as of :func:`cusp_sines`."""
+    _, simple = _cusp_polynomial(*exact)
+    roots = polynomials.real_roots(simple, -_ONE, _ONE, polynomials.exact_sign, Fraction, bits)
+    if not exact[1]:
+        return [root for root in roots if root != (_ONE, _ONE)]
+    return [(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
 
 
 def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator[Point]:
@@ -125,7 +141,7 @@ def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator
     if alpha == 1 + beta:
         yield from _cusps_without_a(arith, tuple(map(arith.exact, exact)), bits)
         return
-    polynomial, roots, _ = cusp_sines(*exact, bits=bits - 32)
+    polynomial, roots = _cusp_polynomial(*exact)[0], _cusp_roots(exact, bits - 32)
     if not alpha:
         # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = ±π/2.
         roots += [(Fraction(1), Fraction(1)), (Fraction(-1), Fraction(-1))]

@@ -173,7 +173,8 @@ class CuspProof(Sequence[PreciseCusp]):
     cusps : tuple of PreciseCusp
         Those in contact with L > 0, sorted by ``mu0``.
     polynomial : tuple of Fraction
-        Lowest power first; its roots s = sin θ in [−1, 1], open for α = 0, are all cusps. Empty for α = 1 + β, where 3 s² = 2 instead.
+        Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps. Empty for α = 1 + β, where
+        3 s² = 2 instead.
     sines : tuple of (Fraction, Fraction)
         Disjoint intervals, each proved to hold one of its real roots.
     count : int

@@ -8,6 +8,7 @@ The reference knows f only, written out here: at each small step of the paramete
 
 from __future__ import annotations
 
+import itertools
 import math
 import sys
 
@@ -107,7 +108,7 @@ def followed(p: ss.Parameters, vary: str, values: Array, turns: Array, theta: fl
     """θ at each value, from θ at the first; on a fold the limit from where the path comes."""
     forward = 1.0 if values[-1] > values[0] else -1.0
     result = [theta]
-    for start, end in zip(values[:-1], values[1:], strict=True):
+    for start, end in itertools.pairwise(values):
         ends = np.array([start + forward * BESIDE * abs(start), end - forward * BESIDE * abs(end)])
         if forward * (ends[1] - ends[0]) > 0:
             marks = np.concatenate([ends, turns + BESIDE * np.abs(turns), turns - BESIDE * np.abs(turns)])
@@ -127,7 +128,9 @@ def followed(p: ss.Parameters, vary: str, values: Array, turns: Array, theta: fl
 def _is_smallest(p: ss.Parameters, vary: str, values: Array, near: bool, path: ss.Path) -> bool:
     """Whether the first state is the smallest of all that are stable at the first value or, for a fold, beside it."""
     first = float(values[0])
-    theta0, kappa, sigma, beta = (first if name == vary else float(getattr(p, name)) for name in ("theta0", "kappa", "sigma", "beta"))
+    theta0, kappa, sigma, beta = (
+        first if name == vary else float(getattr(p, name)) for name in ("theta0", "kappa", "sigma", "beta")
+    )
     candidates = []
     for value in (first * (1 - BESIDE), first * (1 + BESIDE)) if near else (first,):
         found, (a, b, d, m) = roots(p, vary, value)

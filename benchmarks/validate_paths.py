@@ -89,7 +89,8 @@ def roots(p: ss.Parameters, vary: str, value: float) -> tuple[Array, tuple[float
     d = q * alpha * c0 + mu0 * (sigma * s0 - kappa)
     t = np.roots([-b, 2 * (d - a), -4 * m, 2 * (d + a), b])
     real = t[(np.abs(t.imag) < 1e-10 * np.abs(t)) & (t.real > 0)].real
-    return np.sort(2 * np.arctan(real)), (a, b, d, m)
+    theta = np.sort(2 * np.arctan(real))
+    return theta[sigma * (s0 - np.sin(theta)) < kappa], (a, b, d, m)  # y < 0
 
 
 def _creep(p: ss.Parameters, vary: str, value: float, theta: float) -> float:

@@ -1,4 +1,4 @@
-"""Real roots of polynomials, proved: Sturm's count over exact or interval coefficients, and an enclosure of every root.
+"""Real roots of polynomials, proved: Descartes' rule over exact coefficients, Sturm's theorem over intervals.
 
 Coefficients are listed lowest power first. They are Fractions, for which every sign is exact, or intervals, for which a sign that
 can't be decided raises :class:`Undecided`, to be tried again with more bits.

@@ -1,8 +1,8 @@
 """Folds and cusps of exactly given parameters, with a proof that there are no more: real-root counting, no starting points.
 
 On a fold two relations hold that are linear in every parameter but θ₀ (derived: ``fold_lines_*``), so that eliminating the one
-that varies leaves a polynomial in t = tan(θ/2); on a cusp ``cusp_polynomial`` in sin θ remains. Sturm's count says how many real
-roots there are, exactly over rationals and with intervals where cos θ₀ and sin θ₀ enter.
+that varies leaves a polynomial in t = tan(θ/2); on a cusp ``cusp_polynomial`` in sin θ remains. Its real
+roots are isolated exactly over rationals (Descartes), and with intervals where cos θ₀ and sin θ₀ enter (Sturm).
 """
 
 from __future__ import annotations

@@ -178,8 +178,8 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     Notes
     -----
     Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is eliminated, and what remains is a
-    polynomial in tan(θ/2) whose real roots are isolated by Descartes' rule or, over intervals, by Sturm's theorem. A multiple root, which belongs to the other kinds, is found by
-    exact algebra.
+    polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule or, over intervals, by Sturm's theorem. A multiple
+    root, which belongs to the other kinds, is found by exact algebra.
 
     Examples
     --------

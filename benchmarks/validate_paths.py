@@ -94,11 +94,14 @@ def roots(p: ss.Parameters, vary: str, value: float) -> tuple[Array, tuple[float
 
 
 def _creep(p: ss.Parameters, vary: str, value: float, theta: float) -> float:
-    """The root that θ moves to: up where f < 0, down where f > 0."""
+    """The root that θ moves to: up where f < 0, down where f > 0, and up, where x is larger, from a root that is divergent."""
     found, (a, b, d, m) = roots(p, vary, value)
     near = found[np.abs(found - theta) < 1e-9]
     if near.size:
-        return float(near[0])
+        at = float(near[0])
+        if a * math.cos(2 * at) - b * math.sin(at) + d * math.cos(at) - m * math.sin(2 * at) > 0:
+            return at
+        theta = at + 1e-7
     s, c = math.sin(theta), math.cos(theta)
     above, below = found[found > theta], found[found < theta]
     upwards = a * s * c + b * c + d * s - m * s * s < 0

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -106,9 +108,16 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
 
 @dataclass(frozen=True)
 class Folds:
-    """Points at which two equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
+    """Points at which equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
 
-    ``error`` bounds |error| / max(1, |value|) of all of them.
+    ``error`` bounds |error| / max(1, |value|) of all of them. ``kind`` says what happens as the parameter passes:
+
+    - ``"fold"``: two equilibria appear or vanish together, the ordinary case;
+    - ``"pitchfork"``: one becomes three, or three become one, all of them in one point (μ₀ = α = 0, a symmetric system);
+    - ``"cusp"``: three meet in one point, and one is left on both sides;
+    - ``"touch"``: two meet, and there are as many on both sides.
+
+    All but the first need a coincidence of the parameters that are fixed.
     """
 
     vary: str
@@ -123,6 +132,23 @@ class Folds:
     x: FloatArray
     y: FloatArray
     error: FloatArray
+    kind: NDArray[np.str_]
+
+
+@dataclass(frozen=True)
+class Turn:
+    """One row of :class:`Folds`, and what :mod:`spragsym.paths` has to know of it, proved.
+
+    ``side`` is 1 where there are three equilibria above its value and one below, −1 for the reverse, 0 if their number stays;
+    ``upper`` says that those that meet are the upper two of three in θ; ``rounded`` is −1 where the float of its value
+    lies below the true one and 1 where it lies above: with all other parameters rational they are never equal (Lindemann).
+    """
+
+    values: tuple[float, ...]
+    kind: str
+    side: int
+    upper: bool
+    rounded: int
 
 
 def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = False, arith: Arithmetic | None = None) -> Folds:
@@ -147,12 +173,13 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     ParameterError
         For a ``vary`` that is not a parameter, or a parameter that is missing or an array.
     ConvergenceError
-        At parameters so degenerate that two folds can't be told apart.
+        At parameters so close to a coincidence that 6144 bits do not tell it from one.
 
     Notes
     -----
     Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is eliminated, and what remains is a
-    polynomial in tan(θ/2) whose real roots Sturm's theorem counts.
+    polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule or, over intervals, by Sturm's theorem. A multiple
+    root, which belongs to the other kinds, is found by exact algebra.
 
     Examples
     --------
@@ -160,35 +187,63 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     >>> found = folds(Parameters.article())
     >>> print(np.degrees(found.theta0))
     [ 44.5593177  155.05941879]
+    >>> print(folds(Parameters.article(mu0=0.0, alpha=0.0)).kind)
+    ['pitchfork' 'pitchfork']
     """
+    found = turns(p, vary, negative_friction=negative_friction, arith=arith)
+    rows, kinds = [turn.values for turn in found], [turn.kind for turn in found]
+    if negative_friction and vary != "mu0" and p.scalars("mu0") != (0.0,):
+        mirrored = _mirrored_folds(p, vary, arith)
+        rows, kinds = rows + mirrored[0], kinds + mirrored[1]
+    order = sorted(range(len(rows)), key=lambda i: rows[i][NAMES.index(vary)])
+    columns: tuple[Any, ...] = _columns([rows[i] for i in order], 11)
+    return Folds(vary, *(*columns, np.array([kinds[i] for i in order], dtype=np.str_)))
+
+
+def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: Arithmetic | None = None) -> list[Turn]:
+    """The rows of :func:`folds` along one parameter, sorted by it; ``negative_friction`` matters for ``mu0`` only."""
     if vary not in NAMES:
         raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
     fixed = [name for name in NAMES if name != vary]
     exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
-    arith = arith or arithmetic()
+    chosen = arith or arithmetic()
     allowed, place = RANGES[vary], NAMES.index(vary)
 
-    def attempt(bits: int) -> list[tuple[float, ...]]:
-        rows = (_row(arith, point) for point in proofs.folds(arith, vary, exact, bits))
-        return [row for row in rows if allowed.contains(row[place]) or (negative_friction and vary == "mu0")]
+    def attempt(bits: int) -> list[Turn]:
+        found = []
+        for fold in proofs.folds(chosen, vary, exact, bits):
+            value = fold.point.parameters[place]
+            wanted = proofs.decided(chosen, value, f"{vary} = 0 on a fold") > 0 or (negative_friction and vary == "mu0")
+            turn = _turn(chosen, fold, place) if wanted else None
+            if turn and turn.values[place] < allowed.high:
+                found.append((chosen.ends(value), turn))
+        found.sort(key=lambda one: one[0][0])
+        # Two never have one value, since the positive roots of f, at most three, are no two pairs.
+        if any(one[0][1] >= two[0][0] for one, two in itertools.pairwise(found)):
+            raise Undecided("the order of two folds")
+        return [turn for _, turn in found]
 
-    rows = proofs.with_enough_bits(arith, 20, attempt, "folds")
-    if negative_friction and vary != "mu0":
-        rows += _mirrored_folds(p, vary, exact, arith)
-    return Folds(vary, *_columns(sorted(rows, key=lambda row: row[place]), 11))
+    return proofs.with_enough_bits(chosen, 20, attempt, "folds")
 
 
-def _mirrored_folds(p: Parameters, vary: str, exact: dict[str, Fraction], arith: Arithmetic) -> list[tuple[float, ...]]:
-    """Folds at −μ₀: those at μ₀ of the mirror image, reflected back."""
-    if exact["mu0"] == 0:
-        return []
+def _turn(arith: Arithmetic, fold: proofs.Fold, place: int) -> Turn:
+    values = _row(arith, fold.point)
+    low, high = arith.ends(fold.point.parameters[place])
+    rounded = 1 if high < values[place] else -1 if low > values[place] else 0
+    if rounded == 0 or high - low > abs(low) / 10**25:
+        raise Undecided("a fold and the float next to it")
+    return Turn(values, fold.kind, fold.side, fold.upper, rounded)
+
+
+def _mirrored_folds(p: Parameters, vary: str, arith: Arithmetic | None) -> tuple[list[tuple[float, ...]], list[str]]:
+    """Folds at −μ₀: those at μ₀ of the mirror image, reflected back; and their kinds."""
     reflected = p if vary == "theta0" else p.replace(theta0=math.pi - float(p.theta0))
     found = folds(reflected, vary, arith=arith)
     columns = (
         math.pi - found.theta0, -found.mu0, found.kappa, found.alpha, found.sigma, found.beta,
         math.pi - found.theta, found.L, -found.x, found.y, found.error,
     )  # fmt: skip
-    return [tuple(map(float, row)) for row in zip(*columns, strict=True)]
+    return [tuple(map(float, row)) for row in zip(*columns, strict=True)], found.kind.tolist()
 
 
 def _row(arith: Arithmetic, point: proofs.Point) -> tuple[float, ...]:
@@ -198,10 +253,18 @@ def _row(arith: Arithmetic, point: proofs.Point) -> tuple[float, ...]:
         low, high = arith.ends(interval)
         middle = (low + high) / 2
         error = max(error, float((high - low) / 2 / max(Fraction(1), abs(middle))))
-        values.append(float(middle))
+        values.append(_as_float(middle))
     if error > 1e-13:
         raise Undecided(f"an error of {error:.1e}")
     return (*values, error + 1.2e-16)
+
+
+def _as_float(value: Fraction) -> float:
+    """The nearest float, infinite beyond float64."""
+    try:
+        return float(value)
+    except OverflowError:
+        return math.copysign(math.inf, value)
 
 
 def _columns(rows: list[tuple[float, ...]], width: int) -> tuple[FloatArray, ...]:
@@ -401,22 +464,47 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
         raise ParameterError(f"bracket = ({low}, {high}) is empty; give two values, the smaller first")
     (mu0,) = p.scalars("mu0")
 
+    def friction_at(value: float) -> float:
+        return float(critical_friction(p.replace(theta0=None, mu0=None, **{vary: value})))
+
     def excess(value: float) -> float:
-        friction = critical_friction(p.replace(theta0=None, mu0=None, **{vary: value}))
-        return math.atan(float(friction)) - math.atan(mu0)  # finite where there is no cusp
+        return math.atan(friction_at(value)) - math.atan(mu0)  # finite where there is no cusp
 
     ends = excess(low), excess(high)
     if ends[0] * ends[1] > 0:
         frictions = ", ".join(
-            f"{math.tan(end + math.atan(mu0)):.6g} at {vary} = {value:g}" for end, value in zip(ends, (low, high), strict=True)
+            f"{_in_words(friction_at(value))} at {vary} = {value:g}" for value in (low, high)
         )
         raise ParameterError(f"bracket: mu_cusp is {frictions}, both on one side of mu0 = {mu0:g}; widen it")
-    root, outcome = brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, full_output=True, disp=False)
-    if not outcome.converged or abs(excess(root)) > 1e-9:
+    low, high = _within_a_factor(excess, low, high)
+    root = low if low == high else float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=200))
+    if abs(excess(root)) > 1e-9:
+        below, above = (friction_at(max(float(np.nextafter(root, end)), RANGES[vary].low)) for end in (-math.inf, math.inf))
         raise ConvergenceError(
-            f"mu_cusp jumps across mu0 = {mu0:g} near {vary} = {root:g}, where a cusp appears; there is no crossing"
+            f"mu_cusp jumps across mu0 = {mu0:g} at {vary} = {root:.12g}, from {_in_words(below)} to {_in_words(above)}: "
+            "there it has no value between; try a bracket on one side"
         )
-    return float(root)
+    return root
+
+
+def _within_a_factor(excess: Callable[[float], float], low: float, high: float) -> tuple[float, float]:
+    """A bracket whose larger end is at most twice the smaller, or one value: halved in the exponent, at most 12 times."""
+    ends = [excess(low), excess(high)]
+    for value, end in zip((low, high), ends, strict=True):
+        if end == 0:
+            return value, value
+    smallest = float(np.finfo(float).smallest_normal)
+    while high > 2 * max(low, smallest):
+        middle = math.sqrt(max(low, smallest)) * math.sqrt(high)
+        value = excess(middle)
+        if value == 0:
+            return middle, middle
+        low, high = (low, middle) if value * ends[0] < 0 else (middle, high)
+    return low, high
+
+
+def _in_words(friction: float) -> str:
+    return "infinite (there is no cusp)" if math.isinf(friction) else f"{friction:.6g}"
 
 
 # ----------------------------------------------------------------------------------------------------- flutter

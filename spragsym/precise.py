@@ -187,11 +187,12 @@ class CuspProof(Sequence[PreciseCusp]):
     cusps : tuple of PreciseCusp
         Those in contact with L > 0, sorted by ``mu0``.
     polynomial : tuple of Fraction
-        Lowest power first; its roots s = sin θ in (−1, 1) are all cusps. Empty for α = 1 + β, where 3 s² = 2 instead.
+        Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps. Empty for α = 1 + β, where
+        3 s² = 2 instead.
     sines : tuple of (Fraction, Fraction)
         Disjoint intervals, each proved to hold one of its real roots.
     count : int
-        Number of different real roots in (−1, 1) by Sturm's theorem, which ``sines`` matches: the proof.
+        Number of different real roots there by Sturm's theorem, which ``sines`` matches: the proof.
     """
 
     cusps: tuple[PreciseCusp, ...]

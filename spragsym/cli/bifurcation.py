@@ -61,10 +61,10 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
 def _summary(values: dict[str, float]) -> dict[str, Any]:
     import numpy as np
 
-    from .. import catastrophe
+    from .. import catastrophe, flutter
 
     p = build(None, **values)
-    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), catastrophe.flutter_onsets(p)
+    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), flutter.flutter_onsets(p)
     lowest = catastrophe.critical_friction(p)
     with np.errstate(all="ignore"):  # stiffnesses of very different size
         linear = float(catastrophe.linear_critical_friction(p))

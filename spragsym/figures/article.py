@@ -13,7 +13,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..catastrophe import FlutterBoundary, bifurcation_set, flutter_boundary, folds, linear_sprag
+from ..catastrophe import bifurcation_set, folds, linear_sprag
+from ..flutter import FlutterBoundary, flutter_boundary
 from ..dynamics import simulate
 from ..generated import motion
 from ..parameters import FloatArray, Parameters

@@ -57,6 +57,19 @@ def flutter_discriminant(K: sp.Matrix) -> sp.Expr:
 
 
 @cache
+def trace_identity() -> bool:
+    """The trace of K at an equilibrium in contact is α + σ + (B sin θ₀ + κ)/(L sin θ): positive for 0 < θ, θ₀ < π.
+
+    Where the discriminant is 0, the determinant is a quarter of its square: positive, so that no onset of flutter is a fold.
+    """
+    _, across = equilibrium.balance()
+    (preload,) = sp.solve(in_contact(across), nm.kappa)
+    positive = nm.p + (nm.B * nm.s0 + preload) / (nm.L * nm.s)
+    parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+    return algebra.equal(trace(in_shorthand(stiffness())).subs(parameters), positive.subs(parameters))
+
+
+@cache
 def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
     """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, the two balances in contact at given θ and μ₀."""
     along, across = (in_contact(force) for force in equilibrium.balance())

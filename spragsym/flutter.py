@@ -9,8 +9,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from . import kernel, ladder
-from .catastrophe import folds
+from . import kernel
 from .errors import ParameterError
 from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
@@ -19,7 +18,6 @@ from .intervals import Arithmetic, arithmetic
 from .parameters import FloatArray, Parameters
 from .polynomials import Undecided
 from .proofs import with_enough_bits
-from .solver import Stability
 
 _FIXED = ("kappa", "alpha", "sigma", "beta")
 
@@ -28,8 +26,7 @@ _FIXED = ("kappa", "alpha", "sigma", "beta")
 class FlutterOnsets:
     """Onsets of flutter at one friction, sorted by θ₀; one array for each coordinate of the states that they belong to.
 
-    ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are, at a fold with the pair that
-    meets there. ``side`` is 1 where the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where
+    ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are. ``side`` is 1 where the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where
     the two sides do not differ: there the boundary is only touched. ``error`` bounds |error| / max(1, |value|) of θ₀, θ, L, x
     and y; ``mu0`` is the friction that was asked for.
     """
@@ -67,12 +64,13 @@ def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> Flutter
     ParameterError
         For a parameter that is missing or an array.
     ConvergenceError
-        At parameters so degenerate that several conditions on them coincide, as an onset at a cusp.
+        At parameters so degenerate that onsets can't be told apart, or that three of them meet.
 
     Notes
     -----
     Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15), eliminated to one polynomial in tan(θ/2 − π/4), whose real roots are
-    isolated exactly; see :mod:`spragsym.flutter_proofs`. An onset at which the two smallest frequencies are 0 is a fold too.
+    isolated exactly; see :mod:`spragsym.flutter_proofs`. No onset is a
+    fold: there the determinant of K vanishes, here it is positive.
 
     Examples
     --------
@@ -91,8 +89,6 @@ def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> Flutter
 
         rows = sorted(with_enough_bits(arith, 20, attempt, "flutter_onsets"))
     theta0, theta, L, x, y, branch, count, side, error = np.array(rows, dtype=float).reshape(-1, 9).T
-    for index in np.flatnonzero(np.isnan(side)):
-        side[index] = _side(p, index, theta0, int(branch[index]))
     return FlutterOnsets(
         theta0, np.full(theta0.size, mu0), theta, L, x, y,
         branch.astype(np.int64), count.astype(np.int64), side.astype(np.int8), error,
@@ -109,23 +105,8 @@ def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:
         values.append(float(middle))
     if error > 1e-15:
         raise Undecided(f"an error of {error:.1e}")
-    side = np.nan if onset.side is None else onset.side
     # Half a unit in the last place of a float, and what is lost in this sum.
-    return (*values, onset.branch, onset.count, side, error * (1 + 2.0**-40) + 1.2e-16)
-
-
-def _side(p: Parameters, index: int, theta0: FloatArray, branch: int) -> int:
-    """Where derivatives do not say it: the states half-way to the next onset or fold, since none changes before."""
-    at = theta0[index]
-    events = np.concatenate([[0.0, np.pi], theta0, folds(p).theta0])
-    events = events[np.abs(events - at) > 1e-14]
-
-    def flutters(neighbour: float) -> bool:
-        values = (float(getattr(p, name)) for name in ("mu0", *_FIXED))
-        states = ladder.equilibria(0.5 * (at + neighbour), *values).states
-        return len(states) > branch and states[branch].stability == Stability.FLUTTER
-
-    return int(flutters(events[events > at].min())) - int(flutters(events[events < at].max()))
+    return (*values, onset.branch, onset.count, onset.side, error * (1 + 2.0**-40) + 1.2e-16)
 
 
 # ---------------------------------------------------------------------------------------------------- boundary

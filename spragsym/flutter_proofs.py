@@ -5,10 +5,14 @@ L² is a quadratic in L. So is cos² θ₀ + sin² θ₀ = 1, and the resultant 
 of degree 16 in v = tan((θ − π/2)/2). Flutter needs K₁₂ K₂₁ < 0, hence π/2 ≤ θ < π: all onsets are among its roots 0 ≤ v < 1,
 which Descartes' rule isolates exactly. α = 0 leaves cos θ₀ free, and a polynomial of degree 8 (``flutter_without_alpha``). What
 decides whether a root is an onset is a sign; one that an interval leaves open is 0 only where exact algebra says so.
+
+An onset is never a fold, nor the middle one of three equilibria: in contact the trace of K is positive (derived:
+``trace_identity``), and where its discriminant is 0 the determinant is a quarter of the square of that.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -33,7 +37,7 @@ _DEGREE_WITHOUT_ALPHA, _DEGREE_OF_LENGTH_WITHOUT_ALPHA = 4, 1
 class Onset:
     """An onset in intervals; ``branch`` counts the equilibria from below in θ, of which there are ``count``.
 
-    ``side`` is 1 if flutter is at larger θ₀, −1 if it is at smaller θ₀, and None where the first derivative does not say.
+    ``side`` is 1 if flutter is at larger θ₀, −1 if it is at smaller θ₀, and 0 where flutter is on both sides or on none.
     """
 
     theta0: Interval
@@ -43,7 +47,7 @@ class Onset:
     y: Interval
     branch: int
     count: int
-    side: int | None
+    side: int
 
 
 @dataclass(frozen=True)
@@ -102,7 +106,13 @@ class Elimination:
         def in_v(v: Fraction) -> Fraction:
             return function(*on_circle(v)) * (1 + v * v) ** degree
 
-        return descartes.primitive(polynomials.interpolate(in_v, 2 * degree, Fraction))
+        # A multiple of it in integers: values over their common denominator, Lagrange's polynomials times (2 degree)!
+        values = {v: in_v(v) for v in map(Fraction, range(-degree, degree + 1))}
+        common = math.lcm(*(value.denominator for value in values.values()))
+        scale = math.factorial(2 * degree)
+        return descartes.primitive(
+            polynomials.interpolate(lambda v: int(values[v] * common), 2 * degree, lambda weight: int(weight * scale))
+        )
 
     def length(self, c: Any, s: Any, values: tuple[Any, ...]) -> tuple[Any, Any]:
         """X and Y of L = X/Y."""
@@ -117,9 +127,12 @@ class Elimination:
         other = self.polynomial(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
         return holds(descartes.common_factor(self.simple, other), root)
 
-    def is_multiple(self, root: Root) -> bool:
-        """Whether it is a multiple root."""
-        return holds(descartes.common_factor(self.simple, self.repeated), root)
+    def multiplicity(self, root: Root) -> int:
+        """How many of the polynomial and its derivatives vanish at a root, in turn."""
+        multiplicity, derivative = 0, self.full
+        while holds(descartes.common_factor(self.simple, derivative), root):
+            multiplicity, derivative = multiplicity + 1, descartes.derivative(derivative)
+        return multiplicity
 
 
 def holds(factor: Polynomial, root: Root) -> bool:
@@ -142,8 +155,9 @@ def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[O
         narrow = descartes.refine(elimination.simple, root, bits - 32)
         v = _interval(arith, narrow)
         c, s = on_circle(v)
-        for L in _lengths(arith, elimination, root, c, s, values):
-            yield from _at_length(arith, elimination, root, v, c, s, L, values)
+        lengths = _lengths(arith, elimination, root, c, s, values)
+        for L in lengths:
+            yield from _at_length(arith, elimination, root, v, c, s, L, values, alone=len(lengths) == 1)
 
 
 def _interval(arith: Arithmetic, root: Root) -> Interval:
@@ -175,12 +189,12 @@ def _lengths(
     square = e1 * e1 - 4 * e0 * e2
     if decided(arith, square, "a double spring length") < 0 or decided(arith, e1, "e1 = 0") > 0:
         return []
-    return [(-e1 + side * arith.sqrt(square)) / (2 * e2) for side in (1, -1)]
+    return [(-e1 + way * arith.sqrt(square)) / (2 * e2) for way in (1, -1)]
 
 
 def _at_length(
     arith: Arithmetic, elimination: Elimination, root: Root, v: Interval, c: Interval, s: Interval, L: Interval,
-    values: tuple[Interval, ...],
+    values: tuple[Interval, ...], *, alone: bool,
 ) -> Iterator[Onset]:  # fmt: skip
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give, if in contact."""
     mu0, kappa, alpha, sigma, beta = values
@@ -209,37 +223,21 @@ def _at_length(
         L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
         if decided(arith, y, "y = 0") > 0:
             continue
-        change, slope = _stability.flutter_crossing(c, s, L, c0, s0, mu0, alpha, sigma, beta)
-
-        def jacobian(c: Any, s: Any, X: Any, Y: Any) -> Any:  # linear in L, and free of θ₀
-            at = [
-                _stability.flutter_crossing(c, s, L, 0, 0, elimination.mu0, *elimination.values[2:])[1]
-                for L in (Fraction(0), Fraction(1))
-            ]
-            return at[0] * Y + (at[1] - at[0]) * X
-
-        fold = _sign(arith, slope, "f′ = 0", lambda: elimination.vanishes(root, jacobian, degree + 2)) == 0
-        # Where f′ > 0, N has the sign of the discriminant's change. It is 0 at a multiple root, and where sin θ₀ alone counts and is 1.
-        unclear = fold or stationary or (sign(arith, change) == 0 and elimination.is_multiple(root))
-        side = None if unclear else -decided(arith, change, "the discriminant's slope")
+        # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root, where the boundary is touched.
+        change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, alpha, sigma, beta)
+        touches = stationary or (alone and sign(arith, change) == 0 and elimination.multiplicity(root) % 2 == 0)
+        side = 0 if touches else -decided(arith, change, "the discriminant's slope")
         quartic = kernel.t_quartic(*kernel.f_coefficients(c0, s0, *values, 1))
-        branch, count = rank(arith, quartic, (1 + v) / (1 - v), s0 - kappa / sigma, fold)
+        branch, count = rank(arith, quartic, (1 + v) / (1 - v), s0 - kappa / sigma)
         yield Onset(angle(arith, c0, s0), angle(arith, c, s), L, x, y, branch, count, side)
 
 
 # ------------------------------------------------------------------------------------------------------- rank
 
 
-def rank(arith: Arithmetic, quartic: tuple[Interval, ...], t: Interval, edge: Interval, fold: bool) -> tuple[int, int]:
-    """Place among the equilibria, from below in θ, and their number, of the root t of f's quartic; contact is sin θ > ``edge``.
-
-    An onset is never the middle one of three, which is divergent. At a fold, where it is double, the place is that of the one of
-    the pair that is not divergent.
-    """
+def rank(arith: Arithmetic, quartic: tuple[Interval, ...], t: Interval, edge: Interval) -> tuple[int, int]:
+    """Place among the equilibria, from below in θ, and their number, of the root t of f's quartic; contact is sin θ > ``edge``."""
     rest = _deflated(quartic, t)
-    if fold:
-        above_others = decided(arith, polynomials.evaluate(_deflated(rest, t), t), "a triple root") > 0
-        return (2 if above_others else 0), 3
     chain = polynomials.sturm_chain(rest, lambda value: sign(arith, value))
     start, end = [part[0] for part in chain], [part[-1] for part in chain]
     if sign(arith, edge) >= 0:

@@ -48,7 +48,7 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
     for title, name, header in (
         ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", "x", "y")),
         (f"Folds at mu0 = {values['mu0']:g}", "folds", ("theta0_deg", "theta_deg", "x", "y")),
-        (f"Flutter onsets at mu0 = {values['mu0']:g}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch")),
+        (f"Flutter onsets at mu0 = {values['mu0']:g}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch", "side")),
     ):
         print_table(title, header, [[f"{row[column]:.12g}" for column in header] for row in summary[name]])
     lowest = "none" if summary["mu_cusp"] is None else f"{summary['mu_cusp']:.12g}"
@@ -84,7 +84,7 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
         "parameters": values,
         "cusps": rows(found, ("theta0", "mu0", "theta", "L", "x", "y")),
         "folds": rows(turns, ("theta0", "theta", "L", "x", "y")),
-        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch")),
+        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch", "side")),
         "mu_cr": linear if math.isfinite(linear) else None,
         "mu_cusp": None if math.isinf(lowest) else lowest,
     }

@@ -1,7 +1,8 @@
 """Real roots in 0 < v < 1 of a polynomial with integer coefficients, by Descartes' rule of signs: exact, and none is missed.
 
-Coefficients are listed lowest power first. Nothing here is rounded. Where :mod:`spragsym.polynomials` counts by Sturm's chain, whose
-coefficients grow with the square of the degree, this halves intervals, which only adds and shifts: at degree 16 it is faster by far.
+Coefficients are listed lowest power first. Nothing here is rounded. :mod:`spragsym.polynomials` counts by Sturm's chain, for
+intervals too, but its coefficients grow with the square of the degree. Here intervals are halved, which only adds and shifts: at
+degree 16 that is faster by far.
 """
 
 from __future__ import annotations

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -26,9 +25,10 @@ _FIXED = ("kappa", "alpha", "sigma", "beta")
 class FlutterOnsets:
     """Onsets of flutter at one friction, sorted by θ₀; one array for each coordinate of the states that they belong to.
 
-    ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are. ``side`` is 1 where the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where
-    the two sides do not differ: there the boundary is only touched. ``error`` bounds |error| / max(1, |value|) of θ₀, θ, L, x
-    and y; ``mu0`` is the friction that was asked for.
+    ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are. ``side`` is 1 where the state
+    flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where the two sides do not differ: there the
+    boundary is only touched. ``error`` bounds |error| / max(1, |value|) of θ₀, θ, L, x and y; ``mu0`` is the friction that was
+    asked for.
     """
 
     theta0: FloatArray

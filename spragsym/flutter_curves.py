@@ -1,8 +1,8 @@
 """Curves of flutter onsets in the plane of θ₀ and μ₀: all onsets at each of many θ, and neighbours joined.
 
 At a given direction θ friction is eliminated, and the onsets are the positive roots of a sextic in u = tan(θ₀/2) (derived:
-``flutter_cubic``), for α = 0 as well. Between two neighbouring θ with the same number of roots the k-th belongs to the k-th. Where
-their number changes, or one enters at θ₀ = 0 or π, more θ are put in between until the place is known to rounding.
+``flutter_cubic``), for α = 0 as well. Between two neighbouring θ with the same number of roots the k-th belongs to the k-th.
+Where their number changes, or one enters at θ₀ = 0 or π, more θ are put in between until the place is known to rounding.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ def _settled(one: _Column, other: _Column) -> bool:
     """Whether the k-th root of one is the k-th of the other, or nothing more can be told."""
     if other.theta - one.theta < _FINEST:
         return True
-    return one.ends == other.ends and one.theta0.size == other.theta0.size and bool((abs(one.theta0 - other.theta0) < _STEP).all())
+    return _same_kind(one, other) and bool((np.abs(one.theta0 - other.theta0) < _STEP).all())
 
 
 # ----------------------------------------------------------------------------------------------------- joining

@@ -1,10 +1,11 @@
 """Onsets of flutter of exactly given parameters, with a proof that there are no more: the direction θ by an exact polynomial.
 
 At given θ and μ₀ the two balances give sin θ₀ and α cos θ₀ as lines in the spring length L, and the discriminant of (27) times
-L² is a quadratic in L. So is cos² θ₀ + sin² θ₀ = 1, and the resultant of the two (derived: ``flutter_elimination``) is a polynomial
-of degree 16 in v = tan((θ − π/2)/2). Flutter needs K₁₂ K₂₁ < 0, hence π/2 ≤ θ < π: all onsets are among its roots 0 ≤ v < 1,
-which Descartes' rule isolates exactly. α = 0 leaves cos θ₀ free, and a polynomial of degree 8 (``flutter_without_alpha``). What
-decides whether a root is an onset is a sign; one that an interval leaves open is 0 only where exact algebra says so.
+L² is a quadratic in L. So is cos² θ₀ + sin² θ₀ = 1, and the resultant of the two (derived: ``flutter_elimination``) is a
+polynomial of degree 16 in v = tan((θ − π/2)/2). A discriminant of 0 needs K₁₂ K₂₁ ≤ 0, hence π/2 ≤ θ < π where μ₀ > 0: all onsets
+are among its roots 0 ≤ v < 1, which Descartes' rule isolates exactly. α = 0 leaves cos θ₀ free, and a polynomial of degree 8
+(``flutter_without_alpha``). What decides whether a root is an onset is a sign; one that an interval leaves open is 0 only where
+exact algebra says so.
 
 An onset is never a fold, nor the middle one of three equilibria: in contact the trace of K is positive (derived:
 ``trace_identity``), and where its discriminant is 0 the determinant is a quarter of the square of that.
@@ -70,9 +71,8 @@ class Elimination:
                 return X * X - Y * Z  # type: ignore[no-any-return]
 
             return self.polynomial(resultant, _DEGREE)
-        return self.polynomial(
-            lambda c, s: _stability.flutter_without_alpha(c, s, self.mu0, self.kappa, self.sigma, self.beta), _DEGREE_WITHOUT_ALPHA
-        )
+        others = self.mu0, self.kappa, self.sigma, self.beta
+        return self.polynomial(lambda c, s: _stability.flutter_without_alpha(c, s, *others), _DEGREE_WITHOUT_ALPHA)
 
     @cached_property
     def repeated(self) -> Polynomial:
@@ -236,7 +236,7 @@ def _at_length(
 
 
 def rank(arith: Arithmetic, quartic: tuple[Interval, ...], t: Interval, edge: Interval) -> tuple[int, int]:
-    """Place among the equilibria, from below in θ, and their number, of the root t of f's quartic; contact is sin θ > ``edge``."""
+    """Place among the equilibria from below in θ of the root t of f's quartic, and their number; contact is sin θ > ``edge``."""
     rest = _deflated(quartic, t)
     chain = polynomials.sturm_chain(rest, lambda value: sign(arith, value))
     start, end = [part[0] for part in chain], [part[-1] for part in chain]

@@ -14,8 +14,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..catastrophe import bifurcation_set, folds, linear_sprag
-from ..flutter import FlutterBoundary, flutter_boundary
 from ..dynamics import simulate
+from ..flutter import FlutterBoundary, flutter_boundary
 from ..generated import motion
 from ..parameters import FloatArray, Parameters
 from ..paths import Path, quasi_static_path

@@ -168,6 +168,21 @@ def test_an_onset_at_90_degrees_of_the_spring() -> None:
     assert onset.side in (-1, 1)
 
 
+@pytest.mark.parametrize(("cosine", "L"), [(1, Fraction(11, 10)), (-1, Fraction(3, 2))])
+def test_an_onset_at_exactly_0_or_180_degrees_is_outside(cosine: int, L: Fraction) -> None:
+    """sin θ₀ = 0, cos θ = −4/5, σ = 1 and α − β − 1 = −1 leave μ₀ to the discriminant, and α and κ to the two balances."""
+    c, s, difference = Fraction(-4, 5), Fraction(3, 5), -1
+    mu0 = -(1 + 2 * L * difference * (c * c - s * s) + (difference * L) ** 2) / (4 * L * s * c)
+    alpha = (c * (L - 1) + mu0 * L * s) / (cosine - c * L)
+    kappa = ((alpha - difference + 1) * L - 1) * s
+    assert alpha > 0
+    assert kappa > 0
+    values = mu0, kappa, alpha, 1, alpha - difference - 1
+    near = sorted(len(_exact(values[0], values[1] * (1 + way * Fraction(1, 10**9)), *values[2:])) for way in (-1, 1))
+    assert near[1] == near[0] + 1
+    assert len(_exact(*values)) == near[0]
+
+
 def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
     """cos θ = −12/13, L = 25/9 and sin θ₀ = 1, found by a search over rationals; θ₀ and π − θ₀ have the same states."""
     values = Fraction(33800, 5277), Fraction(464648, 1852227), 0, Fraction(4225, 15831), 0

@@ -22,6 +22,9 @@ from .tables import print_json, print_table
 def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
     """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
 
+    Of an onset, branch counts the equilibria from below in theta, and side is 1 where the state flutters at larger theta0, -1
+    where it does at smaller theta0.
+
     \b
     Examples:
       spragsym bifurcation

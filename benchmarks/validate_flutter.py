@@ -1,6 +1,7 @@
 """Flutter onsets against a map of stability refined near 0, π/2 and π; a Markdown table.
 
-``python -m benchmarks.validate_flutter [SETS] [SEED]``: random parameter sets over several decades, α = 0 in a quarter of them.
+``python -m benchmarks.validate_flutter [SETS] [SEED] [SECONDS]``: random parameter sets over several decades, α = 0 in a
+quarter of them, until one of the two limits is reached.
 The states on a grid of θ₀ and their stability are those of :func:`spragsym.equilibria`, which knows nothing of onsets. Between two
 neighbours a state that changes between flutter and no flutter must have its onset listed, with the right side, and a state that does
 not must have none. The grid is finer near 0, π/2 and π, about all that is listed, where a discriminant comes close to 0, and about
@@ -25,12 +26,14 @@ EVEN, TOWARDS, NEAREST = 160, 40, 1e-9
 ZOOMS = 4
 
 
-def main(sets: int = 10_000, seed: int = 12) -> int:
+def main(sets: int = 10_000, seed: int = 12, seconds: float = 3600) -> int:
     """Print the table; exit code 1 if an onset is missed or invented."""
     rng = np.random.default_rng(seed)
     rows: dict[str, list[int]] = {"alpha > 0": [0] * 5, "alpha = 0": [0] * 5}
     slowest = spent = 0.0
-    for _ in range(sets):
+    done, end = 0, time.monotonic() + seconds
+    while done < sets and time.monotonic() < end:
+        done += 1
         p = random_set(rng)
         begin = time.perf_counter()
         onsets = ss.flutter_onsets(p)
@@ -46,7 +49,7 @@ def main(sets: int = 10_000, seed: int = 12) -> int:
     print("|---|---|---|---|---|---|")
     for name, row in rows.items():
         print(f"| {name} | {' | '.join(map(str, row))} |")
-    print(f"\n{1e3 * spent / sets:.1f} ms a call, {1e3 * slowest:.0f} ms at most.")
+    print(f"\n{1e3 * spent / max(done, 1):.1f} ms a call, {1e3 * slowest:.0f} ms at most.")
     return int(any(row[3] or row[4] for row in rows.values()))
 
 
@@ -120,4 +123,4 @@ def dips(p: ss.Parameters, eq: ss.Equilibria) -> Array:
 
 
 if __name__ == "__main__":
-    sys.exit(main(*(int(argument) for argument in sys.argv[1:3])))
+    sys.exit(main(*(int(argument) for argument in sys.argv[1:4])))

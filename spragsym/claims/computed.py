@@ -13,7 +13,7 @@ import mpmath
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from .. import catastrophe, precise
+from .. import catastrophe, flutter, precise
 from .. import generated as _generated
 from ..dynamics import simulate
 from ..generated import equilibrium as _equilibrium
@@ -241,7 +241,7 @@ def family_row(name: str, value: float, bracket: tuple[float, float], jumps: boo
 
 def flutter_alpha() -> Found:
     p = _article(alpha=0.7)
-    onsets = _deg(catastrophe.flutter_onsets(p).theta0)
+    onsets = _deg(flutter.flutter_onsets(p).theta0)
     growth = minimize_scalar(
         lambda angle: -float(np.nanmax(equilibria(p.replace(theta0=angle)).eigenvalues.real)),
         bounds=(2.5, 2.8), method="bounded", options={"xatol": 1e-10},
@@ -256,7 +256,7 @@ def flutter_alpha() -> Found:
 
 def flutter_sigma() -> Found:
     p = _article(sigma=1.0)
-    onsets = catastrophe.flutter_onsets(p)
+    onsets = flutter.flutter_onsets(p)
     low, high = _deg(onsets.theta0)
     eq = equilibria(p.replace(theta0=np.radians(_GRID)))
     flutters = (eq.stability == Stability.FLUTTER).any(axis=-1)
@@ -270,15 +270,15 @@ def sheets() -> Found:
     stable, divergent = Stability.STABLE, Stability.DIVERGENT
     three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
     one = (eq.stability[eq.count == 1][:, 0] == stable).all()
-    lowest = float(catastrophe.flutter_boundary(_article()).mu0.min())
+    lowest = float(flutter.flutter_boundary(_article()).mu0.min())
     holds = bool(three and one and lowest > MU0_MAX)
     return Found(holds, {"lowest mu0 with flutter": float(f"{lowest:.4g}")})
 
 
 def hopf() -> Found:
     p = _article(sigma=1.0)
-    lowest = float(catastrophe.flutter_boundary(p).mu0.min())
-    onset = catastrophe.flutter_onsets(p)
+    lowest = float(flutter.flutter_boundary(p).mu0.min())
+    onset = flutter.flutter_onsets(p)
     at = equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
     frequencies = np.sort(at.eigenvalues[[0, 1], onset.branch].imag, axis=-1)[:, -2:]
     meet = bool((np.ptp(frequencies, axis=-1) < 2e-3).all())

@@ -22,6 +22,9 @@ from .tables import print_json, print_table
 def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
     """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
 
+    Of an onset, branch counts the equilibria from below in theta, and side is 1 where the state flutters at larger theta0, -1
+    where it does at smaller theta0.
+
     \b
     Examples:
       spragsym bifurcation
@@ -48,7 +51,7 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
     for title, name, header in (
         ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", "x", "y")),
         (f"Folds at mu0 = {values['mu0']:g}", "folds", ("theta0_deg", "theta_deg", "x", "y")),
-        (f"Flutter onsets at mu0 = {values['mu0']:g}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch")),
+        (f"Flutter onsets at mu0 = {values['mu0']:g}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch", "side")),
     ):
         print_table(title, header, [[f"{row[column]:.12g}" for column in header] for row in summary[name]])
     lowest = "none" if summary["mu_cusp"] is None else f"{summary['mu_cusp']:.12g}"
@@ -61,10 +64,10 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
 def _summary(values: dict[str, float]) -> dict[str, Any]:
     import numpy as np
 
-    from .. import catastrophe
+    from .. import catastrophe, flutter
 
     p = build(None, **values)
-    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), catastrophe.flutter_onsets(p)
+    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), flutter.flutter_onsets(p)
     lowest = catastrophe.critical_friction(p)
     with np.errstate(all="ignore"):  # stiffnesses of very different size
         linear = float(catastrophe.linear_critical_friction(p))
@@ -84,7 +87,7 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
         "parameters": values,
         "cusps": rows(found, ("theta0", "mu0", "theta", "L", "x", "y")),
         "folds": rows(turns, ("theta0", "theta", "L", "x", "y")),
-        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch")),
+        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch", "side")),
         "mu_cr": linear if math.isfinite(linear) else None,
         "mu_cusp": None if math.isinf(lowest) else lowest,
     }

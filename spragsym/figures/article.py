@@ -13,8 +13,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..catastrophe import FlutterBoundary, bifurcation_set, flutter_boundary, folds, linear_sprag
+from ..catastrophe import bifurcation_set, folds, linear_sprag
 from ..dynamics import simulate
+from ..flutter import FlutterBoundary, flutter_boundary
 from ..generated import motion
 from ..parameters import FloatArray, Parameters
 from ..paths import Path, quasi_static_path

@@ -11,7 +11,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..catastrophe import Folds, flutter_onsets, folds
+from ..catastrophe import Folds, folds
+from ..flutter import flutter_onsets
 from ..parameters import RANGES, FloatArray, Parameters
 from ..paths import Path
 from ..solver import Equilibria, Stability, equilibria

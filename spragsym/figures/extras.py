@@ -55,8 +55,8 @@ def bifurcation_figure(p: Parameters) -> Sheet:
         ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
     return figure.describe(
-        f"""Bifurcation set over inclination and friction, kappa = {kappa:g}, alpha = {alpha:g}, sigma =
-        {sigma:g}, beta = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots
+        f"""Bifurcation set over inclination and friction, κ = {kappa:g}, α = {alpha:g}, σ =
+        {sigma:g}, β = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots
         are cusps.""",
         a=table,
     )
@@ -70,9 +70,9 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
         tables[letter] = _draw_cusp_friction(ax, name, n)
     return figure.describe(
-        f"""Friction at the cusp, mu_cusp, over (a) beta, (b) alpha, (c) sigma, (d) kappa, the other
+        f"""Friction at the cusp, μ_cusp, over (a) β, (b) α, (c) σ, (d) κ, the other
         parameters
-        at {_BASE_TEXT}. From small deformation a curve at mu0 = 0.5 (dotted) jumps where mu_cusp lies below
+        at {_BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_cusp lies below
         it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
         not. The number is the critical value. Where the curve of (d) ends there is no cusp beyond.""",
         **tables,
@@ -178,10 +178,10 @@ def figure_false_double_root() -> Sheet:
         write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
     axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
     return figure.describe(
-        f"""Smallest distance of two roots, relative to their size, at mu0 = 0.5, {_BASE_TEXT}, of (a) the
-        quartic in L, the article's Equation (21), (b) the quartic in t = tan(theta/2). Both have a double
+        f"""Smallest distance of two roots, relative to their size, at μ₀ = 0.5, {_BASE_TEXT}, of (a) the
+        quartic in L, the article's Equation (21), (b) the quartic in t = tan(θ/2). Both have a double
         root at the two folds; that in L has another where two different equilibria share the length
-        sigma/(sigma + alpha), and where x and y can't be recovered from it.""",
+        σ/(σ + α), and where x and y can't be recovered from it.""",
         a={"theta0_deg": angles, "gap_L": gaps[0]}, b={"theta0_deg": angles, "gap_t": gaps[1]},
     )  # fmt: skip
 
@@ -249,10 +249,9 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
     axes[2].axhline(float(np.degrees(folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
     return figure.describe(
-        f"""Sensitivity of Figure 7b to belt speed and steepness, mu0 = 0.5, {_BASE_TEXT}. Root mean square
-        of x
-        over 1500 < tau < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
-        {V}; (c) the theta0 at which it steps most, to {np.degrees(jumps.width):.2g} deg, over V for three
+        f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {_BASE_TEXT}. Root mean square of x
+        over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
+        {V}; (c) the θ₀ at which it steps most, to {np.degrees(jumps.width):.2g}°, over V for three
         d. Dotted: the fold, which does not depend on them. V = {V} and d = {D:g} are our assumption of what
         the article does not state.""",
         **tables,

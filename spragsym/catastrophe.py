@@ -638,9 +638,11 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         (K11, K12), (K21, K22) = _stability.stiffness(c0, s0, 1.0, p.mu0, p.alpha, p.sigma, p.beta, 1)
         _, determinant, _ = _stability.invariants(K11, K12, K21, K22)
         e0, e1, e2 = _linear.pole_quadratic(p.mu0, p.alpha, p.sigma, p.beta)
-        large = 0.5 * (-e1 + np.sqrt(e1 * e1 - 4 * e0 * e2))
-        # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°.
-        poles = np.stack([np.arctan2(e0, large), np.arctan2(large, e2)], axis=-1)
+        # Factors of the discriminant, each by roots, so that none of them leaves the range of float64.
+        middle = 2 * np.sqrt(e0) * np.sqrt(e2)
+        large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
+        # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°, where both are for μ₀ = 0 as well.
+        poles = np.stack([np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)], axis=-1)
         poles = np.where(np.isfinite(large)[..., None], poles, np.nan)
     shape = p.shape
     x, y, determinant = (np.broadcast_to(np.asarray(value, dtype=float), shape).copy() for value in (x, y, determinant))

@@ -307,11 +307,12 @@ def _point_at(ax: Axes, text: str, target: tuple[float, float], place: tuple[flo
 
 def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
     """Axes within others that show small deformation only, where the curves of the outer ones lie upon each other."""
-    inset = ax.inset_axes((0.2, 0.13, 0.5, 0.29))
+    inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
     for value, color in zip(values, _FAMILY_COLORS, strict=True):
         draw_branches(branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0)
     angle_axis(inset, step=60)
-    inset.set(ylabel=LABELS["x"], ylim=(-0.006, 0.065))
+    inset.set(ylabel=LABELS["x"], ylim=(-0.02, 0.068))
+    inset.set_yticks((0.0, 0.03, 0.06))
     inset.tick_params(labelsize=7)
     for label in (inset.xaxis.label, inset.yaxis.label):
         label.set_size(7)
@@ -330,14 +331,14 @@ def figure_8() -> Sheet:
 def figure_9() -> Sheet:
     """Equilibrium curves for α = 0.007, 0.07 and 0.7."""
     values = (0.007, 0.07, 0.7)
-    labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((28, -0.3), (58, -0.0))]
+    labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((40, -0.27), (82, -0.01))]
     figure, ax = _family(9, "alpha", values, labels)
     onsets = np.degrees(flutter_onsets(Parameters.article(alpha=values[-1])).theta0)
     low, high = float(onsets.min()), float(onsets.max())
     _bracket(ax, "flutter", low, high, -0.14)
     inset = _magnified(ax, "alpha", values)
-    _bracket(inset, "flutter", low, high, 0.0005, fontsize=7)
-    for text, place, color in zip(("0.007", "0.07", "0.7"), ((32, 0.058), (88, 0.047), (40, 0.011)), _FAMILY_COLORS, strict=True):
+    _bracket(inset, "flutter", low, high, -0.002, fontsize=7)
+    for text, place, color in zip(("0.007", "0.07", "0.7"), ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True):
         write_along(inset, rf"$\alpha = {text}$", *place, color=color, fontsize=7)
     figure.caption += (
         f" The inset magnifies small deformation. At α = 0.7 the state flutters between the onsets, {low:.1f}° and {high:.1f}°, "

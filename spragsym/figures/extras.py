@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
@@ -189,15 +192,20 @@ def figure_false_double_root() -> Sheet:
 # ------------------------------------------------------------------------------------ motions in numbers
 
 
+#: Neighbouring cells whose RMS differ by more than this are divided.
+_STEP_OF_RMS = 0.3
+
+
 @styled
-def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, workers: Workers = 1) -> Sheet:
-    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set."""
+def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int = 2, workers: Workers = 1) -> Sheet:
+    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set.
+
+    Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its neighbour.
+    """
     figure, ((ax,),) = panels(1, 1, SINGLE * 1.3, 3.2)
     p = Parameters.article()
-    angles = np.arange(step_deg / 2, 180.0, step_deg)
-    frictions = np.arange(step_mu0 / 2, MU0_RANGE[1], step_mu0)
-    sweep = rms_sweep(p.replace(theta0=np.radians(angles), mu0=frictions[:, None]), V, D, rtol=1e-8, workers=workers)
-    image = ax.pcolormesh(angles, frictions, sweep.rms, cmap="cividis", vmin=0.0, rasterized=True)
+    cells = _divided(p, step_deg, step_mu0, levels, workers)
+    image = ax.pcolormesh(cells.angles, cells.frictions, cells.rms, cmap="cividis", vmin=0.0, rasterized=True)
     found = bifurcation_set(p)
     for curve in found.curves:
         ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
@@ -211,21 +219,71 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, workers: Wo
         color=VERMILION,
         markeredgecolor="white",
     )
+    for text, place in (("I", (50, 0.75)), ("II", (117, 0.93))):
+        write_along(ax, text, *place, ha="center", color=BLACK if text == "I" else "white")
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=MU0_RANGE)
     figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
-    where = np.broadcast_arrays(angles, frictions[:, None])
+    share = 2**levels
     return figure.describe(
-        f"""Root mean square of x, about zero, over 1500 < tau < 2000, of the motion from rest at x = y = 0,
-        over inclination and friction; red: the bifurcation set, the dot is the cusp.
-        {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}; V = {V} and d = {D:g} are our assumption.""",
-        a={
-            "theta0_deg": where[0].ravel(),
-            "mu0": where[1].ravel(),
-            "rms_x": sweep.rms.ravel(),
-            "regime": sweep.regime.ravel(),
-        },
+        f"""Root mean square of x, about zero, over 1500 < τ < 2000, of the motion from rest at x = y = 0, over
+        inclination and friction; orange: the bifurcation set, the dot is the cusp. Here {_BASE_TEXT}; V = {V} and d =
+        {D:g} are our assumption. One motion for each cell, at its centre: cells of {step_deg:g}° by {step_mu0:g}, divided
+        down to {step_deg / share:g}° by {step_mu0 / share:g} where the RMS steps. In both bright regions the motion ends in a
+        large cycle, in which it is above the belt most of the time. Region I begins before the fold: the motion overshoots the
+        divergent state. Region II has nothing to do with folds: the only equilibrium there is stable, a large cycle lives
+        beside it, at θ₀ = 132° from μ₀ = 0.3 upwards at least, and the motion from rest, which bounces on the belt, grows into
+        that cycle where friction is above about 0.85. Its ragged edge depends on the start, and on rounding.""",
+        a=cells.table,
     )
+
+
+@dataclass(frozen=True)
+class _Cells:
+    """A map over cells of unequal size: on the finest grid, and as a table of what was computed."""
+
+    angles: FloatArray
+    frictions: FloatArray
+    rms: FloatArray
+    table: Table
+
+
+def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers) -> _Cells:
+    columns: dict[str, list[NDArray[Any]]] = {"theta0_deg": [], "mu0": [], "rms_x": [], "regime": [], "level": []}
+    for level in range(levels + 1):
+        angles = _centres(180.0, step_deg / 2**level)
+        frictions = _centres(MU0_RANGE[1], step_mu0 / 2**level)
+        if level == 0:
+            rms, asked = np.zeros((frictions.size, angles.size)), np.ones((frictions.size, angles.size), dtype=bool)
+        else:
+            rms, asked = _in_four(rms), _in_four(_beside_a_step(rms))
+        row, column = np.nonzero(asked)
+        where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
+        sweep = rms_sweep(where, V, D, rtol=1e-8, workers=workers)
+        rms[row, column] = sweep.rms
+        found = (angles[column], frictions[row], sweep.rms, sweep.regime, np.full(row.size, level))
+        for values, more in zip(columns.values(), found, strict=True):
+            values.append(more)
+    return _Cells(angles, frictions, rms, {name: np.concatenate(values) for name, values in columns.items()})
+
+
+def _centres(top: float, step: float) -> FloatArray:
+    """Middles of equal cells that fill the range from 0, the last one perhaps in part."""
+    return step * (np.arange(round(top / step)) + 0.5)
+
+
+def _in_four(cells: NDArray[Any]) -> NDArray[Any]:
+    return np.repeat(np.repeat(cells, 2, axis=0), 2, axis=1)
+
+
+def _beside_a_step(rms: FloatArray) -> NDArray[np.bool_]:
+    """Cells that differ from a neighbour, beside or above, by a step."""
+    found = np.zeros(rms.shape, dtype=bool)
+    for axis in (0, 1):
+        steps = np.abs(np.diff(rms, axis=axis)) > _STEP_OF_RMS
+        for side in (0, 1):
+            found |= np.insert(steps, 0 if side else steps.shape[axis], False, axis=axis)
+    return found
 
 
 @styled

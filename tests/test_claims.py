@@ -576,8 +576,9 @@ def test_the_report_begins_with_its_verdict() -> None:
     assert first.count(".") == 1
     rows = re.findall(r"\| (confirmed|definition|approximation|misprint) \|", sections_of(COMMITTED, "##")["Equations"])
     claimed = re.findall(
-        r"\| (reproduced|input not stated|misprint|corrected|not reproduced) \|$", sections_of(COMMITTED, "##")["Claims"], re.MULTILINE
-    )
+        r"\| (reproduced|input not stated|misprint|corrected|not reproduced) \|$",
+        sections_of(COMMITTED, "##")["Claims"], re.MULTILINE,
+    )  # fmt: skip
     count = [len(rows), rows.count("confirmed") + rows.count("definition"), rows.count("approximation"), rows.count("misprint"),
              len(claimed), *(claimed.count(status) for status in
              ("reproduced", "input not stated", "misprint", "corrected", "not reproduced"))]  # fmt: skip

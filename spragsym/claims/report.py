@@ -71,9 +71,10 @@ def _verdict(rows: list[dict[str, Any]], claims: list[dict[str, Any]]) -> str:
     return (
         f"**The article's results can be reproduced: of its {len(rows)} equations, coefficients and definitions "
         f"{printed['confirmed'] + printed['definition']} stand as printed, {printed['approximation']} hold in a limit and "
-        f"{printed['misprint']} are misprinted; of its {len(claims)} statements that can be computed {stated['reproduced']} hold "
-        f"as stated, {stated['input not stated']} hold for inputs of ours that it does not give, {stated['misprint']} name a wrong "
-        f"equation or figure, {stated['corrected']} are wrong in substance, and {stated['not reproduced']} could not be reproduced.**"
+        f"{printed['misprint']} are misprinted; of its {len(claims)} statements that can be computed "
+        f"{stated['reproduced']} hold as stated, {stated['input not stated']} hold for inputs of ours that it does not give, "
+        f"{stated['misprint']} name a wrong equation or figure, {stated['corrected']} are wrong in substance, and "
+        f"{stated['not reproduced']} could not be reproduced.**"
     )
 
 
@@ -96,9 +97,10 @@ def _head(ledger: Any, claims: list[dict[str, Any]]) -> list[str]:
         "",
         *_paragraph("""*Reproduced*: it holds as stated, within the tolerance given. *Misprint*: a sign, a
         letter or the number of an equation or figure is wrong in print, and the rest of the article shows what is meant.
-        *Corrected*: wrong in substance; what is right is another number, or holds for fewer cases, and is given. *Input not stated*: it holds for values of ours, and the article does not
-        say for which of its own. Every outcome is recomputed in continuous integration, which fails when a status, or a number
-        beyond the digits given, is not as recorded."""),
+        *Corrected*: wrong in substance; what is right is another number, or holds for fewer cases, and is given.
+        *Input not stated*: it holds for values of ours, and the article does not say for which of its own. Every outcome
+        is recomputed in continuous integration, which fails when a status, or a number beyond the digits given, is not as
+        recorded."""),
     ]
 
 

@@ -17,7 +17,9 @@ from .tables import show
 
 _STYLES = {"confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
 
-_CLAIM_STYLES = {"reproduced": "green", "misprint": "yellow", "corrected": "magenta", "input not stated": "cyan", "not reproduced": "bold red"}
+_CLAIM_STYLES = {
+    "reproduced": "green", "misprint": "yellow", "corrected": "magenta", "input not stated": "cyan", "not reproduced": "bold red",
+}  # fmt: skip
 
 
 @click.command()

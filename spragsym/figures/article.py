@@ -315,7 +315,7 @@ def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
     inset.set_yticks((0.0, 0.03, 0.06))
     inset.tick_params(labelsize=7)
     for label in (inset.xaxis.label, inset.yaxis.label):
-        label.set_size(7)
+        label.set_fontsize(7)
     inset.xaxis.labelpad = inset.yaxis.labelpad = 1.0
     return inset
 
@@ -542,8 +542,8 @@ def figure_13() -> Sheet:
         write_along(ax, r"$\mu_0$ falling", *falling, color=BLUE)
     return figure.describe(
         f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a–a′ at θ₀ = 60°: a
-        jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here {_BASE_TEXT}. Thin line: rising, broad line: falling. {_LINES_TEXT}
-        {_RANGE_TEXT}""",
+        jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here {_BASE_TEXT}.
+        Thin line: rising, broad line: falling. {_LINES_TEXT} {_RANGE_TEXT}""",
         **tables,
     )
 

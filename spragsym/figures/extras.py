@@ -269,7 +269,7 @@ def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, worke
 
 def _centres(top: float, step: float) -> FloatArray:
     """Middles of equal cells that fill the range from 0, the last one perhaps in part."""
-    return step * (np.arange(round(top / step)) + 0.5)
+    return step * np.arange(0.5, round(top / step), dtype=np.float64)
 
 
 def _in_four(cells: NDArray[Any]) -> NDArray[Any]:

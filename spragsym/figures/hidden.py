@@ -68,7 +68,7 @@ def parts(line: FloatArray, sheet: Cover) -> list[tuple[FloatArray, bool]]:
     for stretch in _stretches(line):
         dense = _dense(stretch, sheet)
         behind = sheet.hides(0.5 * (dense[1:] + dense[:-1]))
-        turns = [0, *(np.flatnonzero(behind[1:] != behind[:-1]) + 1), behind.size]
+        turns = [0, *(np.flatnonzero(np.diff(behind)) + 1), behind.size]
         found += [(dense[begin : end + 1], bool(behind[begin])) for begin, end in itertools.pairwise(turns) if end > begin]
     return found
 
@@ -76,7 +76,7 @@ def parts(line: FloatArray, sheet: Cover) -> list[tuple[FloatArray, bool]]:
 def _stretches(line: FloatArray) -> list[FloatArray]:
     """What lies between NaNs, without single points."""
     good = np.isfinite(line).all(axis=1)
-    runs = np.split(line, np.flatnonzero(good[1:] != good[:-1]) + 1)
+    runs = np.split(line, np.flatnonzero(np.diff(good)) + 1)
     return [run for run in runs if len(run) > 1 and np.isfinite(run).all()]
 
 

@@ -233,7 +233,7 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
         large cycle, in which it is above the belt most of the time. Region I begins before the fold: the motion overshoots the
         divergent state. Region II has nothing to do with folds: the only equilibrium there is stable, a large cycle lives
         beside it, at θ₀ = 132° from μ₀ = 0.3 upwards at least, and the motion from rest, which bounces on the belt, grows into
-        that cycle where friction is above about 0.85. Its ragged edge depends on the start, and on rounding.""",
+        that cycle where friction is above about 0.83. Its ragged edge depends on the start, and on rounding.""",
         a=cells.table,
     )
 

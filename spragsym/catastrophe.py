@@ -248,23 +248,8 @@ def _mirrored_folds(p: Parameters, vary: str, arith: Arithmetic | None) -> tuple
 
 def _row(arith: Arithmetic, point: proofs.Point) -> tuple[float, ...]:
     """Middles as floats, and the largest error, the rounding to float included."""
-    values, error = [], 0.0
-    for interval in (*point.parameters, point.theta, point.L, point.x, point.y):
-        low, high = arith.ends(interval)
-        middle = (low + high) / 2
-        error = max(error, float((high - low) / 2 / max(Fraction(1), abs(middle))))
-        values.append(_as_float(middle))
-    if error > 1e-13:
-        raise Undecided(f"an error of {error:.1e}")
-    return (*values, error + 1.2e-16)
-
-
-def _as_float(value: Fraction) -> float:
-    """The nearest float, infinite beyond float64."""
-    try:
-        return float(value)
-    except OverflowError:
-        return math.copysign(math.inf, value)
+    values, error = proofs.as_floats(arith, (*point.parameters, point.theta, point.L, point.x, point.y))
+    return (*values, error)
 
 
 def _columns(rows: list[tuple[float, ...]], width: int) -> tuple[FloatArray, ...]:
@@ -547,9 +532,11 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         (K11, K12), (K21, K22) = _stability.stiffness(c0, s0, 1.0, p.mu0, p.alpha, p.sigma, p.beta, 1)
         _, determinant, _ = _stability.invariants(K11, K12, K21, K22)
         e0, e1, e2 = _linear.pole_quadratic(p.mu0, p.alpha, p.sigma, p.beta)
-        large = 0.5 * (-e1 + np.sqrt(e1 * e1 - 4 * e0 * e2))
-        # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°.
-        poles = np.stack([np.arctan2(e0, large), np.arctan2(large, e2)], axis=-1)
+        # Factors of the discriminant, each by roots, so that none of them leaves the range of float64.
+        middle = 2 * np.sqrt(e0) * np.sqrt(e2)
+        large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
+        # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°, where both are for μ₀ = 0 as well.
+        poles = np.stack([np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)], axis=-1)
         poles = np.where(np.isfinite(large)[..., None], poles, np.nan)
     shape = p.shape
     x, y, determinant = (np.broadcast_to(np.asarray(value, dtype=float), shape).copy() for value in (x, y, determinant))

@@ -8,15 +8,13 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from . import kernel
+from . import kernel, proofs
 from .errors import ParameterError
 from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
 from .generated import stability as _stability
 from .intervals import Arithmetic, arithmetic
 from .parameters import FloatArray, Parameters
-from .polynomials import Undecided
-from .proofs import with_enough_bits
 
 _FIXED = ("kappa", "alpha", "sigma", "beta")
 
@@ -87,7 +85,7 @@ def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> Flutter
         def attempt(bits: int) -> list[tuple[float, ...]]:
             return [_row(arith, onset) for onset in onsets(arith, elimination, bits)]
 
-        rows = sorted(with_enough_bits(arith, 20, attempt, "flutter_onsets"))
+        rows = sorted(proofs.with_enough_bits(arith, 20, attempt, "flutter_onsets"))
     theta0, theta, L, x, y, branch, count, side, error = np.array(rows, dtype=float).reshape(-1, 9).T
     return FlutterOnsets(
         theta0, np.full(theta0.size, mu0), theta, L, x, y,
@@ -97,16 +95,8 @@ def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> Flutter
 
 def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:
     """Middles as floats, rank, number and side, and the largest error, the rounding to float included."""
-    values, error = [], 0.0
-    for interval in (onset.theta0, onset.theta, onset.L, onset.x, onset.y):
-        low, high = arith.ends(interval)
-        middle = (low + high) / 2
-        error = max(error, float((high - low) / 2 / max(1, abs(middle))))
-        values.append(float(middle))
-    if error > 1e-15:
-        raise Undecided(f"an error of {error:.1e}")
-    # Half a unit in the last place of a float, and what is lost in this sum.
-    return (*values, onset.branch, onset.count, onset.side, error * (1 + 2.0**-40) + 1.2e-16)
+    values, error = proofs.as_floats(arith, (onset.theta0, onset.theta, onset.L, onset.x, onset.y))
+    return (*values, onset.branch, onset.count, onset.side, error)
 
 
 # ---------------------------------------------------------------------------------------------------- boundary

@@ -20,8 +20,6 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-import mpmath
-
 from . import descartes, kernel, polynomials
 from .descartes import Polynomial, Root
 from .generated import stability as _stability
@@ -161,11 +159,7 @@ def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[O
 
 
 def _interval(arith: Arithmetic, root: Root) -> Interval:
-    middle, half = arith.exact((root.low + root.high) / 2), (root.high - root.low) / 2
-    if not half:
-        return middle
-    reach = mpmath.ldexp(1, half.numerator.bit_length() - half.denominator.bit_length() + 1)
-    return middle + arith.between(-reach, reach)
+    return arith.between(root.low, root.high)
 
 
 def _sign(arith: Arithmetic, value: Interval, what: str, vanishes: Callable[[], bool]) -> int:

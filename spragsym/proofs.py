@@ -7,7 +7,8 @@ roots are isolated exactly over rationals (Descartes), and with intervals where 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -22,6 +23,8 @@ from .polynomials import Undecided
 
 #: Bits of the first try and of the last.
 FIRST_BITS, MAXIMUM_BITS = 192, 6144
+#: What an interval may be off by when it becomes a float.
+_LARGEST_ERROR = Fraction(1, 10**15)
 
 T = TypeVar("T")
 
@@ -59,6 +62,22 @@ def decided(arith: Arithmetic, value: Interval, what: str) -> int:
     if result == 0:
         raise Undecided(what)
     return result
+
+
+def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[float], float]:
+    """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1, |value|) of all of them."""
+    values, worst = [], Fraction(0)
+    for low, high in map(arith.ends, intervals):
+        middle = (low + high) / 2
+        worst = max(worst, (high - low) / 2 / max(Fraction(1), abs(middle)))
+        try:
+            values.append(float(middle))
+        except OverflowError:
+            values.append(math.copysign(math.inf, middle))
+    if worst > _LARGEST_ERROR:
+        raise Undecided(f"an error of {float(worst):.1e}")
+    # Half a unit in the last place of a float, and what is lost in this sum.
+    return values, float(worst) * (1 + 2.0**-40) + 1.2e-16
 
 
 def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:

@@ -538,6 +538,26 @@ def test_linear_model_is_a_linear_solve_and_its_poles_are_singular() -> None:
             assert abs(np.linalg.det(K)) < 1e-9 * np.abs(K).max() ** 2
 
 
+@pytest.mark.parametrize("alpha", [0.0, 1e-320, 1e-12, 0.3])
+@pytest.mark.parametrize("mu0", [0.0, 1e-200, 1e-9, 0.4, 1e9])
+@pytest.mark.parametrize("sigma", [1e-200, 0.1, 1e3])
+def test_poles_lie_between_0_and_pi(alpha: float, mu0: float, sigma: float) -> None:
+    """Compared with the tangents at 60 digits; with α = 0 one pole is at 90°, and for μ₀ = 0 as well both are."""
+    p = BASE.replace(theta0=1.0, mu0=mu0, alpha=alpha, sigma=sigma, beta=0.5)
+    with mpmath.workdps(60), np.errstate(all="ignore"):
+        mu, k_x, k, k_n = (mpmath.mpf(value) for value in (mu0, alpha, sigma, 1.5))
+        # det of ((α + σ c², σ s c + μ), (σ s c, 1 + β + σ s²)) over c², T = tan θ₀.
+        square = (k * mu) ** 2 - 4 * k_x * (k_n + k) * k_n * (k_x + k)
+        large = (k * mu + mpmath.sqrt(square)) / 2 if square >= 0 else None
+        found = ss.linear_sprag(p).poles
+        if large is None:
+            assert np.isnan(found).all()
+            return
+        expected = [mpmath.atan2(k_n * (k_x + k), large), mpmath.atan2(large, k_x * (k_n + k)) if large else mpmath.pi / 2]
+        assert ((found > 0) & (found < np.pi)).all()
+        np.testing.assert_allclose(found, [float(value) for value in expected], rtol=1e-12)
+
+
 def test_sliding_friction_is_the_law_at_rest() -> None:
     assert ss.sliding_friction(0.5, V=0.3, d=7.0) == pytest.approx(0.5 * (1 - math.exp(-2.1)), rel=1e-15)
     assert ss.sliding_friction(0.5, V=-0.3, d=7.0) == ss.sliding_friction(0.5, V=0.3, d=7.0)

@@ -94,7 +94,7 @@ def test_check_prints_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     assert invoke("check", "--json") == DONE
     rows = json.loads(capsys.readouterr().out)
     assert len(rows) == 53
-    assert [row["id"] for row in rows if row["status"] == "corrected"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
+    assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
 
 
 def test_check_fails_where_a_row_is_not_as_recorded(

@@ -51,9 +51,10 @@ def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
     NEXT_TO_90, WITHOUT_ALPHA, ss.Parameters.article(alpha=0.7), ss.Parameters.article(sigma=1.0),
     ss.Parameters.article(mu0=6.0, alpha=1e-6), ss.Parameters.article(mu0=1.0, alpha=1.0),
 ])  # fmt: skip
-@pytest.mark.parametrize("arithmetic", ["mpmath", None])
-def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arithmetic: str | None) -> None:
-    found = ss.flutter_onsets(p, arith=intervals.arithmetic(arithmetic))
+@pytest.mark.parametrize("arb", [False, True])
+def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arb: bool) -> None:
+    arith = pytest.importorskip("benchmarks.arb").Arb() if arb else intervals.arithmetic()
+    found = ss.flutter_onsets(p, arith=arith)
     assert len(found) >= 1
     assert (found.mu0 == float(p.mu0)).all()
     with mpmath.workdps(110):

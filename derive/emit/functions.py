@@ -601,6 +601,7 @@ def _motion() -> Module:
     parameters = (*_ANGLE0, *_PARAMETERS, nm.V, nm.creep)
     moving = (*state, *parameters, nm.nbar, side)
     energy = mechanics.energy()
+    power = regime[nm.mu] * regime[nm.n] * nm.vx
     return Module(
         "motion",
         "The equations of motion (8)–(11): everywhere, and in each regime in which they are smooth.",
@@ -611,7 +612,7 @@ def _motion() -> Module:
                      (nm.x, nm.y, nm.L, nm.mu, nm.n, *_ANGLE0, nm.kappa, *_STIFFNESS), arranged, "x″, y″",
                      further=_further((), arranged)),
             Function("friction", "The friction coefficient at the speed x' of the mass.", "(10)", (nm.vx, nm.mu0, nm.V, nm.creep),
-                     mechanics.friction(), "mu", transcendental=True),
+                     mechanics.friction(), "mu", transcendental=True, further=_further(state, mechanics.friction())),
             Function("rhs", "x″ and y″, kinked where y = 0 and where x' = V.", "(8)–(11)",
                      (*state, *parameters), everywhere, "x″, y″", lengths, transcendental=True, further=_further(state, everywhere)),
             Function("regime_rhs", "x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (−1).",
@@ -623,7 +624,7 @@ def _motion() -> Module:
                      (*state, *_ANGLE0, nm.kappa, *_STIFFNESS, nm.nbar), energy, "energy", lengths, transcendental=True),
             Function("friction_power", "Rate at which friction changes that energy.", "(8)",
                      (nm.y, nm.vx, nm.mu0, nm.V, nm.creep, nm.nbar, side),
-                     (regime[nm.mu] * regime[nm.n] * nm.vx), "power", transcendental=True),
+                     power, "power", transcendental=True, further=_further(state, power)),
         ),
     )  # fmt: skip
 

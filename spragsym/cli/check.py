@@ -15,9 +15,11 @@ from ..errors import MissingExtraError
 from .options import as_json
 from .tables import show
 
-_STYLES = {"confirmed": "green", "corrected": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
+_STYLES = {"confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
 
-_CLAIM_STYLES = {"reproduced": "green", "corrected": "yellow", "input not stated": "cyan", "not reproduced": "bold red"}
+_CLAIM_STYLES = {
+    "reproduced": "green", "misprint": "yellow", "corrected": "magenta", "input not stated": "cyan", "not reproduced": "bold red",
+}  # fmt: skip
 
 
 @click.command()
@@ -35,7 +37,7 @@ def check(json_output: bool, claims: bool, report: Path | None) -> None:
     Examples:
       spragsym check
       spragsym check --claims
-      spragsym check --json | jq '.[] | select(.status == "corrected")'
+      spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
 
     \b
@@ -111,4 +113,4 @@ def _print_table(rows: Sequence[Any]) -> None:
     show(table)
     for row in rows:
         if row.consequence:
-            show(Text(f"\n{row.id}: right is {row.right}\n  {row.consequence}"))
+            show(Text(f"\n{row.id}: right is {row.derived}\n  {row.consequence}"))

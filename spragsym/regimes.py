@@ -1,0 +1,382 @@
+"""What a motion comes to: one classifier for trajectories, sweeps and basins.
+
+A motion is judged by the limit that it approaches and by the rate at which it does, never by how alike two parts
+of a window look:
+
+- **Cycles** are fixed points of a return map, from one largest x to the k-th after it (x' = 0, x″ < 0). Newton's
+  method from the last return gives the cycle itself, differences of the map its multipliers, and what the motion
+  still lacks. The smallest k comes first, so that a cycle is never counted twice round.
+- **Equilibria** are those at μ(V), (10), linearized with the damping of the friction law.
+- **Lift-off** is for good where the energy, which nothing changes without contact, does not reach the belt.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from enum import IntEnum
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .errors import ConvergenceError
+from .generated import motion, stability
+from .integrators import Course, Problem
+from .parameters import FloatArray, Parameters
+
+__all__ = ["Outcome", "Regime", "classify"]
+
+#: A motion has settled when what is left to its limit is this share of its reach; for rest, of L_0.
+SETTLED = 1e-4
+
+#: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
+CLOSE = 0.05
+
+#: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
+NEUTRAL = 1e-4
+
+#: Cycles that are looked for, of one motion.
+CANDIDATES = 3
+
+#: Largest x in a window below which a decay is not read off it.
+FEW = 8
+
+#: Runs the motion on from a state for a while.
+Flow: TypeAlias = Callable[[FloatArray, float], Course]
+
+#: x, y, y' where x' = 0 on the way down.
+SECTION = [0, 1, 3]
+
+
+class Regime(IntEnum):
+    """What a motion settles to, or approaches."""
+
+    FAILED = 0
+    """There is no result; the reason says why."""
+    EQUILIBRIUM = 1
+    """Rests at a steady-sliding equilibrium that attracts it, or that does not repel it where nothing damps."""
+    LIMIT_CYCLE = 2
+    """Repeats itself on a cycle that attracts it."""
+    LIFT_OFF = 3
+    """Has no contact with the belt, and too little energy to come back to it."""
+    UNSETTLED = 4
+    """None of these, and none that it is seen to approach: a long transient, quasi-periodic or irregular."""
+    APPROACHES_EQUILIBRIUM = 5
+    """Decays to an equilibrium at the rate of the linearization there, and is still on its way."""
+    APPROACHES_CYCLE = 6
+    """Winds onto a cycle at the rate of the cycle's multipliers, and is still on its way."""
+
+
+#: The attractor behind a regime.
+ATTRACTOR = {
+    Regime.APPROACHES_EQUILIBRIUM: Regime.EQUILIBRIUM,
+    Regime.APPROACHES_CYCLE: Regime.LIMIT_CYCLE,
+}
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a motion comes to.
+
+    Attributes
+    ----------
+    regime : Regime
+    equilibrium : int
+        For EQUILIBRIUM and APPROACHES_EQUILIBRIUM its index among ``equilibria(p)`` at the friction μ(V); −1 otherwise.
+    rate : float
+        Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or multipliers. NaN where there is none.
+    distance : float
+        What is left to the limit when the motion ends: relative to the motion's reach for a cycle, in L_0 for rest.
+    period, cycle_mean, cycle_rms : float
+        Of the cycle itself: period, mean of x, and root mean square of x about zero over one whole period. NaN for no cycle.
+    cycle_x, cycle_y, cycle_vy : float
+        The cycle's state where its x is largest (there x' = 0): one point, which with the equations is the whole orbit.
+    """
+
+    regime: Regime = Regime.UNSETTLED
+    equilibrium: int = -1
+    rate: float = np.nan
+    distance: float = np.nan
+    period: float = np.nan
+    cycle_mean: float = np.nan
+    cycle_rms: float = np.nan
+    cycle_x: float = np.nan
+    cycle_y: float = np.nan
+    cycle_vy: float = np.nan
+
+
+    @property
+    def cycle_spread(self) -> float:
+        """Root mean square of x about its mean over one period."""
+        return float(np.sqrt(max(self.cycle_rms**2 - self.cycle_mean**2, 0.0))) if self.period > 0 else float("nan")
+
+
+def classify(course: Course, problem: Problem, flow: Flow, tol: float = SETTLED) -> Outcome:
+    """The outcome of a motion, from what was measured of it.
+
+    Parameters
+    ----------
+    course : Course
+        The motion after its transient.
+    problem : Problem
+        Its constants and tolerance.
+    flow : callable
+        ``flow(state, duration)`` goes on from any state, and gives the Course.
+    tol : float
+        What may be left to the limit of a settled motion.
+    """
+    if _lifted_for_good(course, problem):
+        return Outcome(Regime.LIFT_OFF)
+    return _rest(course, problem, tol) or _periodic(course, problem, flow, tol) or Outcome()
+
+
+# ---------------------------------------------------------------------------------------------------- lift-off
+
+
+def _lifted_for_good(course: Course, problem: Problem) -> bool:
+    """Whether the mass is above the belt with less energy than any state on the belt's surface has."""
+    if course.last[1] <= 0:
+        return False
+    constants = (problem.cos0, problem.sin0, problem.kappa, problem.alpha, problem.sigma, problem.beta, 0)
+    x = _candidates_on_the_surface(problem)
+    barrier = motion.energy(x, np.zeros_like(x), np.zeros_like(x), np.zeros_like(x), *constants).min()
+    return bool(motion.energy(*course.last, *constants) < barrier)
+
+
+def _candidates_on_the_surface(problem: Problem) -> FloatArray:
+    """All x where the energy of rest at y = 0 can be least.
+
+    With u = cos θ₀ − x its slope is 0 where (α cos θ₀ − (α + σ) u) L = −σ u; squared, a quartic in u. More points
+    than those with the least energy do no harm, so that complex roots, which may be double ones, stay by their real parts.
+    """
+    a, b, s2 = problem.alpha * problem.cos0, problem.alpha + problem.sigma, problem.sin0**2
+    roots = np.roots([b * b, -2 * a * b, a * a + b * b * s2 - problem.sigma**2, -2 * a * b * s2, a * a * s2])
+    candidates: FloatArray = problem.cos0 - np.append(roots.real, [0.0, problem.cos0])
+    return candidates
+
+
+# ------------------------------------------------------------------------------------------------------- rest
+
+
+def parameters(problem: Problem) -> Parameters:
+    """Those of a problem, which holds θ₀ by its cosine and sine."""
+    p = problem
+    return Parameters(
+        theta0=np.arctan2(p.sin0, p.cos0), mu0=p.mu0, kappa=p.kappa, alpha=p.alpha, sigma=p.sigma, beta=p.beta
+    )
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A steady-sliding equilibrium and its linearization with the damping of the friction law."""
+
+    index: int
+    state: FloatArray
+    values: NDArray[np.complex128]
+    vectors: NDArray[np.complex128]
+
+
+def rests(problem: Problem) -> list[Rest]:
+    """All equilibria in contact at the friction μ(V), with the eigenvalues of the motion about them.
+
+    The linearization is δ″ + C δ′ + K δ = 0 with K of (28) and C = ∂(F_x, F_y)/∂(x', y'), which (27) leaves out.
+    """
+    from .solver import equilibria
+
+    V, d, mu0 = problem.V, problem.d, problem.mu0
+    mu = float(motion.friction(0.0, mu0, V, d))
+    found = equilibria(parameters(problem).replace(mu0=mu))
+    listed = []
+    for i in range(int(found.count)):
+        theta, x, y = found.theta[i], found.x[i], found.y[i]
+        K = stability.stiffness(np.cos(theta), np.sin(theta), found.L[i], mu, problem.alpha, problem.sigma, problem.beta, 1)
+        jacobian = np.zeros((4, 4))
+        jacobian[:2, 2:] = np.eye(2)
+        jacobian[2:, :2] = -np.array(K)
+        jacobian[2, 2] = -stability.damping(y, mu0, V, d, 1)
+        listed.append(Rest(i, np.array([x, y, 0.0, 0.0]), *np.linalg.eig(jacobian)))
+    return listed
+
+
+def _rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
+    """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
+    still = np.ptp(np.concatenate([course.x_extrema, course.maxima[:, 0]])) <= 4 * tol
+    decaying = len(course.maxima) >= FEW and not course.kinks
+    if not (still or decaying):
+        return None
+    for rest in rests(problem):
+        growth = float(rest.values.real.max())
+        states = np.vstack([course.maxima[course.maxima_t >= (course.begin + course.end) / 2], course.last])
+        distance = float(np.abs(states - rest.state).max())
+        if still and distance <= tol and growth <= _ROUNDING:
+            return Outcome(Regime.EQUILIBRIUM, rest.index, rate=max(-growth, 0.0), distance=distance)
+        if decaying and growth < 0 and _decays(course, rest):
+            regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
+            return Outcome(regime, rest.index, rate=-growth, distance=distance)
+    return None
+
+
+#: Real parts up to this are 0 but for rounding.
+_ROUNDING = 1e-12
+
+
+def _decays(course: Course, rest: Rest) -> bool:
+    """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within a factor of two.
+
+    The squares of the two halves are compared under Hann windows, which hide unfinished beats.
+    """
+    modes = np.abs(np.linalg.solve(rest.vectors, (course.maxima - rest.state).T)) ** 2
+    share = (course.maxima_t - course.begin) / (course.end - course.begin)
+    hann = np.sin(2 * np.pi * share) ** 2
+    first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
+    expected = first * np.exp(rest.values.real * (course.end - course.begin))  # two times half the window
+    before, after, linear = first.sum(), second.sum(), expected.sum()
+    # A decay that the window does not show is none: the first of the three.
+    return bool(linear < before * (1 - _VISIBLE) and after > 0 and 0.5 < np.log(after / before) / np.log(linear / before) < 2)
+
+
+#: Smallest decay of the squares over half a window that can be read off it.
+_VISIBLE = 1e-3
+
+
+# ----------------------------------------------------------------------------------------------------- cycles
+
+
+@dataclass(frozen=True)
+class _Returns:
+    """The return map of a flow about one closed orbit: states x, y, y' where x is largest, in units of ``scale``."""
+
+    flow: Flow
+    period: float
+    scale: FloatArray
+    step: float
+
+    def __call__(self, state: FloatArray) -> tuple[FloatArray, float, Course]:
+        """The return after about a period, when it was, and the way there."""
+        x, y, vy = state * self.scale
+        course = self.flow(np.array([x, y, 0.0, vy]), 1.1 * self.period)
+        late = np.flatnonzero(course.maxima_t > 0.5 * self.period)
+        if not len(late):
+            raise ConvergenceError("the motion does not come back")
+        returns = course.maxima[late][:, SECTION] / self.scale
+        off = np.abs(returns - state).max(axis=1) + np.abs(course.maxima_t[late] / self.period - 1)
+        best = int(np.argmin(off))
+        return returns[best], float(course.maxima_t[late[best]]), course
+
+    def slope(self, state: FloatArray) -> FloatArray:
+        """Derivative of the map, by central differences."""
+        columns = [(self(state + h)[0] - self(state - h)[0]) / (2 * self.step) for h in self.step * np.eye(3)]
+        return np.array(columns).T
+
+
+@dataclass(frozen=True)
+class _Cycle:
+    """A fixed point of a return map, and the derivative of the map there."""
+
+    state: FloatArray
+    period: float
+    slope: FloatArray
+    course: Course
+
+
+def _periodic(course: Course, problem: Problem, flow: Flow, tol: float) -> Outcome | None:
+    """The cycle that the motion is on, or winds onto."""
+    if len(course.maxima) < 3:
+        return None
+    scale = _scale(course)
+    states = course.maxima[:, SECTION] / scale
+    for k in _candidates(states):
+        period = float(course.maxima_t[-1] - course.maxima_t[-1 - k])
+        step = float(np.clip((10 * problem.rtol) ** 0.4, 1e-5, 1e-2))
+        returns = _Returns(flow, period, scale, step)
+        try:
+            cycle = _newton(returns, states[-1 - k], states[-1])
+        except (ConvergenceError, np.linalg.LinAlgError):
+            continue
+        if cycle is None:
+            continue
+        values, vectors = np.linalg.eig(cycle.slope)
+        largest = float(np.abs(values).max())
+        off = states[::-1][::k] - cycle.state  # latest first
+        if largest < 1 - NEUTRAL and _contracts(off, cycle.slope, vectors, largest, tol):
+            distance = float(np.abs(off[0]).max())
+            regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
+            return _described(cycle, scale, regime, rate=-np.log(largest) / cycle.period, distance=distance)
+    return None
+
+
+def _scale(course: Course) -> FloatArray:
+    """Extents of x, y and y' over all its turning points, those across the belt at least 1 % of that along it."""
+    turns = np.vstack([course.maxima, course.minima])[:, SECTION]
+    extent: FloatArray = np.ptp(turns, axis=0)
+    return np.maximum(extent, 1e-2 * extent[0] + 1e-300)
+
+
+def _candidates(states: FloatArray) -> Iterator[int]:
+    """Numbers of returns after which the last two states came close to what they had been, fewest first."""
+    found = 0
+    for k in range(1, (len(states) - 1) // 2 + 1):
+        if np.abs(states[-1] - states[-1 - k]).max() <= CLOSE and np.abs(states[-2] - states[-2 - k]).max() <= CLOSE:
+            yield k
+            found += 1
+        if found == CANDIDATES:
+            return
+
+
+def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle | None:
+    """The fixed point near ``start``, whose image is known; None where there is none near."""
+    state, slope = start, returns.slope(start)
+    for attempt in range(8):
+        step = np.linalg.solve(np.eye(3) - slope, image - state)
+        state = state + step
+        size = float(np.abs(step).max())
+        if not np.abs(state - start).max() < 4 * CLOSE:
+            return None
+        image, period, course = returns(state)
+        if size <= 1e-3 and attempt > 0 and np.abs(image - state).max() <= 10 * returns.step**2:
+            return _Cycle(state, period, slope, course)
+        if size > 1e-3:
+            slope = returns.slope(state)
+    return None
+
+
+def _contracts(off: FloatArray, slope: FloatArray, vectors: NDArray[np.complex128], largest: float, tol: float) -> bool:
+    """Whether the motion nears the cycle as the linearized map says; ``off`` is what lacked at its returns, latest first."""
+    sizes = np.abs(off).max(axis=1)
+    if sizes[: max(2, len(sizes) // 2)].max() <= tol:
+        return True
+    if np.abs(off[0] - slope @ off[1]).max() > 0.25 * sizes[1] + tol:
+        return False
+    far = np.flatnonzero(sizes > 4 * CLOSE)
+    last = (far[0] if len(far) else len(sizes)) - 1
+    if last < 1:
+        return False
+    parts = np.abs(np.linalg.solve(vectors, off[[0, last]].T)) if abs(np.linalg.det(vectors)) > 1e-9 else np.abs(off[[0, last]].T)
+    now, then = np.linalg.norm(parts, axis=0)
+    # At least half as fast as the slowest multiplier says.
+    return bool(now <= then * largest ** (last / 2))
+
+
+def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, **how: float) -> Outcome:
+    """The outcome, with averages over the cycle's one period, and its state where x is largest."""
+    course = cycle.course
+    row = int(np.argmin(np.abs(course.maxima_t - cycle.period)))
+    mean, spread = course.moments(row)
+    round_once = course.maxima[(course.maxima_t > 1e-3 * cycle.period) & (course.maxima_t <= course.maxima_t[row])]
+    # Of maxima that agree but for rounding the one highest above the belt, so that a cycle has one such state.
+    top = round_once[round_once[:, 0] >= round_once[:, 0].max() - 1e-6 * scale[0]]
+    x, y, _, vy = (float(value) for value in top[np.argmax(top[:, 1])])
+    return replace(
+        Outcome(regime, **how), period=cycle.period, cycle_mean=mean, cycle_rms=float(np.hypot(mean, spread)),
+        cycle_x=x, cycle_y=y, cycle_vy=vy,
+    )  # fmt: skip
+
+
+def same_orbit(one: Any, other: Any) -> bool:
+    """Whether two cycles are one: state where x is largest, period and averages, all found by Newton's method."""
+    names = ("cycle_x", "cycle_y", "cycle_vy", "cycle_mean", "cycle_rms")
+    reach = max(abs(one.cycle_x - one.cycle_mean), abs(other.cycle_x - other.cycle_mean))
+    return abs(one.period / other.period - 1) < SETTLED and all(
+        abs(getattr(one, name) - getattr(other, name)) < 10 * SETTLED * reach for name in names
+    )

@@ -199,7 +199,9 @@ class Trajectory:
         problem = Problem(
             *_constants(self.p), self.V, self.d, tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0]), 0.0, self.rtol
         )
-        return regimes.classify(late.course(), problem, flow(problem, self.backend), as_number("tol", tol, POSITIVE))
+        found = regimes.classify(late.course(), problem, flow(problem, self.backend), as_number("tol", tol, POSITIVE))
+        where = np.array(found.rest_x), np.array(found.rest_y)
+        return replace(found, equilibrium=int(regimes.index_of(self.p, self.V, self.d, *where)))
 
     def period(self, transient: float = 1500.0, *, tol: float = SETTLED) -> float:
         """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.

@@ -12,18 +12,21 @@ of a window look:
 
 from __future__ import annotations
 
+import inspect
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from enum import IntEnum
+from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .errors import ConvergenceError
-from .generated import motion, stability
+from .generated import motion
 from .integrators import Course, Problem
-from .parameters import FloatArray, Parameters
+from .parameters import NAMES, FloatArray, Parameters
 
 __all__ = ["Outcome", "Regime", "classify"]
 
@@ -84,6 +87,8 @@ class Outcome:
     regime : Regime
     equilibrium : int
         For EQUILIBRIUM and APPROACHES_EQUILIBRIUM its index among ``equilibria(p)`` at the friction μ(V); −1 otherwise.
+    rest_x, rest_y : float
+        Where that equilibrium is; NaN otherwise.
     rate : float
         Of the approach in the long run, exp(−rate τ), from the limit's own eigenvalues or multipliers. NaN where there is none.
     distance : float
@@ -96,6 +101,8 @@ class Outcome:
 
     regime: Regime = Regime.UNSETTLED
     equilibrium: int = -1
+    rest_x: float = np.nan
+    rest_y: float = np.nan
     rate: float = np.nan
     distance: float = np.nan
     period: float = np.nan
@@ -125,6 +132,11 @@ def classify(course: Course, problem: Problem, flow: Flow, tol: float = SETTLED)
         ``flow(state, duration)`` goes on from any state, and gives the Course.
     tol : float
         What may be left to the limit of a settled motion.
+
+    Returns
+    -------
+    Outcome
+        Without ``equilibrium``, which :func:`index_of` finds for many at once.
     """
     if _lifted_for_good(course, problem):
         return Outcome(Regime.LIFT_OFF)
@@ -171,32 +183,55 @@ def parameters(problem: Problem) -> Parameters:
 class Rest:
     """A steady-sliding equilibrium and its linearization with the damping of the friction law."""
 
-    index: int
     state: FloatArray
     values: NDArray[np.complex128]
     vectors: NDArray[np.complex128]
 
 
-def rests(problem: Problem) -> list[Rest]:
-    """All equilibria in contact at the friction μ(V), with the eigenvalues of the motion about them.
+def rest_near(problem: Problem, x: float, y: float) -> Rest | None:
+    """The equilibrium in contact that Newton's method finds from x, y, at the friction μ(V); None where it finds none."""
+    constants = (*problem.constants, 1, 1)
+    for _ in range(30):
+        ax, ay = _RHS(x, y, 0.0, 0.0, *constants, xp=_FLOATS)
+        (xx, xy, xv, _), (yx, yy, _, _) = _JACOBIAN(x, y, 0.0, 0.0, *constants, xp=_FLOATS)
+        determinant = xx * yy - xy * yx
+        if determinant == 0:
+            return None
+        dx, dy = (xy * ay - yy * ax) / determinant, (yx * ax - xx * ay) / determinant
+        x, y = x + dx, y + dy
+        if not abs(x) + abs(y) < _FAR:
+            return None
+        if abs(dx) + abs(dy) <= 1e-12:
+            break
+    else:
+        return None
+    if y > 0:
+        return None
+    jacobian = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], [xx, xy, xv, 0.0], [yx, yy, 0.0, 0.0]])
+    return Rest(np.array([x, y, 0.0, 0.0]), *np.linalg.eig(jacobian))
 
-    The linearization is δ″ + C δ′ + K δ = 0 with K of (28) and C = ∂(F_x, F_y)/∂(x', y'), which (27) leaves out.
-    """
+
+_RHS, _JACOBIAN = (inspect.unwrap(function) for function in (motion.regime_rhs, motion.regime_jacobian))
+_FLOATS: Any = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
+
+#: Newton's method has gone astray beyond this, in L_0.
+_FAR = 1e6
+
+
+def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y; −1 where these are NaN."""
     from .solver import equilibria
 
-    V, d, mu0 = problem.V, problem.d, problem.mu0
-    mu = float(motion.friction(0.0, mu0, V, d))
-    found = equilibria(parameters(problem).replace(mu0=mu))
-    listed = []
-    for i in range(int(found.count)):
-        theta, x, y = found.theta[i], found.x[i], found.y[i]
-        K = stability.stiffness(np.cos(theta), np.sin(theta), found.L[i], mu, problem.alpha, problem.sigma, problem.beta, 1)
-        jacobian = np.zeros((4, 4))
-        jacobian[:2, 2:] = np.eye(2)
-        jacobian[2:, :2] = -np.array(K)
-        jacobian[2, 2] = -stability.damping(y, mu0, V, d, 1)
-        listed.append(Rest(i, np.array([x, y, 0.0, 0.0]), *np.linalg.eig(jacobian)))
-    return listed
+    x, y = np.asarray(x), np.asarray(y)
+    index = np.full(x.shape, -1, dtype=np.int8)
+    rows = np.isfinite(x)
+    if rows.any():
+        given = {name: np.broadcast_to(getattr(p, name), x.shape)[rows] for name in NAMES}
+        V, d = (np.broadcast_to(value, x.shape)[rows] for value in (V, d))
+        found = equilibria(Parameters(**{**given, "mu0": motion.friction(np.zeros_like(V), given["mu0"], V, d)}))
+        distance = np.hypot(found.x - x[rows][:, None], found.y - y[rows][:, None])
+        index[rows] = np.argmin(np.where(np.isnan(distance), np.inf, distance), axis=-1)
+    return index
 
 
 def _rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
@@ -205,15 +240,19 @@ def _rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     decaying = len(course.maxima) >= FEW and not course.kinks
     if not (still or decaying):
         return None
-    for rest in rests(problem):
-        growth = float(rest.values.real.max())
-        states = np.vstack([course.maxima[course.maxima_t >= (course.begin + course.end) / 2], course.last])
-        distance = float(np.abs(states - rest.state).max())
-        if still and distance <= tol and growth <= _ROUNDING:
-            return Outcome(Regime.EQUILIBRIUM, rest.index, rate=max(-growth, 0.0), distance=distance)
-        if decaying and growth < 0 and _decays(course, rest):
-            regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
-            return Outcome(regime, rest.index, rate=-growth, distance=distance)
+    begun = course.moments()[0], float(course.integrals[-1, 2]) / (course.end - course.begin)
+    rest = rest_near(problem, *(course.last[:2].tolist() if still else begun))
+    if rest is None:
+        return None
+    x, y = rest.state[:2].tolist()
+    growth = float(rest.values.real.max())
+    late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
+    distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
+    if still and distance <= tol and growth <= _ROUNDING:
+        return Outcome(Regime.EQUILIBRIUM, rest_x=x, rest_y=y, rate=max(-growth, 0.0), distance=distance)
+    if decaying and growth < 0 and _decays(course, rest):
+        regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
+        return Outcome(regime, rest_x=x, rest_y=y, rate=-growth, distance=distance)
     return None
 
 
@@ -264,9 +303,12 @@ class _Returns:
         best = int(np.argmin(off))
         return returns[best], float(course.maxima_t[late[best]]), course
 
-    def slope(self, state: FloatArray) -> FloatArray:
-        """Derivative of the map, by central differences."""
-        columns = [(self(state + h)[0] - self(state - h)[0]) / (2 * self.step) for h in self.step * np.eye(3)]
+    def slope(self, state: FloatArray, image: FloatArray | None = None) -> FloatArray:
+        """Derivative of the map: by central differences, or by forward ones where the image of the state is given."""
+        columns = []
+        for h in self.step * np.eye(3):
+            back, width = (self(state - h)[0], 2 * self.step) if image is None else (image, self.step)
+            columns.append((self(state + h)[0] - back) / width)
         return np.array(columns).T
 
 
@@ -289,9 +331,10 @@ def _periodic(course: Course, problem: Problem, flow: Flow, tol: float) -> Outco
     for k in _candidates(states):
         period = float(course.maxima_t[-1] - course.maxima_t[-1 - k])
         step = float(np.clip((10 * problem.rtol) ** 0.4, 1e-5, 1e-2))
-        returns = _Returns(flow, period, scale, step)
         try:
-            cycle = _newton(returns, states[-1 - k], states[-1])
+            cycle = _newton(_Returns(flow, period, scale, step), states[-1 - k], states[-1])
+            if cycle is not None:
+                cycle, k = _once_round(cycle, k, flow, scale, step)
         except (ConvergenceError, np.linalg.LinAlgError):
             continue
         if cycle is None:
@@ -314,31 +357,52 @@ def _scale(course: Course) -> FloatArray:
 
 
 def _candidates(states: FloatArray) -> Iterator[int]:
-    """Numbers of returns after which the last two states came close to what they had been, fewest first."""
-    found = 0
+    """Numbers of returns after which the last states came close to what they had been, and closer each time; fewest first.
+
+    A motion that winds onto a cycle from alternate sides is close after two rounds before it is after one: so divisors are
+    tried before the number itself.
+    """
+    tried: list[int] = []
     for k in range(1, (len(states) - 1) // 2 + 1):
-        if np.abs(states[-1] - states[-1 - k]).max() <= CLOSE and np.abs(states[-2] - states[-2 - k]).max() <= CLOSE:
-            yield k
-            found += 1
-        if found == CANDIDATES:
-            return
+        last, before = (float(np.abs(states[-1 - i] - states[-1 - i - k]).max()) for i in (0, k))
+        if max(last, before) <= CLOSE and last <= 2 * before + CLOSE**3:
+            divisors = [j for j in range(1, k) if k % j == 0 and np.abs(states[-1] - states[-1 - j]).max() <= 4 * CLOSE]
+            for number in (*divisors, k):
+                if number not in tried and len(tried) < CANDIDATES:
+                    tried.append(number)
+                    yield number
 
 
 def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle | None:
-    """The fixed point near ``start``, whose image is known; None where there is none near."""
-    state, slope = start, returns.slope(start)
-    for attempt in range(8):
+    """The fixed point near ``start``, whose image is known, by Broyden's method; None where there is none near."""
+    state, slope = start, returns.slope(start, image)
+    for _ in range(12):
         step = np.linalg.solve(np.eye(3) - slope, image - state)
-        state = state + step
-        size = float(np.abs(step).max())
-        if not np.abs(state - start).max() < 4 * CLOSE:
+        if not np.abs(state + step - start).max() < 4 * CLOSE:
             return None
+        state, before = state + step, image
         image, period, course = returns(state)
-        if size <= 1e-3 and attempt > 0 and np.abs(image - state).max() <= 10 * returns.step**2:
-            return _Cycle(state, period, slope, course)
-        if size > 1e-3:
-            slope = returns.slope(state)
+        size = float(np.abs(step).max())
+        missed = float(np.abs(image - state).max())
+        if missed <= 10 * returns.step**2:
+            return _Cycle(state, period, returns.slope(state), course)
+        if size > returns.step**2:
+            slope = slope + np.outer(image - before - slope @ step, step) / (step @ step)
     return None
+
+
+def _once_round(cycle: _Cycle, k: int, flow: Flow, scale: FloatArray, step: float) -> tuple[_Cycle, int]:
+    """The same orbit over its least period, with the number of its largest x."""
+    course = cycle.course
+    within = (course.maxima_t > 1e-3 * cycle.period) & (course.maxima_t < (1 - 1e-3) * cycle.period)
+    states = course.maxima[within][:, SECTION] / scale
+    for row in np.flatnonzero(np.abs(states - cycle.state).max(axis=1) <= 1e-4):
+        if k % (row + 1) == 0:
+            period = float(course.maxima_t[within][row])
+            shorter = _newton(_Returns(flow, period, scale, step), cycle.state, states[row])
+            if shorter is not None and np.abs(shorter.state - cycle.state).max() <= 1e-4:
+                return shorter, int(row) + 1
+    return cycle, k
 
 
 def _contracts(off: FloatArray, slope: FloatArray, vectors: NDArray[np.complex128], largest: float, tol: float) -> bool:

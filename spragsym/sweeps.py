@@ -38,8 +38,8 @@ LIMITS = ("period", "rate", "distance", "cycle_mean", "cycle_rms", "cycle_x", "c
 #: Numbers that a file and a result hold.
 REPORTED = (*AVERAGES, *LIMITS)
 
-#: A record: these, then two codes.
-MEASURED = (*REPORTED, "regime", "equilibrium")
+#: A record: these, then the code of the regime, and where the equilibrium is.
+MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
 
 INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
 
@@ -267,8 +267,7 @@ def _values(problem: Problem, backend: str) -> list[float]:
     """The measured values of a motion, in the order of MEASURED."""
     course = dynamics.course(problem, backend)
     outcome = regimes.classify(course, problem, dynamics.flow(problem, backend))
-    limits = [float(getattr(outcome, name)) for name in LIMITS]
-    return [*_averages(course), *limits, float(outcome.regime), float(outcome.equilibrium)]
+    return [*_averages(course), *(float(getattr(outcome, name)) for name in MEASURED[len(AVERAGES) :])]
 
 
 def _averages(course: Course) -> list[float]:
@@ -385,9 +384,9 @@ def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Set
     table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
     measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     results: dict[str, Any] = {name: measured[name] for name in REPORTED}
-    failed = np.isnan(measured["regime"])
-    regime = np.where(failed, Regime.FAILED, measured["regime"]).astype(np.int8)
-    equilibrium = np.where(failed, -1, measured["equilibrium"]).astype(np.int8)
+    regime = np.nan_to_num(measured["regime"], nan=Regime.FAILED).astype(np.int8)
+    p = Parameters(**{name: inputs[name] for name in NAMES})
+    equilibrium = regimes.index_of(p, inputs["V"], inputs["d"], measured["rest_x"], measured["rest_y"])
     reason = np.array([reason for _, reason in records], dtype=np.str_).reshape(shape)
     return Sweep(inputs, **vars(settings), **results, regime=regime, equilibrium=equilibrium, reason=reason)
 

@@ -7,7 +7,7 @@ of a window look:
   method from the last return gives the cycle itself, differences of the map its multipliers, and what the motion
   still lacks. The smallest k comes first, so that a cycle is never counted twice round.
 - **Equilibria** are those at μ(V), (10), linearized with the damping of the friction law.
-- **Lift-off** is for good where the energy, which nothing changes without contact, does not reach the belt.
+- **Lift-off** is for good in a well of the energy, which nothing changes without contact.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from .errors import ConvergenceError
 from .generated import motion
-from .integrators import Course, Problem
+from .integrators import Course, Event, Problem
 from .parameters import NAMES, FloatArray, Parameters
 
 __all__ = ["Outcome", "Regime", "classify"]
@@ -62,7 +62,7 @@ class Regime(IntEnum):
     LIMIT_CYCLE = 2
     """Repeats itself on a cycle that attracts it."""
     LIFT_OFF = 3
-    """Has no contact with the belt, and too little energy to come back to it."""
+    """Has no contact with the belt, and too little energy ever to come back to it."""
     UNSETTLED = 4
     """None of these, and none that it is seen to approach: a long transient, quasi-periodic or irregular."""
     APPROACHES_EQUILIBRIUM = 5
@@ -147,25 +147,57 @@ def classify(course: Course, problem: Problem, flow: Flow, tol: float = SETTLED)
 
 
 def _lifted_for_good(course: Course, problem: Problem) -> bool:
-    """Whether the mass is above the belt with less energy than any state on the belt's surface has."""
-    if course.last[1] <= 0:
+    """Whether the mass is in a well of the energy above the belt that it has too little energy to leave.
+
+    Without contact nothing changes the energy U + kinetic. About a stable equilibrium in lift-off the region of less energy
+    than any higher stationary value of U has no way out and does not reach the belt: such values are at the other equilibria in
+    lift-off, along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and brings the mass back.
+    """
+    if course.last[1] <= 0 or course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any():
         return False
+    from .solver import Stability, equilibria
+
+    found = equilibria(parameters(problem), contact=False)
+    there = np.isfinite(found.x)
+    x, y = found.x[there], found.y[there]
+    surface = _stationary_on_the_surface(problem)
+    values = np.concatenate([
+        _potential(problem, x, y), _potential(problem, surface, np.zeros_like(surface)), [_potential(problem, problem.cos0, problem.sin0)]
+    ])  # fmt: skip
     constants = (problem.cos0, problem.sin0, problem.kappa, problem.alpha, problem.sigma, problem.beta, 0)
-    x = _candidates_on_the_surface(problem)
-    barrier = motion.energy(x, np.zeros_like(x), np.zeros_like(x), np.zeros_like(x), *constants).min()
-    return bool(motion.energy(*course.last, *constants) < barrier)
+    energy = float(motion.energy(*course.last, *constants))
+    for row in np.flatnonzero(found.stability[there] == Stability.STABLE):
+        brim = float(values[values > values[row] + 1e-12].min())
+        if energy < brim and _highest_between(problem, course.last[:2], np.array([x[row], y[row]])) < brim:
+            return True
+    return False
 
 
-def _candidates_on_the_surface(problem: Problem) -> FloatArray:
-    """All x where the energy of rest at y = 0 can be least.
+def _potential(problem: Problem, x: Any, y: Any) -> Any:
+    """Energy at rest, without contact."""
+    zero = np.zeros_like(x)
+    return motion.energy(x, y, zero, zero, problem.cos0, problem.sin0, problem.kappa, problem.alpha, problem.sigma, problem.beta, 0)
 
-    With u = cos θ₀ − x its slope is 0 where (α cos θ₀ − (α + σ) u) L = −σ u; squared, a quartic in u. More points
-    than those with the least energy do no harm, so that complex roots, which may be double ones, stay by their real parts.
+
+def _stationary_on_the_surface(problem: Problem) -> FloatArray:
+    """All x where the potential energy at y = 0 is stationary.
+
+    With u = cos θ₀ − x its slope is 0 where (α cos θ₀ − (α + σ) u) L = −σ u; squared, a quartic in u. A value too many only
+    lowers the brim, so that complex roots, which may be double ones, stay by their real parts.
     """
     a, b, s2 = problem.alpha * problem.cos0, problem.alpha + problem.sigma, problem.sin0**2
     roots = np.roots([b * b, -2 * a * b, a * a + b * b * s2 - problem.sigma**2, -2 * a * b * s2, a * a * s2])
-    candidates: FloatArray = problem.cos0 - np.append(roots.real, [0.0, problem.cos0])
-    return candidates
+    stationary: FloatArray = problem.cos0 - np.append(roots.real, 0.0)
+    return stationary
+
+
+def _highest_between(problem: Problem, begin: FloatArray, end: FloatArray) -> float:
+    """A bound on the potential energy along the straight way: values on it, and the steepest slope between them."""
+    n = 200
+    (x, y), length = np.linspace(begin, end, n + 1).T, float(np.hypot(*(end - begin)))
+    stretch = np.abs(np.hypot(problem.cos0 - x[[0, -1]], problem.sin0 - y[[0, -1]]) - 1).max()
+    slope = problem.alpha * np.abs(x).max() + problem.beta * np.abs(y).max() + problem.kappa + problem.sigma * max(1.0, stretch)
+    return float(_potential(problem, x, y).max() + slope * length / (2 * n))
 
 
 # ------------------------------------------------------------------------------------------------------- rest
@@ -385,7 +417,11 @@ def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle |
         size = float(np.abs(step).max())
         missed = float(np.abs(image - state).max())
         if missed <= 10 * returns.step**2:
-            return _Cycle(state, period, returns.slope(state), course)
+            slope = returns.slope(state)
+            # What is missed counts many times over where a multiplier is near 1: once more, with the best slope.
+            state = state + np.linalg.solve(np.eye(3) - slope, image - state)
+            _, period, course = returns(state)
+            return _Cycle(state, period, slope, course)
         if size > returns.step**2:
             slope = slope + np.outer(image - before - slope @ step, step) / (step @ step)
     return None

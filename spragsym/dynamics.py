@@ -196,9 +196,8 @@ class Trajectory:
         integrates a few periods more.
         """
         late = self.after(transient)
-        problem = Problem(
-            *_constants(self.p), self.V, self.d, tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0]), 0.0, self.rtol
-        )
+        start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
+        problem = prepare(self.p, V=self.V, d=self.d, start=start, t_end=length, t_record=0.0, rtol=self.rtol)
         found = regimes.classify(late.course(), problem, flow(problem, self.backend), as_number("tol", tol, POSITIVE))
         where = np.array(found.rest_x), np.array(found.rest_y)
         return replace(found, equilibrium=int(regimes.index_of(self.p, self.V, self.d, *where)))

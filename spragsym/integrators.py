@@ -145,7 +145,7 @@ class Course:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
         end = self.end if row == -1 else self.maxima_t[row]
         shift, square, _ = (self.integrals[row] / (end - self.begin)).tolist()
-        return self.first[0] + shift, math.sqrt(max(square - shift * shift, 0.0))
+        return float(self.first[0]) + shift, math.sqrt(max(square - shift * shift, 0.0))
 
 
 @cache

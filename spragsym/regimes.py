@@ -15,7 +15,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import IntEnum
 from types import SimpleNamespace
 from typing import Any, TypeAlias
@@ -161,11 +161,10 @@ def _lifted_for_good(course: Course, problem: Problem) -> bool:
     there = np.isfinite(found.x)
     x, y = found.x[there], found.y[there]
     surface = _stationary_on_the_surface(problem)
-    values = np.concatenate([
-        _potential(problem, x, y), _potential(problem, surface, np.zeros_like(surface)), [_potential(problem, problem.cos0, problem.sin0)]
-    ])  # fmt: skip
-    constants = (problem.cos0, problem.sin0, problem.kappa, problem.alpha, problem.sigma, problem.beta, 0)
-    energy = float(motion.energy(*course.last, *constants))
+    anchor = np.array([problem.cos0]), np.array([problem.sin0])
+    levels = [_potential(problem, *places) for places in ((x, y), (surface, np.zeros_like(surface)), anchor)]
+    values = np.concatenate(levels)
+    energy = float(_potential(problem, *course.last[:2]) + (course.last[2:] ** 2).sum() / 2)
     for row in np.flatnonzero(found.stability[there] == Stability.STABLE):
         brim = float(values[values > values[row] + 1e-12].min())
         if energy < brim and _highest_between(problem, course.last[:2], np.array([x[row], y[row]])) < brim:
@@ -175,8 +174,8 @@ def _lifted_for_good(course: Course, problem: Problem) -> bool:
 
 def _potential(problem: Problem, x: Any, y: Any) -> Any:
     """Energy at rest, without contact."""
-    zero = np.zeros_like(x)
-    return motion.energy(x, y, zero, zero, problem.cos0, problem.sin0, problem.kappa, problem.alpha, problem.sigma, problem.beta, 0)
+    p, still = problem, np.zeros_like(x)
+    return motion.energy(x, y, still, still, p.cos0, p.sin0, p.kappa, p.alpha, p.sigma, p.beta, 0)
 
 
 def _stationary_on_the_surface(problem: Problem) -> FloatArray:
@@ -377,7 +376,7 @@ def _periodic(course: Course, problem: Problem, flow: Flow, tol: float) -> Outco
         if largest < 1 - NEUTRAL and _contracts(off, cycle.slope, vectors, largest, tol):
             distance = float(np.abs(off[0]).max())
             regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
-            return _described(cycle, scale, regime, rate=-np.log(largest) / cycle.period, distance=distance)
+            return _described(cycle, scale, regime, -math.log(largest) / cycle.period, distance)
     return None
 
 
@@ -385,7 +384,8 @@ def _scale(course: Course) -> FloatArray:
     """Extents of x, y and y' over all its turning points, those across the belt at least 1 % of that along it."""
     turns = np.vstack([course.maxima, course.minima])[:, SECTION]
     extent: FloatArray = np.ptp(turns, axis=0)
-    return np.maximum(extent, 1e-2 * extent[0] + 1e-300)
+    scale: FloatArray = np.maximum(extent, 1e-2 * extent[0] + 1e-300)
+    return scale
 
 
 def _candidates(states: FloatArray) -> Iterator[int]:
@@ -458,7 +458,7 @@ def _contracts(off: FloatArray, slope: FloatArray, vectors: NDArray[np.complex12
     return bool(now <= then * largest ** (last / 2))
 
 
-def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, **how: float) -> Outcome:
+def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, rate: float, distance: float) -> Outcome:
     """The outcome, with averages over the cycle's one period, and its state where x is largest."""
     course = cycle.course
     row = int(np.argmin(np.abs(course.maxima_t - cycle.period)))
@@ -467,8 +467,8 @@ def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, **how: float) -
     # Of maxima that agree but for rounding the one highest above the belt, so that a cycle has one such state.
     top = round_once[round_once[:, 0] >= round_once[:, 0].max() - 1e-6 * scale[0]]
     x, y, _, vy = (float(value) for value in top[np.argmax(top[:, 1])])
-    return replace(
-        Outcome(regime, **how), period=cycle.period, cycle_mean=mean, cycle_rms=float(np.hypot(mean, spread)),
+    return Outcome(
+        regime, rate=rate, distance=distance, period=cycle.period, cycle_mean=mean, cycle_rms=math.hypot(mean, spread),
         cycle_x=x, cycle_y=y, cycle_vy=vy,
     )  # fmt: skip
 

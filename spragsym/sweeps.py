@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import dynamics, integrators, regimes, storage
 from .dynamics import BELT_SPEED, CREEP, MAX_STEPS, TOLERANCE
 from .errors import ParameterError, ParameterTypeError
-from .integrators import Course, Event, Problem
+from .integrators import Course, Problem
 from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers
 from .regimes import Outcome, Regime
 from .storage import Record
@@ -384,7 +384,7 @@ def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Set
     table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
     measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
     results: dict[str, Any] = {name: measured[name] for name in REPORTED}
-    regime = np.nan_to_num(measured["regime"], nan=Regime.FAILED).astype(np.int8)
+    regime = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
     p = Parameters(**{name: inputs[name] for name in NAMES})
     equilibrium = regimes.index_of(p, inputs["V"], inputs["d"], measured["rest_x"], measured["rest_y"])
     reason = np.array([reason for _, reason in records], dtype=np.str_).reshape(shape)
@@ -484,7 +484,7 @@ def basin(
     >>> import spragsym as ss
     >>> from spragsym.sweeps import basin
     >>> p = ss.Parameters.article(theta0=np.radians(30))
-    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.3, 1.6], vx=[0.0])
+    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.1, 1.6], vx=[0.0])
     >>> [(regime.name, which) for regime, which, *_ in found.attractors]
     [('EQUILIBRIUM', 0), ('UNSETTLED', -1)]
     >>> found.attractor[:, 0]

@@ -19,8 +19,8 @@ from ..dynamics import simulate
 from ..generated import equilibrium as _equilibrium
 from ..parameters import FloatArray, Parameters
 from ..paths import Jump, quasi_static_path
-from ..solver import Stability, equilibria
 from ..regimes import ATTRACTOR, Regime
+from ..solver import Stability, equilibria
 from ..sweeps import rms_sweep, sensitivity
 from .rows import Found, Value
 

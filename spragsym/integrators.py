@@ -424,8 +424,7 @@ class _Compiled:
         solver = self.solver
         self.log, self.turns, self.stray = [], [], None
         solver.time = t
-        solver.state[4:] = 0.0
-        solver.state[:4] = state
+        solver.state[:] = (*state, *[0.0] * (len(solver.state) - 4))
         solver.pars[:13] = pars
         solver.reset_cooldowns()
 
@@ -493,12 +492,13 @@ def _heyoka(problem: Problem) -> Motion:
 def watch(problem: Problem) -> Course:
     """What follows ``t_record``, measured by heyoka on the way: no continuous output, which costs a compilation a motion."""
     watching, steps = _compiled(problem.rtol, watch=True), 0
-    watching.begin(problem)
     if problem.t_record > 0:
         plain = _compiled(problem.rtol, watch=False)
         plain.begin(problem)
         steps, _ = plain.go(problem, problem.t_record)
         watching.place(problem.t_record, plain.solver.state, plain.solver.pars)
+    else:
+        watching.begin(problem)
     solver = watching.solver
     first = solver.state[:4].copy()
     scale = 1e-3 / (problem.t_end - problem.t_record)

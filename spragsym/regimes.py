@@ -267,7 +267,7 @@ def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDA
 
 def _rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
-    still = np.ptp(np.concatenate([course.x_extrema, course.maxima[:, 0]])) <= 4 * tol
+    still = abs(course.last[0] - course.first[0]) <= 4 * tol and np.ptp(course.x_extrema) <= 4 * tol
     decaying = len(course.maxima) >= FEW and not course.kinks
     if not (still or decaying):
         return None

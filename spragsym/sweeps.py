@@ -484,7 +484,7 @@ def basin(
     >>> import spragsym as ss
     >>> from spragsym.sweeps import basin
     >>> p = ss.Parameters.article(theta0=np.radians(30))
-    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.1, 1.6], vx=[0.0])
+    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.1, 1.6], vx=[0.0], t_end=2e4, transient=1.9e4)
     >>> [(regime.name, which) for regime, which, *_ in found.attractors]
     [('EQUILIBRIUM', 0), ('UNSETTLED', -1)]
     >>> found.attractor[:, 0]

@@ -128,7 +128,7 @@ def test_the_limit_cycle_of_figure_7_comes_late() -> None:
 
 def test_basin() -> None:
     p = ss.Parameters.article(theta0=np.radians(30))
-    found = basin(p, 0.5, 4.0, x=[0.0, 0.1, 1.6], vx=[0.0, 0.01])
+    found = basin(p, 0.5, 4.0, x=[0.0, 0.1, 1.6], vx=[0.0, 0.01], t_end=2e4, transient=1.9e4)
     assert found.attractor.shape == (3, 2)
     assert (found.attractor[0] == found.attractor[1]).all()
     assert (found.attractor[0] != found.attractor[2]).all()

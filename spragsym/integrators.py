@@ -136,11 +136,6 @@ class Course:
         """Values of x at its turning points and at both ends."""
         return np.concatenate([[self.first[0], self.last[0]], self.maxima[:, 0], self.minima[:, 0]])
 
-    @property
-    def kinks(self) -> int:
-        """How many kinks of the field the motion passed."""
-        return int(self.events.sum())
-
     def moments(self, row: int = -1) -> tuple[float, float]:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
         end = self.end if row == -1 else self.maxima_t[row]

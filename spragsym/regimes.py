@@ -268,7 +268,9 @@ def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDA
 def _rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
     still = abs(course.last[0] - course.first[0]) <= 4 * tol and np.ptp(course.x_extrema) <= 4 * tol
-    decaying = len(course.maxima) >= FEW and not course.kinks
+    # On a belt that stands still the law of friction is smooth where x' changes its sign.
+    kinks = course.events if problem.V > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
+    decaying = len(course.maxima) >= FEW and not kinks.any()
     if not (still or decaying):
         return None
     begun = course.moments()[0], float(course.integrals[-1, 2]) / (course.end - course.begin)
@@ -298,6 +300,8 @@ def _decays(course: Course, rest: Rest) -> bool:
     """
     modes = np.abs(np.linalg.solve(rest.vectors, (course.maxima - rest.state).T)) ** 2
     share = (course.maxima_t - course.begin) / (course.end - course.begin)
+    if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
+        return False
     hann = np.sin(2 * np.pi * share) ** 2
     first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
     expected = first * np.exp(rest.values.real * (course.end - course.begin))  # two times half the window
@@ -446,7 +450,8 @@ def _contracts(off: FloatArray, slope: FloatArray, vectors: NDArray[np.complex12
     sizes = np.abs(off).max(axis=1)
     if sizes[: max(2, len(sizes) // 2)].max() <= tol:
         return True
-    if np.abs(off[0] - slope @ off[1]).max() > 0.25 * sizes[1] + tol:
+    # Farther out the linearization decides nothing: motions have passed a cycle at 0.16 of its extent, and left it.
+    if sizes[0] > 2 * CLOSE or np.abs(off[0] - slope @ off[1]).max() > 0.25 * sizes[1] + tol:
         return False
     far = np.flatnonzero(sizes > 4 * CLOSE)
     last = (far[0] if len(far) else len(sizes)) - 1

@@ -154,6 +154,17 @@ def test_settled_is_what_has_little_left(problem: dynamics.Problem) -> None:
     assert found.distance == pytest.approx(0.01, rel=0.02)  # over an extent of 1.01
 
 
+@needs_heyoka
+def test_a_cycle_that_is_only_passed_is_not_approached() -> None:
+    # After 2000 the motion nears a stable cycle of period 127 for some periods, 0.16 of its extent away, and then leaves it.
+    p = ss.Parameters.article(theta0=1.0678653629583241, mu0=0.6923557050091425)
+    belt = {"V": 0.5637567400450765, "d": 6.3204302657746405, "vy0": -0.008474085948289408}
+    passing = rms_sweep(p, **belt)
+    late = rms_sweep(p, **belt, t_end=4e4, transient=3.95e4)
+    assert passing.regime == Regime.UNSETTLED
+    assert 0 < late.period < 30
+
+
 # ------------------------------------------------------------------------------------------------------- rest
 
 

@@ -51,11 +51,12 @@ if TYPE_CHECKING:
     from .paths import Jump as Jump
     from .paths import Path as Path
     from .paths import quasi_static_path as quasi_static_path
+    from .regimes import Outcome as Outcome
+    from .regimes import Regime as Regime
     from .solver import Equilibria as Equilibria
     from .solver import Stability as Stability
     from .solver import equilibria as equilibria
     from .sweeps import Basin as Basin
-    from .sweeps import Regime as Regime
     from .sweeps import Sensitivity as Sensitivity
     from .sweeps import Sweep as Sweep
     from .sweeps import basin as basin
@@ -95,7 +96,8 @@ _LAZY: dict[str, str] = {
     "Trajectory": "dynamics",
     "Basin": "sweeps",
     "basin": "sweeps",
-    "Regime": "sweeps",
+    "Outcome": "regimes",
+    "Regime": "regimes",
     "rms_sweep": "sweeps",
     "Sensitivity": "sweeps",
     "sensitivity": "sweeps",

@@ -19,8 +19,9 @@ from ..dynamics import simulate
 from ..generated import equilibrium as _equilibrium
 from ..parameters import FloatArray, Parameters
 from ..paths import Jump, quasi_static_path
+from ..regimes import ATTRACTOR, Regime
 from ..solver import Stability, equilibria
-from ..sweeps import Regime, rms_sweep, sensitivity
+from ..sweeps import rms_sweep, sensitivity
 from .rows import Found, Value
 
 #: Belt speed and steepness of the friction law; the article states neither.
@@ -345,9 +346,11 @@ def limit_cycle() -> Found:
     late = simulate(p, V=V, d=D, t_end=10000.0).after(8000.0)
     eq = equilibria(p.replace(mu0=catastrophe.sliding_friction(p.mu0, V, D)))
     beside = rms_sweep(p, V, D, x0=float(eq.x[0]) + 0.01, y0=float(eq.y[0]))
-    holds = late.converged(0.0, tol=1e-4) and int(eq.count) == 1 and int(beside.regime) == Regime.EQUILIBRIUM
+    outcome = late.outcome(0.0)
+    back = ATTRACTOR.get(Regime(int(beside.regime))) == Regime.EQUILIBRIUM
+    holds = outcome.regime == Regime.LIMIT_CYCLE and int(eq.count) == 1 and back
     return Found(bool(holds), {
-        "period": late.period(0.0, tol=1e-4), "amplitude of x": late.amplitude(0.0),
+        "period": outcome.period, "amplitude of x": late.amplitude(0.0),
         "x of the stable equilibrium beside it": float(eq.x[0]),
     })  # fmt: skip
 

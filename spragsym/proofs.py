@@ -73,9 +73,9 @@ def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[fl
         try:
             values.append(float(middle))
         except OverflowError:
-            values.append(math.copysign(math.inf, middle))
+            values.append(math.inf if middle > 0 else -math.inf)
     if worst > _LARGEST_ERROR:
-        raise Undecided(f"an error of {float(worst):.1e}")
+        raise Undecided("an interval wider than a float may be off")
     # Half a unit in the last place of a float, and what is lost in this sum.
     return values, float(worst) * (1 + 2.0**-40) + 1.2e-16
 

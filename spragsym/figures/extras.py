@@ -261,7 +261,9 @@ def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, worke
         where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
         sweep = rms_sweep(where, V, D, rtol=1e-8, workers=workers)
         rms[row, column] = sweep.rms
-        found = (angles[column], frictions[row], sweep.rms, sweep.regime, np.full(row.size, level))
+        found: tuple[NDArray[Any], ...] = (
+            angles[column], frictions[row], sweep.rms, sweep.regime, np.full(row.size, level)
+        )  # fmt: skip
         for values, more in zip(columns.values(), found, strict=True):
             values.append(more)
     return _Cells(angles, frictions, rms, {name: np.concatenate(values) for name, values in columns.items()})

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from . import fold_curves, kernel, proofs
+from .display import Result
 from .errors import ConvergenceError, ParameterError
 from .generated import catastrophe as _catastrophe
 from .generated import motion as _motion
@@ -45,7 +46,7 @@ def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
 
 
 @dataclass(frozen=True)
-class Surface:
+class Surface(Result):
     """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite."""
 
     theta: FloatArray
@@ -105,7 +106,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
 
 
 @dataclass(frozen=True)
-class Folds:
+class Folds(Result):
     """Points at which two equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
 
     ``error`` bounds |error| / max(1, |value|) of all of them.
@@ -209,7 +210,7 @@ def _columns(rows: list[tuple[float, ...]], width: int) -> tuple[FloatArray, ...
 
 
 @dataclass(frozen=True)
-class FoldCurve:
+class FoldCurve(Result):
     """One curve of folds, points in order along it."""
 
     theta0: FloatArray
@@ -220,7 +221,7 @@ class FoldCurve:
 
 
 @dataclass(frozen=True)
-class BifurcationSet:
+class BifurcationSet(Result):
     """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them."""
 
     curves: tuple[FoldCurve, ...]
@@ -280,7 +281,7 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
 
 
 @dataclass(frozen=True)
-class Cusps:
+class Cusps(Result):
     """Points at which two folds meet, sorted by ``mu0``; ``error`` bounds |error| / max(1, |value|) of all six numbers."""
 
     theta0: FloatArray
@@ -423,7 +424,7 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
 
 
 @dataclass(frozen=True)
-class FlutterBoundary:
+class FlutterBoundary(Result):
     """Points of the surface at which flutter sets in or ends, in contact with μ₀ ≥ 0 and 0 < θ₀ < π.
 
     ``branch`` counts the equilibria from below in θ, from 0; ``count`` is how many there are at that point; ``curve`` numbers
@@ -602,7 +603,7 @@ def _branch(p: Parameters, points: FloatArray) -> tuple[NDArray[np.int64], NDArr
 
 
 @dataclass(frozen=True)
-class LinearSprag:
+class LinearSprag(Result):
     """Steady sliding with the spring's angle held at θ₀, the article's reference [17].
 
     ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the θ₀ in (0, π) of the poles, two

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import integrators, storage
+from .display import Result
 from .errors import ParameterError
 from .generated import motion
 from .integrators import DEGREE, Event, Problem
@@ -48,7 +49,7 @@ QUANTITIES = ("x", "y", "vx", "vy")
 
 
 @dataclass(frozen=True, eq=False)
-class Events:
+class Events(Result):
     """Where the motion passed a kink of the field, in order of time.
 
     Attributes
@@ -75,7 +76,7 @@ class Events:
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectory:
+class Trajectory(Result):
     """A motion in time, as accurate between the samples as on them.
 
     The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events

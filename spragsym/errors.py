@@ -22,6 +22,10 @@ class NotDimensionlessError(ParameterTypeError, AttributeError):
     """
 
 
+class TargetError(ParameterError, FileExistsError):
+    """A file is in the way."""
+
+
 class ConvergenceError(SpragsymError, RuntimeError):
     """A computation could not reach what it promises."""
 

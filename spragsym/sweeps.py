@@ -160,7 +160,8 @@ class Sweep(Result):
 
     def _inputs(self) -> dict[str, FloatArray]:
         """The inputs, θ₀ in degrees beside it in radians."""
-        return {**self.inputs, "theta0_deg": np.vectorize(degrees, otypes=[np.float64])(self.inputs["theta0"])}
+        theta0, *rest = self.inputs.items()
+        return dict([theta0, ("theta0_deg", np.vectorize(degrees, otypes=[np.float64])(theta0[1])), *rest])
 
     def _attributes(self) -> dict[str, Any]:
         settings = Settings(self.t_end, self.transient, self.rtol, self.backend)

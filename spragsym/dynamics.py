@@ -27,6 +27,7 @@ from .parameters import (
     Range,
     as_number,
     as_numbers,
+    degrees,
 )
 
 __all__ = ["Event", "Events", "Trajectory", "simulate"]
@@ -244,6 +245,7 @@ class Trajectory(Result):
         return {
             **storage.provenance(),
             **values,
+            "theta0_deg": degrees(values["theta0"]),
             "V": self.V,
             "d": self.d,
             "rtol": self.rtol,

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import integrators, storage
 from .display import Result
 from .dynamics import BELT_SPEED, CREEP, TOLERANCE, Trajectory, prepare, run
-from .errors import ParameterError, ParameterTypeError
+from .errors import ParameterError, ParameterTypeError, TargetError
 from .generated import motion
 from .integrators import Event
 from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, degrees
@@ -423,7 +423,7 @@ def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[
             raise ValueError("another sweep")
         results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
     except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:  # HDF5 meets damage with any of them
-        raise ParameterError(f"{path} exists and holds something else; remove it, or give another path") from error
+        raise TargetError(f"{path} exists and holds something else; remove it, or give another path") from error
     return Sweep(inputs, **vars(settings), **results)
 
 

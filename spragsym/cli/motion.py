@@ -8,6 +8,7 @@ from typing import Any
 import click
 import numpy as np
 
+from ..errors import TargetError
 from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
 from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
 from .tables import print_json
@@ -149,11 +150,14 @@ def sweep(
     axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}
     grid = dict(zip(axes, _open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})
-    with set_aside(output) if force else nullcontext():
-        result = rms_sweep(
-            p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
-            workers=workers, progress=not quiet, store=output,
-        )  # fmt: skip
+    try:
+        with set_aside(output) if force else nullcontext():
+            result = rms_sweep(
+                p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
+                workers=workers, progress=not quiet, store=output,
+            )  # fmt: skip
+    except TargetError as error:
+        raise TargetError(f"{error}, or use --force to overwrite") from error
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
     click.echo(
         f"{output}: "

@@ -29,10 +29,12 @@ F = TypeVar("F", bound=Callable[..., Any])
 #: Inclinations as they are typed.
 DEGREES = Range(0.0, 180.0, open_low=True, remedy="give the inclination of the undeformed spring in degrees")
 
+_SPEED = Range(0.0, remedy=RANGES["mu0"].remedy)
+_CREEP = Range(0.0, open_low=True, remedy="without it there is no friction")
 #: Flags, name, default, range and meaning of what the article does not state.
 BELT = (
-    ("--creep", "-d", "d", 10.0, POSITIVE, "Steepness d of the friction law. Our assumption."),
-    ("--speed", "-V", "V", 0.5, NOT_NEGATIVE, "Belt speed V. Our assumption."),
+    ("--creep", "-d", "d", 10.0, _CREEP, "Steepness d of the friction law. Our assumption."),
+    ("--speed", "-V", "V", 0.5, _SPEED, "Belt speed V. Our assumption."),
 )
 
 _PARAMETER_HELP = {
@@ -74,7 +76,7 @@ class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
         except ValueError:
             self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61", param, ctx)
         if numbers is None:
-            self.fail(f"{value!r} has both ends only with a count of 2 or more; give one, or a single number", param, ctx)
+            self.fail(f"{value!r}: equal steps with both ends are 2 numbers or more; for one number give it alone", param, ctx)
         as_numbers(_flag(param), numbers if numbers.size > 1 else numbers[0], self.allowed)
         return numbers
 
@@ -82,7 +84,8 @@ class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
         if ":" not in text:
             return np.array([float(number) for number in text.split(",")])
         start, stop, count = text.split(":")
-        return np.linspace(float(start), float(stop), int(count)) if int(count) > 1 else None
+        with np.errstate(all="ignore"):  # of an end that is infinite; the range refuses it
+            return np.linspace(float(start), float(stop), int(count)) if int(count) > 1 else None
 
 
 class Workers(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
@@ -96,7 +99,7 @@ class Workers(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # gener
         except ValueError:
             self.fail(f"{value!r} is not a number of processes", param, ctx)
         if count < 1 and count != -1:
-            raise ParameterError(f"{_flag(param)} = {count} is not a number of processes; give 1 or more, or -1 for one a core")
+            raise ParameterError(f"{_flag(param)} {count} is not a number of processes; give 1 or more, or -1 for one a core")
         return count
 
 

@@ -55,6 +55,8 @@ def tables(thing: Any) -> Iterator[Table]:
         yield _trajectory(thing)
         return
     values = _fields(thing)
+    if name == "Events":
+        values |= zip(("x", "y", "vx", "vy"), values.pop("state").T, strict=True)
     if "vary" in values and "values" in values:
         values = {values["vary"]: values.pop("values"), **values}
     single = {key: value for key, value in values.items() if _is_single(value)}
@@ -228,6 +230,8 @@ def _cell(key: str, value: Any) -> str:
         value = value.item() if value.ndim == 0 else _listed(key, value)
     if isinstance(value, tuple):
         return ", ".join(_cell("", part) for part in value)
+    if isinstance(value, str):
+        return value
     if isinstance(value, enum.Enum):
         return value.name.lower()
     if key in _CODES:

@@ -518,11 +518,12 @@ def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
         call = [sys.executable, "-W", "error", "-m", "spragsym", *arguments]
         return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=SURROUNDINGS[surroundings], cwd=tmp_path)
 
-    done = run("check")
-    assert (done.returncode, done.stderr) == (DONE, b"")
-    assert b"eq-6" in done.stdout
-    done = run("check", "--json")
-    assert len(json.loads(done.stdout)) == 53, done.stderr
+    if surroundings in ("C without UTF-8", "latin-1"):  # the command that writes Greek takes seconds
+        done = run("check")
+        assert (done.returncode, done.stderr) == (DONE, b"")
+        assert b"eq-6" in done.stdout
+    if surroundings == "latin-1":
+        assert len(json.loads(run("check", "--json").stdout)) == 53
     done = run("equilibria", "--θ0", "30")
     assert done.returncode == USAGE
     assert done.stderr.count(b"\n") == 1

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from . import fold_curves, kernel, proofs
+from .display import Result
 from .errors import ConvergenceError, ParameterError
 from .generated import catastrophe as _catastrophe
 from .generated import motion as _motion
@@ -47,7 +48,7 @@ def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
 
 
 @dataclass(frozen=True)
-class Surface:
+class Surface(Result):
     """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite."""
 
     theta: FloatArray
@@ -107,7 +108,7 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
 
 
 @dataclass(frozen=True)
-class Folds:
+class Folds(Result):
     """Points at which equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
 
     ``error`` bounds |error| / max(1, |value|) of all of them. ``kind`` says what happens as the parameter passes:
@@ -257,7 +258,7 @@ def _columns(rows: list[tuple[float, ...]], width: int) -> tuple[FloatArray, ...
 
 
 @dataclass(frozen=True)
-class FoldCurve:
+class FoldCurve(Result):
     """One curve of folds, points in order along it."""
 
     theta0: FloatArray
@@ -268,7 +269,7 @@ class FoldCurve:
 
 
 @dataclass(frozen=True)
-class BifurcationSet:
+class BifurcationSet(Result):
     """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them."""
 
     curves: tuple[FoldCurve, ...]
@@ -328,7 +329,7 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
 
 
 @dataclass(frozen=True)
-class Cusps:
+class Cusps(Result):
     """Points at which two folds meet, sorted by ``mu0``; ``error`` bounds |error| / max(1, |value|) of all six numbers."""
 
     theta0: FloatArray
@@ -496,7 +497,7 @@ def _in_words(friction: float) -> str:
 
 
 @dataclass(frozen=True)
-class LinearSprag:
+class LinearSprag(Result):
     """Steady sliding with the spring's angle held at θ₀, the article's reference [17].
 
     ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the θ₀ in (0, π) of the poles, two

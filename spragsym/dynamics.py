@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import integrators, regimes, storage
+from .display import Result
 from .errors import ParameterError, ParameterTypeError
 from .generated import motion
 from .integrators import DEGREE, Course, Event, Problem
@@ -26,6 +27,7 @@ from .parameters import (
     Range,
     as_number,
     as_numbers,
+    degrees,
 )
 from .regimes import SETTLED, Outcome, Regime
 
@@ -52,7 +54,7 @@ QUANTITIES = ("x", "y", "vx", "vy")
 
 
 @dataclass(frozen=True, eq=False)
-class Events:
+class Events(Result):
     """Where the motion passed a kink of the field, in order of time.
 
     Attributes
@@ -79,7 +81,7 @@ class Events:
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectory:
+class Trajectory(Result):
     """A motion in time, as accurate between the samples as on them.
 
     The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events
@@ -144,9 +146,9 @@ class Trajectory:
             )
         return self._at(self._step_of(times), times)
 
-    def after(self, transient: float) -> Trajectory:
-        """What follows the time ``transient``, as a trajectory; an error if nothing does."""
-        transient = as_number("transient", transient, NOT_NEGATIVE)
+    def after(self, transient: float | None) -> Trajectory:
+        """What follows the time ``transient``, three quarters of the end if None, as a trajectory; an error if nothing does."""
+        transient = 0.75 * float(self.t[-1]) if transient is None else as_number("transient", transient, NOT_NEGATIVE)
         if transient >= self.t[-1]:
             raise ParameterError(
                 f"transient = {transient:g} leaves nothing of a trajectory that ends at {self.t[-1]:g}; "
@@ -170,12 +172,12 @@ class Trajectory:
             self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error
         )
 
-    def mean(self, transient: float = 1500.0, *, of: str = "x") -> float:
+    def mean(self, transient: float | None = None, *, of: str = "x") -> float:
         """Time average of x (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
         late = self.after(transient)
         return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
 
-    def rms(self, transient: float = 1500.0, *, of: str = "x", about: str = "zero") -> float:
+    def rms(self, transient: float | None = None, *, of: str = "x", about: str = "zero") -> float:
         """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
 
         The article's Figure 7b shows the root mean square of x, from zero.
@@ -184,12 +186,12 @@ class Trajectory:
         deviation = late._values(of) - late._centre(of, about)
         return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
 
-    def amplitude(self, transient: float = 1500.0, *, of: str = "x", about: str = "zero") -> float:
+    def amplitude(self, transient: float | None = None, *, of: str = "x", about: str = "zero") -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
         late = self.after(transient)
         return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
 
-    def outcome(self, transient: float = 1500.0, *, tol: float = SETTLED) -> Outcome:
+    def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
         """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
 
         The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on its return map, which
@@ -202,7 +204,7 @@ class Trajectory:
         where = np.array(found.rest_x), np.array(found.rest_y)
         return replace(found, equilibrium=int(regimes.index_of(self.p, self.V, self.d, *where)))
 
-    def period(self, transient: float = 1500.0, *, tol: float = SETTLED) -> float:
+    def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
         """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.
 
         It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The period is the cycle's
@@ -211,7 +213,7 @@ class Trajectory:
         outcome = self.outcome(transient, tol=tol)
         return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
 
-    def converged(self, transient: float = 1500.0, *, tol: float = SETTLED) -> bool:
+    def converged(self, transient: float | None = None, *, tol: float = SETTLED) -> bool:
         """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol`` (see :meth:`outcome`)."""
         return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
 
@@ -260,6 +262,7 @@ class Trajectory:
         return {
             **storage.provenance(),
             **values,
+            "theta0_deg": degrees(values["theta0"]),
             "V": self.V,
             "d": self.d,
             "rtol": self.rtol,

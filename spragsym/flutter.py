@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import kernel, proofs
+from .display import Result
 from .errors import ParameterError
 from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
@@ -20,7 +21,7 @@ _FIXED = ("kappa", "alpha", "sigma", "beta")
 
 
 @dataclass(frozen=True)
-class FlutterOnsets:
+class FlutterOnsets(Result):
     """Onsets of flutter at one friction, sorted by θ₀; one array for each coordinate of the states that they belong to.
 
     ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are. ``side`` is 1 where the state
@@ -103,7 +104,7 @@ def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:
 
 
 @dataclass(frozen=True)
-class FlutterBoundary:
+class FlutterBoundary(Result):
     """Points of the surface at which flutter sets in or ends, in contact with μ₀ > 0 and 0 < θ₀ < π.
 
     ``branch`` counts the equilibria from below in θ, from 0; ``count`` is how many there are at that point; ``curve`` numbers

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .catastrophe import Turn, turns
+from .display import Result
 from .errors import ConvergenceError, ParameterError
 from .generated import stability as _stability
 from .parameters import NAMES, RANGES, FloatArray, Parameters, as_numbers
@@ -21,7 +22,7 @@ from .solver import Equilibria, Stability, equilibria
 
 
 @dataclass(frozen=True)
-class Jump:
+class Jump(Result):
     """A state that vanishes at a fold, and the one that takes its place."""
 
     value: float  #: of the parameter, at the fold
@@ -38,7 +39,7 @@ class Jump:
 
 
 @dataclass(frozen=True)
-class Path:
+class Path(Result):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them."""
 
     vary: str

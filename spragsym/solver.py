@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import backends, kernel
+from .display import Result
 from .errors import ConvergenceError
 from .generated import stability as _stability
 from .parameters import NAMES, FloatArray, Parameters
@@ -37,7 +38,7 @@ class Stability(enum.IntEnum):
 
 
 @dataclass(frozen=True)
-class Equilibria:
+class Equilibria(Result):
     """Every equilibrium of every parameter point.
 
     Attributes

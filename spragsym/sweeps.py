@@ -17,10 +17,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import dynamics, integrators, regimes, storage
+from .display import Result
 from .dynamics import BELT_SPEED, CREEP, MAX_STEPS, TOLERANCE
-from .errors import ParameterError, ParameterTypeError
+from .errors import ParameterError, ParameterTypeError, TargetError
 from .integrators import Course, Problem
-from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers
+from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, degrees
 from .regimes import Outcome, Regime
 from .storage import Record
 
@@ -55,7 +56,7 @@ class Settings:
 
 
 @dataclass(frozen=True, eq=False)
-class Sweep:
+class Sweep(Result):
     """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
 
     Attributes
@@ -111,15 +112,16 @@ class Sweep:
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
-        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, ….
+        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, …. θ₀ is there
+        in radians and, as ``theta0_deg``, in degrees.
         """
         dims = _dimensions(self.inputs, self.rms.shape)
         # One number is kept as such, an axis as a coordinate, a table as a table of the full shape.
         inputs = {
             name: ((), float(values.flat[0])) if values.size == 1
-            else (name, values.ravel()) if name in dims
+            else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
             else (dims, np.broadcast_to(values, self.rms.shape).copy())
-            for name, values in self.inputs.items()
+            for name, values in self._inputs().items()
         }  # fmt: skip
         results = {name: (dims, getattr(self, name)) for name in (*REPORTED, "regime", "equilibrium")}
         results["reason"] = (dims, self.reason.astype(object))
@@ -137,8 +139,13 @@ class Sweep:
         storage.write(Path(path), self.to_dataset, self._columns, self._attributes())
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self.inputs.items()}
+        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
         return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
+
+    def _inputs(self) -> dict[str, FloatArray]:
+        """The inputs, θ₀ in degrees beside it in radians."""
+        theta0, *rest = self.inputs.items()
+        return dict([theta0, ("theta0_deg", np.vectorize(degrees, otypes=[np.float64])(theta0[1])), *rest])
 
     def _attributes(self) -> dict[str, Any]:
         settings = Settings(self.t_end, self.transient, self.rtol, self.backend, self.max_steps)
@@ -155,7 +162,7 @@ def rms_sweep(
     vx0: ArrayLike = 0.0,
     vy0: ArrayLike = 0.0,
     t_end: float = 2000.0,
-    transient: float = 1500.0,
+    transient: float | None = None,
     rtol: float = 1e-10,
     backend: str | None = None,
     max_steps: int = MAX_STEPS,
@@ -172,7 +179,7 @@ def rms_sweep(
     V, d, x0, y0, vx0, vy0 : array_like
         As for :func:`~spragsym.simulate`; they broadcast with ``p``. The article states neither V nor d.
     t_end, transient : float
-        Until when to integrate, and what to leave out of every result.
+        Until when to integrate, and what to leave out of every result, by default three quarters of it.
     rtol : float
         Relative tolerance.
     backend : {"heyoka", "scipy"}, optional
@@ -223,6 +230,8 @@ def rms_sweep(
     settings = _settings(t_end, transient, rtol, backend, max_steps)
     shape = _common_shape(inputs)
     points = _points(inputs, shape)
+    if not callable(workers):
+        _count(workers)  # before there is a journal
     if store is None:
         return _result(inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None))
     target = Path(store)
@@ -282,8 +291,9 @@ def _averages(course: Course) -> list[float]:
 # -------------------------------------------------------------------------------------------- all the motions
 
 
-def _settings(t_end: float, transient: float, rtol: float, backend: str | None, max_steps: int) -> Settings:
-    t_end, transient = as_number("t_end", t_end, POSITIVE), as_number("transient", transient, NOT_NEGATIVE)
+def _settings(t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int) -> Settings:
+    t_end = as_number("t_end", t_end, POSITIVE)
+    transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
     tolerance, steps = as_number("rtol", rtol, TOLERANCE), dynamics.as_steps(max_steps)
@@ -387,7 +397,7 @@ def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Set
     regime = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
     p = Parameters(**{name: inputs[name] for name in NAMES})
     equilibrium = regimes.index_of(p, inputs["V"], inputs["d"], measured["rest_x"], measured["rest_y"])
-    reason = np.array([reason for _, reason in records], dtype=np.str_).reshape(shape)
+    reason = np.array([storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
     return Sweep(inputs, **vars(settings), **results, regime=regime, equilibrium=equilibrium, reason=reason)
 
 
@@ -400,7 +410,7 @@ def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[
             raise ValueError("another sweep")
         results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
     except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:  # HDF5 meets damage with any of them
-        raise ParameterError(f"{path} exists and holds something else; remove it, or give another path") from error
+        raise TargetError(f"{path} exists and holds something else; remove it, or give another path") from error
     return Sweep(inputs, **vars(settings), **results)
 
 
@@ -424,7 +434,7 @@ def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[
 
 
 @dataclass(frozen=True, eq=False)
-class Basin:
+class Basin(Result):
     """Which attractor each initial state reaches: arrays of shape (len(x), len(vx)).
 
     Attributes
@@ -525,7 +535,7 @@ def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, in
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivity:
+class Sensitivity(Result):
     """Where the RMS of x jumps as θ₀ grows, for every V (first axis) with every d (second).
 
     Attributes
@@ -584,8 +594,9 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     >>> np.round(np.degrees(table.theta0), 1)
     array([[41.3]])
     """
+    p.require("theta0")
     angles = p.theta0
-    if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
+    if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
         raise ParameterError("theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))")
     speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
     belt = (speeds[:, None, None], creeps[None, :, None])

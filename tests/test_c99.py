@@ -21,7 +21,7 @@ from scipy.optimize import brentq
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
 from spragsym import kernel, ladder
-from spragsym.cli import cli, export
+from spragsym.cli import cli
 from spragsym.derive.emit import c99_cost
 from spragsym.generated import equilibrium, motion, stability
 
@@ -825,7 +825,7 @@ def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
     assert CliRunner().invoke(cli, arguments).exit_code == 0  # nothing differs
     (out / "main.c").write_text("mine\n", encoding="utf-8")
     refused = CliRunner().invoke(cli, arguments)
-    assert isinstance(refused.exception, export.ExportError)
+    assert isinstance(refused.exception, ss.errors.TargetError)
     assert "main.c" in str(refused.exception)
     assert "\n" not in str(refused.exception)
     assert (out / "main.c").read_text(encoding="utf-8") == "mine\n"

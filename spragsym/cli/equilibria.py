@@ -30,11 +30,8 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
     if json_output:
         print_json({"parameters": {"theta0_deg": theta0_deg, **values}, "equilibria": rows, "undecided": reasons})
         return
-    print_table("", ("state", "stability", "theta, deg", "L", "x", "y", "error"), [
-        (
-            row["state"], row["stability"],
-            *(f"{row[name]:.12g}" for name in ("theta_deg", "L", "x", "y")), f"{row['error']:.1e}",
-        )
+    print_table("", ("state", "stability", "theta_deg", "L", "x", "y", "error"), [
+        (row["state"], row["stability"], *(row[name] for name in ("theta_deg", "L", "x", "y")), f"{row['error']:.1e}")
         for row in rows
     ])  # fmt: skip
     for state, reason in reasons.items():

@@ -23,6 +23,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from .display import Result
 from .errors import ConvergenceError
 from .generated import motion
 from .integrators import Course, Event, Problem
@@ -79,7 +80,7 @@ ATTRACTOR = {
 
 
 @dataclass(frozen=True)
-class Outcome:
+class Outcome(Result):
     """What a motion comes to.
 
     Attributes

@@ -4,12 +4,16 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+# A path to the tree, not a finder: a finder is asked last, after a folder named spragsym beside the script, as a clone is.
+EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt -e
 
 # One stamp for each set of extras, remade when what it was installed from changes.
 DERIVE := $(VENV)/.derive
 TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
-SOURCES := pyproject.toml constraints.txt
+SOURCES := pyproject.toml constraints.txt Makefile
+# The compiled solver is made of these.
+COMPILED := spragsym/statics/_compiled.c generated/c/spragsym.c generated/c/spragsym.h
 
 # A source distribution comes without symbolic links.
 LINKS := spragsym/derive spragsym/generated
@@ -45,15 +49,15 @@ $(LINKS):
 	@ln -s ../$(@F) $@
 
 $(DERIVE): $(SOURCES) | $(VENV)/.made $(LINKS)
-	@$(PIP) install -e '.[derive]' -c constraints.txt
+	@$(EDIT) '.[derive]'
 	@touch $@
 
-$(TEST): $(SOURCES) | $(VENV)/.made $(LINKS)
-	@$(PIP) install -e '.[all,test]' -c constraints.txt
+$(TEST): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
+	@$(EDIT) '.[all,test]'
 	@touch $@ $(DERIVE)
 
-$(DOCS): $(SOURCES) | $(VENV)/.made $(LINKS)
-	@$(PIP) install -e '.[all,docs]' -c constraints.txt
+$(DOCS): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
+	@$(EDIT) '.[all,docs]'
 	@touch $@
 
 derive: $(DERIVE)
@@ -85,7 +89,7 @@ bench: $(TEST)
 	$(BIN)/python -m benchmarks --write docs/performance.md
 
 figures: $(TEST)
-	$(BIN)/spragsym figures --out figures
+	$(BIN)/spragsym figures --out figures --force
 
 docs: $(DOCS)
 	$(BIN)/sphinx-build -W docs docs/_build

@@ -125,6 +125,44 @@ def sweep_table() -> None:
     )
 
 
+def overhead_table() -> None:
+    """What a point of a sweep costs over the integration alone, and how much of it is the judgement of its limit."""
+    from spragsym import dynamics, integrators, regimes
+
+    def fastest(function: Any, times: int) -> float:
+        function()
+        seconds = []
+        for _ in range(7):
+            begin = time.process_time()  # others on the machine do not count
+            for _ in range(times):
+                function()
+            seconds.append(time.process_time() - begin)
+        return min(seconds) / times * 1e6
+
+    def bare(problem: integrators.Problem) -> None:
+        compiled = integrators._compiled(problem.rtol, watch=False)
+        compiled.begin(problem)
+        compiled.solver.propagate_until(problem.t_end)
+
+    print("\n## A point of a sweep against its integration alone, heyoka, microseconds\n")
+    print("| θ₀, degrees | t to | integration | measured | judged | a point of `rms_sweep` | over integration |")
+    print("|---|---|---|---|---|---|---|")
+    for t_end, times, many in ((10.0, 200, 200), (2000.0, 5, 5)):
+        for degrees in (40.0, 42.0, 49.0, 100.0):
+            p = ss.Parameters.article(theta0=math.radians(degrees))
+            problem = dynamics.prepare(p, V=V, d=D, start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
+            course, flow = dynamics.course(problem, "heyoka"), dynamics.flow(problem, "heyoka")
+            options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
+            alone = fastest(lambda problem=problem: bare(problem), times)
+            measured = fastest(lambda problem=problem: dynamics.course(problem, "heyoka"), times)
+            judged = fastest(lambda c=course, p=problem, f=flow: regimes.classify(c, p, f), times)
+            whole = fastest(lambda p=p, options=options: rms_sweep(p, V, D, **options), 1) / many
+            print(
+                f"| {degrees:g} | {t_end:g} | {alone:.0f} | {measured:.0f} | {judged:.0f} | {whole:.0f} | {whole / alone:.2f} |",
+                flush=True,
+            )
+
+
 def sensitivity_table() -> None:
     """Where the RMS jumps, for V and d over a decade each."""
     from spragsym.sweeps import sensitivity
@@ -144,6 +182,7 @@ def main() -> None:
     base_table()
     energy_table()
     sweep_table()
+    overhead_table()
     sensitivity_table()
 
 

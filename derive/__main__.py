@@ -57,7 +57,7 @@ def main(arguments: list[str] | None = None) -> int:
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities and {len(proof)} steps of the count theorem proved")
     for row in rows:
-        if row.status in ("corrected", check.FAILED):
+        if row.status in ("misprint", check.FAILED):
             print(f"  {row.id:6} {row.status}: {row.cause or row.note}")
     print(f"wrote {len(files)} files to {options.out.name}/")
     return 0

@@ -183,5 +183,8 @@ def identities() -> dict[str, bool]:
         )
         == 0,
         "the cusp cubic (α = 0) has degree 3": len(cusp_cubic()) == 4,
+        "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset of flutter is a fold": (
+            stability.trace_identity()
+        ),
         "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": algebra.equal(f.subs(mirror, simultaneous=True), -f),
     }

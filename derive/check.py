@@ -1,8 +1,8 @@
 """Printed against derived: one ledger row for every printed statement, decided by exact algebra.
 
 :func:`run` recomputes every row. A printed form that differs from the derived one and is not explained, and an explanation of
-a difference that is zero, are failures; so is a correction whose right form is not the derived one, or whose second
-derivation disagrees.
+a difference that is zero, are failures; so is a correction whose right form is not the derived one, whose second derivation
+disagrees.
 """
 
 from __future__ import annotations
@@ -18,23 +18,27 @@ from . import nomenclature as nm
 from .article import Printed
 
 #: Statuses of a row that stands as recorded.
-SOUND = ("confirmed", "corrected", "approximation", "definition")
+SOUND = ("confirmed", "misprint", "approximation", "definition")
 #: The status of a row whose printed form is not the derived one, without an explanation that holds.
 FAILED = "failed"
 
 
 @dataclass(frozen=True)
 class Row:
-    """The outcome for one printed statement; every text is LaTeX or plain words, every empty field means not applicable."""
+    """The outcome for one printed statement; every text is LaTeX or plain words, every empty field means not applicable.
+
+    ``derived`` stands in the arrangement of ``printed``, so that the two can be compared by eye: exact algebra has shown that it
+    is ``derivation``, the form that the derivation itself arrives at. A failed row has the latter in both.
+    """
 
     id: str
     where: str
     status: str
     printed: str
     derived: str
+    derivation: str
     difference: str
     note: str = ""
-    right: str = ""
     cause: str = ""
     evidence: str = ""
     consequence: str = ""
@@ -74,27 +78,31 @@ def check(entry: Printed, derived: Derived) -> Row:
         "where": entry.where,
         "printed": entry.latex,
         "derived": _latex(derived.components),
+        "derivation": _latex(derived.components),
         "difference": _latex(gaps),
         "note": explanations.NOTES.get(entry.id, ""),
     }
     differs = any(gap != 0 for gap in gaps)
     if entry.id in explanations.CORRECTIONS:
-        return _corrected(entry.id, _components(entry, derived), derived, differs, base)
+        return _misprint(entry.id, _components(entry, derived), derived, differs, base)
     if entry.id in explanations.APPROXIMATIONS:
         approximation = explanations.APPROXIMATIONS[entry.id]
         if not differs:
             return Row(status=FAILED, **base | {"note": "explained as an approximation, but the difference is zero"})
         if not all(gap == 0 or approximation.vanishes(gap) for gap in gaps):
             return Row(status=FAILED, **base | {"note": f"the difference does not vanish for {approximation.limit}"})
-        return Row(status="approximation", limit=approximation.limit, **base)
+        if not _is_derived(approximation.expression, derived):
+            return Row(status=FAILED, **base | {"note": "the exact form given for this approximation is not the derived one"})
+        return Row(status="approximation", limit=approximation.limit, **base | {"derived": approximation.latex})
     if differs:
         return Row(status=FAILED, **base | {"note": "printed and derived differ, and nothing explains it"})
+    base["derived"] = entry.latex
     if entry.id in explanations.DEFINITIONS:
         return Row(status="definition", **base | {"note": explanations.DEFINITIONS[entry.id]})
     return Row(status="confirmed", **base)
 
 
-def _corrected(
+def _misprint(
     id: str, components: tuple[sp.Expr, ...], derived: Derived, differs: bool, base: dict[str, str]
 ) -> Row:
     correction = explanations.CORRECTIONS[id]
@@ -104,20 +112,25 @@ def _corrected(
     explained = (correction.gap.subs(list(derived.terms[0])),)
     if not all(algebra.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
         return Row(status=FAILED, **base | {"note": "the difference is not the one that the correction explains"})
-    right = correction.expression if isinstance(correction.expression, tuple) else (correction.expression,)
-    if any(gap != 0 for gap in _differences(right, derived)):
+    if not _is_derived(correction.expression, derived):
         return Row(status=FAILED, **base | {"note": "the right form given for this misprint is not the derived one"})
     holds, evidence = correction.evidence()
     if not holds:
         return Row(status=FAILED, **base | {"note": f"the second derivation disagrees: {evidence}"})
     return Row(
-        status="corrected",
-        right=correction.latex,
+        status="misprint",
         cause=correction.cause,
         evidence=evidence,
         consequence=correction.consequence(),
-        **base,
+        **base | {"derived": correction.latex},
     )
+
+
+def _is_derived(expression: article.Expression, derived: Derived) -> bool:
+    """Whether a form of ours, in the arrangement of the print, is the derived one."""
+    components = expression(*derived.about) if callable(expression) else expression
+    components = components if isinstance(components, tuple) else (components,)
+    return not any(gap != 0 for gap in _differences(components, derived))
 
 
 def _components(entry: Printed, derived: Derived) -> tuple[sp.Expr, ...]:

@@ -1,4 +1,4 @@
-"""What we say about the rows that are not simply confirmed: corrections, approximations and definitions.
+"""What we say about the rows that are not simply confirmed: corrections of misprints, approximations and definitions.
 
 A correction holds the right form, which the check holds against the derived one; a second derivation; and what the misprint
 would cost at the article's base values. An explanation of a difference that is zero fails the check.
@@ -35,8 +35,13 @@ class Correction:
 
 @dataclass(frozen=True)
 class Approximation:
-    """A form that the printed one tends to; ``limit`` says in which limit, ``vanishes`` proves it of the difference."""
+    """A form that is printed for its limit: ``limit`` says in which, ``vanishes`` proves it of the difference.
 
+    ``latex`` and ``expression`` are the exact form in the arrangement of the print.
+    """
+
+    latex: str
+    expression: article.Expression
     limit: str
     vanishes: Callable[[sp.Expr], bool]
 
@@ -216,13 +221,26 @@ def _vanishes_at_full_slip(difference: sp.Expr) -> bool:
     return plain.has(V) and sp.limit(sp.expand(plain), V, sp.oo) == 0 and sp.limit(sp.expand(plain), d, sp.oo) == 0
 
 
+def _friction_slope() -> sp.Expr:
+    """How friction falls as the mass speeds up, −∂μ/∂x', at steady sliding: n times this is a damping along the belt."""
+    return -sp.diff(mechanics.smooth_friction(sp.S.One), nm.vx).subs(nm.vx, 0)
+
+
 APPROXIMATIONS: dict[str, Approximation] = {
     "eq-12": Approximation(
+        latex=r"F_x = \frac{\sigma}{L}(1-L)(\cos\theta_o - x) + \alpha x - " + nm.latex(mechanics.steady_friction()) + " n = 0",
+        expression=nm.sigma / nm.L * (1 - nm.L) * (nm.c0 - nm.x) + nm.alpha * nm.x - mechanics.steady_friction() * nm.n,
         limit="d V → ∞ on a belt that runs forward, V > 0: at steady sliding (10) gives μ = μ_o (1 − exp(−d |V|)), not μ_o. From here on μ_o stands for the "
         "friction at steady sliding, which makes every later row exact",
         vanishes=_vanishes_at_full_slip,
     ),
     "eq-27": Approximation(
+        latex=r"\det(\lambda^2 \mathbf{I} + \lambda \begin{bmatrix} n " + nm.latex(_friction_slope())
+        + r" & 0 \\ 0 & 0 \end{bmatrix} + \mathbf{K}) = 0",
+        # n = −n̄ y at the equilibrium.
+        expression=lambda K: (
+            article.lam**2 * sp.eye(2) + article.lam * sp.diag(-nm.nbar * nm.y * _friction_slope(), 0) + K
+        ).det(),
         limit="d V → ∞, V > 0: (8) also has the damping n μ_o d exp(−d |V|) λ in its first row, from ∂μ/∂x'",
         vanishes=_vanishes_at_full_slip,
     ),

@@ -16,12 +16,15 @@ absolute values of all of its terms, and the count, at the head of the emitted f
 :mod:`derive.emit.bounds`.
 """
 
-# ruff: noqa: F821  # the algebra and the counts are bound where this is printed
 from __future__ import annotations
 
 from typing import NamedTuple
 
-from .emit.language import Flag, Real, absolute, cube_root, maximum, minimum, sqrt, where
+from .emit.language import Flag, Real, absolute, cube_root, derived, maximum, minimum, sqrt, where
+
+# Generated algebra, and counts of roundings: a target gives them their meaning.
+f_coefficients, f_magnitudes, f, f_slope, t_quartic, resolvent, state, stiffness, invariants = derived(9)
+COUNT_P, COUNT_Q, COUNT_E1, COUNT_F, COUNT_SLOPE, COUNT_STATE, COUNT_THETA, COUNT_K = derived(8)
 
 #: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
 SMALLEST_PARAMETER = 1e-250

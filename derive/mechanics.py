@@ -2,8 +2,10 @@
 
 One mass slides on a moving belt. Springs k_x and k_y tie it to the ground, a spring k of undeformed length L_0 leans on
 it under the angle θ₀, and the belt carries it through the contact stiffness k_c. The assumptions stand in
-:func:`potential_energy`, :func:`applied_force`, :func:`contact_force` and :func:`friction_law`, and nowhere else:
-change one of them, run ``make derive``, and the rest of the house follows.
+:func:`potential_energy`, :func:`applied_force`, :func:`contact_force` and :func:`friction_law`, and nowhere else. Change one of
+them, and ``python -m derive --variant --out DIR`` derives the equations of motion anew, says which printed rows no longer hold, and
+writes the new model. The elimination, the closed forms and the theorem are made for the forces of the article: where a change
+takes away what they rest on, the derivation stops, says what does not hold, and writes nothing.
 """
 
 from __future__ import annotations

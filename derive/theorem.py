@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import catastrophe, elimination, equilibrium
+from . import catastrophe, elimination, equilibrium, stability
 from . import nomenclature as nm
 from .algebra import manifestly_positive
 
@@ -169,12 +169,59 @@ def _threshold_above_zero() -> tuple[Step, ...]:
 
 
 def _middle() -> tuple[Step, ...]:
-    quartic = elimination.quartic_in_t()
+    """Three different equilibria: f rises, falls and rises through them, and L det K = f′."""
+    f = elimination.f_form
+    K = sp.Matrix(2, 2, sp.symbols("K_11 K_12 K_21 K_22"))
+    equation = sp.Poly(stability.characteristic(K, sp.zeros(2, 2)), stability.lam)
+    # Multiplicities of three different roots that count three at most, and the signs of f before, between and after them.
+    simple = [counts for counts in itertools.product((1, 2, 3), repeat=3) if sum(counts) <= 3]
+    signs = [tuple(itertools.accumulate(counts, lambda sign, count: sign * (-1) ** count, initial=-1)) for counts in simple]
     return (
         Step("L det K = f′ at every equilibrium", catastrophe.slope_identity()),
         Step(
-            "f is negative before the first root in contact (b at θ = 0, F_x < 0 at θ*) and positive after the last, so "
-            "that f′ < 0 at the second of three: det K < 0",
-            elimination.f_form.subs({nm.s: 0, nm.c: 1}) == quartic[0],
+            "s* ≤ 0: contact is 0 < θ < π, and f is negative before the first root and positive after the last: f = b < 0 at "
+            "θ = 0 and −b at θ = π",
+            f.subs({nm.s: 0, nm.c: 1}) == nm.fb
+            and f.subs({nm.s: 0, nm.c: -1}) == -nm.fb
+            and manifestly_positive(
+                _in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)
+            ),
         ),
+        Step(
+            "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and positive after the last: at the "
+            "ends f = q s* F_x with q s* > 0, F_x = P cos θ + α cos θ₀ has the sign of P cos θ since (F_x)(P cos θ − α cos θ₀) > 0, "
+            "and P < 0",
+            _signs_at_the_ends(f),
+        ),
+        Step(
+            "three different roots that count three at most are simple, so that the signs of f before, between and after them are "
+            "−, +, −, +: f falls through the second, f′ < 0 there, and det K < 0",
+            simple == [(1, 1, 1)] and signs == [(-1, 1, -1, 1)],
+        ),
+        Step(
+            "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and positive for large λ, so that a real "
+            "λ > 0 solves it",
+            equation.all_coeffs() == [1, 0, stability.trace(K), 0, sp.expand(stability.determinant(K))],
+        ),
+    )
+
+
+def _signs_at_the_ends(f: sp.Expr) -> bool:
+    """Whether f has the sign of −cos θ where sin θ = s* > 0."""
+    threshold, excess = sp.symbols("s_star excess", positive=True)
+    level = sp.Symbol("level", nonnegative=True)
+    on_arc = {_s0: threshold + excess, _kappa: _sigma * excess}  # s₀ − s* = κ/σ
+    every, strict = (_sigma, _alpha, _beta, threshold, excess, level), (_sigma, threshold, excess)
+    P = _sigma - (_sigma + _alpha) * (threshold + excess) / threshold  # L = s₀/s*
+    force, mirrored = (P * nm.c + sign * _alpha * nm.c0 for sign in (1, -1))
+    factor = _in_contact(nm.q) * threshold
+    at_end = _in_contact(f).subs(nm.s, threshold).subs(on_arc)
+    # cos² θ₀ = level, and cos² θ = level + s₀² − s*² at the ends.
+    squares = {nm.c**2: level + (threshold + excess) ** 2 - threshold**2, nm.c0**2: level}
+    product = sp.expand(force * mirrored).subs(squares)
+    return (
+        sp.simplify(at_end - factor * force) == 0
+        and manifestly_positive(factor, every, strict)
+        and manifestly_positive(sp.simplify(-P * threshold), every, strict)
+        and manifestly_positive(sp.simplify(product * threshold**2), every, strict)
     )

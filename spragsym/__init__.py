@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from .backends import set_backend as set_backend
     from .catastrophe import BifurcationSet as BifurcationSet
     from .catastrophe import Cusps as Cusps
-    from .catastrophe import FlutterBoundary as FlutterBoundary
     from .catastrophe import FoldCurve as FoldCurve
     from .catastrophe import Folds as Folds
     from .catastrophe import LinearSprag as LinearSprag
@@ -36,8 +35,6 @@ if TYPE_CHECKING:
     from .catastrophe import critical_friction as critical_friction
     from .catastrophe import critical_value as critical_value
     from .catastrophe import cusps as cusps
-    from .catastrophe import flutter_boundary as flutter_boundary
-    from .catastrophe import flutter_onsets as flutter_onsets
     from .catastrophe import folds as folds
     from .catastrophe import linear_critical_friction as linear_critical_friction
     from .catastrophe import linear_sprag as linear_sprag
@@ -47,15 +44,20 @@ if TYPE_CHECKING:
     from .dynamics import Events as Events
     from .dynamics import Trajectory as Trajectory
     from .dynamics import simulate as simulate
+    from .flutter import FlutterBoundary as FlutterBoundary
+    from .flutter import FlutterOnsets as FlutterOnsets
+    from .flutter import flutter_boundary as flutter_boundary
+    from .flutter import flutter_onsets as flutter_onsets
     from .paths import Jump as Jump
     from .paths import Path as Path
     from .paths import quasi_static_path as quasi_static_path
+    from .regimes import Outcome as Outcome
+    from .regimes import Regime as Regime
     from .solver import Equilibria as Equilibria
     from .solver import Stability as Stability
     from .solver import count as count
     from .solver import equilibria as equilibria
     from .sweeps import Basin as Basin
-    from .sweeps import Regime as Regime
     from .sweeps import Sensitivity as Sensitivity
     from .sweeps import Sweep as Sweep
     from .sweeps import basin as basin
@@ -74,9 +76,10 @@ _LAZY: dict[str, str] = {
     "critical_value": "catastrophe",
     "Cusps": "catastrophe",
     "cusps": "catastrophe",
-    "flutter_boundary": "catastrophe",
-    "flutter_onsets": "catastrophe",
-    "FlutterBoundary": "catastrophe",
+    "flutter_boundary": "flutter",
+    "flutter_onsets": "flutter",
+    "FlutterBoundary": "flutter",
+    "FlutterOnsets": "flutter",
     "FoldCurve": "catastrophe",
     "Folds": "catastrophe",
     "folds": "catastrophe",
@@ -95,7 +98,8 @@ _LAZY: dict[str, str] = {
     "Trajectory": "dynamics",
     "Basin": "sweeps",
     "basin": "sweeps",
-    "Regime": "sweeps",
+    "Outcome": "regimes",
+    "Regime": "regimes",
     "rms_sweep": "sweeps",
     "Sensitivity": "sweeps",
     "sensitivity": "sweeps",

@@ -48,8 +48,8 @@ def set_backend(name: str, threads: int = 1) -> None:
         raise ParameterError(f"threads = {threads!r} is not a number of threads; give an integer of 1 or more")
     if name == "compiled" and not compiled.available():
         raise BackendError(
-            "the backend 'compiled' was not built: no C compiler was found on installation; "
-            "install a wheel, or a compiler and spragsym again"
+            "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+            "install spragsym again, with a compiler, or install a wheel"
         )
     _choice.name, _choice.threads = name, threads
 

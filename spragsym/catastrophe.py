@@ -1,8 +1,10 @@
-"""The whole catastrophe without a starting point: surface, folds, cusps, flutter onsets, critical frictions."""
+"""The whole catastrophe without a starting point: surface, folds, cusps, critical frictions."""
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -12,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import brentq
 
 from . import fold_curves, kernel, proofs
+from .display import Result
 from .errors import ConvergenceError, ParameterError
 from .generated import catastrophe as _catastrophe
 from .generated import motion as _motion
@@ -45,7 +48,7 @@ def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
 
 
 @dataclass(frozen=True)
-class Surface:
+class Surface(Result):
     """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite."""
 
     theta: FloatArray
@@ -106,10 +109,17 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
 
 
 @dataclass(frozen=True)
-class Folds:
-    """Points at which two equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
+class Folds(Result):
+    """Points at which equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
 
-    ``error`` bounds |error| / max(1, |value|) of all of them.
+    ``error`` bounds |error| / max(1, |value|) of all of them. ``kind`` says what happens as the parameter passes:
+
+    - ``"fold"``: two equilibria appear or vanish together, the ordinary case;
+    - ``"pitchfork"``: one becomes three, or three become one, all of them in one point (μ₀ = α = 0, a symmetric system);
+    - ``"cusp"``: three meet in one point, and one is left on both sides;
+    - ``"touch"``: two meet, and there are as many on both sides.
+
+    All but the first need a coincidence of the parameters that are fixed.
     """
 
     vary: str
@@ -124,6 +134,23 @@ class Folds:
     x: FloatArray
     y: FloatArray
     error: FloatArray
+    kind: NDArray[np.str_]
+
+
+@dataclass(frozen=True)
+class Turn:
+    """One row of :class:`Folds`, and what :mod:`spragsym.paths` has to know of it, proved.
+
+    ``side`` is 1 where there are three equilibria above its value and one below, −1 for the reverse, 0 if their number stays;
+    ``upper`` says that those that meet are the upper two of three in θ; ``rounded`` is −1 where the float of its value
+    lies below the true one and 1 where it lies above: with all other parameters rational they are never equal (Lindemann).
+    """
+
+    values: tuple[float, ...]
+    kind: str
+    side: int
+    upper: bool
+    rounded: int
 
 
 def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = False, arith: Arithmetic | None = None) -> Folds:
@@ -148,12 +175,13 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     ParameterError
         For a ``vary`` that is not a parameter, or a parameter that is missing or an array.
     ConvergenceError
-        At parameters so degenerate that two folds can't be told apart.
+        At parameters so close to a coincidence that 6144 bits do not tell it from one.
 
     Notes
     -----
     Source: f = f′ = 0. Two relations, linear in every parameter but θ₀; the one that varies is eliminated, and what remains is a
-    polynomial in tan(θ/2) whose real roots Sturm's theorem counts.
+    polynomial in tan(θ/2), whose real roots are isolated by Descartes' rule or, over intervals, by Sturm's theorem. A multiple
+    root, which belongs to the other kinds, is found by exact algebra.
 
     Examples
     --------
@@ -161,48 +189,69 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     >>> found = folds(Parameters.article())
     >>> print(np.degrees(found.theta0))
     [ 44.5593177  155.05941879]
+    >>> print(folds(Parameters.article(mu0=0.0, alpha=0.0)).kind)
+    ['pitchfork' 'pitchfork']
     """
+    found = turns(p, vary, negative_friction=negative_friction, arith=arith)
+    rows, kinds = [turn.values for turn in found], [turn.kind for turn in found]
+    if negative_friction and vary != "mu0" and p.scalars("mu0") != (0.0,):
+        mirrored = _mirrored_folds(p, vary, arith)
+        rows, kinds = rows + mirrored[0], kinds + mirrored[1]
+    order = sorted(range(len(rows)), key=lambda i: rows[i][NAMES.index(vary)])
+    columns: tuple[Any, ...] = _columns([rows[i] for i in order], 11)
+    return Folds(vary, *(*columns, np.array([kinds[i] for i in order], dtype=np.str_)))
+
+
+def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: Arithmetic | None = None) -> list[Turn]:
+    """The rows of :func:`folds` along one parameter, sorted by it; ``negative_friction`` matters for ``mu0`` only."""
     if vary not in NAMES:
         raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
     fixed = [name for name in NAMES if name != vary]
     exact = dict(zip(fixed, map(Fraction, p.scalars(*fixed)), strict=True))
-    arith = arith or arithmetic()
+    chosen = arith or arithmetic()
     allowed, place = RANGES[vary], NAMES.index(vary)
 
-    def attempt(bits: int) -> list[tuple[float, ...]]:
-        rows = (_row(arith, point) for point in proofs.folds(arith, vary, exact, bits))
-        return [row for row in rows if allowed.contains(row[place]) or (negative_friction and vary == "mu0")]
+    def attempt(bits: int) -> list[Turn]:
+        found = []
+        for fold in proofs.folds(chosen, vary, exact, bits):
+            value = fold.point.parameters[place]
+            wanted = proofs.decided(chosen, value, f"{vary} = 0 on a fold") > 0 or (negative_friction and vary == "mu0")
+            turn = _turn(chosen, fold, place) if wanted else None
+            if turn and turn.values[place] < allowed.high:
+                found.append((chosen.ends(value), turn))
+        found.sort(key=lambda one: one[0][0])
+        # Two never have one value, since the positive roots of f, at most three, are no two pairs.
+        if any(one[0][1] >= two[0][0] for one, two in itertools.pairwise(found)):
+            raise Undecided("the order of two folds")
+        return [turn for _, turn in found]
 
-    rows = proofs.with_enough_bits(arith, 20, attempt, "folds")
-    if negative_friction and vary != "mu0":
-        rows += _mirrored_folds(p, vary, exact, arith)
-    return Folds(vary, *_columns(sorted(rows, key=lambda row: row[place]), 11))
+    return proofs.with_enough_bits(chosen, 20, attempt, "folds")
 
 
-def _mirrored_folds(p: Parameters, vary: str, exact: dict[str, Fraction], arith: Arithmetic) -> list[tuple[float, ...]]:
-    """Folds at −μ₀: those at μ₀ of the mirror image, reflected back."""
-    if exact["mu0"] == 0:
-        return []
+def _turn(arith: Arithmetic, fold: proofs.Fold, place: int) -> Turn:
+    values = _row(arith, fold.point)
+    low, high = arith.ends(fold.point.parameters[place])
+    rounded = 1 if high < values[place] else -1 if low > values[place] else 0
+    if rounded == 0 or high - low > abs(low) / 10**25:
+        raise Undecided("a fold and the float next to it")
+    return Turn(values, fold.kind, fold.side, fold.upper, rounded)
+
+
+def _mirrored_folds(p: Parameters, vary: str, arith: Arithmetic | None) -> tuple[list[tuple[float, ...]], list[str]]:
+    """Folds at −μ₀: those at μ₀ of the mirror image, reflected back; and their kinds."""
     reflected = p if vary == "theta0" else p.replace(theta0=math.pi - float(p.theta0))
     found = folds(reflected, vary, arith=arith)
     columns = (
         math.pi - found.theta0, -found.mu0, found.kappa, found.alpha, found.sigma, found.beta,
         math.pi - found.theta, found.L, -found.x, found.y, found.error,
     )  # fmt: skip
-    return [tuple(map(float, row)) for row in zip(*columns, strict=True)]
+    return [tuple(map(float, row)) for row in zip(*columns, strict=True)], found.kind.tolist()
 
 
 def _row(arith: Arithmetic, point: proofs.Point) -> tuple[float, ...]:
     """Middles as floats, and the largest error, the rounding to float included."""
-    values, error = [], 0.0
-    for interval in (*point.parameters, point.theta, point.L, point.x, point.y):
-        low, high = arith.ends(interval)
-        middle = (low + high) / 2
-        error = max(error, float((high - low) / 2 / max(1, abs(middle))))
-        values.append(float(middle))
-    if error > 1e-13:
-        raise Undecided(f"an error of {error:.1e}")
-    return (*values, error + 1.2e-16)
+    values, error = proofs.as_floats(arith, (*point.parameters, point.theta, point.L, point.x, point.y))
+    return (*values, error)
 
 
 def _columns(rows: list[tuple[float, ...]], width: int) -> tuple[FloatArray, ...]:
@@ -210,7 +259,7 @@ def _columns(rows: list[tuple[float, ...]], width: int) -> tuple[FloatArray, ...
 
 
 @dataclass(frozen=True)
-class FoldCurve:
+class FoldCurve(Result):
     """One curve of folds, points in order along it."""
 
     theta0: FloatArray
@@ -221,7 +270,7 @@ class FoldCurve:
 
 
 @dataclass(frozen=True)
-class BifurcationSet:
+class BifurcationSet(Result):
     """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them."""
 
     curves: tuple[FoldCurve, ...]
@@ -281,7 +330,7 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
 
 
 @dataclass(frozen=True)
-class Cusps:
+class Cusps(Result):
     """Points at which two folds meet, sorted by ``mu0``; ``error`` bounds |error| / max(1, |value|) of all six numbers."""
 
     theta0: FloatArray
@@ -402,208 +451,54 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
         raise ParameterError(f"bracket = ({low}, {high}) is empty; give two values, the smaller first")
     (mu0,) = p.scalars("mu0")
 
+    def friction_at(value: float) -> float:
+        return float(critical_friction(p.replace(theta0=None, mu0=None, **{vary: value})))
+
     def excess(value: float) -> float:
-        friction = critical_friction(p.replace(theta0=None, mu0=None, **{vary: value}))
-        return math.atan(float(friction)) - math.atan(mu0)  # finite where there is no cusp
+        return math.atan(friction_at(value)) - math.atan(mu0)  # finite where there is no cusp
 
     ends = excess(low), excess(high)
     if ends[0] * ends[1] > 0:
         frictions = ", ".join(
-            f"{math.tan(end + math.atan(mu0)):.6g} at {vary} = {value:g}" for end, value in zip(ends, (low, high), strict=True)
+            f"{_in_words(friction_at(value))} at {vary} = {value:g}" for value in (low, high)
         )
         raise ParameterError(f"bracket: mu_cusp is {frictions}, both on one side of mu0 = {mu0:g}; widen it")
-    root, outcome = brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, full_output=True, disp=False)
-    if not outcome.converged or abs(excess(root)) > 1e-9:
+    low, high = _within_a_factor(excess, low, high)
+    root = low if low == high else float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=200))
+    if abs(excess(root)) > 1e-9:
+        below, above = (friction_at(max(float(np.nextafter(root, end)), RANGES[vary].low)) for end in (-math.inf, math.inf))
         raise ConvergenceError(
-            f"mu_cusp jumps across mu0 = {mu0:g} near {vary} = {root:g}, where a cusp appears; there is no crossing"
+            f"mu_cusp jumps across mu0 = {mu0:g} at {vary} = {root:.12g}, from {_in_words(below)} to {_in_words(above)}: "
+            "there it has no value between; try a bracket on one side"
         )
-    return float(root)
+    return root
 
 
-# ----------------------------------------------------------------------------------------------------- flutter
+def _within_a_factor(excess: Callable[[float], float], low: float, high: float) -> tuple[float, float]:
+    """A bracket whose larger end is at most twice the smaller, or one value: halved in the exponent, at most 12 times."""
+    ends = [excess(low), excess(high)]
+    for value, end in zip((low, high), ends, strict=True):
+        if end == 0:
+            return value, value
+    smallest = float(np.finfo(float).smallest_normal)
+    while high > 2 * max(low, smallest):
+        middle = math.sqrt(max(low, smallest)) * math.sqrt(high)
+        value = excess(middle)
+        if value == 0:
+            return middle, middle
+        low, high = (low, middle) if value * ends[0] < 0 else (middle, high)
+    return low, high
 
 
-@dataclass(frozen=True)
-class FlutterBoundary:
-    """Points of the surface at which flutter sets in or ends, in contact with μ₀ ≥ 0 and 0 < θ₀ < π.
-
-    ``branch`` counts the equilibria from below in θ, from 0; ``count`` is how many there are at that point; ``curve`` numbers
-    the connected pieces, along which points are in order.
-    """
-
-    theta0: FloatArray
-    mu0: FloatArray
-    theta: FloatArray
-    L: FloatArray
-    x: FloatArray
-    y: FloatArray
-    branch: NDArray[np.int64]
-    count: NDArray[np.int64]
-    curve: NDArray[np.int64]
-
-
-def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
-    """Where the discriminant of (27) in λ² is zero on the equilibrium surface: the Hopf points of the article's Figure 14.
-
-    Parameters
-    ----------
-    p : Parameters
-        Scalars κ, α, σ, β; ``theta0`` and ``mu0`` are spanned and not used.
-    n : int
-        Number of directions θ to solve at.
-
-    Notes
-    -----
-    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15): at each θ a polynomial of degree 6 in L, all roots of which are taken.
-
-    Examples
-    --------
-    >>> found = flutter_boundary(Parameters.article(alpha=0.7))
-    >>> bool((abs(found.mu0 - 0.5) < 0.01).any())
-    True
-    """
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
-        raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
-    kappa, alpha, sigma, beta = p.scalars(*_FIXED)
-    # K12 K21 < 0 with μ₀ > 0 needs sin θ cos θ < 0.
-    theta = np.linspace(0.5 * math.pi, math.pi, int(n) + 2)[1:-1]
-    with np.errstate(all="ignore"):
-        sextic = _stability.flutter_sextic(np.cos(theta), np.sin(theta), kappa, alpha, sigma, beta)
-        lengths = _real_positive(np.stack(sextic, axis=-1))
-        rows, _ = np.nonzero(np.isfinite(lengths))
-        L, theta = lengths[np.isfinite(lengths)], theta[rows]
-        c, s = np.cos(theta), np.sin(theta)
-        s0, alpha_c0, mu0 = _stability.flutter_point(c, s, L, kappa, alpha, sigma, beta)
-        found = []
-        for c0 in (alpha_c0 / alpha,) if alpha else (np.sqrt(1 - s0 * s0), -np.sqrt(1 - s0 * s0)):
-            x, y = c0 - L * c, s0 - L * s
-            on_circle = np.abs(np.hypot(c0, s0) - 1) < 1e-6
-            good = on_circle & (s0 > 0) & (mu0 >= 0) & (y < 0)
-            found.append(np.stack([np.arctan2(s0, c0), mu0, theta, L, x, y])[:, good])
-    points = np.concatenate(found, axis=-1)
-    order, curve = _chains(points)
-    points = points[:, order]
-    branch, count = _branch(p, points)
-    return _boundary(points, branch, count, curve)
-
-
-def flutter_onsets(p: Parameters) -> FlutterBoundary:
-    """Points of :func:`flutter_boundary` at the friction μ₀ of ``p``, sorted by θ₀.
-
-    Found between neighbours on the boundary curves, to 1e-12.
-
-    Examples
-    --------
-    >>> print(np.degrees(flutter_onsets(Parameters.article(alpha=0.7)).theta0).round(6))
-    [135.389588 166.068824]
-    """
-    (mu0,) = p.scalars("mu0")
-    along = flutter_boundary(p)
-    found = []
-    for i in range(along.theta.size - 1):
-        ends = along.mu0[i] - mu0, along.mu0[i + 1] - mu0
-        if along.curve[i] == along.curve[i + 1] and ends[0] * ends[1] <= 0 and ends[1] != 0:
-            found.append(_onset_between(p, along, i, mu0))
-    points = np.array(found, dtype=float).reshape(-1, 6).T
-    points = points[:, np.argsort(points[0])]
-    branch, count = _branch(p, points)
-    return _boundary(points, branch, count, np.arange(points.shape[1]))
-
-
-def _boundary(
-    points: FloatArray, branch: NDArray[np.int64], count: NDArray[np.int64], curve: NDArray[np.int64]
-) -> FlutterBoundary:
-    theta0, mu0, theta, L, x, y = points
-    return FlutterBoundary(theta0, mu0, theta, L, x, y, branch, count, curve)
-
-
-def _onset_between(p: Parameters, along: FlutterBoundary, i: int, mu0: float) -> tuple[float, ...]:
-    """The point of friction ``mu0`` on the boundary between two neighbours, by bisection in θ."""
-    kappa, alpha, sigma, beta = p.scalars(*_FIXED)
-    target = along.L[i]
-
-    def at(theta: float) -> tuple[float, ...]:
-        c, s = math.cos(theta), math.sin(theta)
-        lengths = _real_positive(np.stack(_stability.flutter_sextic(c, s, kappa, alpha, sigma, beta))[None])[0]
-        L = float(lengths[np.nanargmin(np.abs(lengths - target))])
-        s0, alpha_c0, friction = _stability.flutter_point(c, s, L, kappa, alpha, sigma, beta)
-        c0 = alpha_c0 / alpha if alpha else math.copysign(math.sqrt(max(0.0, 1 - s0 * s0)), math.cos(along.theta0[i]))
-        return math.atan2(s0, c0), friction, theta, L, c0 - L * c, s0 - L * s
-
-    theta = brentq(lambda theta: at(theta)[1] - mu0, along.theta[i], along.theta[i + 1], xtol=1e-15, rtol=1e-15)
-    return at(float(theta))
-
-
-def _real_positive(coefficients: FloatArray) -> FloatArray:
-    """Positive real roots of each polynomial, lowest power first, NaN for the others."""
-    degree = coefficients.shape[-1] - 1
-    companion = np.zeros((*coefficients.shape[:-1], degree, degree))
-    companion[..., range(1, degree), range(degree - 1)] = 1.0
-    companion[..., :, -1] = -coefficients[..., :-1] / coefficients[..., -1:]
-    companion[~np.isfinite(companion).all(axis=(-1, -2))] = 0.0
-    roots = np.linalg.eigvals(companion)
-    real = np.where((np.abs(roots.imag) < 1e-7 * np.abs(roots)) & (roots.real > 0), roots.real, np.nan)
-    for _ in range(3):
-        value, slope = np.zeros_like(real), np.zeros_like(real)
-        for power in range(degree, -1, -1):
-            slope = slope * real + value
-            value = value * real + coefficients[..., power, None]
-        step = value / slope
-        real = np.where(np.abs(step) < 0.01 * real, real - step, real)
-    return np.sort(real, axis=-1)
-
-
-def _chains(points: FloatArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """An order of the points along curves, nearest neighbour first, and the number of each point's curve."""
-    if not points.shape[1]:
-        return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
-    from scipy.spatial import cKDTree
-
-    plane = np.stack([points[0] / math.pi, points[1] / (1 + points[1]), points[2] / math.pi], axis=-1)
-    tree = cKDTree(plane)
-    reach = 0.02
-    left = np.ones(plane.shape[0], dtype=bool)
-    order: list[int] = []
-    numbers: list[int] = []
-    curve = -1
-    while left.any():
-        curve += 1
-        # Start at an end: the remaining point with the smallest θ.
-        candidates = np.flatnonzero(left)
-        here = int(candidates[np.argmin(points[2, candidates])])
-        while True:
-            left[here] = False
-            order.append(here)
-            numbers.append(curve)
-            near = [i for i in tree.query_ball_point(plane[here], reach) if left[i]]
-            if not near:
-                break
-            here = int(near[int(np.argmin(((plane[near] - plane[here]) ** 2).sum(axis=-1)))])
-    return np.array(order), np.array(numbers)
-
-
-def _branch(p: Parameters, points: FloatArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Rank of each point among the equilibria there, and their number.
-
-    From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
-    """
-    theta0, mu0, theta, *_ = points
-    kappa, _, sigma, beta = fixed = p.scalars(*_FIXED)
-    c0, s0 = np.cos(theta0), np.sin(theta0)
-    with np.errstate(all="ignore"):
-        p1, q1, p2, q2 = kernel.factors(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
-        pairs = kernel.root_pair(p1, q1), kernel.root_pair(p2, q2)
-        t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
-        _, _, y = kernel.state((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), c0, s0, kappa, sigma, beta, 1)
-        t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
-        return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)
+def _in_words(friction: float) -> str:
+    return "infinite (there is no cusp)" if math.isinf(friction) else f"{friction:.6g}"
 
 
 # ------------------------------------------------------------------------------------------------ linear model
 
 
 @dataclass(frozen=True)
-class LinearSprag:
+class LinearSprag(Result):
     """Steady sliding with the spring's angle held at θ₀, the article's reference [17].
 
     ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the θ₀ in (0, π) of the poles, two
@@ -639,9 +534,11 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         (K11, K12), (K21, K22) = _stability.stiffness(c0, s0, 1.0, p.mu0, p.alpha, p.sigma, p.beta, 1)
         _, determinant, _ = _stability.invariants(K11, K12, K21, K22)
         e0, e1, e2 = _linear.pole_quadratic(p.mu0, p.alpha, p.sigma, p.beta)
-        large = 0.5 * (-e1 + np.sqrt(e1 * e1 - 4 * e0 * e2))
-        # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°.
-        poles = np.stack([np.arctan2(e0, large), np.arctan2(large, e2)], axis=-1)
+        # Factors of the discriminant, each by roots, so that none of them leaves the range of float64.
+        middle = 2 * np.sqrt(e0) * np.sqrt(e2)
+        large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
+        # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°, where both are for μ₀ = 0 as well.
+        poles = np.stack([np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)], axis=-1)
         poles = np.where(np.isfinite(large)[..., None], poles, np.nan)
     shape = p.shape
     x, y, determinant = (np.broadcast_to(np.asarray(value, dtype=float), shape).copy() for value in (x, y, determinant))

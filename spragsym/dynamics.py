@@ -12,10 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import integrators, storage
-from .errors import ParameterError
+from . import integrators, regimes, storage
+from .display import Result
+from .errors import ParameterError, ParameterTypeError
 from .generated import motion
-from .integrators import DEGREE, Event, Problem
+from .integrators import DEGREE, Course, Event, Problem
 from .parameters import (
     FINITE,
     NAMES,
@@ -26,7 +27,9 @@ from .parameters import (
     Range,
     as_number,
     as_numbers,
+    degrees,
 )
+from .regimes import SETTLED, Outcome, Regime
 
 __all__ = ["Event", "Events", "Trajectory", "simulate"]
 
@@ -43,12 +46,15 @@ TOLERANCE = Range(
 #: The tightest that SciPy takes, for the second run of an error estimate.
 TIGHTEST = 2.3e-14
 
+#: Steps after which a motion is given up, unless asked otherwise.
+MAX_STEPS = Problem.max_steps
+
 #: Quantities of a trajectory.
 QUANTITIES = ("x", "y", "vx", "vy")
 
 
 @dataclass(frozen=True, eq=False)
-class Events:
+class Events(Result):
     """Where the motion passed a kink of the field, in order of time.
 
     Attributes
@@ -75,7 +81,7 @@ class Events:
 
 
 @dataclass(frozen=True, eq=False)
-class Trajectory:
+class Trajectory(Result):
     """A motion in time, as accurate between the samples as on them.
 
     The samples are the Gauss–Lobatto points of every step that the integrator took, its ends and all events
@@ -140,9 +146,9 @@ class Trajectory:
             )
         return self._at(self._step_of(times), times)
 
-    def after(self, transient: float) -> Trajectory:
-        """What follows the time ``transient``, as a trajectory; an error if nothing does."""
-        transient = as_number("transient", transient, NOT_NEGATIVE)
+    def after(self, transient: float | None) -> Trajectory:
+        """What follows the time ``transient``, three quarters of the end if None, as a trajectory; an error if nothing does."""
+        transient = 0.75 * float(self.t[-1]) if transient is None else as_number("transient", transient, NOT_NEGATIVE)
         if transient >= self.t[-1]:
             raise ParameterError(
                 f"transient = {transient:g} leaves nothing of a trajectory that ends at {self.t[-1]:g}; "
@@ -166,12 +172,12 @@ class Trajectory:
             self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error
         )
 
-    def mean(self, transient: float = 1500.0, *, of: str = "x") -> float:
+    def mean(self, transient: float | None = None, *, of: str = "x") -> float:
         """Time average of x (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
         late = self.after(transient)
         return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
 
-    def rms(self, transient: float = 1500.0, *, of: str = "x", about: str = "zero") -> float:
+    def rms(self, transient: float | None = None, *, of: str = "x", about: str = "zero") -> float:
         """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
 
         The article's Figure 7b shows the root mean square of x, from zero.
@@ -180,23 +186,36 @@ class Trajectory:
         deviation = late._values(of) - late._centre(of, about)
         return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
 
-    def amplitude(self, transient: float = 1500.0, *, of: str = "x", about: str = "zero") -> float:
+    def amplitude(self, transient: float | None = None, *, of: str = "x", about: str = "zero") -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
         late = self.after(transient)
         return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
 
-    def period(self, transient: float = 1500.0, *, tol: float = 1e-6) -> float:
-        """Time after which the motion after ``transient`` repeats itself; NaN if it does not, and at rest.
+    def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
+        """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
 
-        Passages are those of x upwards through its mean. The motion repeats after k of them, k as small as
-        possible, when all states there come back within ``tol``, relative to how far the motion reaches.
+        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on its return map, which
+        integrates a few periods more.
         """
-        return self.after(transient)._recurrence(as_number("tol", tol, POSITIVE))
-
-    def converged(self, transient: float = 1500.0, *, tol: float = 1e-6) -> bool:
-        """Whether the motion after ``transient`` rests or repeats itself (see :meth:`period`)."""
         late = self.after(transient)
-        return late._at_rest(as_number("tol", tol, POSITIVE)) or bool(np.isfinite(late._recurrence(tol)))
+        start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
+        problem = prepare(self.p, V=self.V, d=self.d, start=start, t_end=length, t_record=0.0, rtol=self.rtol)
+        found = regimes.classify(late.course(), problem, flow(problem, self.backend), as_number("tol", tol, POSITIVE))
+        where = np.array(found.rest_x), np.array(found.rest_y)
+        return replace(found, equilibrium=int(regimes.index_of(self.p, self.V, self.d, *where)))
+
+    def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
+        """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.
+
+        It has settled when what is left to the cycle is at most ``tol`` of the motion's reach. The period is the cycle's
+        own, whatever is left. For what a motion only approaches see :meth:`outcome`.
+        """
+        outcome = self.outcome(transient, tol=tol)
+        return outcome.period if outcome.regime == Regime.LIMIT_CYCLE else float("nan")
+
+    def converged(self, transient: float | None = None, *, tol: float = SETTLED) -> bool:
+        """Whether the motion after ``transient`` has settled to rest or to a cycle, within ``tol`` (see :meth:`outcome`)."""
+        return self.outcome(transient, tol=tol).regime in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
 
     def energy(self) -> FloatArray:
         """Kinetic and stored energy over k_c L_0², contact and preload included, at the samples."""
@@ -243,6 +262,7 @@ class Trajectory:
         return {
             **storage.provenance(),
             **values,
+            "theta0_deg": degrees(values["theta0"]),
             "V": self.V,
             "d": self.d,
             "rtol": self.rtol,
@@ -305,24 +325,39 @@ class Trajectory:
         highest = self._passages(-speed, lambda state: -state[row + 2])
         return np.concatenate([values[[0, -1]], self(lowest)[row], self(highest)[row]])
 
-    def _reach(self) -> FloatArray:
-        """Extent of the motion in each of the four quantities."""
-        extent: FloatArray = np.ptp(self.state, axis=1)
-        return extent
+    def course(self) -> Course:
+        """What :func:`~spragsym.integrators.watch` measures on the way, from the samples."""
+        lowest = self._passages(self.vx, lambda state: state[2])
+        highest = self._passages(-self.vx, lambda state: -state[2])
+        return Course(
+            float(self.t[0]), float(self.t[-1]), self.state[:, 0], self.state[:, -1], highest, self(highest).T,
+            self._integrals_to(np.append(highest, self.t[-1])), self(lowest).T, self._counts(),
+        )  # fmt: skip
 
-    def _at_rest(self, tol: float) -> bool:
-        return bool(self._reach().max() <= tol)
+    def _counts(self) -> NDArray[np.intp]:
+        """How often each kind of event happened, by the samples where the events were not kept: they are among them."""
+        if self.events is not None:
+            return np.bincount(self.events.which, minlength=len(Event))
+        above, ahead = np.diff((self.y > 0).astype(int)), np.diff((self.vx > self.V).astype(int))
+        return np.array([np.count_nonzero(change == sign) for change in (above, ahead) for sign in (1, -1)])
 
-    def _recurrence(self, tol: float) -> float:
-        centre = self.mean(0.0)
-        t = self._passages(self.x - centre, lambda state: state[0] - centre)
-        if len(t) < 3 or self._at_rest(tol):
-            return float("nan")
-        states = self(t)
-        for k in range(1, len(t) // 2 + 1):
-            if (np.abs(states[:, k:] - states[:, :-k]).max(axis=1) <= tol * self._reach()).all():
-                return float((t[-1] - t[(len(t) - 1) % k]) / ((len(t) - 1) // k))
-        return float("nan")
+    def _integrals_to(self, times: FloatArray) -> FloatArray:
+        """Integrals from the first sample of u = x − x(first), of u² and of y, shape (…, 3)."""
+
+        def integrands(state: FloatArray) -> FloatArray:
+            shift = state[0] - self.x[0]
+            return np.array([shift, shift**2, state[1]])
+
+        points, unit = integrators.lobatto()
+        steps = self.t[::DEGREE]
+        inside = integrands(self.state)[:, np.arange(len(steps) - 1)[:, None] * DEGREE + np.arange(DEGREE + 1)]
+        whole = np.cumsum((inside * unit).sum(axis=2) * np.diff(steps) / 2, axis=1)
+        step = self._step_of(times)
+        half = (times - steps[step])[:, None] / 2
+        begun = steps[step][:, None] + half * (points + 1)
+        part = (integrands(self._at(np.repeat(step[:, None], len(points), axis=1), begun)) * unit * half).sum(axis=2)
+        integrals: FloatArray = (np.concatenate([np.zeros((3, 1)), whole], axis=1)[:, step] + part).T
+        return integrals
 
 
 def _barycentric() -> FloatArray:
@@ -346,6 +381,7 @@ def simulate(
     events: bool = True,
     estimate_error: bool = False,
     backend: str | None = None,
+    max_steps: int = MAX_STEPS,
 ) -> Trajectory:
     """Integrate the motion (8)–(11) from an initial state.
 
@@ -374,6 +410,9 @@ def simulate(
     backend : {"heyoka", "scipy"}, optional
         Taylor series (extra ``fast``) or DOP853; by default heyoka where it is installed. They agree to the
         tolerance.
+    max_steps : int
+        Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d, up to d times the
+        friction, as it creeps. Ten million take heyoka some ten seconds to a minute, and several GB to keep.
 
     Returns
     -------
@@ -385,7 +424,7 @@ def simulate(
         For arguments that make no sense, and an initial state at the spring's anchor, where L = 0 and (8) is
         singular.
     ConvergenceError
-        When the integrator cannot go on.
+        When the integrator cannot go on, or has made ``max_steps``.
     MissingExtraError
         When the backend asked for is not installed.
 
@@ -402,7 +441,7 @@ def simulate(
     >>> round(tr.rms(transient=1500.0), 4), len(tr.events)
     (1.8052, 259)
     """
-    problem = prepare(p, V=V, d=d, start=(x0, y0, vx0, vy0), t_end=t_end, t_record=0.0, rtol=rtol)
+    problem = prepare(p, V=V, d=d, start=(x0, y0, vx0, vy0), t_end=t_end, t_record=0.0, rtol=rtol, max_steps=max_steps)
     chosen = integrators.choose(backend)
     trajectory = run(p, problem, chosen)
     if estimate_error:
@@ -415,23 +454,38 @@ def simulate(
 
 
 def prepare(
-    p: Parameters, *, V: float, d: float, start: tuple[Any, ...], t_end: float, t_record: float, rtol: float
-) -> Problem:
+    p: Parameters, *, V: float, d: float, start: tuple[Any, ...], t_end: float, t_record: float, rtol: float,
+    max_steps: int = MAX_STEPS,
+) -> Problem:  # fmt: skip
     """Validated arguments of a motion."""
     cos0, sin0, mu0, kappa, alpha, sigma, beta = _constants(p)
     x0, y0, vx0, vy0 = (
         as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True)
     )
+    check_start(cos0, sin0, x0, y0)
+    t_end = as_number("t_end", t_end, POSITIVE)
+    return Problem(
+        cos0, sin0, mu0, kappa, alpha, sigma, beta, as_number("V", V, BELT_SPEED), as_number("d", d, CREEP),
+        (x0, y0, vx0, vy0), t_end, t_record, as_number("rtol", rtol, TOLERANCE), as_steps(max_steps),
+    )  # fmt: skip
+
+
+def check_start(cos0: float, sin0: float, x0: float, y0: float) -> None:
+    """Raise for a start at the spring's anchor."""
     if (x0, y0) == (cos0, sin0):
         raise ParameterError(
             f"x0 = {x0:.17g}, y0 = {y0:.17g} is the spring's anchor (cos theta0, sin theta0), "
             "where L = 0 and the spring has no direction; start anywhere else"
         )
-    t_end = as_number("t_end", t_end, POSITIVE)
-    return Problem(
-        cos0, sin0, mu0, kappa, alpha, sigma, beta, as_number("V", V, BELT_SPEED), as_number("d", d, CREEP),
-        (x0, y0, vx0, vy0), t_end, t_record, as_number("rtol", rtol, TOLERANCE),
-    )  # fmt: skip
+
+
+def as_steps(max_steps: int) -> int:
+    """A number of steps, at least one."""
+    if isinstance(max_steps, bool) or not isinstance(max_steps, int | np.integer):
+        raise ParameterTypeError(f"max_steps = {max_steps!r} is not an int")
+    if max_steps < 1:
+        raise ParameterError(f"max_steps = {max_steps} is not at least 1; leave it out for {MAX_STEPS}")
+    return int(max_steps)
 
 
 def run(p: Parameters, problem: Problem, backend: str) -> Trajectory:
@@ -440,6 +494,22 @@ def run(p: Parameters, problem: Problem, backend: str) -> Trajectory:
     events = Events(result.event_t, result.event_states, result.event_kinds)
     x, y, vx, vy = result.states
     return Trajectory(result.t, x, y, vx, vy, events, p, problem.V, problem.d, problem.rtol, backend)
+
+
+def course(problem: Problem, backend: str) -> Course:
+    """What is measured of the motion of a validated problem after ``t_record``."""
+    if backend == "heyoka":
+        return integrators.watch(problem)
+    return run(regimes.parameters(problem), problem, backend).course()
+
+
+def flow(problem: Problem, backend: str) -> regimes.Flow:
+    """The motion of a problem from any state, for as long as asked."""
+
+    def onward(state: FloatArray, duration: float) -> Course:
+        return course(replace(problem, start=tuple(state.tolist()), t_end=duration, t_record=0.0), backend)
+
+    return onward
 
 
 def _constants(p: Parameters) -> tuple[float, ...]:

@@ -15,6 +15,17 @@ class ParameterTypeError(SpragsymError, TypeError):
     """An argument is not a number, or not numbers of the kind that is needed."""
 
 
+class NotDimensionlessError(ParameterTypeError, AttributeError):
+    """Parameters in newtons and metres stand where dimensionless ones are needed.
+
+    Also an AttributeError, so that ``hasattr`` answers: what is missing is what dimensionless parameters have.
+    """
+
+
+class TargetError(ParameterError, FileExistsError):
+    """A file is in the way."""
+
+
 class ConvergenceError(SpragsymError, RuntimeError):
     """A computation could not reach what it promises."""
 

@@ -75,6 +75,7 @@ class Problem:
     t_end: float
     t_record: float
     rtol: float
+    max_steps: int = 10_000_000
 
     @property
     def constants(self) -> tuple[float, ...]:
@@ -86,21 +87,6 @@ class Problem:
         """d |V − x'| beyond which the exponential of (10) is below the tolerance, and left out."""
         return 5 - math.log(self.rtol)
 
-    @property
-    def fastest(self) -> float:
-        """A bound on the angular frequencies, for the limits on steps and events."""
-        return math.sqrt(1 + self.mu0 + self.alpha + self.beta + 2 * self.sigma)
-
-    @property
-    def event_limit(self) -> int:
-        """No mode crosses borders more than about four times a period; ten times that is no motion."""
-        return int(1000 + 10 * self.fastest * self.t_end)
-
-    @property
-    def step_limit(self) -> int:
-        """A smooth motion takes a few steps a period, and a stiff one many: this is where it is given up."""
-        return 100 * self.event_limit
-
 
 @dataclass(frozen=True)
 class Motion:
@@ -111,6 +97,50 @@ class Motion:
     event_t: FloatArray
     event_states: FloatArray
     event_kinds: NDArray[np.intp]
+
+
+@dataclass(frozen=True)
+class Course:
+    """What is measured of a motion while it runs; none of its steps is kept.
+
+    Attributes
+    ----------
+    begin, end : float
+        Times between which it was measured.
+    first, last : ndarray, shape (4,)
+        x, y, x', y' at these.
+    maxima_t : ndarray, shape (k,)
+        Times at which x is largest: x' = 0 on the way down.
+    maxima : ndarray, shape (k, 4)
+        States there.
+    integrals : ndarray, shape (k + 1, 3)
+        From ``begin`` to these times, and last to ``end``: of u = x − x(begin), of u², and of y.
+    minima : ndarray, shape (l, 4)
+        States at which x is least.
+    events : ndarray of int, shape (4,)
+        How often each :class:`Event` happened.
+    """
+
+    begin: float
+    end: float
+    first: FloatArray
+    last: FloatArray
+    maxima_t: FloatArray
+    maxima: FloatArray
+    integrals: FloatArray
+    minima: FloatArray
+    events: NDArray[np.intp]
+
+    @property
+    def x_extrema(self) -> FloatArray:
+        """Values of x at its turning points and at both ends."""
+        return np.concatenate([[self.first[0], self.last[0]], self.maxima[:, 0], self.minima[:, 0]])
+
+    def moments(self, row: int = -1) -> tuple[float, float]:
+        """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
+        end = self.end if row == -1 else self.maxima_t[row]
+        shift, square, _ = (self.integrals[row] / (end - self.begin)).tolist()
+        return float(self.first[0]) + shift, math.sqrt(max(square - shift * shift, 0.0))
 
 
 @cache
@@ -171,11 +201,10 @@ def _assemble(t: FloatArray, states: FloatArray, events: list[tuple[float, State
     )
 
 
-def _too_many(count: int, what: str, problem: Problem, t: float) -> ConvergenceError:
+def _too_many(problem: Problem, t: float) -> ConvergenceError:
     return ConvergenceError(
-        f"more than {count} {what} by t = {t:.6g} of {problem.t_end:g}: it cannot be followed "
-        f"with V = {problem.V:g}, d = {problem.d:g}, rtol = {problem.rtol:g}; "
-        "use a larger rtol, or a smaller d if it makes the problem stiff"
+        f"max_steps = {problem.max_steps} steps were made by t = {t:.6g} of {problem.t_end:g}; give a larger max_steps, "
+        f"a smaller t_end or a larger rtol than {problem.rtol:g}, or a smaller d than {problem.d:g}, which makes creep stiff"
     )
 
 
@@ -200,7 +229,7 @@ def _scipy(problem: Problem) -> Motion:
     times: list[FloatArray] = []
     states: list[FloatArray] = []
     events: list[tuple[float, State, Event]] = []
-    steps = crossings = 0
+    steps = 0
 
     def keep(begin: float, end: float, dense: Callable[[Any], FloatArray]) -> None:
         begin = max(begin, problem.t_record - clock)
@@ -223,8 +252,8 @@ def _scipy(problem: Problem) -> Motion:
             if solver.status == "failed":
                 raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol")
             steps += 1
-            if steps > problem.step_limit:
-                raise _too_many(problem.step_limit, "steps", problem, clock + solver.t)
+            if steps > problem.max_steps:
+                raise _too_many(problem, clock + solver.t)
             dense, begin, end = solver.dense_output(), solver.t_old, solver.t
             crossing = _first_crossing(problem, regime, dense, begin, end)
             keep(begin, end if crossing is None else crossing[0], dense)
@@ -233,11 +262,8 @@ def _scipy(problem: Problem) -> Motion:
         end, row = crossing
         first_step, state, clock = solver.step_size, dense(end), clock + end
         regime, kind = _after(row, regime)
-        crossings += 1
         if kind is not None:
             events.append((clock, tuple(state.tolist()), kind))
-        if crossings > problem.event_limit:
-            raise _too_many(problem.event_limit, "events", problem, clock)
     return _assemble(np.array(times), np.array(states), events, problem.t_record)
 
 
@@ -317,9 +343,13 @@ def _root(border: Callable[[float], FloatArray], part: int, begin: float, end: f
 
 
 class _Compiled:
-    """A compiled Taylor integrator, used again and again: parameters and regime are its ``par[]``."""
+    """A compiled Taylor integrator, used again and again: parameters and regime are its ``par[]``.
 
-    def __init__(self, rtol: float) -> None:
+    With ``watch`` it also carries the integrals of a :class:`Course` and notes where x' = 0. The integrals are scaled so
+    that they stay below the states: heyoka's error is relative to the largest of all.
+    """
+
+    def __init__(self, rtol: float, watch: bool) -> None:
         import heyoka as hy
 
         x, y, vx, vy = hy.make_vars("x", "y", "vx", "vy")
@@ -337,16 +367,25 @@ class _Compiled:
         }
         self.log: list[tuple[float, State, Event]] = []
         self.stray: float | None = None
-        self.limit = self.crossings = 0
+        self.turns: list[tuple[float, ...]] = []
+        system, turns = [(x, vx), (y, vy), (vx, ax), (vy, ay)], []
+        if watch:
+            shift, scale = x - hy.par[13], hy.par[14]
+            system += zip(hy.make_vars("s", "ss", "sy"), (scale * shift, scale * shift * shift, scale * y), strict=True)
+            turns = [hy.nt_event(1e-3 * vx, self._turn)]
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            [(x, vx), (y, vy), (vx, ax), (vy, ay)], [0.0] * 4, pars=[0.0] * 13, tol=rtol,
+            system, [0.0] * len(system), pars=[0.0] * (15 if watch else 13), tol=rtol, nt_events=turns,
             t_events=[hy.t_event(border, callback=call, cooldown=0.0) for call, border in borders.items()],
         )  # fmt: skip
 
     def __deepcopy__(self, _: object) -> _Compiled:
         """heyoka copies its callbacks; they must go on to write here."""
         return self
+
+    def _turn(self, solver: Any, t: float, direction: int) -> None:
+        solver.update_d_output(t)
+        self.turns.append((direction, t, *solver.d_output))
 
     def _contact(self, solver: Any, direction: int) -> bool:
         if direction > 0:
@@ -367,41 +406,50 @@ class _Compiled:
             self.stray = solver.time
             return False
         solver.pars[par] = after
-        self.crossings += 1
         if kind is not None:
-            self.log.append((solver.time, tuple(solver.state), kind))
-        return self.crossings <= self.limit
+            self.log.append((solver.time, tuple(solver.state[:4]), kind))
+        return True
 
-    def run(self, problem: Problem) -> Motion:
+    def begin(self, problem: Problem) -> None:
+        """Stand at the start of a motion."""
+        self.place(0.0, problem.start, (*problem.constants, *_initial_regime(problem), problem.reach))
+
+    def place(self, t: float, state: Any, pars: Any) -> None:
+        """Stand anywhere, with nothing noted."""
         solver = self.solver
-        regime = _initial_regime(problem)
-        self.log, self.stray, self.crossings, self.limit = [], None, 0, problem.event_limit
-        solver.time = 0.0
-        solver.state[:] = problem.start
-        solver.pars[:] = (*problem.constants, *regime, problem.reach)
+        self.log, self.turns, self.stray = [], [], None
+        solver.time = t
+        solver.state[:] = (*state, *[0.0] * (len(solver.state) - 4))
+        solver.pars[:13] = pars
         solver.reset_cooldowns()
-        if problem.t_record > 0:
-            self._go(problem, problem.t_record, record=False)
-        output = self._go(problem, problem.t_end, record=True)
-        times, states = _sampled(output)
-        return _assemble(times, states, self.log, problem.t_record)
 
-    def _go(self, problem: Problem, t: float, *, record: bool) -> Any:
+    def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, Any]:
+        """Go on to ``t`` after so many steps; how many there are now, and the continuous output if asked for."""
         import heyoka as hy
 
-        result = self.solver.propagate_until(t, c_output=record, max_steps=problem.step_limit)
-        outcome, output = result[0], result[4]
-        nbar, side, near = (int(value) for value in self.solver.pars[9:12])
-        clearance = _clearances(problem, (nbar, side, near), self.solver.state)[:, 0]
-        if outcome == hy.taylor_outcome.step_limit:
-            raise _too_many(problem.step_limit, "steps", problem, self.solver.time)
-        if self.stray is not None or clearance.min() < -GAP:
-            raise ConvergenceError(f"heyoka missed a kink before t = {self.solver.time:.6g}; use backend='scipy'")
-        if self.crossings > self.limit:
-            raise _too_many(problem.event_limit, "events", problem, self.solver.time)
+        solver = self.solver
+        # heyoka takes 0 for no limit.
+        result = solver.propagate_until(t, c_output=record, max_steps=max(problem.max_steps - steps, 1))
+        outcome, steps, output = result[0], steps + result[3], result[4]
+        if self.stray is not None:
+            raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
+        if outcome == hy.taylor_outcome.step_limit or steps > problem.max_steps:
+            raise _too_many(problem, solver.time)
         if outcome != hy.taylor_outcome.time_limit:
-            raise ConvergenceError(f"heyoka stopped at t = {self.solver.time:.6g} with {outcome}; use backend='scipy'")
-        return output
+            raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
+        nbar, side, near = (int(value) for value in solver.pars[9:12])
+        if not _is_inside(problem, (nbar, side, near), solver.state):
+            raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
+        return steps, output
+
+
+def _is_inside(problem: Problem, regime: Regime, state: FloatArray) -> bool:
+    """Whether a state lies in a regime, or beyond its borders by no more than the gap."""
+    nbar, side, near = regime
+    y, vx = float(state[1]), float(state[2])
+    slip = side * (problem.V - vx)
+    depth = problem.d * slip - problem.reach - WIDTH * near
+    return min((-y if nbar else y), slip, -depth if near else depth) >= -2 * GAP
 
 
 def _sampled(output: Any) -> tuple[FloatArray, FloatArray]:
@@ -418,9 +466,44 @@ def _sampled(output: Any) -> tuple[FloatArray, FloatArray]:
 _CACHE = threading.local()
 
 
+def _compiled(rtol: float, watch: bool) -> _Compiled:
+    """Compiled once per tolerance and thread."""
+    compiled: dict[tuple[float, bool], _Compiled] = _CACHE.__dict__.setdefault("compiled", {})
+    if (rtol, watch) not in compiled:
+        compiled[rtol, watch] = _Compiled(rtol, watch)
+    return compiled[rtol, watch]
+
+
 def _heyoka(problem: Problem) -> Motion:
-    """heyoka's Taylor method with terminal events, compiled once per tolerance and thread."""
-    compiled: dict[float, _Compiled] = _CACHE.__dict__.setdefault("compiled", {})
-    if problem.rtol not in compiled:
-        compiled[problem.rtol] = _Compiled(problem.rtol)
-    return compiled[problem.rtol].run(problem)
+    """heyoka's Taylor method with terminal events."""
+    compiled = _compiled(problem.rtol, watch=False)
+    compiled.begin(problem)
+    steps = compiled.go(problem, problem.t_record)[0] if problem.t_record > 0 else 0
+    _, output = compiled.go(problem, problem.t_end, steps, record=True)
+    times, states = _sampled(output)
+    return _assemble(times, states, compiled.log, problem.t_record)
+
+
+def watch(problem: Problem) -> Course:
+    """What follows ``t_record``, measured by heyoka on the way: no continuous output, which costs a compilation a motion."""
+    watching, steps = _compiled(problem.rtol, watch=True), 0
+    if problem.t_record > 0:
+        plain = _compiled(problem.rtol, watch=False)
+        plain.begin(problem)
+        steps, _ = plain.go(problem, problem.t_record)
+        watching.place(problem.t_record, plain.solver.state, plain.solver.pars)
+    else:
+        watching.begin(problem)
+    solver = watching.solver
+    first = solver.state[:4].copy()
+    scale = 1e-3 / (problem.t_end - problem.t_record)
+    solver.pars[13:] = first[0], scale
+    watching.go(problem, problem.t_end, steps)
+    turns = np.array(watching.turns).reshape(-1, 9)
+    maxima, minima = turns[turns[:, 0] < 0], turns[turns[:, 0] > 0]
+    last = solver.state.copy()
+    events = np.bincount([kind for _, _, kind in watching.log], minlength=len(Event))
+    return Course(
+        problem.t_record, problem.t_end, first, last[:4], maxima[:, 1], maxima[:, 2:6],
+        np.vstack([maxima[:, 6:], last[4:]]) / scale, minima[:, 2:6], events,
+    )  # fmt: skip

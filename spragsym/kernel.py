@@ -27,10 +27,34 @@ from .generated.kernel import (
 )
 
 __all__ = [
-    "Balance", "Direction", "Point", "Root", "apart", "arctangent", "at_root", "balance", "cosine_and_sine", "depressed", "discriminant",
-    "f", "f_coefficients", "f_curvature", "f_slope", "f_third", "factors", "guesses", "invariants", "one_positive", "polish",
-    "resolvent", "root_pair", "stability", "state", "stiffness", "t_quartic",
-]  # fmt: skip
+    "Balance",
+    "Direction",
+    "Point",
+    "Root",
+    "apart",
+    "arctangent",
+    "at_root",
+    "balance",
+    "cosine_and_sine",
+    "depressed",
+    "discriminant",
+    "f",
+    "f_coefficients",
+    "f_curvature",
+    "f_slope",
+    "f_third",
+    "factors",
+    "guesses",
+    "invariants",
+    "one_positive",
+    "polish",
+    "resolvent",
+    "root_pair",
+    "stability",
+    "state",
+    "stiffness",
+    "t_quartic",
+]
 
 f_coefficients = inspect.unwrap(_equilibrium.f_coefficients)
 resolvent = inspect.unwrap(_equilibrium.resolvent)

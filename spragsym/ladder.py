@@ -13,11 +13,11 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
-import numpy as np
 
 from . import kernel
 from .errors import ConvergenceError
-from .intervals import Arithmetic, Interval, arithmetic, sign
+from .intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
+from .polynomials import Undecided, evaluate
 
 #: Bits of the first try, and those at which a discriminant that holds 0 is taken for a fold: the latter, and as many again for
 #: each power of two between the parameters, since the discriminant is of the sixth degree in coefficients of theirs.
@@ -26,14 +26,17 @@ FIRST_BITS, MAXIMUM_BITS, BITS_A_SPREAD = 128, 4096, 8
 
 @dataclass(frozen=True)
 class State:
-    """One equilibrium; ``error`` bounds |error| / max(1, |value|) of the four, ``stability`` is a code of Stability."""
+    """One equilibrium; ``error`` bounds |error| / max(1, |value|) of the four, ``stability`` is a code of Stability.
 
-    theta: Any
-    L: Any
-    x: Any
-    y: Any
+    The numbers carry every bit that they were computed with: none is rounded after ``error`` is known.
+    """
+
+    theta: mpmath.mpf
+    L: mpmath.mpf
+    x: mpmath.mpf
+    y: mpmath.mpf
     stability: int
-    error: Any
+    error: mpmath.mpf
 
 
 @dataclass(frozen=True)
@@ -43,10 +46,6 @@ class Settled:
     states: tuple[State, ...]
     fold: bool
     bits: int
-
-
-class _TooCoarse(Exception):
-    """An interval can't decide at this precision."""
 
 
 def equilibria(
@@ -65,7 +64,7 @@ def equilibria(
         with arith.precision(bits):
             try:
                 return _settle(arith, theta0, rational, contact, digits, bits, bits >= most)
-            except (_TooCoarse, ZeroDivisionError) as reason:
+            except Undecided as reason:
                 if bits >= most:
                     raise ConvergenceError(
                         f"{bits} bits do not settle theta0={theta0}, mu0={mu0}, kappa={kappa}, alpha={alpha}, sigma={sigma}, "
@@ -88,125 +87,109 @@ def _settle(
     values = (*arith.cos_sin(angle), *map(arith.exact, rational), int(contact))
     trig = kernel.f_coefficients(*values)
     P, Q = kernel.depressed(*kernel.resolvent(*trig))
-    discriminant = sign(arith, P * P * P + Q * Q)
+    discriminant = arith.sign(P * P * P + Q * Q)
     fold = discriminant == 0
     if fold and not last:
-        raise _TooCoarse("the discriminant holds 0")
-    roots = _fold_roots(arith, trig) if fold else _enclosed_roots(arith, trig, 4 if discriminant < 0 else 2, bits)
+        raise Undecided("the discriminant holds 0")
+    roots = _fold_roots(arith, trig, bits) if fold else _enclosed_roots(arith, trig, 4 if discriminant < 0 else 2, bits)
     states = [state for root in roots for state in _state(arith, root, trig, values, digits, fold)]
     if contact and len(states) % 2 == 0:
-        raise _TooCoarse("an even number of equilibria in contact")
+        raise Undecided("an even number of equilibria in contact")
     return Settled(tuple(sorted(states, key=lambda state: state.theta)), fold, bits)
 
 
 # ------------------------------------------------------------------------------------------------------- roots
 
 
-def _middle(arith: Arithmetic, value: Interval) -> mpmath.mpf:
-    low, high = arith.ends(value)
-    return (low + high) / 2
+def _split(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> tuple[Interval, ...]:
+    """p1, q1, p2, q2 of the two real quadratic factors of the quartic in t, about: as :func:`spragsym.kernel.factors`."""
+    a, b, d, m = map(arith.middle, trig)
+    r0, r1, r2 = kernel.resolvent(a, b, d, m)
+    P, Q = map(arith.middle, kernel.depressed(r0, r1, r2))
+    negative = arith.sign(Q) < 0
+    z = _farthest_root(arith, P, -Q if negative else Q, bits)
+    y = arith.middle(4 / b * ((z if negative else -z) - r2 / 3))
+    _, e1, _, e3, e4 = kernel.t_quartic(a, b, d, m)
+    A1, A3 = e1 / e4, e3 / e4
+    width = arith.sqrt(y * y + 4)
+    rising = arith.sign(y) > 0
+    large = (width + y if rising else width - y) / 2
+    q1, q2 = (-1 / large, large) if rising else (-large, 1 / large)
+    p1, q1, p2, q2 = map(arith.middle, ((A1 - A3 * q1) / width, q1, (A3 * q2 - A1) / width, q2))
+    return p1, q1, p2, q2
 
 
-def _approximate_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[mpmath.mpc]:
-    """All four roots in t of the quartic with the middles of its coefficients.
+def _farthest_root(arith: Arithmetic, P: Interval, Q: Interval, bits: int) -> Interval:
+    """The largest root of z³ + 3 P z = 2 Q, Q ≥ 0, about: the one farthest from the mean of the three, which is 0.
 
-    The factors that float64 finds are polished with more digits. Next to a cusp, where a split of float64 is too far off for
-    that, it is computed again with twice the digits.
+    Newton's method falls to it from above, where the cubic bends upward; once a step is small, the next error is its square.
     """
-    middles = [_middle(arith, value) for value in trig]
-    e0, e1, e2, e3, e4 = kernel.t_quartic(*middles)
-    monic = e1 / e4, e2 / e4, e3 / e4
-    with np.errstate(all="ignore"):
-        start = [mpmath.mpf(float(value)) for value in kernel.factors(*(np.float64(value) for value in middles))]
-    split = _polished(monic, start)
-    if split is None:
-        with mpmath.extraprec(mpmath.mp.prec):
-            split = _split(monic, middles)
-    p1, q1, p2, q2 = split
-    return [root for p, q in ((p1, q1), (p2, q2)) for root in _quadratic(p, q)]
+    if arith.sign(Q) == 0 and arith.sign(P) >= 0:
+        return Q
+    z = arith.exact(Fraction(2) ** _power_above(arith, P, Q))
+    while True:
+        square = z * z
+        step = arith.middle((z * (square + 3 * P) - 2 * Q) / (3 * (square + P)))
+        z = arith.middle(z - step)
+        if not arith.sign(step) or arith.power(step) < arith.power(z) - bits // 2:
+            return z
 
 
-def _polished(monic: tuple[mpmath.mpf, ...], split: list[mpmath.mpf]) -> list[mpmath.mpf] | None:
-    """Newton's method on the two factors; nothing if it does not converge."""
-    if not all(mpmath.isfinite(value) and value for value in split):
-        return None
-    close = mpmath.ldexp(1, 8 - mpmath.mp.prec)
-    for _ in range(6):
-        try:
-            before, split = split, list(kernel.polish(*monic, *split))
-        except ZeroDivisionError:
-            return None
-        if all(abs(new - old) <= close * abs(old) for new, old in zip(split, before, strict=True)):
-            return split
-    return None
+def _power_above(arith: Arithmetic, P: Interval, Q: Interval) -> int:
+    """n with 2ⁿ above the largest root of z³ + 3 P z = 2 Q, not by much: where P > 0, below both (2 Q)^(1/3) and 2 Q/(3 P)."""
+    p, q = arith.power(P), arith.power(Q)
+    if not arith.sign(Q):
+        return 1 + (p + 1) // 2
+    if not arith.sign(P):
+        return 1 + (q + 2) // 3
+    if arith.sign(P) < 0:
+        return 1 + max((p + 1) // 2, (q + 2) // 3)
+    return min((q + 3) // 3, q - p + 1)
 
 
-def _split(monic: tuple[mpmath.mpf, ...], trig: list[mpmath.mpf]) -> list[mpmath.mpf]:
-    """The factors in closed form: as :func:`spragsym.kernel.factors`, with functions of any precision."""
-    _, b, _, _ = trig
-    r0, r1, r2 = kernel.resolvent(*trig)
-    P, Q = kernel.depressed(r0, r1, r2)
-    D = P**3 + Q**2
-    if D > 0:
-        u = mpmath.cbrt(abs(Q) + mpmath.sqrt(D))
-        z = u - P / u
-    else:
-        root = mpmath.sqrt(-P)
-        z = 2 * root * mpmath.cos(mpmath.acos(min(abs(Q) / root**3, mpmath.mpf(1))) / 3) if P else mpmath.mpf(0)
-    y = 4 / b * ((-z if Q > 0 else z) - r2 / 3)
-    A1, _, A3 = monic
-    width = mpmath.sqrt(y * y + 4)
-    large = (abs(y) + width) / 2
-    q1, q2 = (-1 / large, large) if y > 0 else (-large, 1 / large)
-    return [(A1 - A3 * q1) / width, q1, (A3 * q2 - A1) / width, q2]
-
-
-def _quadratic(p: mpmath.mpf, q: mpmath.mpf) -> tuple[mpmath.mpc, mpmath.mpc]:
-    """Roots of t² + p t + q, the larger first; q is never 0."""
-    root = mpmath.sqrt(p * p / 4 - q)
-    large = -(p / 2 + root) if p > 0 else root - p / 2
-    return large, q / large
+def _real_parts(arith: Arithmetic, p: Interval, q: Interval) -> tuple[Interval, Interval, Interval]:
+    """Real parts of the roots of t² + p t + q, and half of their distance; q is never 0."""
+    half = arith.middle(p / 2)
+    square = arith.middle(half * half - q)
+    if arith.sign(square) <= 0:
+        return -half, -half, arith.sqrt(-square)
+    root = arith.sqrt(square)
+    large = arith.middle(-(half + root) if arith.sign(half) > 0 else root - half)
+    return large, arith.middle(q / large), root
 
 
 def _enclosed_roots(arith: Arithmetic, trig: tuple[Interval, ...], number: int, bits: int) -> list[Interval]:
     """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots, so one root in each."""
-    approximate = sorted(_approximate_roots(arith, trig), key=lambda root: abs(mpmath.im(root)) / abs(root))[:number]
-    intervals = sorted((_enclose(arith, trig, mpmath.re(root), bits) for root in approximate), key=lambda ends: ends[0])
-    if any(left[1] >= right[0] for left, right in itertools.pairwise(intervals)):
-        raise _TooCoarse("two roots share an interval")
-    return [arith.between(*ends) for ends in intervals]
-
-
-def _enclose(
-    arith: Arithmetic, trig: tuple[Interval, ...], root: mpmath.mpf, bits: int
-) -> tuple[mpmath.mpf, mpmath.mpf]:
-    """Ends of an interval around ``root`` at which the quartic has opposite signs."""
+    p1, q1, p2, q2 = _split(arith, trig, bits)
+    factors = ((p1, q1), (p2, q2)) if number == 4 else ((p1, q1),)
     quartic = kernel.t_quartic(*trig)
+    found = [_enclose(arith, quartic, root, bits) for p, q in factors for root in _real_parts(arith, p, q)[:2]]
+    for (low, high), (other_low, other_high) in itertools.combinations(found, 2):
+        if arith.sign(low - other_high) <= 0 and arith.sign(other_low - high) <= 0:
+            raise Undecided("two roots share an interval")
+    return [arith.union(*ends) for ends in found]
+
+
+def _enclose(arith: Arithmetic, quartic: tuple[Interval, ...], root: Interval, bits: int) -> tuple[Interval, Interval]:
+    """Numbers below and above ``root`` at which the quartic has opposite signs."""
+    size = -root if arith.sign(root) < 0 else root
     for lost in range(16, bits, 16):
-        width = abs(root) * mpmath.ldexp(1, lost - bits)
-        low, high = root - width, root + width
-        if sign(arith, _horner(quartic, arith.between(low, low))) * sign(arith, _horner(quartic, arith.between(high, high))) < 0:
+        width = size * arith.exact(Fraction(1, 1 << bits - lost))
+        low, high = arith.middle(root - width), arith.middle(root + width)
+        if arith.sign(evaluate(quartic, low)) * arith.sign(evaluate(quartic, high)) < 0:
             return low, high
-    raise _TooCoarse("no change of sign around a root")
+    raise Undecided("no change of sign around a root")
 
 
-def _horner(coefficients: tuple[Interval, ...], t: Interval) -> Interval:
-    value = coefficients[-1]
-    for coefficient in reversed(coefficients[:-1]):
-        value = value * t + coefficient
-    return value
-
-
-def _fold_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[Interval]:
-    """Roots at a fold: the two that can't be told apart share one interval, twice."""
-    roots = sorted(_approximate_roots(arith, trig), key=lambda root: mpmath.re(root))
-    gaps = [abs(right - left) for left, right in itertools.pairwise(roots)]
-    first = gaps.index(min(gaps))
-    one, other = roots[first], roots[first + 1]
-    middle, width = mpmath.re(one + other) / 2, abs(one - other) + abs(one) * mpmath.sqrt(mpmath.ldexp(1, -mpmath.mp.prec))
-    double = arith.between(middle - width, middle + width)
-    others = roots[:first] + roots[first + 2 :]
-    simple = [arith.between(*_enclose(arith, trig, mpmath.re(root), mpmath.mp.prec - 10)) for root in others]
+def _fold_roots(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> list[Interval]:
+    """Roots at a fold: the two that can't be told apart, those of the second factor, share one interval, twice."""
+    p1, q1, p2, q2 = _split(arith, trig, bits)
+    one, other, distance = _real_parts(arith, p2, q2)
+    middle = arith.middle((one + other) / 2)
+    width = 2 * distance + (-middle if arith.sign(middle) < 0 else middle) * arith.exact(Fraction(1, 1 << bits // 2))
+    double = arith.union(middle - width, middle + width)
+    quartic = kernel.t_quartic(*trig)
+    simple = [arith.union(*_enclose(arith, quartic, root, bits)) for root in _real_parts(arith, p1, q1)[:2]]
     return [double, double, *simple]
 
 
@@ -220,21 +203,24 @@ def _state(
     cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
     s = 2 * t / (1 + t * t)
     c = (1 - t) * (1 + t) / (1 + t * t)
-    L, x, y = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
-    sides = sign(arith, L), sign(arith, y) * (-1 if nbar else 1)
+    state = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
+    sides = arith.sign(state[0]), arith.sign(state[2]) * (-1 if nbar else 1)
     if -1 in sides:
         return []
     if 0 in sides:
-        raise _TooCoarse("L or y holds 0")
-    ends = [arith.ends(value) for value in (2 * arith.atan(t), L, x, y)]
-    middles = [(low + high) / 2 for low, high in ends]
-    error = max((high - low) / 2 / max(1, abs(middle)) for (low, high), middle in zip(ends, middles, strict=True))
-    if error > mpmath.mpf(10) ** -digits and not fold:
-        raise _TooCoarse(f"an error of {mpmath.nstr(error, 2)}")
-    code = _stability(arith, c, s, L, trig, values, fold)
-    # Adding the rounding of the middle, and of a float made of it.
-    rounding = mpmath.ldexp(1, -min(mpmath.mp.prec - 4, 53 if digits <= 17 else mpmath.mp.prec))
-    return [State(middles[0], middles[1], middles[2], middles[3], code, error + rounding)]
+        raise Undecided("L or y holds 0")
+    middles, error = [], Fraction(0)
+    for value in (2 * arith.atan(t), *state):
+        low, high = arith.ends(value)
+        middle = (low + high) / 2
+        # Over the smallest that the value may be, so that it is a bound over the true one as well.
+        error = max(error, (high - middle) / max(Fraction(1), abs(middle) - (high - middle)))
+        middles.append(as_mpf(middle))
+    error = rounded_up(error)
+    if error > Fraction(1, 10**digits) and not fold:
+        raise Undecided(f"an error of {float(error):.1e}")
+    theta, L, x, y = middles
+    return [State(theta, L, x, y, _stability(arith, c, s, state[0], trig, values, fold), as_mpf(error))]
 
 
 def _stability(
@@ -242,11 +228,11 @@ def _stability(
 ) -> int:
     _, _, mu0, _, alpha, sigma, beta, nbar = values
     (K11, K12), (K21, K22) = kernel.stiffness(c, s, L, mu0, alpha, sigma, beta, nbar)
-    trace, _, flutter = (sign(arith, value) for value in kernel.invariants(K11, K12, K21, K22))
-    slope = sign(arith, kernel.f_slope(c, s, *trig))
+    trace, _, flutter = (arith.sign(value) for value in kernel.invariants(K11, K12, K21, K22))
+    slope = arith.sign(kernel.f_slope(c, s, *trig))
     if flutter < 0:
         return 3
     if flutter == 0 or (slope == 0 and not fold) or (slope > 0 and trace == 0):
-        raise _TooCoarse("a stability boundary")
+        raise Undecided("a stability boundary")
     # On a fold one λ is 0; the others decide, as they do on the stable side.
     return 2 if slope < 0 or trace < 0 else 1

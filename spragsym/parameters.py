@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, fields, replace
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .errors import ParameterError, ParameterTypeError
+from . import names
+from .display import Shown
+from .errors import NotDimensionlessError, ParameterError, ParameterTypeError
 from .generated import scales as _scales
 
 FloatArray: TypeAlias = NDArray[np.float64]
@@ -36,7 +40,16 @@ class Range:
 
     def __str__(self) -> str:
         low = "(" if self.open_low or math.isinf(self.low) else "["
-        return f"{low}{self.low:g}, {self.high:g})"
+        return f"{low}{shown(self.low)}, {_bound(self.high)})"
+
+
+def shown(value: float) -> str:
+    """The shortest decimal that reads back as the same number, whole numbers without a point: ``-0.3``, ``200``."""
+    return repr(float(value)).removesuffix(".0")
+
+
+def _bound(value: float) -> str:
+    return "pi" if value == math.pi else shown(value)
 
 
 POSITIVE = Range(0.0, open_low=True)
@@ -47,7 +60,7 @@ RANGES = {
     "theta0": Range(
         0.0, math.pi, open_low=True, remedy="angles are radians, strictly between 0 and pi; use numpy.radians for degrees"
     ),
-    "mu0": Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0"),
+    "mu0": Range(0.0, remedy="a belt that runs the other way is the mirror image: give the supplement of theta0"),
     "kappa": Range(0.0, open_low=True, remedy="without preload nothing presses the mass on the belt"),
     "alpha": NOT_NEGATIVE,
     "sigma": Range(0.0, open_low=True, remedy="without the inclined spring there is no sprag"),
@@ -97,7 +110,7 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
         place = f"{name}[{', '.join(map(str, index))}]" if index else name
         more = int(np.count_nonzero(~inside)) - 1
         raise ParameterError(
-            f"{place} = {array[index]:.17g} is not in {allowed}"
+            f"{place} = {shown(array[index].item())} is not in {allowed}"
             + (f", nor are {more} more of its values" if more else "")
             + (f": {allowed.remedy}" if allowed.remedy else "")
         )
@@ -124,8 +137,48 @@ def _kind(array: NDArray[Any]) -> str:
     )
 
 
+def degrees(angle: float) -> float:
+    """An angle in degrees: the shortest number that is the same in radians, so that what was given in degrees comes back.
+
+    Examples
+    --------
+    >>> math.degrees(math.radians(30.0)), degrees(math.radians(30.0))
+    (29.999999999999996, 30.0)
+    """
+    value = math.degrees(angle)
+    candidates = (float(f"{value:.{digits}g}") for digits in (14, 15, 16))
+    return next((candidate for candidate in candidates if math.radians(candidate) == angle), value)
+
+
+_C = TypeVar("_C")
+
+
+def _named(cls: type[_C]) -> type[_C]:
+    """Let a dataclass say which of its names was meant, where one is given that it has not."""
+    made: Callable[..., None] = cls.__init__
+    known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
+
+    @functools.wraps(made)
+    def __init__(self: Any, *args: Any, **values: Any) -> None:
+        _check_names(values, known)
+        made(self, *args, **values)
+
+    cls.__init__ = __init__  # type: ignore[method-assign]  # the same arguments
+    return cls
+
+
+def _check_names(given: Iterable[str], known: Iterable[str]) -> None:
+    known = list(known)
+    for name in given:
+        if name not in known:
+            elsewhere = "; it is an argument of the functions of motion, such as simulate" if name in ("V", "d") else ""
+            remark = elsewhere or names.hint(name, known) or f"; the parameters are {', '.join(known)}"
+            raise ParameterTypeError(f"{name} is not a parameter{remark}")
+
+
+@_named
 @dataclass(frozen=True, eq=False)
-class Parameters:
+class Parameters(Shown):
     """Dimensionless parameters, scalars or arrays that broadcast together.
 
     Parameters
@@ -182,9 +235,7 @@ class Parameters:
     @classmethod
     def article(cls, **changes: ArrayLike | None) -> Parameters:
         """The article's base values, μ₀ = 0.5, κ = α = 0.007, σ = 0.1, β = 0, with changes."""
-        unknown = changes.keys() - set(NAMES)
-        if unknown:
-            raise ParameterTypeError(f"{', '.join(sorted(unknown))} is not a parameter; the parameters are {', '.join(NAMES)}")
+        _check_names(changes, NAMES)
         return cls(**{**ARTICLE, **changes})
 
     @property
@@ -242,7 +293,7 @@ def _equal(one: FloatArray | None, other: FloatArray | None) -> bool:
 
 
 @dataclass(frozen=True)
-class Scales:
+class Scales(Shown):
     """What one dimensionless unit is, in the units of the data."""
 
     length: float
@@ -250,8 +301,9 @@ class Scales:
     force: float
 
 
+@_named
 @dataclass(frozen=True)
-class PhysicalParameters:
+class PhysicalParameters(Shown):
     """The model in newtons, metres, kilograms and seconds, or any consistent system of units.
 
     Parameters
@@ -311,6 +363,14 @@ class PhysicalParameters:
         if self.d is not None:
             object.__setattr__(self, "d", as_number("d", self.d, POSITIVE))
 
+    def __getattr__(self, name: str) -> Any:
+        # Every function of the model asks its parameters for one of these first.
+        if name in _DIMENSIONLESS_ONLY:
+            raise NotDimensionlessError(
+                "dimensionless Parameters are needed here, and these are PhysicalParameters; call .dimensionless() on them"
+            )
+        raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}{names.hint(name, dir(self))}")
+
     @property
     def scales(self) -> Scales:
         """Scales of length, time and force: multiply a dimensionless result by its scale."""
@@ -335,3 +395,9 @@ class PhysicalParameters:
             self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y,
             absent if self.V is None else self.V, absent if self.d is None else self.d,
         )  # fmt: skip
+
+
+#: What :class:`Parameters` has and :class:`PhysicalParameters` has not.
+_DIMENSIONLESS_ONLY = {name for name in (*NAMES, *vars(Parameters)) if not name.startswith("_")} - {
+    field.name for field in fields(PhysicalParameters)
+}

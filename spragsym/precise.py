@@ -2,6 +2,11 @@
 
 A parameter is an int, a str such as ``"0.007"`` or ``"7/1000"``, a :class:`fractions.Fraction`, an mpmath number or a float, and
 is taken to be exactly the rational number that it writes.
+
+Results are ``mpmath.mpf`` with every bit that they were computed with, some more than the digits asked for; nothing is rounded
+once a bound is known. The bound is on the numbers as they stand, whatever ``mpmath.mp.dps`` is. But what mpmath makes of them is
+rounded to the ``dps`` of that moment: set it before subtracting two results, and before ``+value``, which rounds as well. No
+precision of mpmath's or of python-flint's is set or read here, so results depend neither on them nor on other threads.
 """
 
 from __future__ import annotations
@@ -16,7 +21,7 @@ import mpmath
 
 from . import ladder, proofs
 from .errors import ParameterError, ParameterTypeError
-from .intervals import Arithmetic, Interval, arithmetic
+from .intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
 from .parameters import RANGES, Range
 from .polynomials import Undecided
 from .solver import Stability
@@ -31,7 +36,10 @@ _NUMBER = re.compile(r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.
 
 @dataclass(frozen=True)
 class PreciseEquilibrium:
-    """One equilibrium; ``theta`` in radians, ``error`` a proved bound on |error| / max(1, |value|) of the four numbers."""
+    """One equilibrium; ``theta`` in radians, ``error`` a proved bound on |error| / max(1, |value|) of the four as they stand.
+
+    ``fold`` says that it is a fold to the last digit that could be tried; only then may ``error`` be above 10^−dps.
+    """
 
     theta: mpmath.mpf
     L: mpmath.mpf
@@ -40,6 +48,19 @@ class PreciseEquilibrium:
     stability: Stability
     error: mpmath.mpf
     fold: bool
+
+
+@dataclass(frozen=True)
+class _Degrees:
+    """An angle that is exact in degrees, and in radians an interval."""
+
+    value: Fraction
+
+    def __call__(self, arith: Arithmetic) -> Interval:
+        return arith.exact(self.value / 180) * arith.pi()
+
+    def __str__(self) -> str:
+        return f"{self.value} degrees"
 
 
 def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
@@ -94,7 +115,7 @@ def equilibria(
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic to use; python-flint's where installed, otherwise mpmath's.
+        Interval arithmetic to use, another than :class:`spragsym.intervals.Balls`.
 
     Returns
     -------
@@ -127,21 +148,14 @@ def equilibria(
         angle = as_exact("theta0", theta0, RANGES["theta0"])
     else:
         assert theta0_deg is not None
-        degrees = as_exact("theta0_deg", theta0_deg, Range(0.0, 180.0, open_low=True))
-
-        def angle(arith: Arithmetic) -> Interval:
-            return arith.exact(degrees / 180) * arith.pi()
-
+        angle = _Degrees(as_exact("theta0_deg", theta0_deg, Range(0.0, 180.0, open_low=True)))
     given = {"mu0": mu0, "kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
     exact = [as_exact(name, value, RANGES[name]) for name, value in given.items()]
     found = ladder.equilibria(angle, *exact, contact=contact, digits=digits, arith=arith)
-    with mpmath.workdps(digits + 5):
-        return tuple(
-            PreciseEquilibrium(
-                +state.theta, +state.L, +state.x, +state.y, Stability(state.stability), state.error, found.fold
-            )
-            for state in found.states
-        )
+    return tuple(
+        PreciseEquilibrium(state.theta, state.L, state.x, state.y, Stability(state.stability), state.error, found.fold)
+        for state in found.states
+    )
 
 
 # ------------------------------------------------------------------------------------------------------- cusps
@@ -149,7 +163,7 @@ def equilibria(
 
 @dataclass(frozen=True)
 class PreciseCusp:
-    """One cusp; ``radius`` bounds |error| of each of the six numbers, angles in radians.
+    """One cusp; ``radius`` bounds |error| of each of the six numbers as they stand, angles in radians.
 
     ``versal`` says that it is one in the sense of catastrophe theory: f‴ ≠ 0 and θ₀, μ₀ unfold f, both proved.
     """
@@ -173,11 +187,12 @@ class CuspProof(Sequence[PreciseCusp]):
     cusps : tuple of PreciseCusp
         Those in contact with L > 0, sorted by ``mu0``.
     polynomial : tuple of Fraction
-        Lowest power first; its roots s = sin θ in (−1, 1) are all cusps. Empty for α = 1 + β, where 3 s² = 2 instead.
+        Lowest power first; its roots s = sin θ in [−1, 1] (without ±1 for α = 0) are all cusps. Empty for α = 1 + β, where
+        3 s² = 2 instead.
     sines : tuple of (Fraction, Fraction)
         Disjoint intervals, each proved to hold one of its real roots.
     count : int
-        Number of different real roots in (−1, 1) by Sturm's theorem, which ``sines`` matches: the proof.
+        Number of different real roots there by Sturm's theorem, which ``sines`` matches: the proof.
     """
 
     cusps: tuple[PreciseCusp, ...]
@@ -205,7 +220,7 @@ def cusps(
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic to use.
+        Interval arithmetic to use, another than :class:`spragsym.intervals.Balls`.
 
     Returns
     -------
@@ -232,29 +247,23 @@ def cusps(
     def attempt(bits: int) -> list[PreciseCusp]:
         return [_cusp(chosen, point, digits) for point in proofs.cusps(chosen, exact, bits)]
 
-    with mpmath.workdps(digits + 5):
-        found = proofs.with_enough_bits(chosen, digits, attempt, "cusps")
-        rounded = tuple(
-            PreciseCusp(+one.theta0, +one.mu0, +one.theta, +one.L, +one.x, +one.y, one.radius, one.versal)
-            for one in sorted(found, key=lambda one: (one.mu0, one.theta0))
-        )
+    found = proofs.with_enough_bits(chosen, digits, attempt, "cusps")
+    ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
     if exact[1] == 1 + exact[3]:
-        return CuspProof(rounded, (), (), 0)
+        return CuspProof(ordered, (), (), 0)
     polynomial, sines, count = proofs.cusp_sines(*exact, bits=64)
-    return CuspProof(rounded, polynomial, tuple(sines), count)
+    return CuspProof(ordered, polynomial, tuple(sines), count)
 
 
 def _cusp(arith: Arithmetic, point: proofs.Point, digits: int) -> PreciseCusp:
-    middles, radius = [], mpmath.mpf(0)
+    middles, radius = [], Fraction(0)
     for interval in (*point.parameters[:2], point.theta, point.L, point.x, point.y):
         low, high = arith.ends(interval)
         middle = (low + high) / 2
-        radius = max(radius, (high - low) / 2)
-        if radius > mpmath.mpf(10) ** -digits * max(1, abs(middle)):
-            raise Undecided(f"an error of {mpmath.nstr(radius, 2)}")
-        middles.append(middle)
-    # The rounding of the middle to the digits asked for is part of the radius.
-    size = max(1, *(abs(middle) for middle in middles))
+        half = rounded_up(high - middle)
+        if half > Fraction(1, 10**digits) * max(Fraction(1), abs(middle)):
+            raise Undecided(f"an error of {float(half):.1e}")
+        radius = max(radius, half)
+        middles.append(as_mpf(middle))
     theta0, mu0, theta, L, x, y = middles
-    radius += size * mpmath.mpf(10) ** -(digits + 4)
-    return PreciseCusp(theta0, mu0, theta, L, x, y, radius, proofs.is_versal(arith, point))
+    return PreciseCusp(theta0, mu0, theta, L, x, y, as_mpf(radius), proofs.is_versal(arith, point))

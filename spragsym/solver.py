@@ -4,22 +4,26 @@ from __future__ import annotations
 
 import enum
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import backends
+from .display import Result
 from .errors import ConvergenceError
 from .generated import kernel
 from .generated import stability as _stability
 from .parameters import NAMES, FloatArray, Parameters
 from .statics import block, compiled
-from .statics.slots import COLUMNS, Slots, gathered
+from .statics.slots import COLUMNS, Columns, Slots, empty
+
+if TYPE_CHECKING:
+    from .ladder import Settled
 
 T = TypeVar("T")
 
@@ -37,7 +41,7 @@ class Stability(enum.IntEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class Equilibria:
+class Equilibria(Result):
     """Every equilibrium of every parameter point.
 
     Attributes
@@ -55,6 +59,10 @@ class Equilibria:
         Points that float64 could not settle and more digits did.
     fold : ndarray of bool
         Points that are a fold to the last digit that could be tried: one state stands in two slots.
+    undecided : ndarray of bool
+        Points without an answer, whose ``count`` is 0 and whose slots are empty; :meth:`reason` says why.
+    reasons : dict
+        The reason for each of them, by its position in ``count.flat``.
     """
 
     parameters: Parameters
@@ -62,7 +70,19 @@ class Equilibria:
     count: NDArray[np.int8]
     escalated: NDArray[np.bool_]
     fold: NDArray[np.bool_]
+    undecided: NDArray[np.bool_]
+    reasons: Mapping[int, str]
     _slots: Slots = field(repr=False)
+
+    def reason(self, *index: int) -> str:
+        """Why the point of that index has no answer; empty where it has one."""
+        return self.reasons.get(int(np.arange(self.count.size).reshape(self.count.shape)[index]), "")
+
+    def decided(self) -> Equilibria:
+        """Itself, for what needs all points; :class:`ConvergenceError` with the first reason where one has no answer."""
+        for reason in self.reasons.values():
+            raise ConvergenceError(reason)
+        return self
 
     def _column(self, name: str) -> NDArray[Any]:
         table = self._slots.padded(name)
@@ -127,14 +147,20 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     Returns
     -------
     Equilibria
-        One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|).
+        One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|). Points of an array that have no
+        answer are marked ``undecided``.
+
+    Raises
+    ------
+    ConvergenceError
+        For a single point that lies on a border that no number of digits can settle, as where L = 0, or whose length or
+        displacement float64 can't carry.
 
     Notes
     -----
     Source: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated; stability by (27)–(28). The count is proved:
     the sign of the discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64 can't, the
-    point is solved again with more digits: extended precision where the machine has it, then intervals (python-flint's Arb with
-    the extra ``certify``, otherwise mpmath).
+    point is solved again with more digits: extended precision where the machine has it, then intervals.
 
     Examples
     --------
@@ -153,15 +179,21 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     solve = _compiled if compiled_or_not == "compiled" else _numpy
     unsettled = _in_blocks(p, threads, lambda values, begin, size: begin + solve(values, contact, out, begin, size))
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
-    escalated, fold = np.zeros(out.size, dtype=np.bool_), np.zeros(out.size, dtype=np.bool_)
-    escalated[left] = True
-    if left.size:
-        fold[left] = _escalate(p, contact, out, left)
-    return Equilibria(p, contact, out.count.reshape(p.shape), escalated.reshape(p.shape), fold.reshape(p.shape), out)
+    fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
+    if reasons and not p.shape:
+        raise ConvergenceError(reasons[0])
+    escalated, folds, undecided = (_flags(p.shape, rows) for rows in (left, fold, np.array([*reasons], dtype=np.int64)))
+    return Equilibria(p, contact, out.count.reshape(p.shape), escalated, folds, undecided, reasons, out)
+
+
+def _flags(shape: tuple[int, ...], rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+    flags = np.zeros(math.prod(shape), dtype=np.bool_)
+    flags[rows] = True
+    return flags.reshape(shape)
 
 
 def count(p: Parameters) -> NDArray[np.int8]:
-    """The number of equilibria in contact, one or three: as ``equilibria(p).count``, several times as fast where it is mostly one.
+    """The number of equilibria in contact, one or three: ``equilibria(p).count``, but faster where it is one.
 
     Parameters
     ----------
@@ -200,7 +232,7 @@ def count(p: Parameters) -> NDArray[np.int8]:
 
 
 def _in_blocks(p: Parameters, threads: int, work: Callable[[list[NDArray[np.float64]], int, int], T]) -> list[T]:
-    """``work(values, begin, size)`` for every block of points, in order; values are contiguous, of the block's size or one number."""
+    """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number."""
     given = [_column(p, name) for name in NAMES]
     size = math.prod(p.shape)
 
@@ -248,37 +280,48 @@ def _single(values: list[NDArray[np.float64]], size: int) -> NDArray[np.bool_]:
 
 
 def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
-    theta0, *others = (value if value.size > 1 else value[0] for value in values)
-    return kernel.Point(*kernel.cosine_and_sine(theta0), *others, int(contact))
+    theta0, mu0, kappa, alpha, sigma, beta = (value if value.size > 1 else value[0] for value in values)
+    cos0, sin0 = kernel.cosine_and_sine(theta0)
+    return kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
 
 
 # -------------------------------------------------------------------------------------------------- more digits
 
 
-def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+def _escalate(
+    p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], dict[int, str]]:
     """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals.
 
-    Returns which of them are folds.
+    Returns which of them are folds, and why points are left without an answer, by row.
     """
     given = [np.broadcast_to(getattr(p, name), p.shape).flat[rows] for name in NAMES]
     left = np.arange(rows.size)
-    fold = np.zeros(rows.size, dtype=np.bool_)
     if _extended_precision():
-        theta0, *others = (value.astype(np.longdouble) for value in given)
+        theta0, mu0, kappa, alpha, sigma, beta = (value.astype(np.longdouble) for value in given)
         again = Slots(rows.size, out.slots)
         with np.errstate(all="ignore"):
-            point = kernel.Point(np.cos(theta0), np.sin(theta0), *others, int(contact))
+            point = kernel.Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, int(contact))
             left = block.solve(point, rows.size, again, 0, np.longdouble)
         out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
+    folds: list[int] = []
+    reasons: dict[int, str] = {}
     if left.size:
         from . import ladder
 
-        for row in left:
-            point = tuple(float(value[row]) for value in given)
-            found = ladder.equilibria(*point, contact=contact)
-            _store(out, int(rows[row]), point, found)
-            fold[row] = found.fold
-    return fold
+        count, columns = np.zeros(left.size, dtype=np.int8), empty(out.slots, left.size)
+        for place, row in enumerate(left):
+            parameters = dict(zip(NAMES, (float(value[row]) for value in given), strict=True))
+            try:
+                found = ladder.equilibria(*parameters.values(), contact=contact)
+                _store(columns, place, found, parameters)
+            except ConvergenceError as reason:
+                reasons[int(rows[row])] = str(reason)
+            else:
+                count[place] = len(found.states)
+                folds += [int(rows[row])] * found.fold
+        out.put(rows[left], count, columns)
+    return np.array(folds, dtype=np.int64), reasons
 
 
 def _extended_precision() -> bool:
@@ -286,16 +329,22 @@ def _extended_precision() -> bool:
     return bool(np.finfo(np.longdouble).nmant == 63)
 
 
-def _store(out: Slots, row: int, point: tuple[float, ...], found: Any) -> None:
-    """The equilibria of one point, found with more digits."""
-    columns = {name: np.array([[float(getattr(state, name))] for state in found.states]) for name in COLUMNS}
-    if not np.isfinite(columns["L"] + columns["x"] + columns["y"]).all():
-        import mpmath
+def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:
+    """States rounded to float64, by at most half a unit in the last place, which the error includes."""
+    for state in found.states:
+        if not np.isfinite(float(state.L) + float(state.x) + float(state.y)):
+            raise ConvergenceError(
+                f"log10 L = {_log10(state.L):.6g} at an equilibrium of "
+                f"{', '.join(f'{name}={value}' for name, value in parameters.items())} is beyond float64; "
+                "spragsym.precise carries it"
+            )
+    for slot, state in enumerate(found.states):
+        for name, values in columns.items():
+            values[slot, place] = float(getattr(state, name))
+        columns["error"][slot, place] += 1.2e-16
 
-        named = ", ".join(f"{name}={value}" for name, value in zip(NAMES, point, strict=True))
-        largest = max(mpmath.log10(state.L) for state in found.states)
-        raise ConvergenceError(
-            f"log10 L = {float(largest):.6g} at an equilibrium of {named} is beyond float64; spragsym.precise carries it"
-        )
-    count, packed = gathered(np.ones((len(found.states), 1), dtype=np.bool_), columns, out.slots)
-    out.put(np.array([row]), count, packed)
+
+def _log10(value: Any) -> float:
+    """The logarithm of an mpf, of any size."""
+    _, mantissa, exponent, _ = value._mpf_
+    return math.log10(mantissa) + int(exponent) * math.log10(2)

@@ -22,6 +22,7 @@ from .generated import SOURCE_HASH
 #: (unit, meaning) of every quantity that a file can hold.
 QUANTITIES = {
     "theta0": ("rad", "inclination of the undeformed spring"),
+    "theta0_deg": ("degree", "the same in degrees"),
     "mu0": ("1", "friction coefficient at full slip"),
     "kappa": ("1", "preload F_L / (k_c L_0)"),
     "alpha": ("1", "stiffness ratio k_x / k_c"),
@@ -44,15 +45,18 @@ QUANTITIES = {
     "amplitude": ("L_0", "largest |x| after the transient"),
     "mean": ("L_0", "mean of x after the transient"),
     "mean_y": ("L_0", "mean of y after the transient"),
-    "period": ("sqrt(m/k_c)", "time after which the motion repeats itself; NaN if it does not"),
-    "trend": (
-        "1",
-        "mean kinetic energy of the second half of what follows the transient over that of the first",
-    ),
+    "period": ("sqrt(m/k_c)", "period of the cycle that the motion is on or approaches; NaN for none"),
+    "rate": ("sqrt(k_c/m)", "rate at which what the motion settles to or approaches attracts"),
+    "distance": ("1", "what is left of the way there: of the reach of a cycle, over L_0 for rest"),
+    "cycle_mean": ("L_0", "mean of x over one period of the cycle"),
+    "cycle_rms": ("L_0", "root mean square of x about zero over one period of the cycle"),
+    "cycle_x": ("L_0", "largest x of the cycle"),
+    "cycle_y": ("L_0", "y of the cycle where its x is largest"),
+    "cycle_vy": ("L_0 sqrt(k_c/m)", "speed across the belt of the cycle where its x is largest"),
     "contact_lost": ("1", "times contact was lost after the transient"),
     "slip_reversed": ("1", "times x' passed V after the transient"),
-    "regime": ("1", "what the motion settles to"),
-    "equilibrium": ("1", "index of the equilibrium that it settles to; -1 for none"),
+    "regime": ("1", "what the motion settles to or approaches"),
+    "equilibrium": ("1", "index of the equilibrium that it settles to or approaches; -1 for none"),
     "reason": ("1", "why a point has no result"),
     "event_t": ("sqrt(m/k_c)", "time of an event"),
     "event": ("1", "what happened"),
@@ -137,13 +141,21 @@ def write(
 
 
 def write_csv(path: Path, columns: Mapping[str, Any], attrs: Mapping[str, Any]) -> None:
-    """Columns under a header, attributes and units in comment lines above it; numbers to the last digit."""
+    """Names of the columns, then attributes and units in comment lines, then the numbers to the last digit.
+
+    The names come first because NumPy takes them from the first line, comment or not.
+    """
     with path.open("w", newline="", encoding="utf-8") as file:
-        file.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
-        file.writelines(f"# {name} [{QUANTITIES[name][0]}]: {QUANTITIES[name][1]}\n" for name in columns)
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
+        file.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
+        file.writelines(f"# {name} [{QUANTITIES[name][0]}]: {QUANTITIES[name][1]}\n" for name in columns)
         writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
+
+
+def plain(text: str) -> str:
+    """Text that is one cell to every reader of CSV, NumPy too, which knows no quotes: no comma, quote, # or line end."""
+    return " ".join(text.replace(",", ";").replace('"', "'").replace("#", "no. ").split())
 
 
 def read(path: Path) -> tuple[dict[str, Any], dict[str, str]]:
@@ -153,9 +165,9 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, str]]:
             return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(dataset.attrs)
     with path.open(newline="", encoding="utf-8") as file:
         lines = file.readlines()
-    comments = [line for line in lines if line.startswith("#")]
+    comments, table = ([line for line in lines if line.startswith("#") == comment] for comment in (True, False))
     attrs = dict(line[2:].rstrip("\n").split(": ", 1) for line in comments)
-    header, *rows = csv.reader(lines[len(comments) :])
+    header, *rows = csv.reader(table)
     columns = dict(zip(header, zip(*rows, strict=True) if rows else [()] * len(header), strict=True))
     return {name: np.array(values) for name, values in columns.items()}, attrs
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import multiprocessing
 import os
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from enum import IntEnum
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -16,12 +16,13 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import integrators, storage
-from .dynamics import BELT_SPEED, CREEP, TOLERANCE, Trajectory, prepare, run
-from .errors import ParameterError, ParameterTypeError
-from .generated import motion
-from .integrators import Event
-from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers
+from . import dynamics, integrators, regimes, storage
+from .display import Result
+from .dynamics import BELT_SPEED, CREEP, MAX_STEPS, TOLERANCE
+from .errors import ParameterError, ParameterTypeError, TargetError
+from .integrators import Course, Problem
+from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, degrees
+from .regimes import Outcome, Regime
 from .storage import Record
 
 __all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "basin", "rms_sweep", "sensitivity"]
@@ -29,47 +30,19 @@ __all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "basin", "rms_sweep", "sen
 #: An int, or a map-like callable such as ``pool.imap`` or the ``map`` of a dask.distributed client.
 Workers: TypeAlias = int | Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
-#: What is measured of every motion, in the order of a record.
-MEASURED = (
-    "rms", "spread", "amplitude", "mean", "mean_y", "period", "x_min", "x_max", "y_min", "y_max", "trend",
-    "rest", "contact_lost", "slip_reversed",
-)  # fmt: skip
+#: What is measured of every motion after its transient.
+AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
 
-#: What of that a file and a result hold.
-REPORTED = (
-    "rms",
-    "spread",
-    "amplitude",
-    "mean",
-    "mean_y",
-    "period",
-    "trend",
-    "contact_lost",
-    "slip_reversed",
-)
+#: What is said of its limit, in the order of a record after those.
+LIMITS = ("period", "rate", "distance", "cycle_mean", "cycle_rms", "cycle_x", "cycle_y", "cycle_vy")
+
+#: Numbers that a file and a result hold.
+REPORTED = (*AVERAGES, *LIMITS)
+
+#: A record: these, then the code of the regime, and where the equilibrium is.
+MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
 
 INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
-
-#: A motion repeats itself, or rests, within this share of its reach.
-REPEATS = 1e-4
-#: A motion decays if its kinetic energy falls by this share from one half of the window to the other.
-DECAYS = 5e-3
-
-
-class Regime(IntEnum):
-    """What a motion settles to, as far as its last part shows."""
-
-    FAILED = 0
-    """There is no result; the reason says why."""
-    EQUILIBRIUM = 1
-    """At rest, or decaying about one stable steady-sliding equilibrium with no other within its reach."""
-    LIMIT_CYCLE = 2
-    """Repeats itself."""
-    LIFT_OFF = 3
-    """Has no contact with the belt any more."""
-    UNSETTLED = 4
-    """None of these yet: a slow transient, quasi-periodic or irregular."""
-
 
 @dataclass(frozen=True)
 class Settings:
@@ -79,10 +52,11 @@ class Settings:
     transient: float
     rtol: float
     backend: str
+    max_steps: int = MAX_STEPS
 
 
 @dataclass(frozen=True, eq=False)
-class Sweep:
+class Sweep(Result):
     """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
 
     Attributes
@@ -92,16 +66,20 @@ class Sweep:
     rms, spread, amplitude, mean, mean_y : ndarray
         Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
         means of x and y.
-    period : ndarray
-        NaN for a motion that does not repeat itself to 1e-4 of its reach.
-    trend : ndarray
-        Mean kinetic energy in the second half of the window over that in the first.
     contact_lost, slip_reversed : ndarray
         How often, after the transient.
+    period, cycle_mean, cycle_rms : ndarray
+        Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of x about zero, over
+        one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they depend on no window.
+    cycle_x, cycle_y, cycle_vy : ndarray
+        State of that cycle where its x is largest.
+    rate, distance : ndarray
+        What a motion settles to or approaches, it nears as exp(−rate τ) in the long run; at ``t_end`` this is left of
+        the way, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.regimes.Outcome`.
     regime : ndarray of int8
         Codes of :class:`Regime`.
     equilibrium : ndarray of int8
-        For ``Regime.EQUILIBRIUM`` its index among ``equilibria(p)``; −1 otherwise.
+        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its index among ``equilibria(p)``; −1 otherwise.
     reason : ndarray of str
         Why a motion failed.
     """
@@ -111,15 +89,22 @@ class Sweep:
     transient: float
     rtol: float
     backend: str
+    max_steps: int
     rms: FloatArray
     spread: FloatArray
     amplitude: FloatArray
     mean: FloatArray
     mean_y: FloatArray
-    period: FloatArray
-    trend: FloatArray
     contact_lost: FloatArray
     slip_reversed: FloatArray
+    period: FloatArray
+    rate: FloatArray
+    distance: FloatArray
+    cycle_mean: FloatArray
+    cycle_rms: FloatArray
+    cycle_x: FloatArray
+    cycle_y: FloatArray
+    cycle_vy: FloatArray
     regime: NDArray[np.int8]
     equilibrium: NDArray[np.int8]
     reason: NDArray[np.str_]
@@ -127,15 +112,16 @@ class Sweep:
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
 
-        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, ….
+        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, …. θ₀ is there
+        in radians and, as ``theta0_deg``, in degrees.
         """
         dims = _dimensions(self.inputs, self.rms.shape)
         # One number is kept as such, an axis as a coordinate, a table as a table of the full shape.
         inputs = {
             name: ((), float(values.flat[0])) if values.size == 1
-            else (name, values.ravel()) if name in dims
+            else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
             else (dims, np.broadcast_to(values, self.rms.shape).copy())
-            for name, values in self.inputs.items()
+            for name, values in self._inputs().items()
         }  # fmt: skip
         results = {name: (dims, getattr(self, name)) for name in (*REPORTED, "regime", "equilibrium")}
         results["reason"] = (dims, self.reason.astype(object))
@@ -153,11 +139,16 @@ class Sweep:
         storage.write(Path(path), self.to_dataset, self._columns, self._attributes())
 
     def _columns(self) -> dict[str, NDArray[Any]]:
-        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self.inputs.items()}
+        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
         return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
 
+    def _inputs(self) -> dict[str, FloatArray]:
+        """The inputs, θ₀ in degrees beside it in radians."""
+        theta0, *rest = self.inputs.items()
+        return dict([theta0, ("theta0_deg", np.vectorize(degrees, otypes=[np.float64])(theta0[1])), *rest])
+
     def _attributes(self) -> dict[str, Any]:
-        settings = Settings(self.t_end, self.transient, self.rtol, self.backend)
+        settings = Settings(self.t_end, self.transient, self.rtol, self.backend, self.max_steps)
         return {**storage.provenance(), **vars(settings), "fingerprint": _fingerprint(self.inputs, settings)}
 
 
@@ -171,9 +162,10 @@ def rms_sweep(
     vx0: ArrayLike = 0.0,
     vy0: ArrayLike = 0.0,
     t_end: float = 2000.0,
-    transient: float = 1500.0,
+    transient: float | None = None,
     rtol: float = 1e-10,
     backend: str | None = None,
+    max_steps: int = MAX_STEPS,
     workers: Workers = 1,
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
@@ -187,11 +179,13 @@ def rms_sweep(
     V, d, x0, y0, vx0, vy0 : array_like
         As for :func:`~spragsym.simulate`; they broadcast with ``p``. The article states neither V nor d.
     t_end, transient : float
-        Until when to integrate, and what to leave out of every result.
+        Until when to integrate, and what to leave out of every result, by default three quarters of it.
     rtol : float
         Relative tolerance.
     backend : {"heyoka", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
+    max_steps : int
+        As for :func:`~spragsym.simulate`; a motion that needs more has failed.
     workers : int or map-like callable
         Processes, −1 for one a core; or ``map(function, points)`` of an engine, which may give results or
         futures with a ``result()``. Results are the same to the last bit for any. Processes import the main
@@ -226,16 +220,18 @@ def rms_sweep(
     >>> np.round(sweep.rms, 1)
     array([0.1, 0.2, 1.6])
     >>> [Regime(code).name for code in sweep.regime]
-    ['EQUILIBRIUM', 'EQUILIBRIUM', 'UNSETTLED']
+    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'APPROACHES_CYCLE']
     """
     p.require(*NAMES)
     given = {name: getattr(p, name) for name in NAMES}
     given |= {"V": as_numbers("V", V, BELT_SPEED), "d": as_numbers("d", d, CREEP)}
     given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
     inputs = {name: given[name] for name in INPUTS}
-    settings = _settings(t_end, transient, rtol, backend)
+    settings = _settings(t_end, transient, rtol, backend, max_steps)
     shape = _common_shape(inputs)
     points = _points(inputs, shape)
+    if not callable(workers):
+        _count(workers)  # before there is a journal
     if store is None:
         return _result(inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None))
     target = Path(store)
@@ -255,54 +251,53 @@ def rms_sweep(
 def _measure(settings: Settings, point: tuple[float, ...]) -> Record:
     """One record; whatever goes wrong is its reason."""
     try:
-        *parameters, V, d, x0, y0, vx0, vy0 = point
-        p = Parameters(*parameters)
-        problem = prepare(
-            p,
-            V=V,
-            d=d,
-            start=(x0, y0, vx0, vy0),
-            t_end=settings.t_end,
-            t_record=settings.transient,
-            rtol=settings.rtol,
-        )
-        values = [float(value) for value in _values(run(p, problem, settings.backend))]
-        if not np.isfinite(values[:5]).all():
+        problem = _problem(settings, point)
+        values = _values(problem, settings.backend)
+        if not np.isfinite(values[: len(AVERAGES)]).all():
             return [], "ArithmeticError: the motion left the range of numbers"
         return values, ""
     except Exception as error:  # one motion must not stop the others, whatever it is
         return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def _values(late: Trajectory) -> tuple[float, ...]:
-    """The measured values of what follows the transient, in the order of MEASURED."""
-    x, y = late._extrema("x"), late._extrema("y")
-    assert late.events is not None
-    lost, *reversals = (len(late.events.of(kind)) for kind in (Event.CONTACT_LOST, Event.MASS_OVERTAKES, Event.BELT_OVERTAKES))
-    return (
-        late.rms(0.0), late.rms(0.0, about="mean"), np.abs(x).max(), late.mean(0.0), late.mean(0.0, of="y"),
-        late.period(0.0, tol=REPEATS), x.min(), x.max(), y.min(), y.max(), _trend(late),
-        late._at_rest(REPEATS), lost, sum(reversals),
+def _problem(settings: Settings, point: tuple[float, ...]) -> Problem:
+    """The motion of a point whose values were validated with the whole sweep's."""
+    theta0, mu0, kappa, alpha, sigma, beta, V, d, *start = point
+    cos0, sin0 = float(np.cos(theta0)), float(np.sin(theta0))
+    dynamics.check_start(cos0, sin0, *start[:2])
+    x0, y0, vx0, vy0 = start
+    return Problem(
+        cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, (x0, y0, vx0, vy0),
+        settings.t_end, settings.transient, settings.rtol, settings.max_steps,
     )  # fmt: skip
 
 
-def _trend(late: Trajectory) -> float:
-    """Kinetic energy of the second half over that of the first; Hann windows hide unfinished periods."""
-    share = (late.t - late.t[0]) / (late.t[-1] - late.t[0])
-    hann = np.sin(2 * np.pi * share) ** 2
-    energy = late.weights * hann * (late.vx**2 + late.vy**2)
-    first = energy[share < 0.5].sum()
-    return float(energy[share >= 0.5].sum() / first) if first > 0 else 1.0
+def _values(problem: Problem, backend: str) -> list[float]:
+    """The measured values of a motion, in the order of MEASURED."""
+    course = dynamics.course(problem, backend)
+    outcome = regimes.classify(course, problem, dynamics.flow(problem, backend))
+    return [*_averages(course), *(float(getattr(outcome, name)) for name in MEASURED[len(AVERAGES) :])]
+
+
+def _averages(course: Course) -> list[float]:
+    """The measured values of what follows the transient, in the order of AVERAGES."""
+    mean, spread = course.moments()
+    amplitude = float(np.abs(course.x_extrema).max())
+    mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin)
+    lost, _, *reversals = course.events.tolist()
+    return [math.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)]
 
 
 # -------------------------------------------------------------------------------------------- all the motions
 
 
-def _settings(t_end: float, transient: float, rtol: float, backend: str | None) -> Settings:
-    t_end, transient = as_number("t_end", t_end, POSITIVE), as_number("transient", transient, NOT_NEGATIVE)
+def _settings(t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int) -> Settings:
+    t_end = as_number("t_end", t_end, POSITIVE)
+    transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
-    return Settings(t_end, transient, as_number("rtol", rtol, TOLERANCE), integrators.choose(backend))
+    tolerance, steps = as_number("rtol", rtol, TOLERANCE), dynamics.as_steps(max_steps)
+    return Settings(t_end, transient, tolerance, integrators.choose(backend), steps)
 
 
 def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:
@@ -398,9 +393,11 @@ def _fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
 def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
     table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
     measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
-    regime, equilibrium = _regimes(inputs, shape, measured)
     results: dict[str, Any] = {name: measured[name] for name in REPORTED}
-    reason = np.array([reason for _, reason in records], dtype=np.str_).reshape(shape)
+    regime = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
+    p = Parameters(**{name: inputs[name] for name in NAMES})
+    equilibrium = regimes.index_of(p, inputs["V"], inputs["d"], measured["rest_x"], measured["rest_y"])
+    reason = np.array([storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
     return Sweep(inputs, **vars(settings), **results, regime=regime, equilibrium=equilibrium, reason=reason)
 
 
@@ -413,42 +410,8 @@ def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[
             raise ValueError("another sweep")
         results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
     except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:  # HDF5 meets damage with any of them
-        raise ParameterError(f"{path} exists and holds something else; remove it, or give another path") from error
+        raise TargetError(f"{path} exists and holds something else; remove it, or give another path") from error
     return Sweep(inputs, **vars(settings), **results)
-
-
-def _regimes(
-    inputs: dict[str, FloatArray], shape: tuple[int, ...], measured: dict[str, FloatArray]
-) -> tuple[NDArray[np.int8], NDArray[np.int8]]:
-    """Codes of the final regimes, and which equilibrium: the only one within reach of a decaying motion."""
-    from .solver import Stability, equilibria
-
-    if not np.prod(shape):
-        return np.zeros(shape, dtype=np.int8), np.full(shape, -1, dtype=np.int8)
-    values = {name: np.broadcast_to(value, shape) for name, value in inputs.items()}
-    # The motion can rest where friction is μ(V), (10), not its limit μ₀, which (12) takes.
-    mu = motion.friction(np.zeros(shape), values["mu0"], values["V"], values["d"])
-    p = Parameters(**{**{name: values[name] for name in NAMES}, "mu0": mu})
-    sliding, lifted = equilibria(p), equilibria(p, contact=False)
-    box = {name: measured[name][..., None] for name in ("x_min", "x_max", "y_min", "y_max")}
-
-    def within(x: FloatArray, y: FloatArray) -> NDArray[np.bool_]:
-        return (box["x_min"] <= x) & (x <= box["x_max"]) & (box["y_min"] <= y) & (y <= box["y_max"])
-
-    inside = within(sliding.x, sliding.y)
-    alone = (inside.sum(axis=-1) == 1) & ~within(lifted.x, lifted.y).any(axis=-1)
-    distance = np.hypot(sliding.x - measured["mean"][..., None], sliding.y - measured["mean_y"][..., None])
-    nearest = np.argmin(np.where(np.isnan(distance), np.inf, distance), axis=-1)
-    rest = measured["rest"] == 1
-    which = np.where(rest, nearest, np.argmax(inside, axis=-1))
-    stable = np.take_along_axis(sliding.stability, which[..., None], axis=-1)[..., 0] == Stability.STABLE
-    lift_off = measured["y_min"] > 0
-    settles = ~lift_off & (rest | (alone & stable & (measured["trend"] < 1 - DECAYS)))
-    regime = np.select(
-        [np.isnan(measured["rms"]), lift_off, settles, np.isfinite(measured["period"])],
-        [Regime.FAILED, Regime.LIFT_OFF, Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE], Regime.UNSETTLED,
-    )  # fmt: skip
-    return regime.astype(np.int8), np.where(settles, which, -1).astype(np.int8)
 
 
 def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
@@ -471,7 +434,7 @@ def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[
 
 
 @dataclass(frozen=True, eq=False)
-class Basin:
+class Basin(Result):
     """Which attractor each initial state reaches: arrays of shape (len(x), len(vx)).
 
     Attributes
@@ -481,8 +444,8 @@ class Basin:
     attractor : ndarray of int
         Row of ``attractors`` that the motion reaches; −1 where it failed.
     attractors : tuple of (Regime, int, float, float)
-        Final regime, index of the equilibrium or −1, and for a limit cycle its mean and RMS of x about it,
-        else NaN.
+        EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED, whether reached or approached; index of the equilibrium or −1; for
+        a limit cycle its mean and its RMS of x about that over one period, else NaN.
     sweep : Sweep
         Everything that was measured.
     """
@@ -518,8 +481,8 @@ def basin(
     y0, vy0 : float
         Initial state across the belt.
     **options
-        As for :func:`rms_sweep`. A motion that has settled to nothing by ``t_end`` is ``Regime.UNSETTLED``:
-        damping is weak where exp(−d V) is small, so that this takes tens of thousands of time units.
+        As for :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is ``Regime.UNSETTLED``: damping is weak
+        where exp(−d V) is small, so that it can take tens of thousands of time units.
 
     Returns
     -------
@@ -531,7 +494,7 @@ def basin(
     >>> import spragsym as ss
     >>> from spragsym.sweeps import basin
     >>> p = ss.Parameters.article(theta0=np.radians(30))
-    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.3, 1.6], vx=[0.0])
+    >>> found = basin(p, V=0.5, d=4.0, x=[0.0, 0.1, 1.6], vx=[0.0], t_end=2e4, transient=1.9e4)
     >>> [(regime.name, which) for regime, which, *_ in found.attractors]
     [('EQUILIBRIUM', 0), ('UNSETTLED', -1)]
     >>> found.attractor[:, 0]
@@ -548,33 +511,31 @@ def basin(
 
 
 def _attractors(sweep: Sweep) -> tuple[NDArray[np.int64], tuple[tuple[Regime, int, float, float], ...]]:
-    """Group motions by final regime and equilibrium, limit cycles by mean and RMS about it, to 1 %."""
+    """Group motions by what they settle to or approach: cycles by their orbits, which know no phase."""
     labels = np.full(sweep.rms.shape, -1)
-    attractors: list[tuple[Regime, int, float, float]] = []
+    attractors: list[tuple[Regime, int, Outcome]] = []
     for index in np.ndindex(sweep.rms.shape):
-        regime = Regime(int(sweep.regime[index]))
-        if regime == Regime.FAILED:
+        code = Regime(int(sweep.regime[index]))
+        if code == Regime.FAILED:
             continue
-        cycle = regime == Regime.LIMIT_CYCLE
-        mean, spread = (float(sweep.mean[index]), float(sweep.spread[index])) if cycle else (np.nan, np.nan)
-        found = (regime, int(sweep.equilibrium[index]), mean, spread)
+        regime, which = regimes.ATTRACTOR.get(code, code), int(sweep.equilibrium[index])
+        outcome = Outcome(code, which, **{name: float(getattr(sweep, name)[index]) for name in LIMITS})
         same = (
             i for i, known in enumerate(attractors)
-            if known[:2] == found[:2]
-            and (not cycle or np.hypot(known[2] - mean, known[3] - spread) < 0.01 * spread)
+            if known[:2] == (regime, which) and (regime != Regime.LIMIT_CYCLE or regimes.same_orbit(known[2], outcome))
         )  # fmt: skip
         label = next(same, len(attractors))
         if label == len(attractors):
-            attractors.append(found)
+            attractors.append((regime, which, outcome))
         labels[index] = label
-    return labels, tuple(attractors)
+    return labels, tuple((regime, which, one.cycle_mean, one.cycle_spread) for regime, which, one in attractors)
 
 
 # ------------------------------------------------------------------------------------------------ sensitivity
 
 
 @dataclass(frozen=True, eq=False)
-class Sensitivity:
+class Sensitivity(Result):
     """Where the RMS of x jumps as θ₀ grows, for every V (first axis) with every d (second).
 
     Attributes
@@ -633,8 +594,9 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     >>> np.round(np.degrees(table.theta0), 1)
     array([[41.3]])
     """
+    p.require("theta0")
     angles = p.theta0
-    if angles is None or angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
+    if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
         raise ParameterError("theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))")
     speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
     belt = (speeds[:, None, None], creeps[None, :, None])

@@ -7,7 +7,6 @@ import math
 import re
 import shutil
 import subprocess
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -21,7 +20,7 @@ from scipy.optimize import brentq
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
 from spragsym import kernel, ladder
-from spragsym.cli import cli, export
+from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
 from spragsym.generated import equilibrium, motion, stability
 
@@ -142,32 +141,68 @@ def solve(library: ctypes.CDLL, points: Any, regime: int) -> list[tuple[int, lis
 # -------------------------------------------------------------------------------------------------- reference
 
 
+def _forces(point: Any, place: Any, pull: Any, nbar: int) -> tuple[Any, Any]:
+    """Minus the sum of forces on the mass at rest in a place: Newton's law on the free body, in complex numbers."""
+    _, mu0, kappa, alpha, _, beta = point
+    push = -nbar * place.imag
+    return alpha * place.real - pull.real - mu0 * push, beta * place.imag - pull.imag - push + kappa
+
+
+def _forces_at(point: Any, place: Any, nbar: int) -> tuple[Any, Any]:
+    """The same with the spring's pull along the line to its anchor."""
+    spring = mpmath.expj(point[0]) - place
+    return _forces(point, place, point[4] * (abs(spring) - 1) * spring / abs(spring), nbar)
+
+
+def _at(point: Any, theta: Any, length: Any, nbar: int) -> tuple[Any, tuple[Any, Any]]:
+    """Place and forces with the spring in a direction and of a length, which may be negative on the way to a root."""
+    along = mpmath.expj(theta)
+    place = mpmath.expj(point[0]) - length * along
+    return place, _forces(point, place, point[4] * (length - 1) * along, nbar)
+
+
+def _length(point: Any, theta: Any, nbar: int) -> Any:
+    """The length at which no force acts across the belt: F_y is linear in it in a given direction, so two values tell."""
+    one, two = (_at(point, theta, mpmath.mpf(length), nbar)[1][1] for length in (1, 2))
+    return 1 - one / (two - one)
+
+
 def reference(point: Any, nbar: int) -> list[tuple[Any, ...]]:
-    """θ, L, x, y and stability of all equilibria by 50 digits, from the quartic in t of the theory."""
-    with mpmath.workdps(50):
-        theta0, mu0, kappa, alpha, sigma, beta = (mpmath.mpf(float(value)) for value in point)
-        c0, s0 = mpmath.cos(theta0), mpmath.sin(theta0)
-        B, p = beta + nbar, alpha + sigma
-        q, M = B + sigma, mu0 * nbar
-        a, b, d, m = (
-            sigma * (q - p),
-            -p * (B * s0 + kappa),
-            q * alpha * c0 + M * (sigma * s0 - kappa),
-            M * sigma,
-        )
-        quartic = [-b, 2 * (d - a), -4 * m, 2 * (d + a), b]
-        roots = mpmath.polyroots([value / quartic[0] for value in quartic], maxsteps=400, extraprec=400)
+    """θ, L, x, y and stability of all equilibria by 50 digits, from forces alone.
+
+    sin θ F_x along the directions in which F_y = 0 is a trigonometric polynomial of degree 2: five of its values give its
+    coefficients, and the roots in e^{iθ} on the unit circle are all equilibria.
+    """
+    with mpmath.workdps(70):
+        point = [mpmath.mpf(float(value)) for value in point]
+        nodes = [2 * mpmath.pi * (node + mpmath.mpf(1) / 3) / 5 for node in range(5)]
+        values = [mpmath.sin(node) * _at(point, node, _length(point, node, nbar), nbar)[1][0] for node in nodes]
+        coefficients = [
+            sum(value * mpmath.expj(-power * node) for value, node in zip(values, nodes, strict=True)) / 5
+            for power in (2, 1, 0, -1, -2)
+        ]
+        roots = mpmath.polyroots([value / coefficients[0] for value in coefficients], maxsteps=400, extraprec=400)
         rows = []
         for root in roots:
-            t = mpmath.re(root)
-            if abs(mpmath.im(root)) > mpmath.mpf(10) ** -22 * abs(root):
+            if abs(abs(root) - 1) > mpmath.mpf(10) ** -22:
                 continue
-            s, c = 2 * t / (1 + t * t), (1 - t * t) / (1 + t * t)
-            L, y = (sigma * s + B * s0 + kappa) / (q * s), (sigma * (s0 - s) - kappa) / q
-            if L > 0 and (y < 0) == bool(nbar):
-                K = ((p - sigma / L * s**2, sigma / L * s * c + M), (sigma / L * s * c, q - sigma / L * c**2))
-                rows.append((2 * mpmath.atan(t), L, c0 - L * c, y, _stability(K)))
+            theta = mpmath.arg(root)
+            L = _length(point, theta, nbar)
+            place, _ = _at(point, theta, L, nbar)
+            if L > 0 and (place.imag < 0) == bool(nbar):
+                assert max(map(abs, _forces_at(point, place, nbar))) < mpmath.mpf(10) ** -20 * (1 + abs(L))
+                rows.append((theta, L, place.real, place.imag, _stability(_jacobian(point, place, nbar))))
         return sorted(rows)
+
+
+def _jacobian(point: Any, place: Any, nbar: int) -> Any:
+    """Slopes of the forces, by central differences that leave 40 digits."""
+    h = mpmath.mpf(10) ** -22
+    columns = []
+    for step in (mpmath.mpc(h, 0), mpmath.mpc(0, h)):
+        plus, minus = (_forces_at(point, place + sign * step, nbar) for sign in (1, -1))
+        columns.append([(one - other) / (2 * h) for one, other in zip(plus, minus, strict=True)])
+    return tuple(zip(*columns, strict=True))
 
 
 def _stability(K: Any) -> int:
@@ -475,7 +510,8 @@ def test_cosine_and_sine_are_those_of_python(tmp_path: Path) -> None:
     """Bit for bit those of the compiled solver, whose accuracy is tested there."""
     rng = np.random.default_rng(11)
     run = compile_inside(
-        tmp_path, "void run(double x, double *out);\nvoid run(double x, double *out) { \n    const Direction at = cosine_and_sine(x);\n    out[0] = at.cosine;\n    out[1] = at.sine;\n}\n"
+        tmp_path, "void run(double x, double *out);\nvoid run(double x, double *out) {\n    const Direction at = cosine_and_sine(x);\n"
+        "    out[0] = at.cosine;\n    out[1] = at.sine;\n}\n",
     )
     found = np.empty(2)
     for angle in [*rng.uniform(0.0, math.pi, 2000), *_decades(rng, -300, 0, 100), *(math.pi - _decades(rng, -15, 0, 100))]:
@@ -701,7 +737,7 @@ def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
     assert CliRunner().invoke(cli, arguments).exit_code == 0  # nothing differs
     (out / "main.c").write_text("mine\n", encoding="utf-8")
     refused = CliRunner().invoke(cli, arguments)
-    assert isinstance(refused.exception, export.ExportError)
+    assert isinstance(refused.exception, ss.errors.TargetError)
     assert "main.c" in str(refused.exception)
     assert "\n" not in str(refused.exception)
     assert (out / "main.c").read_text(encoding="utf-8") == "mine\n"

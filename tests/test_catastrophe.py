@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from fractions import Fraction
 
 import mpmath
@@ -11,7 +12,8 @@ import pytest
 
 import spragsym as ss
 from benchmarks.validate_folds import count_map_mismatches, random_fixed
-from spragsym import fold_curves, intervals, polynomials
+from benchmarks.validate_paths import check, random_path
+from spragsym import fold_curves, polynomials
 from spragsym.parameters import NAMES
 
 BASE = ss.Parameters.article()
@@ -206,11 +208,11 @@ def _times(one: tuple[Fraction, ...], other: tuple[Fraction, ...]) -> tuple[Frac
     return tuple(product)
 
 
-@pytest.mark.parametrize("name", ["mpmath", "python-flint"])
-def test_both_interval_arithmetics_give_the_same_folds(name: str) -> None:
-    if name == "python-flint":
-        pytest.importorskip("flint")
-    arith = intervals.arithmetic(name)
+def test_another_interval_arithmetic_gives_the_same_folds() -> None:
+    pytest.importorskip("flint")
+    from benchmarks.arb import Arb
+
+    arith = Arb()
     for vary in ("theta0", "beta"):
         np.testing.assert_array_equal(
             getattr(ss.folds(ss.Parameters.article(theta0=0.8), vary, arith=arith), vary),
@@ -356,6 +358,164 @@ def test_a_choice_after_the_jump_is_taken() -> None:
     assert len(path.jumps) == len(seen) == 1
 
 
+@pytest.mark.parametrize("vary", NAMES)
+def test_paths_through_folds_are_those_of_a_creeping_particle(vary: str) -> None:
+    rng = np.random.default_rng(18 + NAMES.index(vary))
+    assert sum(check(*random_path(rng, vary))[-1] for _ in range(8)) == 0
+
+
+def _xs(p: ss.Parameters, values: list[float], **start: object) -> tuple[list[float], int]:
+    path = ss.quasi_static_path(p, "theta0", values, **start)  # type: ignore[arg-type]
+    return path.x.tolist(), len(path.jumps)
+
+
+@pytest.mark.parametrize("mu0", [0.25, 0.5, 0.7, 1.0])
+def test_a_value_on_a_fold_has_the_state_that_arrives(mu0: float) -> None:
+    p = ss.Parameters.article(mu0=mu0)
+    found = ss.folds(p)
+    fold, on_fold = float(found.theta0[0]), float(found.x[0])
+    (below,), (above,) = (_xs(p, [fold + step], start=0)[0] for step in (-1e-3, 1e-3))
+    (large,) = _xs(p, [fold - 1e-3], start="large")[0]
+    up, jumps = _xs(p, [fold - 1e-3, fold, fold + 1e-3])
+    assert up == pytest.approx([below, on_fold, above], abs=1e-7)
+    assert jumps == 1
+    down, jumps = _xs(p, [fold + 1e-3, fold, fold - 1e-3])
+    assert down[::2] == pytest.approx([above, large], abs=1e-12)
+    assert abs(down[1] - 0.5 * (above + large)) < 0.1 * (above - on_fold)
+    assert jumps == 0
+    assert _xs(p, [fold, fold + 1e-3]) == (pytest.approx([on_fold, above], abs=1e-7), 1)
+    assert _xs(p, [fold, fold - 1e-3]) == (pytest.approx([on_fold, below], abs=1e-7), 0)
+    assert _xs(p, [fold - 1e-3, fold]) == (pytest.approx([below, on_fold], abs=1e-7), 0)
+    assert _xs(p, [fold]) == (pytest.approx([on_fold], abs=1e-7), 0)
+
+
+@pytest.mark.parametrize("ulps", [1, 2, 3, 10])
+def test_a_value_next_to_a_fold_lies_before_it_or_beyond(ulps: int) -> None:
+    p = ss.Parameters.article(mu0=0.7)
+    fold = float(ss.folds(p).theta0[0])
+    before, beyond = fold - ulps * np.spacing(fold), fold + ulps * np.spacing(fold)
+    small, large = ss.folds(p).x[0], ss.equilibria(p.replace(theta0=beyond)).x[0]
+    assert _xs(p, [0.5, before, beyond, 1.0])[0][1:3] == pytest.approx([small, large], abs=1e-6)
+    assert _xs(p, [0.5, beyond])[1] == _xs(p, [before, beyond])[1] == 1
+    assert _xs(p, [0.5, before])[1] == _xs(p, [beyond, 1.0])[1] == 0
+    assert _xs(p, [1.0, beyond, before])[0][1:] == pytest.approx([large, large], abs=1e-6)
+
+
+def test_folds_can_be_merged_into_the_values() -> None:
+    p = ss.Parameters.article(mu0=0.7)
+    folds, grid = ss.folds(p).theta0, np.linspace(0.1, 3.1, 40)
+    for step in (1, -1):
+        values = np.sort(np.r_[grid, folds])[::step]
+        merged, plain = (ss.quasi_static_path(p, "theta0", along) for along in (values, grid[::step]))
+        assert [jump.value for jump in merged.jumps] == [jump.value for jump in plain.jumps]
+        np.testing.assert_array_equal(merged.x[np.isin(values, grid)], plain.x)
+
+
+def test_paths_through_a_pitchfork_stay_together() -> None:
+    p = ss.Parameters.article(mu0=0.0, alpha=0.0)
+    first, last = ss.folds(p).theta0
+    for values in ([1.0, first, 1.57, last, 2.2], [2.2, last, 1.57, first, 1.0], [first, 1.0], [first, 1.57], [1.57, first]):
+        path = ss.quasi_static_path(p, "theta0", values)
+        assert path.jumps == ()
+        for value, theta in zip(values, path.theta, strict=True):
+            # f = cos θ (a sin θ + b): θ = 90°, or if that is divergent sin θ = sin θ₀ + κ/B.
+            assert math.sin(theta) == pytest.approx(min(math.sin(value) + 0.007, 1.0), abs=1e-13)
+    assert ss.quasi_static_path(p, "theta0", [1.57, 1.0]).theta[1] > 0.5 * math.pi  # of two, the one of larger x
+
+
+@pytest.mark.parametrize(("vary", "expected"), [
+    ("kappa", [(1 - math.sin(0.8)) * 1.5]), ("beta", []), ("sigma", []),
+    ("theta0", [math.asin(1 - 0.2 / 1.5), math.pi - math.asin(1 - 0.2 / 1.5)]),
+])  # fmt: skip
+def test_pitchforks_of_the_symmetric_system_are_folds_with_their_kind(vary: str, expected: list[float]) -> None:
+    p = ss.Parameters(theta0=0.8, mu0=0.0, kappa=0.2, alpha=0.0, sigma=0.3, beta=0.5)  # sin θ₀ = 1 − κ/(1 + β)
+    found = ss.folds(p, vary)
+    np.testing.assert_allclose(getattr(found, vary), expected, rtol=1e-14)
+    assert set(found.kind) <= {"pitchfork"}
+    np.testing.assert_allclose(found.theta, 0.5 * math.pi, atol=1e-15)
+    assert ss.folds(p.replace(alpha=1.5), vary).theta.size == 0  # a = 0: tan θ is a number
+
+
+def test_a_pitchfork_along_beta_is_where_the_count_changes() -> None:
+    p = ss.Parameters(theta0=1.5, mu0=0.0, kappa=0.01, alpha=0.0, sigma=0.3, beta=0.0)
+    found = ss.folds(p, "beta")
+    assert found.kind.tolist() == ["pitchfork"]
+    assert found.beta[0] == pytest.approx(0.01 / (1 - math.sin(1.5)) - 1, rel=1e-13)
+    assert _counts(p.replace(beta=found.beta[0] * np.array([1 - 1e-9, 1 + 1e-9]))).tolist() == [1, 3]
+    for vary in ("alpha", "mu0"):
+        assert (ss.folds(p, vary).kind == "fold").all()
+
+
+def test_folds_at_the_border_of_the_angles_are_none() -> None:
+    # f = f′ = 0 at θ₀ = 0 exactly, θ = 90°; and a system in which no angle is special.
+    assert ss.folds(ss.Parameters(mu0=0.5, kappa=0.375, alpha=0.25, sigma=0.25, beta=0.0)).theta0.size == 0
+    assert ss.folds(ss.Parameters(mu0=0.0, kappa=1.0, alpha=1.0, sigma=0.5, beta=0.0)).theta0.size == 0
+
+
+# cos θ₀ = 0, sin θ₀ = 0, sin θ = 0, cos θ = 0 on a cusp, α = 1 + β, α = σ. A pair that meets its mirror image there counts once.
+@pytest.mark.parametrize(("values", "number"), [
+    ((1.0, 0.0, 0.1, 0.0), 6), ((2.0, 0.0, 0.1, 0.0), 1), ((1.5, 0.0, 0.7, 0.5), 6), ((3.0, 0.0, 0.7, 0.5), 1),
+    ((3.0, 1.0, 1.25, 4.0), 6), ((1.25, 0.5, 0.5, 0.0), 1), ((0.007, 1.0, 0.1, 0.0), 4), ((0.1, 0.1, 0.1, 0.0), 6),
+])  # fmt: skip
+def test_cusps_at_coincidences(values: tuple[float, ...], number: int) -> None:
+    p = ss.Parameters(**dict(zip(NAMES[2:], values, strict=True)))
+    found = ss.cusps(p)
+    beside = [len(ss.cusps(p.replace(kappa=values[0] * (1 + step)))) for step in (-1e-7, 1e-7)]
+    assert len(found) == number == sum(beside) / 2
+    assert ss.critical_friction(p) >= 0
+    for i in range(len(found)):
+        numbers = [mpmath.mpf(float(v)) for v in (found.mu0[i], *values)]
+        theta, theta0 = mpmath.mpf(float(found.theta[i])), mpmath.mpf(float(found.theta0[i]))
+        for order in range(3):
+            assert abs(mpmath.diff(lambda t, v=numbers, a=theta0: _f_times_s(t, a, v), theta, order)) < 1e-9
+
+
+def _f_times_s(theta: mpmath.mpf, theta0: mpmath.mpf, values: list[mpmath.mpf]) -> mpmath.mpf:
+    """:func:`_f` without its division by sin θ, for θ = 0 and π: a s c + b c + d s − m s² over q."""
+    mu0, kappa, alpha, sigma, beta = values
+    s, c, s0, c0 = mpmath.sin(theta), mpmath.cos(theta), mpmath.sin(theta0), mpmath.cos(theta0)
+    length = (sigma * s + (beta + 1) * s0 + kappa) / (beta + 1 + sigma)  # L sin θ
+    return sigma * (s - length) * c + alpha * (c0 * s - length * c) + mu0 * s * (s0 - length)
+
+
+@pytest.mark.parametrize("values", [
+    (0.007, 1e-300, 0.1, 0.0), (0.007, 0.007, 1e-300, 0.0), (1e300, 2.0, 1e300, 1e8), (5e-324, 1e-100, 3.0, 1e300),
+    (0.007, 1e300, 0.1, 1e300), (1e-300, 1e300, 1e300, 1e-300), (1.7e308, 1.7e308, 1.7e308, 1.7e308), (1e300, 0.0, 1e-300, 1e300),
+])  # fmt: skip
+def test_extreme_parameters_have_an_answer_in_time(values: tuple[float, ...]) -> None:
+    before = time.process_time()
+    friction = ss.critical_friction(ss.Parameters(**dict(zip(NAMES[2:], values, strict=True))))
+    assert time.process_time() - before < 5
+    assert friction >= 0
+
+
+def test_isolated_roots_are_numpys() -> None:
+    rng = np.random.default_rng(19)
+    for _ in range(30):
+        roots = [Fraction(int(n), 2**10) for n in rng.integers(-1500, 1500, 5)] + [Fraction(-1), Fraction(0), Fraction(1)]
+        polynomial: tuple[Fraction, ...] = (Fraction(1),)
+        for root in set(roots):
+            polynomial = _times(polynomial, (-root, Fraction(1)))
+        found = polynomials.real_roots(polynomial, Fraction(-1), Fraction(1), polynomials.exact_sign, Fraction, 80)
+        expected = sorted(root for root in set(roots) if -1 < root <= 1)
+        assert len(found) == len(expected)
+        for (low, high), root in zip(found, expected, strict=True):
+            assert low <= root <= high
+            assert high - low < Fraction(1, 2**80)
+
+
+@pytest.mark.parametrize("bracket", [(0, 1e100), (0, 1.7e308), (1e-300, 1e300), (1.6, 1.7)])
+def test_a_wide_bracket_finds_the_crossing(bracket: tuple[float, float]) -> None:
+    assert ss.critical_value(BASE, "beta", bracket) == pytest.approx(ss.critical_value(BASE, "beta", (1, 2)), rel=1e-13)
+
+
+def test_infinity_is_called_so() -> None:
+    p = ss.Parameters(mu0=0.5, kappa=0.5499, alpha=0.8771, sigma=0.022509, beta=4.455)
+    with pytest.raises(ss.ParameterError, match="infinite") as caught:
+        ss.critical_value(p, "beta", (4.4, 4.5))
+    assert "e+16" not in str(caught.value)
+
+
 # ------------------------------------------------------------------------------------------------ linear model
 
 
@@ -376,6 +536,26 @@ def test_linear_model_is_a_linear_solve_and_its_poles_are_singular() -> None:
             c, s = math.cos(pole), math.sin(pole)
             K = np.array([[sigma * c * c + alpha, sigma * s * c + 1.001 * critical], [sigma * s * c, sigma * s * s + beta + 1]])
             assert abs(np.linalg.det(K)) < 1e-9 * np.abs(K).max() ** 2
+
+
+@pytest.mark.parametrize("alpha", [0.0, 1e-320, 1e-12, 0.3])
+@pytest.mark.parametrize("mu0", [0.0, 1e-200, 1e-9, 0.4, 1e9])
+@pytest.mark.parametrize("sigma", [1e-200, 0.1, 1e3])
+def test_poles_lie_between_0_and_pi(alpha: float, mu0: float, sigma: float) -> None:
+    """Compared with the tangents at 60 digits; with α = 0 one pole is at 90°, and for μ₀ = 0 as well both are."""
+    p = BASE.replace(theta0=1.0, mu0=mu0, alpha=alpha, sigma=sigma, beta=0.5)
+    with mpmath.workdps(60), np.errstate(all="ignore"):
+        mu, k_x, k, k_n = (mpmath.mpf(value) for value in (mu0, alpha, sigma, 1.5))
+        # det of ((α + σ c², σ s c + μ), (σ s c, 1 + β + σ s²)) over c², T = tan θ₀.
+        square = (k * mu) ** 2 - 4 * k_x * (k_n + k) * k_n * (k_x + k)
+        large = (k * mu + mpmath.sqrt(square)) / 2 if square >= 0 else None
+        found = ss.linear_sprag(p).poles
+        if large is None:
+            assert np.isnan(found).all()
+            return
+        expected = [mpmath.atan2(k_n * (k_x + k), large), mpmath.atan2(large, k_x * (k_n + k)) if large else mpmath.pi / 2]
+        assert ((found > 0) & (found < np.pi)).all()
+        np.testing.assert_allclose(found, [float(value) for value in expected], rtol=1e-12)
 
 
 def test_sliding_friction_is_the_law_at_rest() -> None:

@@ -56,7 +56,7 @@ def test_no_row_failed(rows: dict[str, Row]) -> None:
 
 def test_statuses(rows: dict[str, Row]) -> None:
     by_status = {status: {id for id, row in rows.items() if row.status == status} for status in check.SOUND}
-    assert by_status["corrected"] == {"eq-6", "eq-9", "eq-13", "def-n", "A1-d0"}
+    assert by_status["misprint"] == {"eq-6", "eq-9", "eq-13", "def-n", "A1-d0"}
     assert by_status["approximation"] == {"eq-12", "eq-27"}
     # What is assumed or named, as opposed to what follows from it.
     assert by_status["definition"] == {"eq-3", "eq-4", "eq-5", "eq-7", "eq-10", "def-prime"}
@@ -68,8 +68,8 @@ def test_rows_say_what_their_status_asks_for(rows: dict[str, Row]) -> None:
         assert row.derived
         is_zero = not re.sub(r"\\left\(|\\right\)|\\;|[ ,0]", "", row.difference)
         assert is_zero == (row.status in ("confirmed", "definition")), row.id
-        told = (row.cause, row.right, row.evidence, row.consequence)
-        assert all(told) if row.status == "corrected" else not any(told), row.id
+        told = (row.cause, row.evidence, row.consequence)
+        assert all(told) if row.status == "misprint" else not any(told), row.id
         assert bool(row.limit) == (row.status == "approximation"), row.id
         assert row.note or row.status != "definition", row.id
     assert "κ" in rows["eq-9"].cause
@@ -134,6 +134,33 @@ def test_typesetting_agrees_with_transcription(id: str) -> None:
     expected = entry.expression if isinstance(entry.expression, tuple) else (entry.expression,)
     for read, transcribed in zip(typeset(entry), expected, strict=True):
         assert sp.expand(read - transcribed) == 0
+
+
+@pytest.mark.parametrize("id", sorted(explanations.CORRECTIONS))
+def test_the_right_form_is_typeset_as_it_is_transcribed(id: str) -> None:
+    correction = explanations.CORRECTIONS[id]
+    assert isinstance(correction.expression, sp.Expr)
+    (read,) = typeset(dataclasses.replace(PRINTED[id], latex=correction.latex))
+    assert sp.expand(read - correction.expression) == 0
+
+
+def test_printed_and_derived_stand_in_the_same_arrangement(rows: dict[str, Row]) -> None:
+    """What a reader compares by eye: the derived form is the printed one, but for the letters that differ."""
+    changed = {
+        "eq-6": ({r"\theta": r"\theta_o"}, 2), "eq-9": ({"= 0": r"+ \kappa = 0"}, 1),
+        "eq-13": ({"- n = 0": r"- n + \kappa = 0"}, 1),
+        "def-n": ({"N/k_c": "N/(k_c L_o)"}, 1), "A1-d0": ({"b_1": "b_3", "b_2": "b_4"}, 1),
+        "eq-12": ({r"\mu_o n": r"\mu_o \left(1 - e^{- V d}\right) n"}, 1),
+        "eq-27": ({r"+ \mathbf{K}": r"+ \lambda \begin{bmatrix} n d \mu_o e^{- V d} & 0 \\ 0 & 0 \end{bmatrix} + \mathbf{K}"}, 1),
+    }  # fmt: skip
+    for id, row in rows.items():
+        swaps, times = changed.get(id, ({}, 0))
+        expected = row.printed
+        for before, after in swaps.items():
+            assert expected.count(before) == times, id
+            expected = expected.replace(before, after)
+        assert row.derived == expected, id
+        assert row.derivation, id
 
 
 # -------------------------------------------------------------------------------------------------- mutations
@@ -330,6 +357,14 @@ def test_a_misprint_that_is_none_fails(id: str, monkeypatch: pytest.MonkeyPatch)
 def test_an_approximation_that_is_exact_fails(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(explanations.APPROXIMATIONS, "eq-14", explanations.APPROXIMATIONS["eq-12"])
     assert "difference is zero" in check_with("eq-14", PRINTED["eq-14"].expression).note
+
+
+def test_an_exact_form_that_is_not_derived_fails(monkeypatch: pytest.MonkeyPatch) -> None:
+    told = explanations.APPROXIMATIONS["eq-12"]
+    assert isinstance(told.expression, sp.Expr)
+    wrong = dataclasses.replace(told, expression=told.expression + nm.kappa)
+    monkeypatch.setitem(explanations.APPROXIMATIONS, "eq-12", wrong)
+    assert "exact form" in check_with("eq-12", PRINTED["eq-12"].expression).note
 
 
 def test_an_approximation_that_does_not_vanish_fails() -> None:

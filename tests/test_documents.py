@@ -123,13 +123,13 @@ def test_the_picture_is_what_the_library_draws(tmp_path: Path) -> None:
 
 
 def test_table_of_corrections_is_the_ledgers() -> None:
-    """Every corrected row stands in the README, and the numbers that it quotes are the ledger's."""
+    """Every misprint stands in the README, and the numbers that it quotes are the ledger's."""
     import json
 
     rows = json.loads((ROOT / "generated/ledger.json").read_text(encoding="utf-8"))["rows"]
-    corrected = [row["id"] for row in rows if row["status"] == "corrected"]
+    misprints = [row["id"] for row in rows if row["status"] == "misprint"]
     text = README.read_text(encoding="utf-8")
-    assert re.findall(r"^\| ([\w-]+) \| .* \| .* \| .* \|$", text, re.MULTILINE)[1:] == corrected
+    assert re.findall(r"^\| ([\w-]+) \| .* \| .* \| .* \|$", text, re.MULTILINE)[1:] == misprints
     (eq6,) = [row["consequence"] for row in rows if row["id"] == "eq-6"]
     printed, right = (float(number) for number in re.findall(r"L = ([\d.]+\d)", eq6))
     assert f"L = {printed:.3f} where it is {right:.3f}" in text

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import colorsys
 import csv
 import inspect
 import io
 import itertools
+import re
 from pathlib import Path
 from typing import Any
 
@@ -18,12 +20,14 @@ matplotlib.use("Agg")
 
 from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.path import Path as Outline  # noqa: E402
+from matplotlib.text import Annotation  # noqa: E402
+from scipy.integrate import solve_ivp  # noqa: E402
 
 import spragsym as ss  # noqa: E402
 from spragsym.cli import main  # noqa: E402
 from spragsym.cli.figures import figures as command  # noqa: E402
-from spragsym.figures import FIGURES, Sheet, article, bifurcation_figure, curves, extras, plot_equilibria, surfaces, write  # noqa: E402
-from spragsym.figures.style import LINES  # noqa: E402
+from spragsym.figures import FIGURES, Sheet, article, bifurcation_figure, curves, extras, hidden, plot_equilibria, surfaces, write  # noqa: E402
+from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402
 
 P = ss.Parameters.article()
 
@@ -34,7 +38,7 @@ PANELS = {
 }  # fmt: skip
 QUICK: dict[str, dict[str, Any]] = {
     "7": {"step_deg": 30.0}, "11": {"detail": 0.3}, "14": {"detail": 0.3}, "cusp-friction": {"n": 4},
-    "rms-map": {"step_deg": 60.0, "step_mu0": 0.5}, "sensitivity": {"step_deg": 10.0},
+    "rms-map": {"step_deg": 45.0, "step_mu0": 0.5, "levels": 1}, "sensitivity": {"step_deg": 10.0},
 }  # fmt: skip
 
 
@@ -62,6 +66,60 @@ def test_a_figure_is_drawn(sheets: dict[str, Sheet], name: str) -> None:
     target = io.BytesIO()
     figure.savefig(target, dpi=40)
     assert len(target.getvalue()) > 3000
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_captions_use_the_articles_letters_and_the_colours_that_are_seen(sheets: dict[str, Sheet], name: str) -> None:
+    """μ₀ and not mu0, orange and not red: VERMILION, of hue 27°, is an orange."""
+    caption = sheets[name].caption
+    spelled = r"\b(mu\w*|theta\w*|kappa|alpha|sigma|beta|tau|deg|L_0|red)\b"
+    assert re.findall(spelled, caption) == []
+    hue, _, _ = colorsys.rgb_to_hsv(*matplotlib.colors.to_rgb(VERMILION))
+    assert 20 < 360 * hue < 45
+    drawn = {line.get_color() for ax in sheets[name].axes for line in ax.get_lines()}
+    assert "orange" not in caption or VERMILION in drawn
+
+
+@pytest.mark.parametrize("name", ["8", "9", "10"])
+def test_leaders_are_seen(sheets: dict[str, Sheet], name: str) -> None:
+    """Each thin line from a label to its curve is longer than the label is high, and ends at a curve of its colour."""
+    figure = sheets[name]
+    figure.draw_without_rendering()
+    ax = figure.axes[0]
+    labels = [text for text in ax.texts if isinstance(text, Annotation) and "=" in text.get_text()]
+    assert len(labels) == 3
+    for label in labels:
+        assert label.arrow_patch is not None
+        outside = label.arrow_patch.get_path().vertices  # from the edge of the label to the curve, in pixels
+        points = 72 / figure.dpi * float(np.hypot(*(outside[-1] - outside[0])))
+        assert points > 8, label.get_text()
+        curves_of = [line for line in ax.get_lines() if line.get_color() == label.get_color()]
+        ends = np.concatenate([ax.transData.transform(np.column_stack(line.get_data())) for line in curves_of])
+        target = ax.transData.transform(label.xy)
+        assert np.hypot(*(ends - target).T).min() * 72 / figure.dpi < 3
+
+
+def test_figure_9_shows_where_the_flutter_is(sheets: dict[str, Sheet]) -> None:
+    """In the outer axes three curves lie upon each other there: brackets mark it in both, and the inset has its labels."""
+    figure = sheets["9"]
+    ax = figure.axes[0]
+    (inset,) = ax.child_axes
+    assert inset.get_xlabel()
+    assert inset.get_ylabel() == ax.get_ylabel()
+    assert {text.get_text() for text in inset.texts} >= {r"$\alpha = 0.007$", r"$\alpha = 0.07$", r"$\alpha = 0.7$", "flutter"}
+    onsets = np.degrees(ss.catastrophe.flutter_onsets(P.replace(alpha=0.7)).theta0)
+    for axes in (ax, inset):
+        (bracket,) = (text for text in axes.texts if isinstance(text, Annotation) and text.arrow_patch and not text.get_text())
+        np.testing.assert_allclose(sorted((bracket.xy[0], bracket.xyann[0])), onsets, rtol=1e-12)
+    # Nothing that is drawn later covers the curve that flutters.
+    flutter = [line for line in ax.get_lines() if line.get_color() == BLACK]
+    assert max(line.get_zorder() for line in ax.get_lines() if line.get_marker() == "None") == flutter[0].get_zorder()
+    assert ax.get_lines().index(flutter[0]) > max(
+        i for i, line in enumerate(ax.get_lines()) if line.get_color() != BLACK and line.get_marker() == "None"
+    )
+    figure.draw_without_rendering()
+    boxes = [text.get_window_extent() for axes in (ax, inset) for text in axes.texts if text.get_text()]
+    assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
 
 
 def test_settings_stay_as_they_were() -> None:
@@ -109,7 +167,7 @@ def test_branches_end_at_the_exact_folds() -> None:
 
 
 def test_branches_change_stability_at_the_exact_onset() -> None:
-    from spragsym.catastrophe import flutter_onsets
+    from spragsym.flutter import flutter_onsets
 
     p = P.replace(alpha=0.7)
     found = [branch for branch in curves.branches(p) if branch.stability == ss.Stability.FLUTTER]
@@ -194,6 +252,93 @@ def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: floa
     assert wrong <= 3  # within a cell of an edge
 
 
+def _seen_from(ax: Any, place: np.ndarray[Any, Any], samples: int = 1500) -> tuple[np.ndarray[Any, Any], ...]:
+    """θ₀ in degrees, μ₀ and x along the line of sight from a place towards the eye, within the axes' box."""
+    view = ax.get_proj()
+    at = view @ [*place, 1.0]
+    screen = at[:3] / at[3]
+    depths = screen[2] - np.linspace(0.0, 1.0, samples) * 0.5 * (1 if at[3] > 0 else -1) * abs(screen[2])
+    sight = np.stack([np.full(samples, screen[0]), np.full(samples, screen[1]), depths, np.ones(samples)])
+    homogeneous = np.linalg.solve(view, sight)
+    return tuple(homogeneous[:3] / homogeneous[3])
+
+
+def _crosses_a_sheet(p: ss.Parameters, ax: Any, place: np.ndarray[Any, Any]) -> bool | None:
+    """Whether the surface of equilibria stands before a place, from equilibria alone; None where the line of sight grazes it."""
+    theta0, mu0, x = _seen_from(ax, place)
+    inside = (theta0 > 0.5) & (theta0 < 179.5) & (mu0 > 0) & (mu0 < 1) & (np.abs(x) < 2.2)
+    away = np.abs(theta0 - place[0]) / 180 + np.abs(mu0 - place[1]) + np.abs(x - place[2]) / 4 > 0.02
+    good = np.flatnonzero(inside & away)
+    if good.size < 2:
+        return False
+    eq = ss.equilibria(p.replace(theta0=np.radians(theta0[good]), mu0=mu0[good]))
+    below = (eq.x < x[good, None]).sum(axis=-1)
+    # Passing a sheet turns the parity of how many equilibria lie below; passing beside a fold does not.
+    turned = np.flatnonzero((np.diff(below) % 2 != 0) & (np.diff(good) == 1))
+    return bool(turned.size)
+
+
+@pytest.mark.parametrize("draw", [article.figure_11, article.figure_14])
+def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
+    """Against the surface itself, along the line of sight from each piece to the eye: no mesh takes part in it."""
+    ax = draw().axes[0]
+    p = P if draw is article.figure_11 else P.replace(sigma=1.0)
+    wrong = looked_at = 0
+    seen = set()
+    for line in ax.get_lines():
+        if line.get_marker() != "None":
+            continue
+        points = np.column_stack(line.get_data_3d())
+        hidden = line.get_linewidth() == article._BEHIND["linewidth"]
+        for share in (0.3, 0.5, 0.7):
+            crossed = _crosses_a_sheet(p, ax, points[int(share * (len(points) - 1))])
+            looked_at += 1
+            wrong += crossed != hidden
+            seen.add(hidden)
+    assert seen == {True, False}
+    assert wrong <= 0.1 * looked_at, (wrong, looked_at)  # a line on a sheet seen nearly edge on
+
+
+def test_the_cover_hides_what_lies_behind_a_square() -> None:
+    """A flat square seen from above: points below it are hidden, points beside it and above it are not."""
+    ax = Figure().add_subplot(projection="3d")
+    ax.set(xlim=(0, 1), ylim=(0, 1), zlim=(0, 1))  # type: ignore[call-arg]
+    ax.view_init(elev=90, azim=-90)  # type: ignore[attr-defined]
+    square = np.array([[0.2, 0.2, 0.5], [0.6, 0.2, 0.5], [0.6, 0.6, 0.5], [0.2, 0.6, 0.5]])
+    cover = hidden.cover_of(ax, [square])
+    points = np.array([[0.4, 0.4, 0.1], [0.4, 0.4, 0.9], [0.4, 0.4, 0.5], [0.9, 0.9, 0.1], [np.nan, 0.4, 0.1]])
+    assert cover.hides(points).tolist() == [True, False, False, False, False]
+    line = np.array([[0.0, 0.4, 0.3], [1.0, 0.4, 0.3]])
+    pieces = hidden.parts(line, cover)
+    assert [behind for _, behind in pieces] == [False, True, False]
+    assert all((one[-1] == other[0]).all() for (one, _), (other, _) in itertools.pairwise(pieces))
+    np.testing.assert_allclose([pieces[0][0][0], pieces[-1][0][-1]], line)
+    # The eye is at a finite distance, so that the edges of the square appear a little farther out.
+    assert 0.1 < pieces[0][0][-1][0] < 0.2 + 1e-2
+    ((whole, behind),) = hidden.parts(line, hidden.cover_of(ax, []))
+    assert not behind
+    np.testing.assert_array_equal(whole[[0, -1]], line)
+
+
+def test_a_surface_is_drawn_whatever_the_memory_held(monkeypatch: pytest.MonkeyPatch) -> None:
+    """matplotlib fills polygons of unequal lengths up from memory that it did not clear, and measures the axes with it."""
+    from mpl_toolkits.mplot3d import art3d
+
+    class Dirty:
+        """NumPy whose uncleared memory holds the largest numbers there are."""
+
+        def __getattr__(self, name: str) -> Any:
+            return getattr(np, name)
+
+        @staticmethod
+        def empty(shape: Any, dtype: Any = float) -> Any:
+            return np.full(shape, np.finfo(float).max if dtype is float else 0, dtype)
+
+    monkeypatch.setattr(art3d, "np", Dirty())
+    figure = article.figure_11(detail=0.2)
+    assert figure.axes[0].get_xlim() == pytest.approx((0, 180))
+
+
 def test_steep_polygons_are_darker() -> None:
     flat = np.array([[0, 0, 0], [18, 0, 0], [18, 0.1, 0], [0, 0.1, 0.0]])
     steep = flat + np.array([[0, 0, 0], [0, 0, 2], [0, 0, 2], [0, 0, 0.0]])
@@ -202,6 +347,60 @@ def test_steep_polygons_are_darker() -> None:
 
 
 # ----------------------------------------------------------------------------------------------------- extras
+
+
+def test_the_map_is_finest_where_it_steps(sheets: dict[str, Sheet]) -> None:
+    """The cells that are divided are those beside a step, and the picture shows the finest value that there is."""
+    table = {name: np.asarray(values) for name, values in sheets["rms-map"].tables["a"].items()}
+    (first,) = np.nonzero(table["level"] == 0)
+    rms = table["rms_x"][first].reshape(2, 4)
+    steps = extras._beside_a_step(rms)
+    for axis in (0, 1):
+        for index in np.ndindex(*(np.array(rms.shape) - np.eye(2, dtype=int)[axis])):
+            other = tuple(np.array(index) + np.eye(2, dtype=int)[axis])
+            if abs(rms[index] - rms[other]) > 0.3:
+                assert steps[index]
+                assert steps[other]
+    assert (table["level"] == 1).sum() == 4 * steps.sum() > 0
+    mesh = sheets["rms-map"].axes[0].collections[0]
+    shown = np.asarray(mesh.get_array())
+    assert shown.shape == (4, 8)
+    for row in np.flatnonzero(table["level"] == 1):
+        at = int(table["mu0"][row] / 0.25), int(table["theta0_deg"][row] / 22.5)
+        assert shown[at] == table["rms_x"][row]
+
+
+def test_what_the_caption_says_of_the_second_region(sheets: dict[str, Sheet]) -> None:
+    """By SciPy: a stable equilibrium alone, a large cycle beside it, and a start from rest that bounces into it."""
+
+    def reach(mu0: float, state: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 2000.0) -> tuple[float, Any, float]:
+        p = P.replace(theta0=np.radians(132.0), mu0=mu0)
+        c0, s0 = np.cos(p.theta0), np.sin(p.theta0)
+
+        def field(_: float, z: Any) -> list[float]:
+            x, y, vx, vy = z
+            L, n, slip = np.hypot(c0 - x, s0 - y), max(-y, 0.0), 0.5 - vx
+            pull = 0.1 * (1 - L) / L
+            friction = mu0 * (1 - np.exp(-10 * abs(slip))) * np.sign(slip)
+            return [vx, vy, friction * n - pull * (c0 - x) - 0.007 * x, n - 0.007 - pull * (s0 - y)]
+
+        run = solve_ivp(field, (0.0, t_end), state, rtol=1e-7, atol=1e-9, max_step=1.0)
+        late = run.t > 0.75 * t_end
+        return float(np.ptp(run.y[0, late])), run.y[:, -1], float(np.mean(run.y[1, late] > 0))
+
+    small, _, _ = reach(0.75)
+    assert small < 0.2
+    large, state, above = reach(0.93)
+    assert large > 3
+    assert above > 0.5
+    for mu0 in (0.8, 0.6, 0.45, 0.3):  # followed down, far below where the start from rest reaches it
+        swing, state, above = reach(mu0, state, 600.0)
+        assert swing > 3
+        assert above > 0.5
+    for mu0 in (0.3, 0.75, 0.93):
+        eq = ss.equilibria(P.replace(theta0=np.radians(132.0), mu0=mu0))
+        assert eq.count == 1
+        assert eq.stability[0] == ss.Stability.STABLE
 
 
 def test_the_false_double_root() -> None:
@@ -227,7 +426,7 @@ def test_samples_are_filled_where_the_curve_jumps(sheets: dict[str, Sheet]) -> N
 
 def test_bifurcation_figure_for_any_parameters() -> None:
     figure = bifurcation_figure(ss.Parameters(mu0=0.3, kappa=0.01, alpha=0.05, sigma=0.5, beta=0.2))
-    assert "kappa = 0.01, alpha = 0.05" in figure.caption
+    assert "κ = 0.01, α = 0.05" in figure.caption
     assert np.asarray(figure.tables["a"]["mu0"]).size > 100
     assert bifurcation_figure(ss.Parameters(kappa=2.0, alpha=3.0, sigma=0.1, beta=1.0)).axes  # no cusp at all
 

@@ -77,17 +77,23 @@ def test_constraints_pin_what_the_extras_name() -> None:
 # ------------------------------------------------------------------------------------------------------ archives
 
 
+def clone(folder: Path) -> Path:
+    """A copy of the tree as Git would give it, named spragsym."""
+    copy = folder / "spragsym"
+    ignored = ("--exclude=.git", "--exclude=.venv", "--exclude=__pycache__", "--exclude=*.egg-info", "--exclude=.*_cache")
+    copy.mkdir()
+    packed = subprocess.run(["tar", "-C", str(ROOT), *ignored, "-cf", "-", "."], check=True, capture_output=True)
+    subprocess.run(["tar", "-C", str(copy), "-xf", "-"], input=packed.stdout, check=True)
+    return copy
+
+
 @pytest.fixture(scope="module")
 def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     """A wheel, built from the source distribution, and that, built from a copy of the tree without a network."""
     if importlib.util.find_spec("build") is None:
         pytest.skip("build is not installed: pip install 'spragsym[test]'")
     out = tmp_path_factory.mktemp("dist")
-    copy = tmp_path_factory.mktemp("tree") / "spragsym"
-    ignored = ("--exclude=.git", "--exclude=.venv", "--exclude=__pycache__", "--exclude=*.egg-info", "--exclude=.*_cache")
-    copy.mkdir()
-    packed = subprocess.run(["tar", "-C", str(ROOT), *ignored, "-cf", "-", "."], check=True, capture_output=True)
-    subprocess.run(["tar", "-C", str(copy), "-xf", "-"], input=packed.stdout, check=True)
+    copy = clone(tmp_path_factory.mktemp("tree"))
     done = subprocess.run(
         [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(out), str(copy)], capture_output=True, text=True
     )
@@ -133,10 +139,8 @@ def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Pat
 # ------------------------------------------------------------------------------------------- an empty environment
 
 
-@pytest.fixture(scope="module")
-def python(archives: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An environment with the wheel and what it requires, and nothing else."""
-    home = tmp_path_factory.mktemp("empty")
+def environment(home: Path, wheel: Path) -> Path:
+    """An environment with a wheel and what it requires, and nothing else; its interpreter."""
     venv.create(home, with_pip=False, symlinks=True)
     interpreter = home / "bin/python"
     here, there = Path(sysconfig.get_paths()["purelib"]), home / "lib" / f"python{sys.version_info[0]}.{sys.version_info[1]}"
@@ -145,9 +149,15 @@ def python(archives: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory
             link = there / "site-packages" / path.name
             if not link.exists():
                 link.symlink_to(path)
-    with zipfile.ZipFile(archives[0]) as wheel:
-        wheel.extractall(there / "site-packages")
+    with zipfile.ZipFile(wheel) as archive:
+        archive.extractall(there / "site-packages")
     return interpreter
+
+
+@pytest.fixture(scope="module")
+def python(archives: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An environment with the wheel."""
+    return environment(tmp_path_factory.mktemp("empty"), archives[0])
 
 
 def call(python: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -203,9 +213,44 @@ def test_a_missing_extra_is_named(python: Path, arguments: list[str], extra: str
 
 
 def test_a_missing_backend_is_named(python: Path) -> None:
-    done = call(python, "-c", "import spragsym as ss; ss.set_backend('numba')")
-    assert "MissingExtraError" in done.stderr
-    assert "spragsym[fast]" in done.stderr
+    done = call(python, "-c", "import sys; sys.modules['spragsym.statics._compiled'] = None\nimport spragsym as ss\n"
+                "ss.set_backend('compiled')")  # fmt: skip
+    assert "BackendError" in done.stderr
+    assert "install spragsym again, with a compiler" in done.stderr
+
+
+# --------------------------------------------------------------------------------------------------- a clone in use
+
+
+def make_installs(copy: Path, out: Path) -> Path:
+    """The wheel by which `make` puts a tree into its environment: a path, or a finder, to the tree."""
+    ((name, value),) = re.findall(r"--config-settings (\w+)=(\w+)", (copy / "Makefile").read_text(encoding="utf-8")) or [("", "")]
+    program = "import setuptools.build_meta as build, sys; build.build_editable(sys.argv[1], {sys.argv[2]: sys.argv[3]})"
+    done = subprocess.run([sys.executable, "-c", program, str(out), name, value], cwd=copy, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    (wheel,) = out.glob("*.whl")
+    return wheel
+
+
+def test_a_script_beside_the_clone_finds_the_package(tmp_path: Path) -> None:
+    """The clone's own folder is named as the package is, and Python looks beside the script first."""
+    folder = tmp_path / "work"
+    folder.mkdir()
+    copy = clone(folder)
+    assert not (copy / "__init__.py").exists()
+    interpreter = environment(tmp_path / "env", make_installs(copy, tmp_path))
+    script = folder / "mine.py"
+    script.write_text("import spragsym as ss\nprint(ss.equilibria(ss.Parameters.article(theta0=0.5)).count)\n")
+    for place in (folder, tmp_path):
+        done = subprocess.run([interpreter, script], cwd=place, env={}, capture_output=True, text=True, timeout=120)
+        assert (done.stdout, done.stderr) == ("3\n", "")
+
+
+def test_every_editable_install_is_by_path() -> None:
+    """In the Makefile once, and nowhere without the setting."""
+    for path in (ROOT / "Makefile", ROOT / ".ci/run", *ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")):
+        for line in path.read_text(encoding="utf-8").splitlines():
+            assert not re.search(r"install\b.* (-e|--editable)\b", line) or "editable_mode=compat" in line, f"{path.name}: {line}"
 
 
 def test_console_script_is_declared(archives: tuple[Path, Path]) -> None:

@@ -68,6 +68,14 @@ QUARTIC = elimination.quartic_in_t()
         pytest.param(equilibrium, "balance", lambda: (ALONG - 2 * nm.alpha * nm.c0, ACROSS),
                      "there F_x = P cos θ + α cos θ₀", id="sign of the spring to ground"),
         pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
+        pytest.param(elimination, "f_form", elimination.f_form + 2 * nm.fb * (nm.c - 1),
+                     "s* ≤ 0: contact is 0 < θ < π, and f is negative before", id="sign of f at π"),
+        pytest.param(elimination, "f_form", elimination.f_form + nm.fa * nm.s,
+                     "s* > 0: contact is θ* < θ < π − θ*, and f is negative before", id="f at the ends of the arc"),
+        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, 2 * elimination.f_coefficients()[nm.fb]),
+                     "s* > 0: contact is θ* < θ < π − θ*, and f is negative before", id="f is not q s F_x"),
+        pytest.param(stability, "characteristic", lambda K, C: sp.expand((stability.lam**2 * sp.eye(2) - K).det()),
+                     "det K < 0 is divergence", id="sign of the stiffness in (27)"),
     ],
 )  # fmt: skip
 def test_a_broken_assumption_is_noticed(

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import re
 import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -54,3 +56,52 @@ def test_the_page_does_what_it_says(title: str, tmp_path: Path) -> None:
     assert done
     for command, shown in done:
         assert_shown(shown, run(command, tmp_path))
+
+
+def _variant(tmp_path: Path, *changes: tuple[str, str, str]) -> subprocess.CompletedProcess[str]:
+    """``python -m derive --variant`` in a copy of ``derive/`` with pieces of text replaced."""
+    shutil.copytree(ROOT / "derive", tmp_path / "derive", ignore=shutil.ignore_patterns("__pycache__"))
+    for name, before, after in changes:
+        path = tmp_path / "derive" / name
+        text = path.read_text(encoding="utf-8")
+        assert text.count(before) == 1, before
+        path.write_text(text.replace(before, after), encoding="utf-8")
+    command = [sys.executable, "-m", "derive", "--variant", "--out", "variant"]
+    return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
+
+
+def test_a_symbol_without_a_dimension_goes_into_the_groups(tmp_path: Path) -> None:
+    """As CONTRIBUTING says: a second friction coefficient, which friction itself takes as an argument."""
+    law = "return mu0 * (1 - sp.exp(-creep * sp.Abs(slip))) * sp.sign(slip)"
+    done = _variant(
+        tmp_path,
+        ("nomenclature.py", "nbar = _define(", 'mu_s = _define("mu_s", r"\\mu_s", "rises with speed")\nnbar = _define('),
+        ("mechanics.py", law, law + " + nm.mu_s * slip"),
+        ("mechanics.py", "nm.creep: (nm.d_dim, 1 / speed),", "nm.creep: (nm.d_dim, 1 / speed), nm.mu_s: (nm.mu_s, sp.S.One),"),
+    )
+    assert done.returncode == 0, done.stderr
+    text = (tmp_path / "variant/motion.py").read_text(encoding="utf-8")
+    signatures = dict(re.findall(r"^def (\w+)\((.*?)\) ->", text, re.MULTILINE | re.DOTALL))
+    assert {name for name, arguments in signatures.items() if "mu_s:" in arguments} == {
+        "friction", "rhs", "regime_rhs", "regime_jacobian", "friction_power",
+    }  # fmt: skip
+    assert not (tmp_path / "variant/c").exists()
+
+
+def test_a_force_that_the_elimination_was_not_made_for_stops_it(tmp_path: Path) -> None:
+    """As the docstring of ``derive/mechanics.py`` says: a cubic contact leaves no D and b, and nothing is written."""
+    done = _variant(tmp_path, ("mechanics.py", "sp.Piecewise((-stiffness * y, y < 0)", "sp.Piecewise((-stiffness * y**3, y < 0)"))
+    assert done.returncode != 0
+    assert "nothing was written" in done.stderr or "is untouched" in done.stderr
+    assert not (tmp_path / "variant").exists()
+
+
+def test_the_page_names_places_that_exist() -> None:
+    """Every function that the page says a file has, or uses, stands in that file."""
+    text = sections()["Add a viscous damper along the belt"].split("To adopt the change for good")[1]
+    for file, names in (("spragsym/integrators.py", ("motion.regime_rhs",)),
+                        ("derive/emit/functions.py", ("further_parameters",))):  # fmt: skip
+        assert f"`{file}`" in text
+        assert all(f"`{name}`" in text and name in (ROOT / file).read_text(encoding="utf-8") for name in names)
+    named = set(re.findall(r"`((?:derive|spragsym)/[\w/]+\.py)`", PAGE.read_text(encoding="utf-8")))
+    assert all((ROOT / file).is_file() for file in named)

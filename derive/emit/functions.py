@@ -264,7 +264,10 @@ def _stability() -> Module:
     if C[0, 1] != 0 or C[1, 0] != 0 or C[1, 1] != 0:
         characteristic = sp.Poly(stability.characteristic(generic, C), stability.lam).all_coeffs()
     determinant = stability.determinant(generic)
-    sextic, sextic_names = _flutter_sextic()
+    crossing, crossing_names = _flutter_crossing()
+    cubic, cubic_names = _flutter_cubic()
+    contact = _shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)
+    at_friction = (*_ANGLE, nm.mu0, nm.kappa, *_STIFFNESS)
     return Module(
         "stability",
         "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
@@ -280,60 +283,94 @@ def _stability() -> Module:
                      C[0, 0], "C11", transcendental=True, further=_further((), C[0, 0])),
             Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
                      "(27) with damping", (*entries, C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
-            Function("flutter_sextic", "Coefficients of e0 + … + e6 L⁶, whose roots are the flutter onsets in contact at a given θ.",
-                     "(27)", (*_ANGLE, nm.kappa, *_STIFFNESS), sextic, "e0, e1, e2, e3, e4, e5, e6", sextic_names),
-            Function("flutter_point", "sin θ₀, α cos θ₀ and μ₀ at a flutter onset with spring length L in direction θ, in contact.",
-                     "(27), (14), (15)", (*_ANGLE, nm.L, nm.kappa, *_STIFFNESS), _flutter_point(), "sin0, alpha cos0, mu0",
-                     {**_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q), **_flutter_names()}),
+            Function("reference_lines", "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.",
+                     "(14), (15)", at_friction, _reference_lines(), "u1, w1, u2, w2", contact),
+            Function("flutter_quadratic", "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact.",
+                     "(27)", (*_ANGLE, nm.mu0, *_STIFFNESS), stability.flutter_quadratic(), "e0, e1, e2", contact),
+            Function("flutter_elimination", "X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length.",
+                     "(27), (14), (15)", at_friction, stability.flutter_elimination(), "X, Y, Z", {**contact, **_flutter_names()}),
+            Function("flutter_without_alpha", "The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2.",
+                     "(27), (14), (15)", (*_ANGLE, nm.mu0, nm.kappa, nm.sigma, nm.beta), stability.flutter_without_alpha(),
+                     "condition", {name: value.subs(nm.alpha, 0) for name, value in {**contact, **_flutter_names()}.items()}),
+            Function("flutter_crossing", "N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.",
+                     "(27), (14), (15)", (*_ANGLE, nm.L, *_ANGLE0, nm.mu0, *_STIFFNESS), crossing, "N, J", crossing_names),
+            Function("flutter_cubic", "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
+                     "(27), (14), (15)", (*_ANGLE, nm.kappa, *_STIFFNESS), cubic, "g0, g1, k0, k1, k2, k3", cubic_names),
+            Function("flutter_friction", "μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27)",
+                     (*_ANGLE, nm.L, *_STIFFNESS), stability.flutter_friction(), "mu0", _shorthands(equilibrium.CONTACT, nm.B)),
         ),
     )  # fmt: skip
 
 
 def _flutter_names() -> dict[sp.Symbol, sp.Expr]:
-    s0, friction = stability.flutter_point()
-    return {nm.s0: s0, nm.mu0: friction}
+    """The coefficients that the elimination is written in."""
+    return dict(zip((*stability.LINES, *stability.QUADRATIC), (*_reference_lines(), *stability.flutter_quadratic()), strict=True))
 
 
-def _flutter_point() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """sin θ₀, α cos θ₀ and μ₀, the second from the balance along the belt."""
-    along, _ = equilibrium.balance()
-    arranged = -(nm.sigma - nm.p * nm.L) * nm.c - nm.mu0 * (nm.s0 - nm.L * nm.s)
-    _same("balance along the belt", (nm.alpha * nm.c0 - arranged,), (along.subs(equilibrium.CONTACT),))
-    return nm.s0, arranged, nm.mu0
+def _reference_lines() -> tuple[sp.Expr, ...]:
+    friction, preload = nm.M / nm.B, nm.sigma * nm.s + nm.kappa
+    arranged = (
+        -preload / nm.B,
+        nm.q * nm.s / nm.B,
+        friction * preload - nm.sigma * nm.c,
+        nm.p * nm.c - friction * nm.sigma * nm.s,
+    )
+    _same("the reference lines", arranged, stability.reference_lines())
+    return arranged
 
 
-def _flutter_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
-    """h(L)² − (4 σ s c α L)² (1 − sin² θ₀) with sin θ₀ = r0 + r1 L and h the cubic 4 σ s c L (F_x − α cos θ₀) at the onset."""
-    r0, r1, y1, g0, g1, cosine = sp.symbols("r0 r1 y1 g0 g1 width")
-    h = sp.symbols("h0 h1 h2 h3")
-    c, s, sigma = nm.c, nm.s, nm.sigma
+def _flutter_crossing() -> tuple[tuple[sp.Expr, sp.Expr], dict[sp.Symbol, sp.Expr]]:
+    """By Cramer's rule in the derivatives of the balances along and across the belt with respect to θ, L and θ₀."""
+    a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols("a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L")
+    _, e1, e2 = stability.flutter_quadratic()
     names = {
-        **_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
-        r0: -(sigma * s + nm.kappa) / nm.B,
-        r1: nm.q * s / nm.B,
-        y1: sigma * s / nm.B,  # y = r0 + y1 L
-        g0: sigma * (c**2 - s**2),
-        g1: nm.alpha - nm.B,  # K11 − K22 = (g0 + g1 L)/L, and g0² + 4 σ² s² c² = σ²
-        h[0]: -(sigma**2) * r0,
-        h[1]: sigma**2 * (4 * s * c**2 - y1) - 2 * g0 * g1 * r0,
-        h[2]: -4 * sigma * nm.p * s * c**2 - g1 * (2 * g0 * y1 + g1 * r0),
-        h[3]: -(g1**2) * y1,
-        cosine: (4 * sigma * s * c * nm.alpha) ** 2,
+        **_shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q),
+        a_t: nm.s * (nm.p * nm.L - nm.sigma) - nm.M * nm.L * nm.c,
+        a_l: -nm.p * nm.c - nm.M * nm.s,
+        a_0: nm.M * nm.c0 - nm.alpha * nm.s0,
+        b_t: -nm.c * (nm.q * nm.L - nm.sigma),
+        b_l: -nm.q * nm.s,
+        b_0: nm.B * nm.c0,
+        d_t: 4 * nm.sigma * nm.L * (nm.M * (nm.c**2 - nm.s**2) - 2 * (nm.alpha - nm.B) * nm.s * nm.c),
+        d_l: e1 + 2 * e2 * nm.L,
     }
-    sextic = (
-        h[0] ** 2,
-        2 * h[0] * h[1],
-        h[1] ** 2 + 2 * h[0] * h[2] - cosine * (1 - r0**2),
-        2 * (h[0] * h[3] + h[1] * h[2] + cosine * r0 * r1),
-        h[2] ** 2 + 2 * h[1] * h[3] + cosine * r1**2,
-        2 * h[2] * h[3],
-        h[3] ** 2,
+    crossing = (
+        d_t * (a_0 * b_l - b_0 * a_l) + d_l * (a_t * b_0 - b_t * a_0),
+        b_t * a_l - a_t * b_l,
     )
     local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
-    derived = stability.flutter_sextic()
-    scale = nm.B**2  # the derived polynomial is free of denominators
-    _same("flutter sextic", tuple(scale * value for value in sextic), derived, local)
-    return sextic, names
+    _same("the crossing of a flutter onset", crossing, stability.flutter_crossing(), local)
+    return crossing, names
+
+
+def _flutter_cubic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """With L = l0 + l1 sin θ₀ and y = y0 + y1 sin θ₀: the discriminant without friction times y, and the spring's pull along."""
+    l0, l1, y0, y1, e0, e1, e2, m1, m2 = sp.symbols("l0 l1 y0 y1 e0 e1 e2 m1 m2")
+    c, s, sigma = nm.c, nm.s, nm.sigma
+    pull = 4 * sigma * s * c**2
+    names = {
+        **_shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
+        l0: (sigma * s + nm.kappa) / (nm.q * s),
+        l1: nm.B / (nm.q * s),
+        y0: -(sigma * s + nm.kappa) / nm.q,
+        y1: sigma / nm.q,
+        **dict(zip((e0, e1, e2), (value.subs(nm.M, 0) for value in stability.flutter_quadratic()), strict=True)),
+        m1: -pull * sigma,
+        m2: pull * nm.p,
+    }
+    d0, d1, d2 = e0 + l0 * (e1 + e2 * l0), l1 * (e1 + 2 * e2 * l0), e2 * l1**2
+    weight = 4 * sigma * s * c * nm.alpha
+    cubic = (
+        weight * l0,
+        weight * l1,
+        d0 * y0 + l0 * (m1 + m2 * l0),
+        d1 * y0 + d0 * y1 + l1 * (m1 + 2 * m2 * l0),
+        d2 * y0 + d1 * y1 + m2 * l1**2,
+        d2 * y1,
+    )
+    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
+    _same("flutter cubic", cubic, stability.flutter_cubic(), local)
+    return cubic, names
 
 
 # ------------------------------------------------------------------------------------------------- catastrophe
@@ -564,6 +601,7 @@ def _motion() -> Module:
     parameters = (*_ANGLE0, *_PARAMETERS, nm.V, nm.creep)
     moving = (*state, *parameters, nm.nbar, side)
     energy = mechanics.energy()
+    power = regime[nm.mu] * regime[nm.n] * nm.vx
     return Module(
         "motion",
         "The equations of motion (8)–(11): everywhere, and in each regime in which they are smooth.",
@@ -574,7 +612,7 @@ def _motion() -> Module:
                      (nm.x, nm.y, nm.L, nm.mu, nm.n, *_ANGLE0, nm.kappa, *_STIFFNESS), arranged, "x″, y″",
                      further=_further((), arranged)),
             Function("friction", "The friction coefficient at the speed x' of the mass.", "(10)", (nm.vx, nm.mu0, nm.V, nm.creep),
-                     mechanics.friction(), "mu", transcendental=True),
+                     mechanics.friction(), "mu", transcendental=True, further=_further(state, mechanics.friction())),
             Function("rhs", "x″ and y″, kinked where y = 0 and where x' = V.", "(8)–(11)",
                      (*state, *parameters), everywhere, "x″, y″", lengths, transcendental=True, further=_further(state, everywhere)),
             Function("regime_rhs", "x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (−1).",
@@ -586,7 +624,7 @@ def _motion() -> Module:
                      (*state, *_ANGLE0, nm.kappa, *_STIFFNESS, nm.nbar), energy, "energy", lengths, transcendental=True),
             Function("friction_power", "Rate at which friction changes that energy.", "(8)",
                      (nm.y, nm.vx, nm.mu0, nm.V, nm.creep, nm.nbar, side),
-                     (regime[nm.mu] * regime[nm.n] * nm.vx), "power", transcendental=True),
+                     power, "power", transcendental=True, further=_further(state, power)),
         ),
     )  # fmt: skip
 

@@ -36,6 +36,11 @@ where, maximum, minimum, absolute, sqrt, cube_root = map(
 PRIMITIVES = ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
 
 
+def derived(number: int) -> tuple[Any, ...]:
+    """Names that a target binds: generated algebra, counts of roundings."""
+    return (_primitive("what is derived"),) * number
+
+
 @dataclass(frozen=True)
 class Record:
     """A named tuple of reals and flags."""
@@ -90,7 +95,7 @@ def read(path: Path = KERNEL) -> Source:
     lines = text.splitlines()
     constants, records, routines = [], {}, {}
     for node in ast.parse(text).body:
-        if isinstance(node, ast.Assign):
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             constants.append(_constant(node, lines))
         elif isinstance(node, ast.ClassDef):
             records[node.name] = _record(node)
@@ -102,7 +107,7 @@ def read(path: Path = KERNEL) -> Source:
 def _constant(node: ast.Assign, lines: list[str]) -> Constant:
     (target,) = node.targets
     assert isinstance(target, ast.Name)
-    comment = []
+    comment: list[str] = []
     line = node.lineno - 2
     while lines[line].startswith("#:"):
         comment.insert(0, lines[line].removeprefix("#:").strip())

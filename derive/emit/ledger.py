@@ -47,7 +47,9 @@ def markdown(ledger: Ledger, header: str) -> str:
         "",
         "Every numbered equation, appendix coefficient and definition of J. Kang and J. Nam, *Minimal Model for Sprag-Slip "
         "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2748, as printed, against what follows from "
-        "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1.",
+        "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1. What is derived stands in the "
+        "arrangement of the print, so that the two can be compared by eye; ledger.json also has the form that the derivation itself "
+        "arrives at.",
         "",
         "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + \\sigma$, $q = B + \\sigma$.",
         "",
@@ -81,18 +83,23 @@ def markdown(ledger: Ledger, header: str) -> str:
     return "\n".join(lines)
 
 
+def side_by_side(printed: str, derived: str) -> list[str]:
+    """Two forms, one above the other, as Markdown."""
+    rows = [rf"&\text{{{name}:}} && {latex}" for name, latex in (("printed", printed), ("derived", derived))]
+    return ["```math", r"\begin{aligned}", rows[0] + r" \\", rows[1], r"\end{aligned}", "```"]
+
+
 def _mark(holds: bool) -> str:
     return "proved:" if holds else "NOT PROVED:"
 
 
 def _section(row: Row) -> list[str]:
     lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**." + (f" Note: {row.note}." if row.note else "")]
-    lines += ["", "Printed:", "", f"```math\n{row.printed}\n```", ""]
-    if row.status not in ("confirmed", "definition"):
-        lines += ["Derived (left side less right side, where it is an equation):", "", f"```math\n{row.derived}\n```", ""]
+    if row.status in ("confirmed", "definition"):
+        lines += ["", "Printed and derived:", "", f"```math\n{row.printed}\n```", ""]
+    else:
+        lines += ["", *side_by_side(row.printed, row.derived), ""]
         lines += ["Printed less derived:", "", f"```math\n{row.difference}\n```", ""]
-    if row.right:
-        lines += ["Right:", "", f"```math\n{row.right}\n```", ""]
     for title, text in (
         ("Cause", row.cause),
         ("Second derivation", row.evidence),

@@ -43,7 +43,7 @@ def render(outcome: Ledger) -> dict[str, str]:
     )
     kernel = language.read()
     known = {function.name: function for module in names for function in module.functions}
-    material = targets.Material(names, kernel, bounds.counts(kernel, known), header)
+    material = targets.Material(names, kernel, bounds.counts(kernel, known), digest[:16], header)
     # A variant with parameters of its own is printed by targets that can.
     wanted = [target for target in targets.targets() if target.further or not further_parameters()]
     return {

@@ -13,14 +13,15 @@ import mpmath
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from .. import catastrophe, precise
+from .. import catastrophe, flutter, precise
 from .. import generated as _generated
 from ..dynamics import simulate
 from ..generated import equilibrium as _equilibrium
 from ..parameters import FloatArray, Parameters
 from ..paths import Jump, quasi_static_path
+from ..regimes import ATTRACTOR, Regime
 from ..solver import Stability, equilibria
-from ..sweeps import Regime, rms_sweep, sensitivity
+from ..sweeps import rms_sweep, sensitivity
 from .rows import Found, Value
 
 #: Belt speed and steepness of the friction law; the article states neither.
@@ -169,14 +170,15 @@ def lift_off() -> Found:
 def roots_of_21() -> Found:
     """Real roots of the quartic in L, with 40 digits, beside the equilibria."""
     angles, real, sliding = (30, 49, 90, 160), [], []
-    with mpmath.workdps(40):
-        numbers = [mpmath.mpf(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
-        for angle in angles:
-            theta0 = mpmath.radians(angle)
-            coefficients = _equilibrium.contact_quartic(mpmath.cos(theta0), mpmath.sin(theta0), *numbers)
-            roots = mpmath.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
-            real.append(sum(abs(mpmath.im(root)) < mpmath.mpf(10) ** -20 for root in roots))
-            sliding.append(len(precise.equilibria(theta0_deg=angle, dps=20)))
+    own = mpmath.mp.clone()  # mpmath.mp belongs to all threads
+    own.dps = 40
+    numbers = [own.mpf(value) for value in ("0.5", "0.007", "0.007", "0.1", "0")]
+    for angle in angles:
+        theta0 = own.radians(angle)
+        coefficients = _equilibrium.contact_quartic(own.cos(theta0), own.sin(theta0), *numbers)
+        roots = own.polyroots(coefficients[::-1], maxsteps=200, extraprec=200)
+        real.append(sum(abs(own.im(root)) < own.mpf(10) ** -20 for root in roots))
+        sliding.append(len(precise.equilibria(theta0_deg=angle, dps=20)))
     holds = all(one == other + 1 for one, other in zip(real, sliding, strict=True))
     return Found(holds, {"theta0_deg": list(angles), "real roots": real, "equilibria": sliding})
 
@@ -240,7 +242,7 @@ def family_row(name: str, value: float, bracket: tuple[float, float], jumps: boo
 
 def flutter_alpha() -> Found:
     p = _article(alpha=0.7)
-    onsets = _deg(catastrophe.flutter_onsets(p).theta0)
+    onsets = _deg(flutter.flutter_onsets(p).theta0)
     growth = minimize_scalar(
         lambda angle: -float(np.nanmax(equilibria(p.replace(theta0=angle)).eigenvalues.real)),
         bounds=(2.5, 2.8), method="bounded", options={"xatol": 1e-10},
@@ -255,7 +257,7 @@ def flutter_alpha() -> Found:
 
 def flutter_sigma() -> Found:
     p = _article(sigma=1.0)
-    onsets = catastrophe.flutter_onsets(p)
+    onsets = flutter.flutter_onsets(p)
     low, high = _deg(onsets.theta0)
     eq = equilibria(p.replace(theta0=np.radians(_GRID)))
     flutters = (eq.stability == Stability.FLUTTER).any(axis=-1)
@@ -269,15 +271,15 @@ def sheets() -> Found:
     stable, divergent = Stability.STABLE, Stability.DIVERGENT
     three = (eq.stability[eq.count == 3] == [stable, divergent, stable]).all()
     one = (eq.stability[eq.count == 1][:, 0] == stable).all()
-    lowest = float(catastrophe.flutter_boundary(_article()).mu0.min())
+    lowest = float(flutter.flutter_boundary(_article()).mu0.min())
     holds = bool(three and one and lowest > MU0_MAX)
     return Found(holds, {"lowest mu0 with flutter": float(f"{lowest:.4g}")})
 
 
 def hopf() -> Found:
     p = _article(sigma=1.0)
-    lowest = float(catastrophe.flutter_boundary(p).mu0.min())
-    onset = catastrophe.flutter_onsets(p)
+    lowest = float(flutter.flutter_boundary(p).mu0.min())
+    onset = flutter.flutter_onsets(p)
     at = equilibria(p.replace(theta0=onset.theta0 * np.array([1 + 1e-7, 1 - 1e-7])))
     frequencies = np.sort(at.eigenvalues[[0, 1], onset.branch].imag, axis=-1)[:, -2:]
     meet = bool((np.ptp(frequencies, axis=-1) < 2e-3).all())
@@ -301,11 +303,11 @@ def separates() -> Found:
 
 
 def cusp() -> Found:
-    cusp = next(one for one in precise.cusps(dps=20) if 0 < one.theta0 < mpmath.pi and one.mu0 > 0)
+    cusp = next(one for one in precise.cusps(dps=20) if 0 < one.theta0 < math.pi and one.mu0 > 0)
     ends = _deg(catastrophe.folds(_article(mu0=0.0)).theta0)
+    angle = math.degrees(cusp.theta0)
     values: dict[str, Value] = {
-        "theta0_deg": float(mpmath.degrees(cusp.theta0)), "mu0": float(cusp.mu0),
-        "two jumps for theta0_deg from, to": [float(ends[0]), float(mpmath.degrees(cusp.theta0))],
+        "theta0_deg": angle, "mu0": float(cusp.mu0), "two jumps for theta0_deg from, to": [float(ends[0]), angle],
     }  # fmt: skip
     numbers = [catastrophe.folds(_at(angle), "mu0").mu0.size for angle in (ends[0] - 0.01, ends[0] + 0.01, 68.0, 68.03)]
     return Found(cusp.versal and numbers == [1, 2, 2, 0], values)
@@ -344,9 +346,11 @@ def limit_cycle() -> Found:
     late = simulate(p, V=V, d=D, t_end=10000.0).after(8000.0)
     eq = equilibria(p.replace(mu0=catastrophe.sliding_friction(p.mu0, V, D)))
     beside = rms_sweep(p, V, D, x0=float(eq.x[0]) + 0.01, y0=float(eq.y[0]))
-    holds = late.converged(0.0, tol=1e-4) and int(eq.count) == 1 and int(beside.regime) == Regime.EQUILIBRIUM
+    outcome = late.outcome(0.0)
+    back = ATTRACTOR.get(Regime(int(beside.regime))) == Regime.EQUILIBRIUM
+    holds = outcome.regime == Regime.LIMIT_CYCLE and int(eq.count) == 1 and back
     return Found(bool(holds), {
-        "period": late.period(0.0, tol=1e-4), "amplitude of x": late.amplitude(0.0),
+        "period": outcome.period, "amplitude of x": late.amplitude(0.0),
         "x of the stable equilibrium beside it": float(eq.x[0]),
     })  # fmt: skip
 

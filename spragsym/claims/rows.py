@@ -20,7 +20,8 @@ class Status(StrEnum):
     """Outcome of a statement."""
 
     REPRODUCED = "reproduced"
-    CORRECTED = "corrected"
+    MISPRINT = "misprint"  #: a wrong number of an equation or a figure; what is meant holds
+    CORRECTED = "corrected"  #: wrong in substance: another number is right, or it holds for fewer cases
     NOT_REPRODUCED = "not reproduced"
     NOT_STATED = "input not stated"
 

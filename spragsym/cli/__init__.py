@@ -5,17 +5,19 @@ Exit codes: 0 done; 1 a check did not hold or a computation failed; 2 usage, bad
 
 from __future__ import annotations
 
+import codecs
 import importlib
 import os
 import sys
 import traceback
 from contextlib import suppress
-from typing import NoReturn
+from typing import IO, Any, NoReturn
 
 import click
 
 from .._version import __version__
 from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
+from ..names import closest, latin
 
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
@@ -29,7 +31,7 @@ COMMANDS = {
 }
 
 #: Module that may be missing → the extra that brings it.
-EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "numba": "fast", "flint": "certify",
+EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast",
           "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 
@@ -46,6 +48,13 @@ class LazyGroup(click.Group):
         command = getattr(module, cmd_name)
         assert isinstance(command, click.Command)
         return command
+
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
+        if args and args[0] not in COMMANDS and not args[0].startswith("-"):
+            meant = closest(args[0], COMMANDS)
+            remark = f"did you mean {meant}?" if meant else f"the commands are {', '.join(COMMANDS)}"
+            ctx.fail(f"no command {args[0]!r}; {remark}")
+        return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         with formatter.section("Commands"):
@@ -80,28 +89,41 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     """Entry point: one line for every error, and with ``--debug``, anywhere on the line, the traceback before it."""
     arguments = sys.argv[1:] if arguments is None else arguments
     debug = "--debug" in arguments
-    sys.exit(_run([argument for argument in arguments if argument != "--debug"], debug))
+    codecs.register_error("spragsym.latin", _in_latin)
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="spragsym.latin")
+    code = _run([argument for argument in arguments if argument != "--debug"], debug)
+    for stream in (sys.stdout, sys.stderr):
+        _let_go(stream)
+    sys.exit(code)
+
+
+def _in_latin(error: UnicodeError) -> tuple[str, int]:
+    """For a stream that can't write a character: Greek letters by name, others as an escape."""
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    text = latin(error.object[error.start : error.end]).replace("−", "-").replace("–", "-").replace("′", "'")
+    return text.encode("ascii", "backslashreplace").decode("ascii"), error.end
 
 
 def _run(arguments: list[str], debug: bool) -> int:
     try:
         if "_SPRAGSYM_COMPLETE" in os.environ:  # a shell asks what could come next
             cli.main(arguments, prog_name="spragsym")
-        with cli.make_context("spragsym", arguments) as context:
-            code = cli.invoke(context)
-        sys.stdout.flush()  # here, so that a reader that has left is noticed here
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
+        code = _invoke(arguments)
+        if sys.stdout is not None:  # closed by the caller
+            sys.stdout.flush()  # here, so that a reader that has left and a full disk are noticed here
     except (click.Abort, KeyboardInterrupt):
         return _report("interrupted", 130, debug)
     except BrokenPipeError:
-        return _left_alone()
+        return 0  # whoever read our output, head for one, has seen enough
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
         return error.exit_code
     except click.ClickException as error:
         where = f"; see {error.ctx.command_path} --help" if isinstance(error, click.UsageError) and error.ctx else ""
-        return _report(error.format_message().rstrip(".") + where, error.exit_code, debug)
+        return _report(_message(error, arguments).rstrip(".") + where, error.exit_code, debug)
     except (ParameterError, ParameterTypeError) as error:
         return _report(str(error), 2, debug)
     except SpragsymError as error:
@@ -112,20 +134,53 @@ def _run(arguments: list[str], debug: bool) -> int:
             return _report_mistake(error, debug)
         return _report(str(MissingExtraError("this command", module, EXTRAS[module])), 1, debug)
     except OSError as error:
-        known = error.filename is not None and error.strerror
-        return _report(f"{error.filename}: {error.strerror}; give another path" if known else str(error), 1, debug)
+        return _report(_of_the_system(error), 1, debug)
     except MemoryError:
         return _report("out of memory; ask for fewer points at a time", 1, debug)
     except Exception as error:
         return _report_mistake(error, debug)
+    return code
+
+
+def _invoke(arguments: list[str]) -> int:
+    try:
+        with cli.make_context("spragsym", arguments) as context:
+            code = cli.invoke(context)
+    except click.exceptions.Exit as stop:
+        return stop.exit_code
     return code if isinstance(code, int) else 0
 
 
-def _left_alone() -> int:
-    """Whoever read our output, head for one, has seen enough: no error. What is buffered has nowhere to go."""
-    with suppress(OSError, ValueError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    return 0
+def _message(error: click.ClickException, arguments: list[str]) -> str:
+    """What click says, with the option that was meant."""
+    if not isinstance(error, click.NoSuchOption) or error.ctx is None:
+        return error.format_message()
+    # Of -theta0 click sees only -t.
+    typed = error.option_name
+    typed = next((word for word in arguments if len(typed) == 2 and word.startswith(typed) and word[1:2] != "-"), typed)
+    typed = typed.partition("=")[0]
+    options = [flag for option in error.ctx.command.params for flag in (*option.opts, *option.secondary_opts)]
+    meant = closest(typed, [flag for flag in options if flag.startswith("--")] + ["--help", "--debug"])
+    return f"no option {typed}" + (f"; did you mean {meant}?" if meant else "")
+
+
+def _of_the_system(error: OSError) -> str:
+    """What the machine refuses: of a file, or of the output, which has no name."""
+    if not error.strerror:
+        return str(error)
+    if error.filename is None:
+        return f"the output can't be written: {error.strerror}; make room, or send it elsewhere"
+    return f"{error.filename}: {error.strerror}; give another path"
+
+
+def _let_go(stream: IO[str] | Any) -> None:
+    """Drop what a stream could not write: the interpreter would try again at its end, and exit with code 120."""
+    try:
+        if stream is not None:
+            stream.flush()
+    except (OSError, ValueError):
+        with suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def _report_mistake(error: Exception, debug: bool) -> int:
@@ -134,8 +189,9 @@ def _report_mistake(error: Exception, debug: bool) -> int:
 
 
 def _report(message: str, code: int, debug: bool) -> int:
-    """One line on stderr."""
-    if debug:
-        traceback.print_exc()
-    click.echo(f"spragsym: {' '.join(message.split())}", err=True)
+    """One line on stderr, if there is one."""
+    with suppress(OSError, ValueError):
+        if debug:
+            traceback.print_exc()
+        click.echo(f"spragsym: {' '.join(message.split())}", err=True)
     return code

@@ -9,8 +9,10 @@ from typing import Any
 import click
 
 from ..errors import ParameterError
+from ..parameters import shown
 from .options import as_json, build, parameters
 from .tables import print_json, print_table
+from .targets import force, refuse
 
 
 @click.command()
@@ -19,8 +21,12 @@ from .tables import print_json, print_table
 @click.option(
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the bifurcation set (pdf, png, svg)."
 )
-def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
+@force
+def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: float) -> None:
     """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
+
+    Of an onset, branch counts the equilibria from below in theta, and side is 1 where the state flutters at larger theta0, -1
+    where it does at smaller theta0.
 
     \b
     Examples:
@@ -33,6 +39,7 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
     """
     if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
         raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    refuse([] if plot is None else [plot], force)
     summary = _summary(values)
     if plot is not None:
         from ..figures import FORMATS, bifurcation_figure
@@ -47,24 +54,27 @@ def bifurcation(json_output: bool, plot: Path | None, **values: float) -> None:
         return
     for title, name, header in (
         ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", "x", "y")),
-        (f"Folds at mu0 = {values['mu0']:g}", "folds", ("theta0_deg", "theta_deg", "x", "y")),
-        (f"Flutter onsets at mu0 = {values['mu0']:g}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch")),
+        (f"Folds at mu0 = {shown(values['mu0'])}", "folds", ("theta0_deg", "theta_deg", "x", "y")),
+        (f"Flutter onsets at mu0 = {shown(values['mu0'])}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch", "side")),
     ):
-        print_table(title, header, [[f"{row[column]:.12g}" for column in header] for row in summary[name]])
-    lowest = "none" if summary["mu_cusp"] is None else f"{summary['mu_cusp']:.12g}"
+        print_table(title, header, [[row[column] for column in header] for row in summary[name]])
     print_table("Critical frictions", ("", "mu"), [
-        ("mu_cr, linear sprag model: poles above it", "out of range" if summary["mu_cr"] is None else f"{summary['mu_cr']:.12g}"),
-        ("mu_cusp: no jump from small deformation below it", lowest),
+        ("mu_cr, linear sprag model: poles above it", _or(summary["mu_cr"], "out of range")),
+        ("mu_cusp: no jump from small deformation below it", _or(summary["mu_cusp"], "none")),
     ])  # fmt: skip
+
+
+def _or(value: float | None, word: str) -> float | str:
+    return word if value is None else value
 
 
 def _summary(values: dict[str, float]) -> dict[str, Any]:
     import numpy as np
 
-    from .. import catastrophe
+    from .. import catastrophe, flutter
 
     p = build(None, **values)
-    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), catastrophe.flutter_onsets(p)
+    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), flutter.flutter_onsets(p)
     lowest = catastrophe.critical_friction(p)
     with np.errstate(all="ignore"):  # stiffnesses of very different size
         linear = float(catastrophe.linear_critical_friction(p))
@@ -84,7 +94,7 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
         "parameters": values,
         "cusps": rows(found, ("theta0", "mu0", "theta", "L", "x", "y")),
         "folds": rows(turns, ("theta0", "theta", "L", "x", "y")),
-        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch")),
+        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch", "side")),
         "mu_cr": linear if math.isfinite(linear) else None,
         "mu_cusp": None if math.isinf(lowest) else lowest,
     }

@@ -13,11 +13,14 @@ import click
 
 from ..errors import MissingExtraError
 from .options import as_json
-from .tables import show
+from .tables import print_json, show
+from .targets import force, holds, refuse
 
-_STYLES = {"confirmed": "green", "corrected": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
+_STYLES = {"confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
 
-_CLAIM_STYLES = {"reproduced": "green", "corrected": "yellow", "input not stated": "cyan", "not reproduced": "bold red"}
+_CLAIM_STYLES = {
+    "reproduced": "green", "misprint": "yellow", "corrected": "magenta", "input not stated": "cyan", "not reproduced": "bold red",
+}  # fmt: skip
 
 
 @click.command()
@@ -26,7 +29,8 @@ _CLAIM_STYLES = {"reproduced": "green", "corrected": "yellow", "input not stated
 @click.option(
     "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from the records; check nothing."
 )
-def check(json_output: bool, claims: bool, report: Path | None) -> None:
+@force
+def check(json_output: bool, claims: bool, report: Path | None, force: bool) -> None:
     """Hold every printed equation of the article against the derivation, or every statement against computation.
 
     Recomputes every row; nothing is read from a file but the committed records, to see that no row has changed.
@@ -35,7 +39,7 @@ def check(json_output: bool, claims: bool, report: Path | None) -> None:
     Examples:
       spragsym check
       spragsym check --claims
-      spragsym check --json | jq '.[] | select(.status == "corrected")'
+      spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
 
     \b
@@ -44,7 +48,12 @@ def check(json_output: bool, claims: bool, report: Path | None) -> None:
     if report is not None:
         from ..claims.report import page
 
-        report.write_text(page(), encoding="utf-8", newline="\n")
+        text = page()
+        if holds(report, text):
+            click.echo(f"{report} is as it should be", err=True)
+            return
+        refuse([report], force)
+        report.write_text(text, encoding="utf-8", newline="\n")
         click.echo(f"wrote {report}", err=True)
     elif claims:
         _check_claims(json_output)
@@ -57,7 +66,7 @@ def _check_claims(json_output: bool) -> None:
 
     rows = run(STATEMENTS)
     if json_output:
-        click.echo(json.dumps([row.as_dict() for row in rows], indent=1, ensure_ascii=False))
+        print_json([row.as_dict() for row in rows])
     else:
         from rich.text import Text
 
@@ -82,7 +91,7 @@ def _check_equations(json_output: bool) -> None:
     recorded = json.loads(resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8"))
     changed = _changed([row.as_dict() for row in rows], recorded["rows"])
     if json_output:
-        click.echo(json.dumps([row.as_dict() for row in rows], indent=1, ensure_ascii=False))
+        print_json([row.as_dict() for row in rows])
     else:
         _print_table(rows)
     for id in changed:
@@ -111,4 +120,4 @@ def _print_table(rows: Sequence[Any]) -> None:
     show(table)
     for row in rows:
         if row.consequence:
-            show(Text(f"\n{row.id}: right is {row.right}\n  {row.consequence}"))
+            show(Text(f"\n{row.id}: right is {row.derived}\n  {row.consequence}"))

@@ -26,34 +26,39 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    rows = _rows(theta0_deg, values)
+    rows, reasons = _rows(theta0_deg, values)
     if json_output:
-        print_json({"parameters": {"theta0_deg": theta0_deg, **values}, "equilibria": rows})
+        print_json({"parameters": {"theta0_deg": theta0_deg, **values}, "equilibria": rows, "undecided": reasons})
         return
-    print_table("", ("state", "stability", "theta, deg", "L", "x", "y", "error"), [
-        (
-            row["state"], row["stability"],
-            *(f"{row[name]:.12g}" for name in ("theta_deg", "L", "x", "y")), f"{row['error']:.1e}",
-        )
+    print_table("", ("state", "stability", "theta_deg", "L", "x", "y", "error"), [
+        (row["state"], row["stability"], *(row[name] for name in ("theta_deg", "L", "x", "y")), f"{row['error']:.1e}")
         for row in rows
     ])  # fmt: skip
+    for state, reason in reasons.items():
+        click.echo(f"{state}, undecided: {reason}")
 
 
-def _rows(theta0_deg: float, values: dict[str, float]) -> list[dict[str, Any]]:
+def _rows(theta0_deg: float, values: dict[str, float]) -> tuple[list[dict[str, Any]], dict[str, str]]:
+    """One row for each equilibrium, and why there is none in contact or in lift-off where that can't be told."""
     import numpy as np
 
+    from ..errors import ConvergenceError
     from ..solver import Stability
     from ..solver import equilibria as solve
 
     p = build(theta0_deg, **values)
-    rows = []
-    for contact in (True, False):
-        eq = solve(p, contact=contact)
+    rows, reasons = [], {}
+    for contact, state in ((True, "contact"), (False, "lift-off")):
+        try:
+            eq = solve(p, contact=contact)
+        except ConvergenceError as reason:
+            reasons[state] = str(reason)
+            continue
         with np.errstate(all="ignore"):  # of numbers near the largest that there are
             eigenvalues = eq.eigenvalues
         for slot in range(int(eq.count)):
             rows.append({
-                "state": "contact" if contact else "lift-off",
+                "state": state,
                 "stability": Stability(int(eq.stability[slot])).name.lower(),
                 "theta_deg": math.degrees(eq.theta[slot]),
                 **{name: float(getattr(eq, name)[slot]) for name in ("L", "x", "y")},
@@ -61,4 +66,4 @@ def _rows(theta0_deg: float, values: dict[str, float]) -> list[dict[str, Any]]:
                 "error": float(eq.error[slot]),
                 "fold": bool(eq.fold),
             })  # fmt: skip
-    return rows
+    return rows, reasons

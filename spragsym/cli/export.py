@@ -7,14 +7,10 @@ from pathlib import Path
 
 import click
 
-from ..errors import SpragsymError
+from .targets import force, holds, refuse
 
 #: What an export in C consists of; the last two are the example.
 _FILES = {"c": ("spragsym.h", "spragsym.c", "Makefile", "main.c")}
-
-
-class ExportError(SpragsymError, FileExistsError):
-    """A file is in the way."""
 
 
 @click.command()
@@ -27,7 +23,7 @@ class ExportError(SpragsymError, FileExistsError):
     required=True,
     help="Folder to write to, made if missing.",
 )
-@click.option("--force", is_flag=True, help="Overwrite files that differ.")
+@force
 def export(language: str, out: Path, force: bool) -> None:
     """Write the solver, a makefile and an example that runs.
 
@@ -40,15 +36,11 @@ def export(language: str, out: Path, force: bool) -> None:
       make -C sprag && ./sprag/example
 
     \b
-    Exit codes: 0 written; 1 a file that differs is in the way, or the folder can't be written; 2 usage.
+    Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
     """
     texts = {name: _text(language, name) for name in _FILES[language]}
-    changed = {name: text for name, text in texts.items() if not _same(out / name, text)}
-    in_the_way = [str(out / name) for name in changed if (out / name).exists()]
-    if in_the_way and not force:
-        raise ExportError(
-            f"{', '.join(in_the_way)}: exists and differs; nothing was written; use --force to overwrite"
-        )
+    changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
+    refuse((out / name for name in changed), force)
     out.mkdir(parents=True, exist_ok=True)
     for name, text in changed.items():
         (out / name).write_text(text, encoding="utf-8", newline="\n")
@@ -58,7 +50,3 @@ def export(language: str, out: Path, force: bool) -> None:
 
 def _text(language: str, name: str) -> str:
     return resources.files("spragsym.generated").joinpath(language, name).read_text(encoding="utf-8")
-
-
-def _same(path: Path, text: str) -> bool:
-    return path.is_file() and path.read_bytes() == text.encode()

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import multiprocessing
 import os
+import re
 import signal
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -14,6 +15,9 @@ from typing import Any
 import click
 
 from ..errors import ParameterError
+from ..names import hint
+from .options import workers
+from .targets import force, refuse
 
 
 @click.command()
@@ -22,7 +26,7 @@ from ..errors import ParameterError
     "first",
     multiple=True,
     metavar="NAME...",
-    help="Only these: numbers of the article's figures, or names.",
+    help="Only these: numbers of the article's figures, or names, with blanks or commas.",
 )
 @click.argument("more", nargs=-1, metavar="")
 @click.option(
@@ -34,17 +38,11 @@ from ..errors import ParameterError
 @click.option(
     "--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas."
 )
-@click.option(
-    "--workers",
-    "-j",
-    type=int,
-    default=-1,
-    show_default=True,
-    help="Processes for the motions; -1 for one a core.",
-)
+@workers(-1)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
+@force
 def figures(
-    first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool
+    first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool, force: bool
 ) -> None:
     """Draw the article's Figures 3 to 14, and some that it lacks.
 
@@ -68,22 +66,34 @@ def figures(
     matplotlib.use("Agg")  # files only; no display is needed
     from ..figures import FIGURES, FORMATS, write
 
-    formats = _chosen(kinds.split(","), FORMATS, "--format")
+    formats = _chosen([kinds], FORMATS, "--format")
     names = _chosen([*first, *more], FIGURES, "--only") if first else list(FIGURES)
+    refuse((path for name in names for path in _written_before(out, _stem(name), formats)), force)
     with _processes(workers) as mapping, _bar(len(names), quiet) as advance:
         for name in names:
             advance(name)
             draw = FIGURES[name]
             moving = {"workers": mapping} if "workers" in _options(draw) else {}
-            for path in write(draw(**moving), out, f"figure_{name.replace('-', '_')}", formats):
+            for path in write(draw(**moving), out, _stem(name), formats):
                 click.echo(path)
 
 
 def _chosen(given: list[str], allowed: Mapping[str, Any], option: str) -> list[str]:
-    for name in given:
+    """Names, separated by blanks or commas."""
+    names = [name for text in given for name in re.split(r"[\s,]+", text.strip(" ,"))]
+    for name in names:
         if name not in allowed:
-            raise ParameterError(f"{option}: {name!r} is not one of {', '.join(allowed)}")
-    return list(dict.fromkeys(given))
+            raise ParameterError(f"{option}: {name!r} is not one of {', '.join(allowed)}{hint(name, allowed)}")
+    return list(dict.fromkeys(names))
+
+
+def _stem(name: str) -> str:
+    return f"figure_{name.replace('-', '_')}"
+
+
+def _written_before(out: Path, stem: str, formats: list[str]) -> list[Path]:
+    """Files of a figure that would be overwritten."""
+    return [*(out / f"{stem}.{kind}" for kind in (*formats, "txt")), *sorted(out.glob(f"{stem}_[a-z].csv"))]
 
 
 def _options(function: Callable[..., Any]) -> set[str]:
@@ -93,8 +103,6 @@ def _options(function: Callable[..., Any]) -> set[str]:
 @contextmanager
 def _processes(workers: int) -> Iterator[Any]:
     """1, or the map of one pool for all figures: a process takes a second to begin."""
-    if workers == 0 or workers < -1:
-        raise ParameterError(f"--workers {workers} is not a number of processes; give 1 or more, or -1 for one a core")
     count = os.cpu_count() or 1 if workers == -1 else workers
     if count == 1:
         yield 1

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import json
-import math
 from pathlib import Path
 from typing import Any
 
 import click
 import numpy as np
 
-from ..parameters import ARTICLE, NAMES, FloatArray, Parameters
-from .options import as_json, belt, build, parameters, theta0
+from ..errors import TargetError
+from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
+from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
+from .tables import print_json
+from .targets import force, refuse, set_aside
 
 _BACKEND = click.option(
     "--backend",
@@ -19,16 +20,6 @@ _BACKEND = click.option(
     help="Integrator. Default: heyoka where it is installed.",
 )
 _RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
-_T_END = click.option(
-    "--t-end", type=float, default=2000.0, show_default=True, help="Until when, in sqrt(m/k_c)."
-)
-_TRANSIENT = click.option(
-    "--transient",
-    type=float,
-    default=1500.0,
-    show_default=True,
-    help="What to leave out of RMS, amplitude and period.",
-)
 
 
 def _start(function: Any) -> Any:
@@ -40,7 +31,7 @@ def _start(function: Any) -> Any:
         ("x0", "place along the belt"),
     ):
         function = click.option(
-            f"--{name}", type=float, default=0.0, show_default=True, help=f"Initial {meaning}."
+            f"--{name}", type=Number(), default=0.0, show_default=True, help=f"Initial {meaning}."
         )(function)
     return function
 
@@ -50,8 +41,7 @@ def _start(function: Any) -> Any:
 @parameters
 @belt
 @_start
-@_T_END
-@_TRANSIENT
+@window
 @_RTOL
 @_BACKEND
 @click.option(
@@ -63,10 +53,11 @@ def _start(function: Any) -> Any:
 @click.option(
     "--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv."
 )
+@force
 @as_json
 def simulate(
     theta0_deg: float, V: float, d: float, t_end: float, transient: float, rtol: float, backend: str | None,
-    estimate_error: bool, output: Path | None, json_output: bool, **values: float,
+    estimate_error: bool, output: Path | None, force: bool, json_output: bool, **values: float,
 ) -> None:  # fmt: skip
     """Integrate the motion from an initial state, by default from rest at x = y = 0.
 
@@ -87,6 +78,7 @@ def simulate(
 
     p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})
     if output is not None:
+        refuse([output], force)
         storage.check_target(output, 10_000_000)
     tr = integrate(
         p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]
@@ -103,79 +95,44 @@ def simulate(
     if output is not None:
         tr.save(output)
     if json_output:
-        click.echo(json.dumps(_plain(summary), indent=1))
+        print_json(summary)
     else:
         for name, value in summary.items():
             click.echo(f"{name:16} {value:.10g}" if isinstance(value, float) else f"{name:16} {value}")
 
 
-class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
-    """Numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included."""
-
-    name = "numbers"
-
-    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> FloatArray:
-        if isinstance(value, float | int):
-            return np.array([float(value)])
-        try:
-            if ":" in value:
-                start, stop, count = value.split(":")
-                return np.linspace(float(start), float(stop), int(count))
-            return np.array([float(number) for number in value.split(",")])
-        except ValueError:
-            self.fail(
-                f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61", param, ctx
-            )
-
-
 def _axes(function: Any) -> Any:
     """Every parameter as an axis of the grid."""
-    axes: list[tuple[str, str, float | None, str]] = [
-        ("--theta0", "theta0_deg", None, "Inclination, degrees.")
+    axes: list[tuple[tuple[str, ...], float | None, Range, str]] = [
+        (("--theta0", "theta0_deg"), None, DEGREES, "Inclination, degrees.")
     ]
-    axes += [(f"--{name}", name, value, f"Parameter {name}.") for name, value in ARTICLE.items()]
-    for flag, name, default, text in reversed(axes):
-        function = click.option(
-            flag, name, type=Axis(), default=default, required=default is None, show_default=True, help=text
-        )(function)  # fmt: skip
-    function = click.option(
-        "--creep",
-        "-d",
-        "d",
-        type=Axis(),
-        default=10.0,
-        show_default=True,
-        help="Steepness d of the friction law. Our assumption.",
-    )(function)
-    return click.option(
-        "--speed",
-        "-V",
-        "V",
-        type=Axis(),
-        default=0.5,
-        show_default=True,
-        help="Belt speed V. Our assumption.",
-    )(function)
+    axes += [((f"--{name}",), value, RANGES[name], f"Parameter {name}.") for name, value in ARTICLE.items()]
+    axes += [((flag, short, name), default, allowed, text) for flag, short, name, default, allowed, text in reversed(BELT)]
+    for names, default, allowed, text in reversed(axes):
+        required, kind = default is None, Axis(allowed)
+        function = click.option(*names, type=kind, default=default, required=required, show_default=True, help=text)(function)
+    return function
 
 
 @click.command()
 @_axes
 @_start
-@_T_END
-@_TRANSIENT
+@window
 @_RTOL
 @_BACKEND
-@click.option("--workers", "-j", type=int, default=1, show_default=True, help="Processes; -1 for one a core.")
+@workers(1)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
+@force
 def sweep(
     V: FloatArray, d: FloatArray, t_end: float, transient: float, rtol: float, backend: str | None,
-    workers: int, quiet: bool, output: Path, **values: Any,
+    workers: int, quiet: bool, output: Path, force: bool, **values: Any,
 ) -> None:  # fmt: skip
     """Simulate over a grid of parameters, to a file.
 
     Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all
-    combinations. Killed or interrupted, the same command goes on where it stopped.
+    combinations. Killed or interrupted, the same command goes on where it stopped; finished, it reads the
+    file. The file holds theta0 in radians, and in degrees as theta0_deg.
 
     \b
     Examples:
@@ -185,16 +142,22 @@ def sweep(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
+    from contextlib import nullcontext
+
     from ..sweeps import Regime, rms_sweep
 
     start = {name: values.pop(name) for name in ("x0", "y0", "vx0", "vy0")}
     axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}
     grid = dict(zip(axes, _open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})
-    result = rms_sweep(
-        p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
-        workers=workers, progress=not quiet, store=output,
-    )  # fmt: skip
+    try:
+        with set_aside(output) if force else nullcontext():
+            result = rms_sweep(
+                p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
+                workers=workers, progress=not quiet, store=output,
+            )  # fmt: skip
+    except TargetError as error:
+        raise TargetError(f"{error}, or use --force to overwrite") from error
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
     click.echo(
         f"{output}: "
@@ -207,11 +170,3 @@ def _open_grid(axes: list[FloatArray]) -> list[FloatArray]:
     long = [i for i, axis in enumerate(axes) if axis.size > 1]
     opened = dict(zip(long, np.ix_(*(axes[i] for i in long)), strict=True))
     return [opened.get(i, axis.reshape(()) if axis.size == 1 else axis) for i, axis in enumerate(axes)]
-
-
-def _plain(summary: dict[str, Any]) -> dict[str, Any]:
-    """NaN is not JSON."""
-    return {
-        name: None if isinstance(value, float) and math.isnan(value) else value
-        for name, value in summary.items()
-    }

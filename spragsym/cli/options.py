@@ -1,4 +1,4 @@
-"""Options that commands share: one name and one meaning everywhere."""
+"""Options that commands share: one name, one meaning and one range everywhere."""
 
 from __future__ import annotations
 
@@ -7,11 +7,35 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 import click
+import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import ARTICLE, Parameters
+from ..parameters import (
+    ARTICLE,
+    FINITE,
+    NOT_NEGATIVE,
+    POSITIVE,
+    RANGES,
+    FloatArray,
+    Parameters,
+    Range,
+    as_number,
+    as_numbers,
+    shown,
+)
 
 F = TypeVar("F", bound=Callable[..., Any])
+
+#: Inclinations as they are typed.
+DEGREES = Range(0.0, 180.0, open_low=True, remedy="give the inclination of the undeformed spring in degrees")
+
+_SPEED = Range(0.0, remedy=RANGES["mu0"].remedy)
+_CREEP = Range(0.0, open_low=True, remedy="without it there is no friction")
+#: Flags, name, default, range and meaning of what the article does not state.
+BELT = (
+    ("--creep", "-d", "d", 10.0, _CREEP, "Steepness d of the friction law. Our assumption."),
+    ("--speed", "-V", "V", 0.5, _SPEED, "Belt speed V. Our assumption."),
+)
 
 _PARAMETER_HELP = {
     "mu0": "Friction coefficient.",
@@ -22,27 +46,114 @@ _PARAMETER_HELP = {
 }
 
 
+class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
+    """A number in a range; an error names the option as it is typed."""
+
+    name = "float"
+
+    def __init__(self, allowed: Range = FINITE) -> None:
+        self.allowed = allowed
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        try:
+            number = float(value)
+        except ValueError:
+            self.fail(f"{value!r} is not a number", param, ctx)
+        return as_number(_flag(param), number, self.allowed)
+
+
+class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
+    """Numbers ``a,b,c``, or ``start:stop:count`` for equal steps, ends included; each in a range."""
+
+    name = "numbers"
+
+    def __init__(self, allowed: Range = FINITE) -> None:
+        self.allowed = allowed
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> FloatArray:
+        try:
+            numbers = self._numbers(str(value))
+        except ValueError:
+            self.fail(f"{value!r} is neither numbers like 0.2,0.5 nor start:stop:count like 30:60:61", param, ctx)
+        if numbers is None:
+            self.fail(f"{value!r}: equal steps with both ends are 2 numbers or more; for one number give it alone", param, ctx)
+        as_numbers(_flag(param), numbers if numbers.size > 1 else numbers[0], self.allowed)
+        return numbers
+
+    def _numbers(self, text: str) -> FloatArray | None:
+        if ":" not in text:
+            return np.array([float(number) for number in text.split(",")])
+        start, stop, count = text.split(":")
+        with np.errstate(all="ignore"):  # of an end that is infinite; the range refuses it
+            return np.linspace(float(start), float(stop), int(count)) if int(count) > 1 else None
+
+
+class Workers(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
+    """A number of processes, or -1 for one a core."""
+
+    name = "integer"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> int:
+        try:
+            count = int(value)
+        except ValueError:
+            self.fail(f"{value!r} is not a number of processes", param, ctx)
+        if count < 1 and count != -1:
+            raise ParameterError(f"{_flag(param)} {count} is not a number of processes; give 1 or more, or -1 for one a core")
+        return count
+
+
+def _flag(param: click.Parameter | None) -> str:
+    """The option by its long name."""
+    return "value" if param is None else max(param.opts, key=len)
+
+
 def parameters(function: F) -> F:
     """``--mu0 --kappa --alpha --sigma --beta``, with the article's base values as defaults."""
     for name, text in reversed(_PARAMETER_HELP.items()):
-        function = click.option(f"--{name}", type=float, default=ARTICLE[name], show_default=True, help=text)(function)
+        kind = Number(RANGES[name])
+        function = click.option(f"--{name}", type=kind, default=ARTICLE[name], show_default=True, help=text)(function)
     return function
 
 
 def theta0(function: F) -> F:
     """``--theta0`` in degrees."""
     text = "Inclination of the undeformed spring, degrees."
-    return click.option("--theta0", "theta0_deg", type=float, required=True, help=text)(function)
+    return click.option("--theta0", "theta0_deg", type=Number(DEGREES), required=True, help=text)(function)
 
 
 def belt(function: F) -> F:
     """``-V --speed`` and ``-d --creep``: belt speed and steepness of the friction law, which the article does not state."""
-    for flag, short, name, default, text in (
-        ("--creep", "-d", "d", 10.0, "Steepness d of the friction law. Our assumption."),
-        ("--speed", "-V", "V", 0.5, "Belt speed V. Our assumption."),
-    ):
-        function = click.option(flag, short, name, type=float, default=default, show_default=True, help=text)(function)
+    for flag, short, name, default, allowed, text in BELT:
+        kind = Number(allowed)
+        function = click.option(flag, short, name, type=kind, default=default, show_default=True, help=text)(function)
     return function
+
+
+def window(function: F) -> F:
+    """``--t-end --transient``: how long, and from when on a motion is measured."""
+    text = "What to leave out of RMS, amplitude and period. Default: three quarters of --t-end."
+    function = click.option("--transient", type=Number(NOT_NEGATIVE), callback=_after_t_end, help=text)(function)
+    text = "Until when, in sqrt(m/k_c)."
+    # Eager: its value is there when that of --transient is looked at.
+    return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, is_eager=True, help=text)(function)
+
+
+def _after_t_end(ctx: click.Context, param: click.Parameter, value: float | None) -> float:
+    t_end: float = ctx.params["t_end"]
+    if value is None:
+        return 0.75 * t_end
+    if value >= t_end:
+        raise ParameterError(
+            f"--transient = {shown(value)} is not below --t-end = {shown(t_end)}; nothing would be left to measure"
+        )
+    return value
+
+
+def workers(default: int) -> Callable[[F], F]:
+    """``-j --workers``."""
+    text = "Processes; -1 for one a core."
+    return click.option("--workers", "-j", type=Workers(), default=default, show_default=True, help=text)
 
 
 def as_json(function: F) -> F:
@@ -52,8 +163,4 @@ def as_json(function: F) -> F:
 
 def build(theta0_deg: float | None, **values: float) -> Parameters:
     """Parameters from the options of a command."""
-    if theta0_deg is not None and not 0 < theta0_deg < 180:
-        raise ParameterError(
-            f"--theta0 = {theta0_deg:g} is not in (0, 180) degrees; give the inclination of the undeformed spring"
-        )
     return Parameters(theta0=None if theta0_deg is None else math.radians(theta0_deg), **values)

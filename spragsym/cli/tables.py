@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,10 @@ if TYPE_CHECKING:
 
 #: Columns where no terminal says how many: no line is broken.
 PLAIN_WIDTH = 1000
+#: Columns that a table of numbers fits into, where no wider terminal is at hand.
+WIDTH = 80
+#: Digits of a number in a table: as many as fit.
+MOST_DIGITS, LEAST_DIGITS = 12, 5
 
 
 def show(thing: RenderableType, whole: bool = False) -> None:
@@ -37,7 +42,10 @@ def show(thing: RenderableType, whole: bool = False) -> None:
 
 
 def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]], empty: str = "none") -> None:
-    """Print a table with a title, or the title and a word where it has no rows."""
+    """Print a table with a title, or the title and a word where it has no rows.
+
+    Floats get as many digits as the line has room for, up to twelve; ``--json`` gives them all.
+    """
     from rich.table import Table
     from rich.text import Text
 
@@ -48,16 +56,37 @@ def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[objec
     table = Table(box=None, pad_edge=False)
     for name in header:
         table.add_column(Text(name), no_wrap=True)
-    for row in rows:
+    for row in _fitted(header, rows):
         table.add_row(*(cell if isinstance(cell, Text) else Text(str(cell)) for cell in row))
     show(table, whole=True)
+
+
+def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> list[list[object]]:
+    """The rows with their floats written so that the table is no wider than the line."""
+    from rich.cells import cell_len
+    from rich.console import Console
+
+    console = Console()
+    room = max(WIDTH, console.width if console.is_terminal else 0)
+    for digits in range(MOST_DIGITS, LEAST_DIGITS - 1, -1):
+        written = [[f"{cell:.{digits}g}" if isinstance(cell, float) else cell for cell in row] for row in rows]
+        widths = [max(cell_len(str(cell)) for cell in column) for column in zip(header, *written, strict=True)]
+        if sum(widths) + 2 * (len(widths) - 1) <= room:
+            break
+    return written
 
 
 def print_json(thing: Any) -> None:
     """Print JSON, in which a number that is none, or too large to be one, is null."""
     import click
 
-    click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=False, allow_nan=False))
+    # Where the stream can't write Greek letters, JSON has an escape for them.
+    click.echo(json.dumps(_plain(thing), indent=1, ensure_ascii=not writes_unicode(sys.stdout), allow_nan=False))
+
+
+def writes_unicode(stream: Any) -> bool:
+    """Whether every character can be written there."""
+    return (getattr(stream, "encoding", None) or "utf-8").lower().replace("-", "").startswith("utf")
 
 
 def _plain(thing: Any) -> Any:

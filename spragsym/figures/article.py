@@ -13,8 +13,9 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..catastrophe import FlutterBoundary, bifurcation_set, flutter_boundary, folds, linear_sprag
+from ..catastrophe import bifurcation_set, folds, linear_sprag
 from ..dynamics import simulate
+from ..flutter import FlutterBoundary, flutter_boundary, flutter_onsets
 from ..generated import motion
 from ..parameters import FloatArray, Parameters
 from ..paths import Path, quasi_static_path
@@ -22,6 +23,7 @@ from ..solver import Stability, equilibria
 from ..sweeps import Workers, rms_sweep
 from . import surfaces
 from .curves import LABELS, branches, draw_branches, draw_path, joined, mark_folds, passages, table_of
+from .hidden import Cover, cover_of, parts
 from .style import (
     BLACK,
     BLUE,
@@ -47,10 +49,12 @@ MU0_RANGE = (0.0, 1.0)
 #: θ₀ of the paths a–a′ and b–b′.
 PATHS_DEG = {"a": 60.0, "b": 40.0}
 
-_BASE = r"$\mu_0 = 0.5$, $\kappa = \alpha = 0.007$, $\sigma = 0.1$, $\beta = 0$"
-_BASE_TEXT = "kappa = 0.007, alpha = 0.007, sigma = 0.1, beta = 0"
+#: Parameters that the captions repeat, in the article's letters.
+_LETTERS = {"alpha": "α", "beta": "β", "kappa": "κ", "mu0": "μ₀", "sigma": "σ", "theta0": "θ₀"}
+_BASE_TEXT = "κ = 0.007, α = 0.007, σ = 0.1, β = 0"
 _LINES_TEXT = "Stable solid, divergent dashed, flutter dash-dotted; dots are folds."
 _RANGE_TEXT = "The ranges of the axes are our choice."
+_HIDDEN_TEXT = "Thin dashes lie behind a sheet."
 
 
 @styled
@@ -102,8 +106,8 @@ def figure_4() -> Sheet:
         write_along(axes[0, 1], text, x, y)
     write_along(axes[1, 0], "divergent", 98, 0.5)
     return figure.describe(
-        f"""Figure 4. Equilibria over the inclination at mu0 = 0.5, {_BASE_TEXT}: in contact (a) x, (b) y, and
-        in lift-off (c) x, (d) y. {_LINES_TEXT} Displacements over L_0. {_RANGE_TEXT}""",
+        f"""Figure 4. Equilibria over the inclination at μ₀ = 0.5, {_BASE_TEXT}: in contact (a) x, (b) y, and
+        in lift-off (c) x, (d) y. {_LINES_TEXT} Displacements over L₀. {_RANGE_TEXT}""",
         a=table_of(contact), b=table_of(contact), c=table_of(lifted), d=table_of(lifted),
     )  # fmt: skip
 
@@ -166,8 +170,8 @@ def figure_5() -> Sheet:
     return figure.describe(
         f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose spring keeps
         its
-        angle (blue), over the inclination: (a) x and (b) y at mu0 = 0.5, (c) x and (d) y at mu0 = 0.7;
-        {_BASE_TEXT}. Dotted lines are the poles of the linear model. {_LINES_TEXT} Displacements over L_0;
+        angle (blue), over the inclination: (a) x and (b) y at μ₀ = 0.5, (c) x and (d) y at μ₀ = 0.7;
+        {_BASE_TEXT}. Dotted lines are the poles of the linear model. {_LINES_TEXT} Displacements over L₀;
         {_RANGE_TEXT.lower()}""",
         **tables,
     )
@@ -227,8 +231,8 @@ def figure_6() -> Sheet:
         arrowprops={"arrowstyle": "-", "linewidth": 0.5},
     )
     return figure.describe(
-        f"""Figure 6. Trajectory of the equilibrium over the inclination at mu0 = 0.7, {_BASE_TEXT}. (a)
-        Nonlinear model: from small deformation the state jumps where theta0 rises through the fold, and
+        f"""Figure 6. Trajectory of the equilibrium over the inclination at μ₀ = 0.7, {_BASE_TEXT}. (a)
+        Nonlinear model: from small deformation the state jumps where θ₀ rises through the fold, and
         from where that ends it returns without a jump. Thin line: rising, broad line: falling. (b) Linear
         model: between its poles, shaded, there is no steady sliding in contact. {_LINES_TEXT}
         {_RANGE_TEXT}""",
@@ -257,11 +261,11 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
     angle_axis(right)
     right.set(ylabel=r"RMS of $x$", ylim=(0, None))
     return figure.describe(
-        f"""Figure 7. Motion from rest at x = y = 0, mu0 = 0.5, {_BASE_TEXT}. (a) x over dimensionless time at
-        theta0 = 49 deg. (b) Root mean square of x, about zero, over 1500 < tau < 2000. Belt speed V = {V},
+        f"""Figure 7. Motion from rest at x = y = 0, μ₀ = 0.5, {_BASE_TEXT}. (a) x over dimensionless time at
+        θ₀ = 49°. (b) Root mean square of x, about zero, over 1500 < τ < 2000. Belt speed V = {V},
         steepness d = {D:g}, the rest at the start and the window in time are our assumption: the article
         states none of them. The dotted line is the fold. Beyond it a large and a small motion compete; near
-        54 deg rounding decides which of them is reached.""",
+        54° rounding decides which of them is reached.""",
         a={"tau": t, "x": x}, b={"theta0_deg": angles, "rms_x": sweep.rms, "regime": sweep.regime},
     )  # fmt: skip
 
@@ -270,48 +274,50 @@ def figure_7(*, step_deg: float = 0.5, workers: Workers = 1) -> Sheet:
 _Label: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
 
 
-def _family(
-    number: int,
-    name: str,
-    values: tuple[float, ...],
-    labels: Sequence[_Label],
-    flutter: Sequence[tuple[float, float]],
-    magnified: bool = False,
-) -> Sheet:
+def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[_Label]) -> tuple[Sheet, Axes]:
     """Equilibrium curves in contact for three values of a parameter, labelled at the given places."""
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.9)
-    inset = _inset(ax) if magnified else None
     tables = []
-    for value, color, (place, target) in zip(values, (BLUE, VERMILION, BLACK), labels, strict=True):
+    for value, color, (place, target) in zip(values, _FAMILY_COLORS, labels, strict=True):
         p = Parameters.article(**{name: value})
         curves = branches(p)
         draw_branches(curves, ax=ax, color=color)
         mark_folds(folds(p), ax=ax, color=color)
-        if inset is not None:
-            draw_branches(curves, ax=inset, color=color, linewidth=1.0)
-        leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
-        ax.annotate(rf"$\{name} = {value:g}$", target, place, color=color, fontsize=8, va="center", arrowprops=leader)
+        _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
         tables.append(table_of(curves, **{name: value}))
-    for place in flutter:
-        write_along(ax, "flutter", *place)
     angle_axis(ax)
     ax.set(ylabel=LABELS["x"], ylim=(-2.2, 2.4))
-    others = ", ".join(part for part in f"mu0 = 0.5, {_BASE_TEXT}".split(", ") if not part.startswith(name))
-    return figure.describe(
-        f"""Figure {number}. Equilibria in contact over the inclination for {name} = {
+    others = ", ".join(part for part in f"μ₀ = 0.5, {_BASE_TEXT}".split(", ") if not part.startswith(_LETTERS[name]))
+    sheet = figure.describe(
+        f"""Figure {number}. Equilibria in contact over the inclination for {_LETTERS[name]} = {
             ", ".join(f"{value:g}" for value in values)
-        }; {others}. {_LINES_TEXT} x over L_0. {_RANGE_TEXT}""",
+        }; {others}. {_LINES_TEXT} x over L₀. {_RANGE_TEXT}""",
         a=joined(tables),
     )
+    return sheet, ax
 
 
-def _inset(ax: Axes) -> Axes:
-    """Axes within others that show small deformation only."""
-    inset = ax.inset_axes((0.13, 0.1, 0.5, 0.24))
-    angle_axis(inset, step=60, label=False)
-    inset.set(ylim=(-0.005, 0.065))
+_FAMILY_COLORS = (BLUE, VERMILION, BLACK)
+
+
+def _point_at(ax: Axes, text: str, target: tuple[float, float], place: tuple[float, float], color: str = BLACK) -> None:
+    """A label with a thin line from it to a point of a curve; the line starts beside the text or above it."""
+    leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
+    ax.annotate(text, target, place, color=color, fontsize=8, va="center", arrowprops=leader)
+
+
+def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
+    """Axes within others that show small deformation only, where the curves of the outer ones lie upon each other."""
+    inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
+    for value, color in zip(values, _FAMILY_COLORS, strict=True):
+        draw_branches(branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0)
+    angle_axis(inset, step=60)
+    inset.set(ylabel=LABELS["x"], ylim=(-0.02, 0.068))
+    inset.set_yticks((0.0, 0.03, 0.06))
     inset.tick_params(labelsize=7)
-    write_along(inset, "flutter", 151, 0.012, ha="center", fontsize=7)
+    for label in (inset.xaxis.label, inset.yaxis.label):
+        label.set_fontsize(7)
+    inset.xaxis.labelpad = inset.yaxis.labelpad = 1.0
     return inset
 
 
@@ -319,21 +325,45 @@ def _inset(ax: Axes) -> Axes:
 def figure_8() -> Sheet:
     """Equilibrium curves for β = 0, 1 and 2."""
     labels = [((78, 1.5), (52, 1.16)), ((95, 1.0), (67, 0.61)), ((108, 0.55), (80, 0.195))]
-    return _family(8, "beta", (0.0, 1.0, 2.0), labels, [])
+    return _family(8, "beta", (0.0, 1.0, 2.0), labels)[0]
 
 
 @styled
 def figure_9() -> Sheet:
     """Equilibrium curves for α = 0.007, 0.07 and 0.7."""
-    labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((58, -0.38), (84, -0.02))]
-    return _family(9, "alpha", (0.007, 0.07, 0.7), labels, [], magnified=True)
+    values = (0.007, 0.07, 0.7)
+    labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((40, -0.27), (82, -0.01))]
+    figure, ax = _family(9, "alpha", values, labels)
+    onsets = np.degrees(flutter_onsets(Parameters.article(alpha=values[-1])).theta0)
+    low, high = float(onsets.min()), float(onsets.max())
+    _bracket(ax, "flutter", low, high, -0.14)
+    inset = _magnified(ax, "alpha", values)
+    _bracket(inset, "flutter", low, high, -0.002, fontsize=7)
+    for text, place, color in zip(("0.007", "0.07", "0.7"), ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True):
+        write_along(inset, rf"$\alpha = {text}$", *place, color=color, fontsize=7)
+    figure.caption += (
+        f" The inset magnifies small deformation. At α = 0.7 the state flutters between the onsets, {low:.1f}° and {high:.1f}°, "
+        "which the brackets mark: at the scale of the outer axes the three curves lie upon each other there."
+    )
+    return figure
+
+
+def _bracket(ax: Axes, text: str, low: float, high: float, level: float, **options: Any) -> None:
+    """A bracket below a curve from one θ₀ in degrees to another, with a word beneath."""
+    ax.annotate("", (low, level), (high, level), arrowprops={"arrowstyle": "|-|, widthA=0.2, widthB=0.2", "linewidth": 0.7,
+                                                             "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    ax.annotate(text, ((low + high) / 2, level), (0, -3), textcoords="offset points", ha="center", va="top",
+                **({"fontsize": 8} | options))  # fmt: skip
 
 
 @styled
 def figure_10() -> Sheet:
     """Equilibrium curves for σ = 0.01, 0.1 and 1."""
-    labels = [((110, 0.95), (100, 0.38)), ((3.5, 1.6), (29, 1.64)), ((70, 1.5), (52, 1.2))]
-    return _family(10, "sigma", (0.01, 0.1, 1.0), labels, [(30, 1.95), (152, -0.2)])
+    labels = [((110, 0.95), (100, 0.38)), ((33, 0.8), (47, 1.27)), ((70, 1.5), (52, 1.2))]
+    figure, ax = _family(10, "sigma", (0.01, 0.1, 1.0), labels)
+    for place in ((30, 1.95), (152, -0.2)):
+        write_along(ax, "flutter", *place)
+    return figure
 
 
 # ------------------------------------------------------------------------------ surfaces and their shadow
@@ -342,8 +372,8 @@ _VIOLET = "#5b2a86"
 _SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
 
 
-def _draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> Table:
-    """Sheets by stability, fold curves and cusps on them."""
+def _draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> tuple[Cover, Table]:
+    """Sheets by stability, fold curves and cusps on them; what the sheets hide is drawn thin."""
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     low, high = MU0_RANGE
@@ -353,38 +383,38 @@ def _draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> Table:
         polygons += sheet.polygons
         colors += [surfaces.shaded(_SHEET_COLORS[sheet.stability], polygon) for polygon in sheet.polygons]
     # One collection, so that polygons of all sheets are sorted by depth together; edges close the seams.
+    filled = surfaces.of_equal_length(polygons)
     ax.add_collection3d(
-        Poly3DCollection(polygons, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1)
+        Poly3DCollection(filled, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1)
     )
+    ax.set(xlabel=r"$\theta_0$ (deg)", ylabel=r"$\mu_0$", xlim=(0, 180), ylim=MU0_RANGE, zlim=(-2, 2))
+    ax.set_zlabel(LABELS["x"], rotation=90)
+    ax.set_xticks(np.arange(0, 181, 45))
+    ax.set_zticks(np.arange(-2, 3, 1))
+    cover = cover_of(ax, polygons)
     found = bifurcation_set(p)
     columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": [], "x": []}
     for number, curve in enumerate(found.curves):
         mu0, theta0, x = surfaces.inside(curve.mu0, low, high, np.degrees(curve.theta0), curve.x)
-        ax.plot(theta0, mu0, x, color=VERMILION, linewidth=1.2, zorder=3)
+        _draw_line(ax, cover, theta0, mu0, x, color=VERMILION, linewidth=1.2, zorder=3)
         shown = np.isfinite(mu0)
         for name, values in zip(columns, (np.full(mu0.size, number), theta0, mu0, x), strict=True):
             columns[name].append(values[shown])
-    ax.plot(
-        np.degrees(found.cusps.theta0),
-        found.cusps.mu0,
-        found.cusps.x,
-        linestyle="none",
-        marker="o",
-        markersize=4,
-        color=BLACK,
-        zorder=5,
-    )
-    ax.set(
-        xlabel=r"$\theta_0$ (deg)",
-        ylabel=r"$\mu_0$",
-        xlim=(0, 180),
-        ylim=MU0_RANGE,
-        zlim=(-2, 2),
-    )
-    ax.set_zlabel(LABELS["x"], rotation=90)
-    ax.set_xticks(np.arange(0, 181, 45))
-    ax.set_zticks(np.arange(-2, 3, 1))
-    return {name: np.concatenate([[], *values]) for name, values in columns.items()}
+    cusps = np.stack([np.degrees(found.cusps.theta0), found.cusps.mu0, found.cusps.x], axis=-1)
+    for place, behind in zip(cusps, cover.hides(cusps), strict=True):
+        face = "none" if behind else BLACK
+        ax.plot(*place[:, None], linestyle="none", marker="o", markersize=4, color=BLACK, markerfacecolor=face, zorder=5)
+    return cover, {name: np.concatenate([[], *values]) for name, values in columns.items()}
+
+
+#: How a line looks where a sheet stands before it, whatever its own pattern is.
+_BEHIND: dict[str, Any] = {"linewidth": 0.6, "linestyle": (0, (3.0, 2.2))}
+
+
+def _draw_line(ax: Any, cover: Cover, theta0: FloatArray, mu0: FloatArray, x: FloatArray, **options: Any) -> None:
+    """A line in space, thin and dashed where the sheets hide it."""
+    for piece, behind in parts(np.stack([theta0, mu0, x], axis=-1), cover):
+        ax.plot(*piece.T, **(options | _BEHIND if behind else options))
 
 
 def _space(figure: Sheet, place: Any, zoom: float) -> Any:
@@ -406,22 +436,16 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
     figure = Sheet(figsize=(4.6, 3.5))
     ax = _space(figure, (0.0, 0.02, 0.97, 0.98), 1.02)
     p = Parameters.article()
-    tables = {"a": _draw_surface(ax, p, detail)}
+    cover, folded = _draw_surface(ax, p, detail)
+    tables = {"a": folded}
     for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, _VIOLET), strict=True):
         up, _ = _both_ways(p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201))
         pieces = passages(up)
         for mu0, x in pieces:
-            ax.plot(np.full(mu0.size, angle), mu0, x, color=color, linewidth=1.5, zorder=4)
+            _draw_line(ax, cover, np.full(mu0.size, angle), mu0, x, color=color, linewidth=1.5, zorder=4)
         for (mu0, x), (_, landed) in itertools.pairwise(pieces):
-            ax.plot(
-                [angle] * 2,
-                [mu0[-1]] * 2,
-                [x[-1], landed[0]],
-                color=color,
-                linewidth=1.2,
-                linestyle=":",
-                zorder=4,
-            )
+            ends = np.array([angle, angle]), np.array([mu0[-1], mu0[-1]]), np.array([x[-1], landed[0]])
+            _draw_line(ax, cover, *ends, color=color, linewidth=1.2, linestyle=":", zorder=4)
         for (mu0, x), mark, at in ((pieces[0], "", 0), (pieces[-1], "′", -1)):
             ax.text(
                 angle,
@@ -434,9 +458,9 @@ def figure_11(*, detail: float = 1.0) -> Sheet:
         tables[f"a_path_{name}"] = _table_of_path(up, "mu0")
     return figure.describe(
         f"""Figure 11. Surface of equilibria in contact over inclination and friction, {_BASE_TEXT}. Blue
-        stable, orange divergent; red lines are the folds, the dot is the cusp. Lines with a dotted jump are
-        the paths a-a' (theta0 = 60 deg, black) and b-b' (theta0 = 40 deg, violet) with mu0 rising. x over
-        L_0. {_RANGE_TEXT} The lines are drawn through the sheets in front of them.""",
+        sheets are stable, orange ones divergent; orange lines are the folds, the dot is the cusp. Lines with a
+        dotted jump are the paths a–a′ (θ₀ = 60°, black) and b–b′ (θ₀ = 40°, violet) with μ₀ rising.
+        {_HIDDEN_TEXT} x over L₀. {_RANGE_TEXT}""",
         **tables,
     )
 
@@ -518,22 +542,23 @@ def figure_13() -> Sheet:
         write_along(ax, r"$\mu_0$ rising", *rising, color=VERMILION)
         write_along(ax, r"$\mu_0$ falling", *falling, color=BLUE)
     return figure.describe(
-        f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a-a' at theta0
-        = 60
-        deg: a jump either way, hysteresis; (b) b-b' at theta0 = 40 deg: one jump, and no return.
-        {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}. Thin line: rising, broad line: falling. {_LINES_TEXT}
-        {_RANGE_TEXT}""",
+        f"""Figure 13. Trajectories of the equilibrium as the friction rises and falls, (a) a–a′ at θ₀ = 60°: a
+        jump either way, hysteresis; (b) b–b′ at θ₀ = 40°: one jump, and no return. Here {_BASE_TEXT}.
+        Thin line: rising, broad line: falling. {_LINES_TEXT} {_RANGE_TEXT}""",
         **tables,
     )
 
 
-def _draw_flutter(ax: Axes, found: FlutterBoundary, mu0: tuple[float, float], space: bool = False) -> Table:
-    """Onsets of flutter over (θ₀, μ₀), or on the surface."""
+def _draw_flutter(ax: Any, found: FlutterBoundary, mu0: tuple[float, float], cover: Cover | None = None) -> Table:
+    """Onsets of flutter over (θ₀, μ₀), or with a cover on the surface."""
+    style: dict[str, Any] = {"color": GREEN, "linewidth": 1.2, "linestyle": LINES[Stability.FLUTTER], "zorder": 3}
     for number in np.unique(found.curve):
         part = found.curve == number
-        columns = surfaces.inside(found.mu0[part], *mu0, np.degrees(found.theta0[part]), found.x[part])
-        places = (columns[1], columns[0], columns[2]) if space else (columns[1], columns[0])
-        ax.plot(*places, color=GREEN, linewidth=1.2, linestyle=LINES[Stability.FLUTTER], zorder=3)
+        friction, angle, x = surfaces.inside(found.mu0[part], *mu0, np.degrees(found.theta0[part]), found.x[part])
+        if cover is None:
+            ax.plot(angle, friction, **style)
+        else:
+            _draw_line(ax, cover, angle, friction, x, **style)
     shown = (found.mu0 >= mu0[0]) & (found.mu0 <= mu0[1])
     return {
         "curve": found.curve[shown], "theta0_deg": np.degrees(found.theta0[shown]), "mu0": found.mu0[shown],
@@ -548,10 +573,8 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     space, plane = _space(figure, (0.02, 0.0, 0.56, 1.0), 0.95), figure.add_axes((0.64, 0.16, 0.345, 0.74))
     p = Parameters.article(sigma=1.0)
     onsets = flutter_boundary(p)
-    tables = {
-        "a": _draw_surface(space, p, detail),
-        "a_flutter": _draw_flutter(space, onsets, MU0_RANGE, space=True),
-    }
+    cover, folded = _draw_surface(space, p, detail)
+    tables = {"a": folded, "a_flutter": _draw_flutter(space, onsets, MU0_RANGE, cover)}
     tables["b"] = _draw_bifurcation_set(plane, p)
     tables["b_flutter"] = _draw_flutter(plane, onsets, MU0_RANGE)
     _label_regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75))
@@ -560,10 +583,10 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
     figure.text(0.02, 0.95, "(a)", va="center")
     plane.set_title("(b)", loc="left")
     return figure.describe(
-        f"""Figure 14. Equilibria in contact at sigma = 1, kappa = 0.007, alpha = 0.007, beta = 0. (a) Surface
-        over inclination and friction: blue stable, orange divergent, green flutter; red lines are folds,
-        green ones onsets of flutter, the dot is the cusp. (b) Bifurcation set: three equilibria in the
-        shaded regions, one elsewhere; dash-dotted, onsets of flutter on the sheet of largest theta. x over
-        L_0. {_RANGE_TEXT}""",
+        f"""Figure 14. Equilibria in contact at σ = 1, κ = 0.007, α = 0.007, β = 0. (a) Surface over
+        inclination and friction: blue sheets are stable, orange divergent, green flutter; orange lines are folds,
+        green ones onsets of flutter, the dot is the cusp. {_HIDDEN_TEXT} (b) Bifurcation set: three equilibria in the
+        shaded regions, one elsewhere; dash-dotted, onsets of flutter on the sheet of largest θ. x over
+        L₀. {_RANGE_TEXT}""",
         **tables,
     )

@@ -11,7 +11,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..catastrophe import Folds, flutter_onsets, folds
+from ..catastrophe import Folds, folds
+from ..flutter import flutter_onsets
 from ..parameters import RANGES, FloatArray, Parameters
 from ..paths import Path
 from ..solver import Equilibria, Stability, equilibria
@@ -19,6 +20,19 @@ from .style import BLACK, LINES, Table, own_axes, styled
 
 #: Names of axes.
 LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\theta$ (deg)", "L": r"$L$"}
+#: Names of axes that stand for themselves: with the unit, since no caption says it.
+_WITH_UNITS = {
+    "theta0": r"$\theta_0$ (deg)",
+    "mu0": r"$\mu_0$ (dimensionless)",
+    "kappa": r"$\kappa$ (dimensionless)",
+    "alpha": r"$\alpha$ (dimensionless)",
+    "sigma": r"$\sigma$ (dimensionless)",
+    "beta": r"$\beta$ (dimensionless)",
+    "x": r"$x_{\mathrm{eq}}$ (units of $L_0$)",
+    "y": r"$y_{\mathrm{eq}}$ (units of $L_0$)",
+    "theta": r"$\theta$ (deg)",
+    "L": r"$L$ (units of $L_0$)",
+}
 _ANGLES = ("theta0", "theta")
 _STATE = ("theta", "L", "x", "y")
 
@@ -39,6 +53,14 @@ class Branch:
         """A coordinate or the parameter as an axis shows it: angles in degrees."""
         value: FloatArray = self.values if name == self.vary else getattr(self, name)
         return np.degrees(value) if name in _ANGLES else value
+
+
+def name_axes(ax: Axes, vary: str, quantity: str) -> None:
+    """Label axes that have no label yet."""
+    if not ax.get_xlabel():
+        ax.set_xlabel(_WITH_UNITS[vary])
+    if not ax.get_ylabel():
+        ax.set_ylabel(_WITH_UNITS[quantity])
 
 
 def branches(
@@ -203,6 +225,7 @@ def plot_equilibria(
     8
     """
     ax = own_axes(ax)
+    name_axes(ax, vary, quantity)
     lines = draw_branches(branches(p, vary, low, high, contact=contact), quantity, ax=ax, color=color, **options)
     if contact:
         ends = [line.get_xdata() for line in lines]
@@ -268,6 +291,7 @@ def draw_path(
 ) -> list[Any]:
     """Draw a quasi-static path, its jumps dotted; arrow heads at some shares of every piece, and on jumps."""
     ax = own_axes(ax)
+    name_axes(ax, path.vary, quantity)
     artists: list[Any] = []
     pieces = passages(path, quantity)
     style: dict[str, Any] = {"color": color, "linewidth": 1.1, "zorder": 2.2}

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
@@ -55,8 +58,8 @@ def bifurcation_figure(p: Parameters) -> Sheet:
         ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
     return figure.describe(
-        f"""Bifurcation set over inclination and friction, kappa = {kappa:g}, alpha = {alpha:g}, sigma =
-        {sigma:g}, beta = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots
+        f"""Bifurcation set over inclination and friction, κ = {kappa:g}, α = {alpha:g}, σ =
+        {sigma:g}, β = {beta:g}: three equilibria in contact in the shaded regions, one elsewhere; dots
         are cusps.""",
         a=table,
     )
@@ -70,9 +73,9 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
         tables[letter] = _draw_cusp_friction(ax, name, n)
     return figure.describe(
-        f"""Friction at the cusp, mu_cusp, over (a) beta, (b) alpha, (c) sigma, (d) kappa, the other
+        f"""Friction at the cusp, μ_cusp, over (a) β, (b) α, (c) σ, (d) κ, the other
         parameters
-        at {_BASE_TEXT}. From small deformation a curve at mu0 = 0.5 (dotted) jumps where mu_cusp lies below
+        at {_BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_cusp lies below
         it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
         not. The number is the critical value. Where the curve of (d) ends there is no cusp beyond.""",
         **tables,
@@ -178,10 +181,10 @@ def figure_false_double_root() -> Sheet:
         write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
     axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
     return figure.describe(
-        f"""Smallest distance of two roots, relative to their size, at mu0 = 0.5, {_BASE_TEXT}, of (a) the
-        quartic in L, the article's Equation (21), (b) the quartic in t = tan(theta/2). Both have a double
+        f"""Smallest distance of two roots, relative to their size, at μ₀ = 0.5, {_BASE_TEXT}, of (a) the
+        quartic in L, the article's Equation (21), (b) the quartic in t = tan(θ/2). Both have a double
         root at the two folds; that in L has another where two different equilibria share the length
-        sigma/(sigma + alpha), and where x and y can't be recovered from it.""",
+        σ/(σ + α), and where x and y can't be recovered from it.""",
         a={"theta0_deg": angles, "gap_L": gaps[0]}, b={"theta0_deg": angles, "gap_t": gaps[1]},
     )  # fmt: skip
 
@@ -189,15 +192,20 @@ def figure_false_double_root() -> Sheet:
 # ------------------------------------------------------------------------------------ motions in numbers
 
 
+#: Neighbouring cells whose RMS differ by more than this are divided.
+_STEP_OF_RMS = 0.3
+
+
 @styled
-def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, workers: Workers = 1) -> Sheet:
-    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set."""
+def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int = 2, workers: Workers = 1) -> Sheet:
+    """Root mean square of x over (θ₀, μ₀), as in Figure 7b, upon the bifurcation set.
+
+    Cells are divided into four ``levels`` times, each time where the RMS steps from a cell to its neighbour.
+    """
     figure, ((ax,),) = panels(1, 1, SINGLE * 1.3, 3.2)
     p = Parameters.article()
-    angles = np.arange(step_deg / 2, 180.0, step_deg)
-    frictions = np.arange(step_mu0 / 2, MU0_RANGE[1], step_mu0)
-    sweep = rms_sweep(p.replace(theta0=np.radians(angles), mu0=frictions[:, None]), V, D, rtol=1e-8, workers=workers)
-    image = ax.pcolormesh(angles, frictions, sweep.rms, cmap="cividis", vmin=0.0, rasterized=True)
+    cells = _divided(p, step_deg, step_mu0, levels, workers)
+    image = ax.pcolormesh(cells.angles, cells.frictions, cells.rms, cmap="cividis", vmin=0.0, rasterized=True)
     found = bifurcation_set(p)
     for curve in found.curves:
         ax.plot(np.degrees(curve.theta0), curve.mu0, color="white", linewidth=2.2)
@@ -211,21 +219,73 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, workers: Wo
         color=VERMILION,
         markeredgecolor="white",
     )
+    for text, place in (("I", (50, 0.75)), ("II", (117, 0.93))):
+        write_along(ax, text, *place, ha="center", color=BLACK if text == "I" else "white")
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=MU0_RANGE)
     figure.colorbar(image, ax=ax, label=r"RMS of $x$", pad=0.02)
-    where = np.broadcast_arrays(angles, frictions[:, None])
+    share = 2**levels
     return figure.describe(
-        f"""Root mean square of x, about zero, over 1500 < tau < 2000, of the motion from rest at x = y = 0,
-        over inclination and friction; red: the bifurcation set, the dot is the cusp.
-        {_BASE_TEXT[0].upper()}{_BASE_TEXT[1:]}; V = {V} and d = {D:g} are our assumption.""",
-        a={
-            "theta0_deg": where[0].ravel(),
-            "mu0": where[1].ravel(),
-            "rms_x": sweep.rms.ravel(),
-            "regime": sweep.regime.ravel(),
-        },
+        f"""Root mean square of x, about zero, over 1500 < τ < 2000, of the motion from rest at x = y = 0, over
+        inclination and friction; orange: the bifurcation set, the dot is the cusp. Here {_BASE_TEXT}; V = {V} and d =
+        {D:g} are our assumption. One motion for each cell, at its centre: cells of {step_deg:g}° by {step_mu0:g}, divided
+        down to {step_deg / share:g}° by {step_mu0 / share:g} where the RMS steps. In both bright regions the motion ends in a
+        large cycle, in which it is above the belt most of the time. Region I begins before the fold: the motion overshoots the
+        divergent state. Region II has nothing to do with folds: the only equilibrium there is stable, a large cycle lives
+        beside it, at θ₀ = 132° from μ₀ = 0.3 upwards at least, and the motion from rest, which bounces on the belt, grows into
+        that cycle where friction is above about 0.83. Its ragged edge depends on the start, and on rounding.""",
+        a=cells.table,
     )
+
+
+@dataclass(frozen=True)
+class _Cells:
+    """A map over cells of unequal size: on the finest grid, and as a table of what was computed."""
+
+    angles: FloatArray
+    frictions: FloatArray
+    rms: FloatArray
+    table: Table
+
+
+def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, workers: Workers) -> _Cells:
+    columns: dict[str, list[NDArray[Any]]] = {"theta0_deg": [], "mu0": [], "rms_x": [], "regime": [], "level": []}
+    for level in range(levels + 1):
+        angles = _centres(180.0, step_deg / 2**level)
+        frictions = _centres(MU0_RANGE[1], step_mu0 / 2**level)
+        if level == 0:
+            rms, asked = np.zeros((frictions.size, angles.size)), np.ones((frictions.size, angles.size), dtype=bool)
+        else:
+            rms, asked = _in_four(rms), _in_four(_beside_a_step(rms))
+        row, column = np.nonzero(asked)
+        where = p.replace(theta0=np.radians(angles[column]), mu0=frictions[row])
+        sweep = rms_sweep(where, V, D, rtol=1e-8, workers=workers)
+        rms[row, column] = sweep.rms
+        found: tuple[NDArray[Any], ...] = (
+            angles[column], frictions[row], sweep.rms, sweep.regime, np.full(row.size, level)
+        )  # fmt: skip
+        for values, more in zip(columns.values(), found, strict=True):
+            values.append(more)
+    return _Cells(angles, frictions, rms, {name: np.concatenate(values) for name, values in columns.items()})
+
+
+def _centres(top: float, step: float) -> FloatArray:
+    """Middles of equal cells that fill the range from 0, the last one perhaps in part."""
+    return step * np.arange(0.5, round(top / step), dtype=np.float64)
+
+
+def _in_four(cells: NDArray[Any]) -> NDArray[Any]:
+    return np.repeat(np.repeat(cells, 2, axis=0), 2, axis=1)
+
+
+def _beside_a_step(rms: FloatArray) -> NDArray[np.bool_]:
+    """Cells that differ from a neighbour, beside or above, by a step."""
+    found = np.zeros(rms.shape, dtype=bool)
+    for axis in (0, 1):
+        steps = np.abs(np.diff(rms, axis=axis)) > _STEP_OF_RMS
+        for side in (0, 1):
+            found |= np.insert(steps, 0 if side else steps.shape[axis], False, axis=axis)
+    return found
 
 
 @styled
@@ -249,10 +309,9 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
     axes[2].axhline(float(np.degrees(folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
     return figure.describe(
-        f"""Sensitivity of Figure 7b to belt speed and steepness, mu0 = 0.5, {_BASE_TEXT}. Root mean square
-        of x
-        over 1500 < tau < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
-        {V}; (c) the theta0 at which it steps most, to {np.degrees(jumps.width):.2g} deg, over V for three
+        f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {_BASE_TEXT}. Root mean square of x
+        over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
+        {V}; (c) the θ₀ at which it steps most, to {np.degrees(jumps.width):.2g}°, over V for three
         d. Dotted: the fold, which does not depend on them. V = {V} and d = {D:g} are our assumption of what
         the article does not state.""",
         **tables,

@@ -107,6 +107,16 @@ def _cut(polygon: FloatArray, height: FloatArray) -> FloatArray:
     return np.array(points)
 
 
+def of_equal_length(polygons: Sequence[FloatArray]) -> FloatArray:
+    """The polygons as one array, of shape (n, corners, 3), last corners repeated.
+
+    matplotlib fills up a list of unequal lengths with whatever the memory held, and measures the axes with it.
+    """
+    most = max((len(polygon) for polygon in polygons), default=3)
+    padded = [np.concatenate([polygon, np.repeat(polygon[-1:], most - len(polygon), axis=0)]) for polygon in polygons]
+    return np.array(padded).reshape(-1, most, 3)
+
+
 def shaded(color: str, polygon: FloatArray) -> tuple[float, float, float]:
     """The colour, darker the steeper a polygon stands, in the proportions in which the axes show it."""
     x, y, z = (polygon * np.array([1 / 180, 1.0, 0.25])).T

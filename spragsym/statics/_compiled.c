@@ -261,4 +261,11 @@ static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in column
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,
                                         NULL, NULL, NULL, NULL};
 
-PyMODINIT_FUNC PyInit__compiled(void) { return PyModule_Create(&definition); }
+PyMODINIT_FUNC PyInit__compiled(void) {
+    PyObject *const module = PyModule_Create(&definition);
+    if (module && PyModule_AddStringConstant(module, "SOURCE", SPRAGSYM_SOURCE) < 0) {
+        Py_DECREF(module);
+        return NULL;
+    }
+    return module;
+}

@@ -1,4 +1,4 @@
-"""A block of points at once in NumPy, in one float type: the kernel on arrays, for all first roots and then for the other ones."""
+"""A block of points at once in NumPy, in one float type: the kernel on arrays, first for one root a point, then for the others."""
 
 from __future__ import annotations
 
@@ -31,19 +31,19 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
     D = kernel.discriminant(line, u)
     halves = kernel.factors(line.a, line.b, line.d, line.m)
     large, small, _ = kernel.root_pair(halves.p1, halves.q1)
+    upper = np.where(large > 0.0, large, small)
 
     # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
     # where these may be positive, since no equilibrium in contact has sin θ < 0.
     paired = ~(D.value > D.error)
     if contact:
         paired &= ~kernel.one_positive(line, u)
-        settled = _one_each(np.where(large > 0.0, large, small), point, line, out, begin, u)
+        settled = _one_each(upper, point, line, out, begin, u)
     else:
-        lower, upper = np.where(large > 0.0, small, large), np.where(large > 0.0, large, small)
-        settled = _some(np.stack([lower, upper]), point, line, out, begin + np.arange(size), u)
+        settled = _some(np.stack([np.where(large > 0.0, small, large), upper]), point, line, out, begin + np.arange(size), u)
     pairs = np.flatnonzero(paired)
     if pairs.size:
-        t = [np.where(large > 0.0, large, small)] if contact else [large, small]
+        t = [upper] if contact else [large, small]
         one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
         roots = np.sort(np.stack([*(value[pairs] for value in t), one, other]), axis=0)
         settled[pairs] = _some(roots, _rows(point, pairs), _rows(line, pairs), out, begin + pairs, u)
@@ -56,9 +56,8 @@ def _rows(record: Any, rows: NDArray[np.int64]) -> Any:
 
 
 def _columns(t: Any, root: kernel.Root, rounding: float) -> dict[str, Any]:
-    return {
-        "theta": 2.0 * np.arctan(t), "L": root.L, "x": root.x, "y": root.y, "error": root.error + rounding, "stability": root.code,
-    }  # fmt: skip
+    theta, error = 2.0 * np.arctan(t), root.error + rounding
+    return {"theta": theta, "L": root.L, "x": root.x, "y": root.y, "error": error, "stability": root.code}
 
 
 def _rounding(u: np.floating[Any]) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import threading
 from collections.abc import Sequence
 from functools import cache
@@ -10,6 +9,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from ..generated import SOURCE_HASH
 from .slots import COLUMNS, Slots
 
 _ROOM = threading.local()
@@ -17,8 +17,12 @@ _ROOM = threading.local()
 
 @cache
 def available() -> bool:
-    """Whether the extension module was built."""
-    return importlib.util.find_spec("spragsym.statics._compiled") is not None
+    """Whether the extension module was built, and from the derivation that the rest of this package stands on."""
+    try:
+        from . import _compiled
+    except ImportError:
+        return False
+    return SOURCE_HASH.startswith(_compiled.SOURCE)
 
 
 def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
@@ -26,14 +30,16 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
 
     ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
     """
-    from . import _compiled  # type: ignore[attr-defined]  # built on installation, if there was a compiler
+    from . import _compiled
 
     rows, further = _room(out.slots - 1, size)
     settled = np.empty(size, dtype=np.bool_)
     here = slice(begin, begin + size)
     first = tuple(out.first[name][here] for name in COLUMNS)
     some = tuple(column[:size] for column in further)
-    used = _compiled.solve(*values, int(contact), settled, out.count[here], first, (rows[:size], *some))
+    theta0, mu0, kappa, alpha, sigma, beta = values
+    results = settled, out.count[here], first, (rows[:size], *some)
+    used = _compiled.solve(theta0, mu0, kappa, alpha, sigma, beta, int(contact), *results)
     if used:
         out.further.append((begin + rows[:used], {name: some[i][:used].T.copy() for i, name in enumerate(COLUMNS)}))
     return np.flatnonzero(~settled)
@@ -41,10 +47,11 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
 
 def single(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.bool_]:
     """Where there certainly is one equilibrium in contact; ``values`` as for :func:`solve`."""
-    from . import _compiled  # type: ignore[attr-defined]  # as above
+    from . import _compiled
 
     flags = np.empty(size, dtype=np.bool_)
-    _compiled.single(*values, flags)
+    theta0, mu0, kappa, alpha, sigma, beta = values
+    _compiled.single(theta0, mu0, kappa, alpha, sigma, beta, flags)
     return flags
 
 

@@ -1,4 +1,4 @@
-"""Where results are kept: the first equilibrium of every point in columns, and of the few points that have more, the others apart.
+"""Where results are kept: the first equilibrium of every point in columns, and apart from it the others of the few that have more.
 
 Memory that is touched for the first time costs as much as the solving: what most points don't have is not written. Padded
 arrays, of one more axis than the parameters, are made when they are asked for.
@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 #: What is known of an equilibrium.
 COLUMNS = ("theta", "L", "x", "y", "error", "stability")
-_TYPES: dict[str, Any] = {name: np.float64 for name in COLUMNS} | {"stability": np.int8}
+_TYPES: dict[str, Any] = dict.fromkeys(COLUMNS, np.float64) | {"stability": np.int8}
 #: What stands in an empty slot.
-_NOTHING: dict[str, float] = {name: np.nan for name in COLUMNS} | {"stability": 0}
+_NOTHING: dict[str, float] = dict.fromkeys(COLUMNS, np.nan) | {"stability": 0}
 
 #: Columns by name; of one point each row, or of one point and slot.
 Columns = Mapping[str, NDArray[Any]]
@@ -69,19 +69,22 @@ class Slots:
         return table.T
 
 
+def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:
+    """Columns of shape (slots, points) with nothing in them."""
+    return {name: np.full((slots, points), nothing, dtype=_TYPES[name]) for name, nothing in _NOTHING.items()}
+
+
 def gathered(members: NDArray[np.bool_], candidates: Columns, slots: int) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
     """Of the candidates of each point, shape (candidates, points), the members moved to the front; and their number."""
     pattern = np.left_shift(members, np.arange(len(members))[:, None], dtype=np.int64).sum(axis=0)
     order, number = _orders(len(members), slots)
     count = number[pattern]
     partial = np.flatnonzero(count < len(members))
-    chosen, empty = order[pattern[partial]].T, np.arange(slots)[:, None] >= count[partial]
-    packed = {}
-    for name, nothing in _NOTHING.items():
-        table = np.full((slots, members.shape[1]), nothing, dtype=_TYPES[name])
+    chosen, free = order[pattern[partial]].T, np.arange(slots)[:, None] >= count[partial]
+    packed = empty(slots, members.shape[1])
+    for name, table in packed.items():
         table[: len(members)] = candidates[name]
-        table[:, partial] = np.where(empty, nothing, np.take_along_axis(table[:, partial], chosen, axis=0))
-        packed[name] = table
+        table[:, partial] = np.where(free, _NOTHING[name], np.take_along_axis(table[:, partial], chosen, axis=0))
     return count, packed
 
 

@@ -32,6 +32,7 @@ class Material:
     modules: tuple[Module, ...]
     kernel: Source
     counts: Mapping[str, float]
+    source: str  #: head of the hash of what all is made from
     header: str
 
     @property

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
-from ...language import REAL, Kinds
 from ...functions import Function
+from ...language import Kinds, Routine
 from .. import Material, Target, runtime
 from . import algebra, cost, kernel
 
@@ -44,14 +43,18 @@ def render(material: Material) -> dict[str, str]:
     words = {f"cost:{name}": cost.describe(value) for name, value in counted.items()}
     words["block"] = str(cost.constants(source)["BLOCK"])
     words["table"] = "\n".join(f" * - {name}: {words[f'cost:{name}']}" for name in _TABLE)
+    words["source"] = material.source
     words["header"] = textwrap.fill(material.header.replace("``", ""), 118, subsequent_indent=" * ")
     texts["spragsym.h"] = _filled(texts["spragsym.h"], parts)
     texts["spragsym.c"] = source
-    return {name: re.sub(r"@((?:cost:)?(?:%s))@" % "|".join(_plain(words)), lambda match: words[match[1]], text) for name, text in texts.items()}
+    return {name: _spoken(text, words) for name, text in texts.items()}
 
 
-def _plain(words: Mapping[str, str]) -> list[str]:
-    return sorted({re.escape(word.removeprefix("cost:")) for word in words}, key=len, reverse=True)
+def _spoken(text: str, words: Mapping[str, str]) -> str:
+    """Put the words in the places that ``@name@`` marks."""
+    for name, word in words.items():
+        text = text.replace(f"@{name}@", word)
+    return text
 
 
 def _filled(text: str, parts: Mapping[str, str]) -> str:
@@ -78,11 +81,11 @@ def _kernel(material: Material, known: Mapping[str, Function]) -> str:
     ])  # fmt: skip
 
 
-def _in_order(material: Material) -> list:
+def _in_order(material: Material) -> list[Routine]:
     """Routines, each after those that it calls."""
     source = material.kernel
     kinds = Kinds(source)
-    ordered: dict[str, object] = {}
+    ordered: dict[str, Routine] = {}
 
     def place(name: str) -> None:
         if name in ordered:

@@ -83,7 +83,7 @@ def _result(function: Function) -> str:
 
 def _signature(start: str, function: Function, result: str | None) -> str:
     tied = "\N{NO-BREAK SPACE}"  # a type stays on the line of its name
-    arguments = [f"double {_name(symbol)}" for symbol in function.arguments] + [result] * (result is not None)
+    arguments = [f"double {_name(symbol)}" for symbol in function.arguments] + ([] if result is None else [result])
     listed = ", ".join(argument.replace(" ", tied) for argument in arguments)
     filled = textwrap.fill(f"{start}({listed})", _WIDTH, subsequent_indent="    ", break_long_words=False)
     return filled.replace(tied, " ")

@@ -19,13 +19,14 @@ def render(material: Material, header: str) -> str:
     docstring = ast.get_docstring(tree) or ""
     first, rest = docstring.split("\n\n", 1)
     explained = rest.split("\n\n", 1)[1]
-    bound = "\n".join(f"{name} = inspect.unwrap({home}.{name})" for home, name in used)
+    bound = "\n".join(f"{name} = inspect.unwrap(_{home}.{name})" for home, name in used)
+    imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
     counts = "\n".join(f"{name} = {value!r}" for name, value in material.counts.items())
     constants_and_code = source.text[source.text.index("#: A parameter") :]
     return (
         f'"""{first}\n\n{explained}\n\n{header}\n"""\n\n'
         "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
-        f"from . import {', '.join(sorted({home for home, _ in used}))}\n\n"
+        f"{imports}\n\n"
         "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an array of such.\nFlag: TypeAlias = Any\n\n"
         "where, maximum, minimum, absolute, sqrt = numpy.where, numpy.maximum, numpy.minimum, numpy.abs, numpy.sqrt\n"
         "cube_root = numpy.cbrt\n"

@@ -18,6 +18,9 @@
 extern "C" {
 #endif
 
+/** The derivation that this was generated from: the head of a hash of its sources. */
+#define SPRAGSYM_SOURCE "@source@"
+
 /** Most equilibria there can be: roots of a quartic. At steady sliding in contact there are 1 or 3. */
 #define SPRAGSYM_MAX_EQUILIBRIA 4
 

@@ -46,7 +46,7 @@ def _fill(result: Any, shape: tuple[int, ...], dtype: Any) -> Any:
         return tuple(_fill(item, shape, dtype) for item in result)
     if np.shape(result) == shape:
         return np.asarray(result)
-    filled = np.empty(shape, dtype=np.result_type(dtype, result) if dtype != object else object)
+    filled = np.empty(shape, dtype=np.result_type(dtype, result) if dtype != np.dtype(object) else object)
     filled[...] = result
     return filled
 

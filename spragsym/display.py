@@ -1,0 +1,263 @@
+"""Results as tables, for notebooks and for ``print``: angles in degrees, under names that end in ``_deg``."""
+
+from __future__ import annotations
+
+import enum
+import html
+import importlib
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, fields, is_dataclass
+from typing import Any
+
+import numpy as np
+
+#: Rows that a table shows; of a longer one its first and last.
+ROWS = 20
+
+#: Angles among the names that do not begin with ``theta``.
+_ANGLES = {"poles", "width"}
+
+#: Column of codes → module and enumeration that says what they mean.
+_CODES = {"stability": ("solver", "Stability"), "regime": ("sweeps", "Regime"), "which": ("dynamics", "Event")}
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows of text under names, and a line above them."""
+
+    title: str
+    header: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
+
+
+class Shown:
+    """Gives a dataclass a table in a notebook."""
+
+    def _repr_html_(self) -> str:
+        return "\n".join(_html(table) for table in tables(self))
+
+
+class Result(Shown):
+    """A result: ``print`` gives its table as well; ``repr`` stays that of the dataclass."""
+
+    def __str__(self) -> str:
+        return "\n\n".join(_text(table) for table in tables(self))
+
+
+def tables(thing: Any) -> Iterator[Table]:
+    """What there is to show of a dataclass: one table of its columns, and one of each part."""
+    name = type(thing).__name__
+    if name == "Equilibria":
+        yield _equilibria(thing)
+        return
+    if name == "Trajectory":
+        yield _trajectory(thing)
+        return
+    values = _fields(thing)
+    if name == "Events":
+        values |= zip(("x", "y", "vx", "vy"), values.pop("state").T, strict=True)
+    if "vary" in values and "values" in values:
+        values = {values["vary"]: values.pop("values"), **values}
+    single = {key: value for key, value in values.items() if _is_single(value)}
+    arrays = {key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim}
+    shape = max((value.shape for key, value in arrays.items() if key not in _ANGLES), key=math.prod, default=())
+    columns = {key: value for key, value in arrays.items() if value.shape == shape}
+    single |= {key: _listed(key, value) for key, value in arrays.items() if value.shape != shape}
+    if columns:
+        yield _columns(_title(name, single, _size(shape)), columns, shape)
+    elif single:
+        yield Table(name, *_pairs(single))
+    for key, value in values.items():
+        if is_dataclass(value) and not _is_single(value):
+            yield from _parts(key, tables(value))
+        elif isinstance(value, Sequence) and not isinstance(value, str):
+            yield from _sequence(key, value, values.get("vary", "value"))
+
+
+# ----------------------------------------------------------------------------------------------- kinds of results
+
+
+def _equilibria(eq: Any) -> Table:
+    """A row for each equilibrium, with the parameters that vary over the points."""
+    p, shape = eq.parameters, eq.count.shape
+    points = np.argwhere(np.arange(eq.theta.shape[-1]) < eq.count[..., None])
+    shown, cut = _shown(len(points))
+    slots = [tuple(int(i) for i in points[row]) for row in shown]
+    vary = [key for key, value in _fields(p).items() if value is not None and value.size > 1]
+    names = ("theta", "L", "x", "y", "error")
+    header = (*(["point"] if shape else []), *map(_heading, vary), "stability", *map(_heading, names))
+    rows = []
+    for slot in slots:
+        place = slot[:-1]
+        given = [_cell(key, np.broadcast_to(getattr(p, key), p.shape)[place]) for key in vary]
+        state = [_cell(key, getattr(eq, key)[slot]) for key in ("stability", *names)]
+        rows.append((*([_index(place)] if shape else []), *given, *state))
+    where = "contact" if eq.contact else "lift-off"
+    title = f"{len(points)} equilibria in {where}" + (f" of {math.prod(shape)} points" if shape else "")
+    return _with_cut(title, header, rows, cut)
+
+
+def _trajectory(tr: Any) -> Table:
+    """The reach of the motion, not its samples."""
+    rows = [
+        (key, *(_cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
+        for key, values in ((key, getattr(tr, key)) for key in ("x", "y", "vx", "vy"))
+    ]
+    known = {key: value for key, value in _fields(tr).items() if _is_single(value)}
+    events = {} if tr.events is None else {"events": len(tr.events)}
+    title = _title(f"Trajectory, t = {_cell('t', tr.t[0])} to {_cell('t', tr.t[-1])}", known | events, f"{len(tr.t)} samples")
+    return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
+
+
+def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...]) -> Table:
+    shown, cut = _shown(math.prod(shape))
+    used = {key: value for key, value in columns.items() if value.dtype.kind != "U" or (value != "").any()}
+    header = (*(["point"] if len(shape) > 1 else []), *map(_heading, used))
+    rows = []
+    for row in shown:
+        place = tuple(int(i) for i in np.unravel_index(row, shape))
+        rows.append((*([_index(place)] if len(shape) > 1 else []), *(_cell(key, value[place]) for key, value in used.items())))
+    return _with_cut(title, header, rows, cut)
+
+
+def _sequence(key: str, things: Sequence[Any], vary: str) -> Iterator[Table]:
+    """Parts of one kind: a row each, of curves their extents; ``vary`` is the name of what they call ``value``."""
+    if not things:
+        yield Table(f"{key}: none")
+        return
+    rows = [_renamed(_extents(_fields(thing)), vary) if is_dataclass(thing) else {"": thing} for thing in things]
+    shown, cut = _shown(len(rows))
+    header = ("", *map(_heading, rows[0]))
+    body = [(str(i), *(_cell(name, value) for name, value in rows[i].items())) for i in shown]
+    yield _with_cut(key, header, body, cut)
+
+
+def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Arrays by their ends in size."""
+    out: dict[str, Any] = {}
+    for key, value in values.items():
+        if isinstance(value, np.ndarray) and value.ndim:
+            out |= {f"{key} from": value.min(initial=np.inf), f"{key} to": value.max(initial=-np.inf)}
+        else:
+            out[key] = value
+    return out
+
+
+def _renamed(values: Mapping[str, Any], vary: str) -> dict[str, Any]:
+    return {vary if key == "value" else key: value for key, value in values.items()}
+
+
+def _parts(key: str, found: Iterator[Table]) -> Iterator[Table]:
+    for table in found:
+        yield Table(f"{key}: {table.title}", table.header, table.rows)
+
+
+# -------------------------------------------------------------------------------------------------- words of them
+
+
+def _fields(thing: Any) -> dict[str, Any]:
+    """Fields by name, a mapping of arrays in the place of its own, in the shape of the rest."""
+    out: dict[str, Any] = {}
+    for field in fields(thing):
+        value = getattr(thing, field.name)
+        if isinstance(value, Mapping):
+            shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
+            out |= {key: np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
+        elif value is not None:
+            out[field.name] = value
+    return out
+
+
+def _is_single(value: Any) -> bool:
+    """Whether something fits on the line above a table."""
+    if type(value).__name__ in ("Parameters", "PhysicalParameters"):
+        return True
+    if isinstance(value, np.ndarray):
+        return value.ndim == 0
+    return not is_dataclass(value) and (isinstance(value, str) or not isinstance(value, Sequence))
+
+
+def _title(name: str, single: Mapping[str, Any], size: str) -> str:
+    return ", ".join([name, *(f"{_heading(key)} = {_cell(key, value)}" for key, value in single.items()), size])
+
+
+def _size(shape: tuple[int, ...]) -> str:
+    return f"{shape[0]} rows" if len(shape) == 1 else f"{' × '.join(map(str, shape))} points"
+
+
+def _listed(key: str, values: Any) -> str:
+    flat = values.ravel()
+    text = ", ".join(_cell(key, value) for value in flat[:8])
+    return f"[{text}{', …' if flat.size > 8 else ''}]"
+
+
+def _pairs(single: Mapping[str, Any]) -> tuple[tuple[str, ...], tuple[tuple[str, ...], ...]]:
+    return ("", "value"), tuple((_heading(key), _cell(key, value)) for key, value in single.items())
+
+
+def _shown(count: int) -> tuple[list[int], int | None]:
+    """Rows to show, and before which of them rows are left out."""
+    if count <= ROWS:
+        return list(range(count)), None
+    half = ROWS // 2
+    return [*range(half), *range(count - half, count)], half
+
+
+def _with_cut(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]], cut: int | None) -> Table:
+    if cut is not None:
+        rows = [*rows[:cut], ("…",) * len(header), *rows[cut:]]
+    return Table(title, header, tuple(rows))
+
+
+def _is_angle(key: str) -> bool:
+    name = key.partition(" ")[0]
+    return name.startswith("theta") or name in _ANGLES
+
+
+def _heading(key: str) -> str:
+    name, blank, rest = key.partition(" ")
+    return f"{name}_deg{blank}{rest}" if _is_angle(key) else key
+
+
+def _index(place: tuple[int, ...]) -> str:
+    return ", ".join(map(str, place))
+
+
+def _cell(key: str, value: Any) -> str:
+    """A number to ten digits, a code as its word."""
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.item() if value.ndim == 0 else _listed(key, value)
+    if isinstance(value, tuple):
+        return ", ".join(_cell("", part) for part in value)
+    if isinstance(value, str):
+        return value
+    if isinstance(value, enum.Enum):
+        return value.name.lower()
+    if key in _CODES:
+        module, enumeration = _CODES[key]
+        return str(getattr(importlib.import_module(f".{module}", __package__), enumeration)(value).name.lower())
+    if not isinstance(value, float):
+        return str(value)
+    if key == "error":
+        return f"{value:.1e}"
+    return f"{math.degrees(value) if _is_angle(key) else value:.10g}"
+
+
+# ------------------------------------------------------------------------------------------------- as HTML, as text
+
+
+def _html(table: Table) -> str:
+    if not table.header:
+        return f"<p>{html.escape(table.title)}</p>"
+    head = "".join(f"<th>{html.escape(name)}</th>" for name in table.header)
+    body = "".join(f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in table.rows)
+    caption = f"<caption>{html.escape(table.title)}</caption>"
+    return f"<table>{caption}<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def _text(table: Table) -> str:
+    lines = [table.header, *table.rows] if table.header else []
+    widths = [max(map(len, column)) for column in zip(*lines, strict=True)]
+    body = ("  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines)
+    return "\n".join([table.title, *body])

@@ -1,0 +1,147 @@
+"""Results as tables: in a notebook, in print, and on the axes of a figure."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib
+from collections.abc import Callable
+from html.parser import HTMLParser
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym import display
+
+P = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))
+ONE = ss.Parameters.article(theta0=0.5)
+BELT: dict[str, Any] = {"V": 0.5, "d": 10.0, "backend": "scipy"}
+
+
+def _basin() -> ss.Basin:
+    return ss.basin(ONE, x=[0.0, 1.0], vx=[0.0, 0.1, 0.2], t_end=20.0, transient=10.0, **BELT)
+
+
+#: What gives each kind of result.
+RESULTS: dict[str, Callable[[], Any]] = {
+    "Parameters": lambda: P,
+    "PhysicalParameters": lambda: ss.PhysicalParameters(1, 1, 1, 1, 1, 1, 1, 1, 1),
+    "Scales": lambda: ss.PhysicalParameters(1, 1, 1, 1, 1, 1, 1, 1, 1).scales,
+    "Equilibria": lambda: ss.equilibria(P),
+    "Surface": lambda: ss.surface(ONE, 1.0, [[0.5], [0.6]]),
+    "Folds": lambda: ss.folds(ONE),
+    "Cusps": lambda: ss.cusps(ONE),
+    "BifurcationSet": lambda: ss.bifurcation_set(ONE, 600),
+    "FoldCurve": lambda: ss.bifurcation_set(ONE, 600).curves[0],
+    "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 50),
+    "FlutterOnsets": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7)),
+    "LinearSprag": lambda: ss.linear_sprag(P),
+    "Path": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0))),
+    "Jump": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", [0.5, 1.0]).jumps[0],
+    "Trajectory": lambda: ss.simulate(ONE, t_end=20.0, **BELT),
+    "Outcome": lambda: ss.simulate(ONE, t_end=20.0, **BELT).outcome(),
+    "Events": lambda: ss.simulate(ONE.replace(theta0=0.9), t_end=40.0, **BELT).events,
+    "Sweep": lambda: ss.rms_sweep(P, t_end=20.0, **BELT),
+    "Basin": _basin,
+    "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),
+}
+
+
+class Tables(HTMLParser):
+    """Rows of cells; an error for tags that do not match."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.rows: list[list[str]] = []
+        self.feed(text)
+        assert not self.open
+
+    def handle_starttag(self, tag: str, attrs: Any) -> None:
+        self.open.append(tag)
+        if tag == "tr":
+            self.rows.append([])
+        elif tag in ("td", "th"):
+            self.rows[-1].append("")
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        if self.open and self.open[-1] in ("td", "th"):
+            self.rows[-1][-1] += data
+
+
+def test_every_result_is_known_here() -> None:
+    """All public dataclasses have a table."""
+    kinds = {name for name in ss.__all__ if dataclasses.is_dataclass(getattr(ss, name))}
+    assert kinds <= set(RESULTS)
+
+
+@pytest.mark.parametrize("kind", RESULTS)
+def test_a_notebook_gets_a_table(kind: str) -> None:
+    result = RESULTS[kind]()
+    text = result._repr_html_()
+    assert text == RESULTS[kind]()._repr_html_()  # of equal results
+    rows = Tables(text).rows
+    assert 2 <= len(rows) < 100
+    assert all(cell for cell in rows[0][1:])
+    assert "array(" not in text
+    # Radians stand under no heading: every angle is in degrees, and says so.
+    headings = [cell for row in rows for cell in row if cell.split(" ")[0].startswith(("theta", "poles"))]
+    assert all(heading.split(" ")[0].endswith("_deg") for heading in headings)
+    if isinstance(result, display.Result):
+        assert all(cell in str(result) for row in rows for cell in row)
+    assert repr(result).startswith(f"{kind}(")
+
+
+def test_the_table_of_equilibria_has_their_numbers() -> None:
+    eq = ss.equilibria(P)
+    header, *rows = Tables(eq._repr_html_()).rows
+    assert len(rows) == eq.count.sum() == 4
+    column = {name: [row[header.index(name)] for row in rows] for name in header}
+    there = np.isfinite(eq.theta)
+    np.testing.assert_allclose([float(x) for x in column["theta_deg"]], np.degrees(eq.theta[there]), rtol=1e-9)
+    np.testing.assert_allclose([float(x) for x in column["y"]], eq.y[there], rtol=1e-9)
+    assert column["theta0_deg"] == ["30", "30", "30", "49"]
+    assert column["stability"] == ["stable", "divergent", "stable", "stable"]
+
+
+def test_the_jump_of_a_path_is_in_its_table() -> None:
+    path = RESULTS["Path"]()
+    rows = Tables(path._repr_html_()).rows
+    angle = np.degrees(path.jumps[0].theta0)
+    assert any(row[1] == f"{angle:.10g}" for row in rows)
+
+
+@pytest.mark.parametrize("points", [0, 1, 20, 21, 10**5])
+def test_long_results_are_cut_and_empty_ones_are_no_error(points: int) -> None:
+    p = ss.Parameters.article(theta0=np.linspace(1.0, 1.1, points))
+    for result in (p, ss.equilibria(p)):
+        rows = Tables(result._repr_html_()).rows
+        assert len(rows) == (points + 1 if points <= 20 else 22)
+
+
+def test_what_is_shown_is_escaped() -> None:
+    sweep = dataclasses.replace(RESULTS["Sweep"](), reason=np.array(["<script>&", ""]))
+    text = sweep._repr_html_()
+    assert "<script>" not in text
+    assert "&lt;script&gt;&amp;" in text
+
+
+@pytest.mark.parametrize("quantity", ["x", "y", "theta", "L"])
+def test_axes_have_names_and_units(quantity: str) -> None:
+    figure = pytest.importorskip("matplotlib.figure").Figure
+    figures = importlib.import_module("spragsym.figures")
+    for vary in ("theta0", "mu0", "kappa"):
+        ax = figure().add_subplot()
+        figures.plot_equilibria(ONE, quantity, vary, low=0.1, high=0.2, ax=ax)
+        assert "(" in ax.get_xlabel()
+        assert "(" in ax.get_ylabel()
+    for quantity_of_path in {"x", "y", "theta"} & {quantity}:
+        ax = figure().add_subplot()
+        ax.set_xlabel("my own")
+        figures.draw_path(RESULTS["Path"](), quantity_of_path, ax=ax)
+        assert ax.get_xlabel() == "my own"
+        assert "(" in ax.get_ylabel()

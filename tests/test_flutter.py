@@ -1,0 +1,301 @@
+"""Flutter onsets against a map of stability, against Newton's method on the equations of motion, and at degenerate parameters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+
+import spragsym as ss
+from benchmarks.validate_flutter import compare, random_set
+from spragsym import descartes, flutter_proofs, intervals, kernel
+from spragsym.generated import stability
+
+#: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.
+NEXT_TO_90 = ss.Parameters.article(mu0=1.3, alpha=1.3, sigma=0.32)
+WITHOUT_ALPHA = ss.Parameters(mu0=0.75, kappa=0.0035, alpha=0, sigma=0.7, beta=0)
+
+
+# ----------------------------------------------------------------------------------- independent formulation
+
+
+def _forces(x: mpmath.mpf, y: mpmath.mpf, theta0: mpmath.mpf, p: dict[str, mpmath.mpf]) -> tuple[mpmath.mpf, mpmath.mpf]:
+    """The forces of (8) and (9) on the mass in contact, in x and y: nothing is eliminated."""
+    along, across = mpmath.cos(theta0) - x, mpmath.sin(theta0) - y
+    length = mpmath.hypot(along, across)
+    spring = p["sigma"] * (1 - length) / length
+    normal = -y
+    return -p["alpha"] * x - spring * along + p["mu0"] * normal, -p["beta"] * y - spring * across + normal - p["kappa"]
+
+
+def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
+    """F_x, F_y and the discriminant in λ² of det(λ² I + K), K by differences of the forces at many digits."""
+
+    def residuals(x: mpmath.mpf, y: mpmath.mpf, theta0: mpmath.mpf) -> list[mpmath.mpf]:
+        step = mpmath.mpf(10) ** -40
+        moved = [
+            (_forces(x - a, y - b, theta0, p), _forces(x + a, y + b, theta0, p)) for a, b in ((step, 0), (0, step))
+        ]
+        K = [[(before[row] - after[row]) / (2 * step) for before, after in moved] for row in (0, 1)]
+        trace, determinant = K[0][0] + K[1][1], K[0][0] * K[1][1] - K[0][1] * K[1][0]
+        return [*_forces(x, y, theta0, p), trace**2 - 4 * determinant]
+
+    return residuals
+
+
+@pytest.mark.parametrize("p", [
+    NEXT_TO_90, WITHOUT_ALPHA, ss.Parameters.article(alpha=0.7), ss.Parameters.article(sigma=1.0),
+    ss.Parameters.article(mu0=6.0, alpha=1e-6), ss.Parameters.article(mu0=1.0, alpha=1.0),
+])  # fmt: skip
+@pytest.mark.parametrize("arb", [False, True])
+def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arb: bool) -> None:
+    arith = pytest.importorskip("benchmarks.arb").Arb() if arb else intervals.arithmetic()
+    found = ss.flutter_onsets(p, arith=arith)
+    assert len(found) >= 1
+    assert (found.mu0 == float(p.mu0)).all()
+    with mpmath.workdps(110):
+        values = {name: mpmath.mpf(float(getattr(p, name))) for name in ("mu0", "kappa", "alpha", "sigma", "beta")}
+        for i in range(len(found)):
+            start = [mpmath.mpf(float(value[i])) for value in (found.x, found.y, found.theta0)]
+            x, y, theta0 = mpmath.findroot(_residuals(values), start, tol=1e-60)
+            along, across = mpmath.cos(theta0) - x, mpmath.sin(theta0) - y
+            true = {"theta0": theta0, "x": x, "y": y, "theta": mpmath.atan2(across, along), "L": mpmath.hypot(along, across)}
+            assert found.error[i] < 1e-15
+            for name, value in true.items():
+                assert abs(float(getattr(found, name)[i]) - value) <= found.error[i] * max(1, abs(value)), name
+
+
+def _mirrored(found: ss.FlutterOnsets) -> np.ndarray:
+    return np.sort(np.pi - found.theta0)
+
+
+def test_an_onset_next_to_90_degrees_is_found() -> None:
+    found = np.degrees(ss.flutter_onsets(NEXT_TO_90).theta0)
+    assert len(found) == 2
+    assert 89.70 < found[0] < 89.78
+
+
+def test_without_alpha_each_onset_is_listed_once_with_its_mirror_image() -> None:
+    for kappa in (0.0035, 0.02, 1e-4):
+        found = ss.flutter_onsets(WITHOUT_ALPHA.replace(kappa=kappa))
+        assert len(found)
+        assert np.diff(found.theta0).min() > 1e-3
+        np.testing.assert_allclose(found.theta0, _mirrored(found), rtol=0, atol=1e-14)
+        np.testing.assert_array_equal(found.side, -found.side[::-1])
+        assert (found.mu0 == 0.75).all()
+
+
+# ----------------------------------------------------------------------------------------------- completeness
+
+
+def test_random_sets_against_a_map_of_stability() -> None:
+    rng = np.random.default_rng(20)
+    listed = without_alpha = 0
+    for _ in range(60):
+        p = random_set(rng)
+        onsets = ss.flutter_onsets(p)
+        missed, extra, seen = compare(p, onsets)
+        assert (missed, extra) == (0, 0), p
+        assert seen == len(onsets), p
+        listed, without_alpha = listed + seen, without_alpha + (p.alpha == 0) * seen
+    assert listed > 20
+    assert without_alpha > 5
+
+
+def test_the_map_notices_a_missing_and_an_invented_onset() -> None:
+    found = ss.flutter_onsets(WITHOUT_ALPHA)
+
+    def changed(keep: list[int], shift: float = 0.0) -> ss.FlutterOnsets:
+        arrays = {name: getattr(found, name)[keep] for name in found.__dataclass_fields__}
+        return ss.FlutterOnsets(**{**arrays, "theta0": arrays["theta0"] + shift})
+
+    assert compare(WITHOUT_ALPHA, changed([0, 1, 2, 3])) == (0, 0, 4)
+    assert compare(WITHOUT_ALPHA, changed([0, 2, 3]))[0] == 1
+    assert compare(WITHOUT_ALPHA, changed([0, 1, 2, 3], shift=1e-4))[:2] == (4, 4)
+    assert compare(WITHOUT_ALPHA, changed([0, 1, 1, 2, 3]))[:2] == (0, 1)
+
+
+def test_two_onsets_are_told_apart_down_to_the_last_float() -> None:
+    """At the lowest friction with flutter two onsets are born; one float below there is none."""
+    p = ss.Parameters.article(alpha=0.7)
+    low, high = 0.40, 0.41
+    assert len(ss.flutter_onsets(p.replace(mu0=low))) == 0
+    while math.nextafter(low, 1.0) < high:
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if len(ss.flutter_onsets(p.replace(mu0=middle))) else (middle, high)
+    found = ss.flutter_onsets(p.replace(mu0=high))
+    assert len(found) == 2
+    assert found.side.tolist() == [1, -1]
+    assert 0 < np.diff(found.theta0)[0] < 1e-6
+
+
+def test_nothing_flutters_without_friction() -> None:
+    """K is symmetric. With α = 2, σ = L = 1 its two eigenvalues coincide, which is no onset of anything."""
+    for alpha in (0.0, 0.7, 2.0):
+        assert len(ss.flutter_onsets(ss.Parameters(mu0=0.0, kappa=0.007, alpha=alpha, sigma=1.0, beta=0.0))) == 0
+
+
+@pytest.mark.parametrize("alpha", [0.0, 1e-300, 1e-8])
+def test_small_alpha_tends_to_none(alpha: float) -> None:
+    found = ss.flutter_onsets(ss.Parameters.article(mu0=6.0, alpha=alpha))
+    without = ss.flutter_onsets(ss.Parameters.article(mu0=6.0, alpha=0.0))
+    np.testing.assert_allclose(found.theta0, without.theta0, rtol=0, atol=20 * alpha + 1e-15)
+    assert found.side.tolist() == without.side.tolist() == [1, -1, 1, -1]
+
+
+# ------------------------------------------------------------------------------------------------- degenerate
+
+
+def _exact(*values: Fraction | int) -> list[flutter_proofs.Onset]:
+    arith = intervals.arithmetic()
+    with arith.precision(192):
+        return list(flutter_proofs.onsets(arith, flutter_proofs.Elimination(*map(Fraction, values)), 192))
+
+
+def _middle(value: intervals.Interval) -> float:
+    low, high = intervals.arithmetic().ends(value)
+    return float((low + high) / 2)
+
+
+def test_an_onset_at_90_degrees_of_the_spring() -> None:
+    """cos θ₀ = 4/5, sin θ₀ = 3/5, θ = π/2: K₁₁ = K₂₂, α cos θ₀ + μ₀ (sin θ₀ − L) = 0 and F_y = 0 give L, μ₀ and κ by hand."""
+    (onset,) = (onset for onset in _exact(Fraction(8, 7), Fraction(17, 5), 2, 2, 0) if _middle(onset.theta) == math.pi / 2)
+    assert _middle(onset.theta0) == pytest.approx(math.atan2(3, 4), abs=1e-15)
+    assert _middle(onset.L) == 2.0
+    assert onset.side in (-1, 1)
+
+
+@pytest.mark.parametrize(("cosine", "L"), [(1, Fraction(11, 10)), (-1, Fraction(3, 2))])
+def test_an_onset_at_exactly_0_or_180_degrees_is_outside(cosine: int, L: Fraction) -> None:
+    """sin θ₀ = 0, cos θ = −4/5, σ = 1 and α − β − 1 = −1 leave μ₀ to the discriminant, and α and κ to the two balances."""
+    c, s, difference = Fraction(-4, 5), Fraction(3, 5), -1
+    mu0 = -(1 + 2 * L * difference * (c * c - s * s) + (difference * L) ** 2) / (4 * L * s * c)
+    alpha = (c * (L - 1) + mu0 * L * s) / (cosine - c * L)
+    kappa = ((alpha - difference + 1) * L - 1) * s
+    assert alpha > 0
+    assert kappa > 0
+    values = mu0, kappa, alpha, 1, alpha - difference - 1
+    near = sorted(len(_exact(values[0], values[1] * (1 + way * Fraction(1, 10**9)), *values[2:])) for way in (-1, 1))
+    assert near[1] == near[0] + 1
+    assert len(_exact(*values)) == near[0]
+
+
+def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
+    """cos θ = −12/13, L = 25/9 and sin θ₀ = 1, found by a search over rationals; θ₀ and π − θ₀ have the same states."""
+    values = Fraction(33800, 5277), Fraction(464648, 1852227), 0, Fraction(4225, 15831), 0
+    at_90 = [onset for onset in _exact(*values) if abs(_middle(onset.theta0) - math.pi / 2) < 1e-9]
+    assert len(at_90) == 1
+    assert _middle(at_90[0].theta0) == math.pi / 2
+    assert _middle(at_90[0].theta) == pytest.approx(math.atan2(5, -12), abs=1e-15)
+    assert at_90[0].side == 0
+    # Next to it two onsets, or none.
+    near = [len(_exact(values[0] * (1 + way * Fraction(1, 10**9)), *values[1:])) for way in (-1, 1)]
+    assert sorted(np.subtract(near, len(_exact(*values)))) == [-1, 1]
+
+
+def test_no_onset_is_a_fold() -> None:
+    """f′ = L det K > 0, and the Jacobian J that side is taken from is f′."""
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        p = random_set(rng)
+        found = ss.flutter_onsets(p)
+        mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
+        c, s, c0, s0 = np.cos(found.theta), np.sin(found.theta), np.cos(found.theta0), np.sin(found.theta0)
+        slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1))
+        _, J = stability.flutter_crossing(c, s, found.L, c0, s0, mu0, alpha, sigma, beta)
+        assert (slope > 0).all()
+        np.testing.assert_allclose(J, slope, rtol=1e-9)
+        assert not (found.branch == 1).any()
+
+
+# --------------------------------------------------------------------------------------------------- boundary
+
+
+@pytest.mark.parametrize("changes", [
+    {"alpha": 0.7}, {"sigma": 1.0}, {"alpha": 1.3, "sigma": 0.32}, {"alpha": 0.0, "beta": 0.3}, {"alpha": 0.0, "sigma": 0.7},
+])  # fmt: skip
+def test_the_boundary_has_every_onset_once_at_each_friction(changes: dict[str, float]) -> None:
+    p = ss.Parameters.article(**changes)
+    along = ss.flutter_boundary(p)
+    points = np.stack([along.theta0, along.theta], axis=-1)
+    assert len(np.unique(points, axis=0)) == len(points)
+    for mu0 in (0.03, 0.45, 0.75, 1.3, 6.0, 30.0):
+        found = ss.flutter_onsets(p.replace(mu0=mu0))
+        same = along.curve[1:] == along.curve[:-1]
+        above = along.mu0 > mu0
+        crossings = np.flatnonzero(same & (above[1:] != above[:-1]))
+        assert len(crossings) == len(found), mu0
+        between = np.sort(0.5 * (along.theta0[crossings] + along.theta0[crossings + 1]))
+        np.testing.assert_allclose(between, found.theta0, atol=0.02)
+
+
+def test_boundary_points_are_on_the_boundary_to_rounding() -> None:
+    for changes in ({"alpha": 0.7}, {"sigma": 1.0}, {"alpha": 0.0, "sigma": 0.7}):
+        p = ss.Parameters.article(**changes)
+        found = ss.flutter_boundary(p, n=300)
+        for i in np.flatnonzero((found.mu0 < 20) & (found.count > 0))[::7]:
+            exact = ss.flutter_onsets(p.replace(mu0=found.mu0[i]))
+            # Loose, since an onset is ill-conditioned in θ₀ where the boundary has a level of friction for a tangent.
+            assert np.hypot(exact.theta0 - found.theta0[i], exact.theta - found.theta[i]).min(initial=np.inf) < 1e-6
+            j = int(np.argmin(np.abs(exact.theta0 - found.theta0[i])))
+            assert (exact.branch[j], exact.count[j]) == (found.branch[i], found.count[i])
+
+
+# ---------------------------------------------------------------------------------------------------- descartes
+
+
+def _product(*factors: tuple[int, ...]) -> tuple[int, ...]:
+    product = [1]
+    for factor in factors:
+        grown = [0] * (len(product) + len(factor) - 1)
+        for i, one in enumerate(product):
+            for j, other in enumerate(factor):
+                grown[i + j] += one * other
+        product = grown
+    return tuple(product)
+
+
+def _with_roots(*roots: Fraction) -> tuple[int, ...]:
+    return _product(*((-root.numerator, root.denominator) for root in roots))
+
+
+@pytest.mark.parametrize("roots", [
+    [Fraction(1, 2)], [Fraction(1, 2), Fraction(1, 2) + Fraction(1, 2**70), Fraction(3, 4)],
+    [Fraction(0), Fraction(1), Fraction(1, 3)],
+    [Fraction(1, 7), Fraction(2, 7), Fraction(1, 4), Fraction(3, 8), Fraction(-1, 2), Fraction(3, 2)], [Fraction(1), Fraction(2)],
+    [Fraction(1, 10**40), Fraction(2, 10**40), 1 - Fraction(1, 10**30)],
+])  # fmt: skip
+def test_descartes_finds_every_root_inside(roots: list[Fraction]) -> None:
+    polynomial = _with_roots(*roots)
+    inside = sorted(root for root in roots if 0 < root < 1)
+    found = descartes.isolate(polynomial)
+    assert len(found) == len(inside)
+    for root, true in zip(found, inside, strict=True):
+        narrow = descartes.refine(polynomial, root, 300)
+        assert narrow.low <= true <= narrow.high
+        assert narrow.high - narrow.low <= Fraction(1, 2**300)
+        assert root.low <= true <= root.high
+        assert not [other for other in roots if other != true and root.low <= other <= root.high]
+
+
+def test_common_factors_are_exact_also_where_a_prime_divides_the_leading_coefficient() -> None:
+    shared, prime = _with_roots(Fraction(1, 3), Fraction(2, 5)), 2**61 - 1
+    one, other = _product(shared, (1, 1, prime)), _product(shared, (5, 7, prime))
+    for first, second in ((one, other), (other, one), (one, shared), (shared, one)):
+        factor = descartes.common_factor(first, second)
+        assert factor in (shared, tuple(-value for value in shared))
+    assert descartes.common_factor((1, 1, prime), (5, 7, prime)) == (1,)
+    assert descartes.quotient(one, shared) == (1, 1, prime)
+
+
+def test_multiple_roots_are_counted() -> None:
+    """(v − 1/3)³ (v − 1/2)² (v − 3/4), in place of the polynomial of an elimination."""
+    elimination = flutter_proofs.Elimination(*map(Fraction, (1, 1, 1, 1, 0)))
+    third, half, other = Fraction(1, 3), Fraction(1, 2), Fraction(3, 4)
+    elimination.__dict__["full"] = _with_roots(third, third, third, half, half, other)
+    assert all(root.low <= true <= root.high for root, true in zip(elimination.roots, (third, half, other), strict=True))
+    assert [elimination.multiplicity(root) for root in elimination.roots] == [3, 2, 1]

@@ -1,0 +1,140 @@
+"""Parameters: what is wrong with them is said by name, in the words of who gave them."""
+
+from __future__ import annotations
+
+import copy
+import importlib
+import importlib.util
+import inspect
+import math
+import pickle
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import spragsym as ss
+from spragsym.names import closest
+from spragsym.parameters import NAMES, degrees, shown
+
+BRAKE = ss.PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=0.8, mu0=0.5, V=20)
+
+#: What functions need beside the parameters, so that nothing else is wrong with a call.
+OTHERS: dict[str, Any] = {
+    "vary": "kappa", "values": [0.1, 0.2], "bracket": (0.1, 1.0), "theta": 1.0, "theta0": 1.0, "V": 0.5, "d": 10.0,
+    "x": [0.0], "vx": [0.0],
+}  # fmt: skip
+
+
+def functions_of_parameters() -> dict[str, Callable[..., Any]]:
+    """Every public function with an argument of type Parameters."""
+    modules = ["spragsym", "spragsym.precise", "spragsym.sweeps"]
+    if importlib.util.find_spec("matplotlib"):
+        modules.append("spragsym.figures")
+    found = {}
+    for name in modules:
+        module = importlib.import_module(name)
+        for public in getattr(module, "__all__", ()):
+            function = getattr(module, public)
+            if inspect.isfunction(function) and "Parameters" in [str(v) for v in inspect.get_annotations(function).values()]:
+                found[f"{name}.{public}"] = function
+    return found
+
+
+FUNCTIONS = functions_of_parameters()
+
+
+def test_the_list_is_whole() -> None:
+    names = ("equilibria", "folds", "cusps", "simulate", "critical_friction", "surface")
+    assert {f"spragsym.{name}" for name in names} <= set(FUNCTIONS)
+    assert len(FUNCTIONS) > 15
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_physical_parameters_are_told_what_to_do(name: str) -> None:
+    function = FUNCTIONS[name]
+    needed = [p for p in inspect.signature(function).parameters.values() if p.default is p.empty and p.kind != p.VAR_KEYWORD]
+    arguments = {p.name: BRAKE if p.annotation == "Parameters" else OTHERS[p.name] for p in needed}
+    with pytest.raises(ss.ParameterTypeError, match=r"call \.dimensionless\(\)"):
+        function(**arguments)
+
+
+def test_physical_parameters_are_objects_like_others() -> None:
+    assert not hasattr(BRAKE, "kappa")
+    assert not hasattr(BRAKE, "anything")
+    assert copy.deepcopy(BRAKE) == BRAKE
+    assert pickle.loads(pickle.dumps(BRAKE)) == BRAKE  # noqa: S301  # our own bytes
+    with pytest.raises(AttributeError, match="did you mean scales"):
+        BRAKE.scale  # noqa: B018  # the access is what is tested
+
+
+# ---------------------------------------------------------------------------------------------------------- names
+
+TYPOS = {
+    "teta0": "theta0", "theta": "theta0", "theta_0": "theta0", "θ0": "theta0", "θ₀": "theta0", "Theta0": "theta0",
+    "theta0_deg": "theta0", "mu": "mu0", "mu_0": "mu0", "μ0": "mu0", "µ_0": "mu0", "kapa": "kappa", "κ": "kappa",
+    "Alpha": "alpha", "aplha": "alpha", "sgima": "sigma", "σ": "sigma", "bet": "beta",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("typo", TYPOS)
+def test_a_name_that_was_meant_is_named(typo: str) -> None:
+    article = ss.Parameters.article
+    calls: list[Callable[[], Any]] = [
+        lambda: ss.Parameters(kappa=1, alpha=1, sigma=1, beta=1, **{typo: 1}), lambda: article(**{typo: 1}),
+        lambda: article().replace(**{typo: 1}),
+    ]  # fmt: skip
+    for call in calls:
+        with pytest.raises(ss.ParameterTypeError, match=rf"^{typo} is not a parameter; did you mean {TYPOS[typo]}\?$"):
+            call()
+
+
+def test_names_that_mean_nothing_get_no_suggestion() -> None:
+    for name in ("zzz", "x", "q", "", "κκκκκκκ"):
+        assert closest(name, NAMES) is None
+    with pytest.raises(ss.ParameterTypeError, match="the parameters are theta0, mu0, kappa, alpha, sigma, beta"):
+        ss.Parameters.article(zzz=1)
+    with pytest.raises(ss.ParameterTypeError, match="V is not a parameter; it is an argument of the functions of motion"):
+        ss.Parameters.article(V=1)
+    with pytest.raises(ss.ParameterTypeError, match="did you mean k_x"):
+        ss.PhysicalParameters(kx=1)  # type: ignore[call-arg]  # the mistake that is tested
+
+
+@given(st.text())
+def test_any_name_has_an_answer(name: str) -> None:
+    assert closest(name, NAMES) in (None, *NAMES)
+
+
+# --------------------------------------------------------------------------------------------------------- numbers
+
+
+@pytest.mark.parametrize(
+    ("value", "text"), [(-0.3, "-0.3"), (-1e-300, "-1e-300"), (-5, "-5"), (math.nan, "nan"), (math.inf, "inf")]
+)
+def test_numbers_are_shown_as_they_were_written(value: float, text: str) -> None:
+    with pytest.raises(ss.ParameterError, match=rf"^mu0 = {text} is not in \[0, inf\)"):
+        ss.Parameters.article(mu0=value)
+
+
+@given(st.floats(allow_nan=False, allow_infinity=False))
+def test_what_is_shown_reads_back(value: float) -> None:
+    text = shown(value)
+    assert float(text) == value
+    digits = len(text.partition("e")[0].replace(".", "").strip("-0"))
+    assert not any(float(f"{value:.{fewer}g}") == value for fewer in range(1, digits))
+
+
+@given(st.floats(1e-9, 180.0, exclude_max=True) | st.integers(1, 17999).map(lambda n: n / 100))
+def test_degrees_come_back(typed: float) -> None:
+    """What was typed, or where several numbers have the same radians the shortest of them."""
+    back = degrees(math.radians(typed))
+    assert math.radians(back) == math.radians(typed) or back == pytest.approx(typed, rel=1e-15)
+    if len(repr(typed)) <= 14:
+        assert back == typed
+
+
+def test_theta0_of_sensitivity_is_asked_for() -> None:
+    with pytest.raises(ss.ParameterError, match="theta0 is missing"):
+        ss.sensitivity(ss.Parameters.article(), V=[0.5], d=[10.0])

@@ -1,0 +1,276 @@
+"""What motions come to: against what they do later, other integrators, and maps whose multipliers are given."""
+
+from __future__ import annotations
+
+import importlib.util
+import inspect
+import math
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import spragsym as ss
+from spragsym import dynamics, regimes
+from spragsym.generated import motion
+from spragsym.integrators import Course
+from spragsym.regimes import ATTRACTOR, SETTLED, Regime
+from spragsym.sweeps import basin, rms_sweep
+
+BELT = {"V": 0.5, "d": 10.0}
+SLOW = ss.Parameters.article(theta0=np.radians(42))
+FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp, sign=lambda z: math.copysign(1.0, z) if z else 0.0)
+
+needs_heyoka = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="long motions take SciPy minutes")
+
+
+def plain(p: ss.Parameters, V: float, d: float, start: list[float], t_end: float, method: str = "DOP853"):
+    """The motion by ``solve_ivp``, which knows nothing of kinks."""
+    algebra = inspect.unwrap(motion.rhs)
+    theta0, *rest = p.scalars("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+    constants = (math.cos(theta0), math.sin(theta0), *rest, V, d)
+
+    def field(_, state):
+        return (state[2], state[3], *algebra(*state.tolist(), *constants, xp=FLOATS))
+
+    return solve_ivp(field, (0, t_end), start, method=method, rtol=1e-10, atol=1e-13, dense_output=True)
+
+
+@pytest.fixture(scope="session")
+def slow() -> dict[float, ss.Sweep]:
+    """From rest at 42 degrees, looked at after 2000 and after 8000."""
+    return {end: rms_sweep(SLOW, **BELT, t_end=end, transient=end - 500) for end in (2000.0, 8000.0)}
+
+
+# ---------------------------------------------------------------------------------------------------- cycles
+
+
+@needs_heyoka
+def test_a_cycle_is_told_with_its_own_period_while_the_motion_winds_onto_it(slow: dict[float, ss.Sweep]) -> None:
+    early, late = slow.values()
+    for found in (early, late):
+        assert found.regime == Regime.APPROACHES_CYCLE
+        start = [float(found.cycle_x), float(found.cycle_y), 0.0, float(found.cycle_vy)]
+        period = float(found.period)
+        orbit = plain(SLOW, **BELT, start=start, t_end=period).sol
+        assert np.abs(orbit(period) - start).max() < 1e-7
+        # and not before: twice round is not once round
+        between = orbit(np.linspace(0.05, 0.95, 200) * period)
+        assert np.abs(between - np.array(start)[:, None]).max(axis=0).min() > 0.05
+        t = np.linspace(0, period, 20_001)[:-1]
+        assert found.cycle_mean == pytest.approx(orbit(t)[0].mean(), abs=1e-6)
+        assert found.cycle_rms == pytest.approx(np.sqrt((orbit(t)[0] ** 2).mean()), abs=1e-6)
+        assert found.cycle_x == pytest.approx(orbit(t)[0].max(), abs=1e-7)
+    assert early.period == pytest.approx(float(late.period), rel=1e-8)
+    assert late.distance < 0.1 * early.distance
+
+
+@needs_heyoka
+def test_the_rate_is_the_rate_of_the_motion() -> None:
+    # From close by, over ten thousand time units: what is left falls as the multipliers say.
+    distances = [rms_sweep(SLOW, **BELT, t_end=end, transient=end - 500.0).distance for end in (20_000.0, 40_000.0)]
+    rate = rms_sweep(SLOW, **BELT, t_end=2000.0).rate
+    assert np.log(distances[0] / distances[1]) / 20_000 == pytest.approx(float(rate), rel=0.2)
+
+
+@needs_heyoka
+def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
+    found = basin(SLOW, **BELT, x=[0.0, 0.6, 0.9], vx=[0.0, 0.3], t_end=8000.0, transient=7500.0)
+    assert (found.attractor == 0).all()
+    (regime, _, mean, spread), = found.attractors
+    assert regime == Regime.LIMIT_CYCLE
+    assert np.ptp(found.sweep.mean) > 0.01  # averages over the window do depend on the phase
+    np.testing.assert_allclose(found.sweep.cycle_mean, mean, rtol=1e-7)
+    np.testing.assert_allclose(np.hypot(mean, spread), found.sweep.cycle_rms, rtol=1e-7)
+
+
+@pytest.fixture(scope="session")
+def problem() -> dynamics.Problem:
+    return dynamics.prepare(SLOW, **BELT, start=(0, 0, 0, 0), t_end=500.0, t_record=0.0, rtol=1e-10)
+
+
+PERIOD = 25.433
+
+
+def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, regimes.Flow]:
+    """A motion whose largest x, after every PERIOD, follow s → s* + matrix (s − s*); and the flow it belongs to."""
+    fixed = np.array([1.0, 0.2, 0.1])
+
+    def course(state: np.ndarray, duration: float) -> Course:
+        t = np.arange(1, int(duration / PERIOD + 1e-9) + 1) * PERIOD
+        s = [fixed + np.linalg.matrix_power(matrix, i) @ (state[[0, 1, 3]] - fixed) for i in range(1, len(t) + 1)]
+        maxima = np.array([[x, y, 0.0, vy] for x, y, vy in s]).reshape(-1, 4)
+        integrals = np.zeros((len(t) + 1, 3))
+        minima = np.array([[0.0, -0.8, 0.0, -0.9]])
+        events = np.array([1, 1, 0, 0])
+        last = np.array([0.5, -0.1, 0.1, 0.1])
+        return Course(0.0, duration, np.asarray(state, dtype=float), last, t, maxima, integrals, minima, events)
+
+    first = fixed + start
+    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), course
+
+
+def _turn(size: float, angle: float) -> np.ndarray:
+    turn = np.zeros((3, 3))
+    turn[:2, :2] = size * np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    turn[2, 2] = 0.3
+    return turn
+
+
+def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: dynamics.Problem) -> None:
+    # After eight periods the motion is back within 1e-5 of its reach, and 1e-2 away from what it settles to.
+    course, flow = _mapped(_turn(0.9995, np.pi / 4), np.array([0.01, 0.0, 0.0]), 20)
+    found = regimes.classify(course, problem, flow)
+    assert np.abs(course.maxima[-1] - course.maxima[-9]).max() < 1e-4
+    assert found.regime == Regime.APPROACHES_CYCLE
+    assert found.period == pytest.approx(PERIOD)
+    assert found.rate == pytest.approx(-np.log(0.9995) / PERIOD, rel=1e-4)
+    assert 0.5e-2 < found.distance < 1e-2
+
+
+@pytest.mark.parametrize("count", [20, 21])
+def test_a_contraction_from_alternate_sides_is_not_a_doubled_period(problem: dynamics.Problem, count: int) -> None:
+    course, flow = _mapped(np.diag([0.2, -0.998, 0.1]), np.array([0.0, 0.08, 0.0]), count)
+    found = regimes.classify(course, problem, flow)
+    assert (found.regime, found.period) == (Regime.APPROACHES_CYCLE, pytest.approx(PERIOD))
+
+
+@pytest.mark.parametrize("size", [1.0, 1.0005])
+def test_what_does_not_contract_is_not_settled_however_close(problem: dynamics.Problem, size: float) -> None:
+    course, flow = _mapped(_turn(size, 1.0), np.array([1e-6, 0.0, 0.0]), 20)
+    assert regimes.classify(course, problem, flow).regime == Regime.UNSETTLED
+
+
+def test_settled_is_what_has_little_left(problem: dynamics.Problem) -> None:
+    course, flow = _mapped(_turn(0.7, 1.0), np.array([1e-2, 0.0, 0.0]), 20)
+    assert regimes.classify(course, problem, flow).regime == Regime.LIMIT_CYCLE
+    # a hidden slow direction: successive states differ by 1e-6, and 1e-2 is left
+    slow, flow = _mapped(np.diag([0.5, 1 - 2e-4, 0.3]), np.array([0.0, 0.01, 0.0]), 20)
+    assert np.abs(np.diff(slow.maxima[-3:], axis=0)).max() < 3e-6
+    found = regimes.classify(slow, problem, flow)
+    assert found.regime == Regime.APPROACHES_CYCLE
+    assert found.distance == pytest.approx(0.01, rel=0.02)  # over an extent of 1.01
+
+
+@needs_heyoka
+def test_a_cycle_that_is_only_passed_is_not_approached() -> None:
+    # After 2000 the motion nears a stable cycle of period 127 for some periods, 0.16 of its extent away, and then leaves it.
+    p = ss.Parameters.article(theta0=1.0678653629583241, mu0=0.6923557050091425)
+    belt = {"V": 0.5637567400450765, "d": 6.3204302657746405, "vy0": -0.008474085948289408}
+    passing = rms_sweep(p, **belt)
+    late = rms_sweep(p, **belt, t_end=4e4, transient=3.95e4)
+    assert passing.regime == Regime.UNSETTLED
+    assert 0 < late.period < 30
+
+
+# ------------------------------------------------------------------------------------------------------- rest
+
+
+@needs_heyoka
+def test_beside_an_equilibrium_that_repels_nothing_rests() -> None:
+    p = ss.Parameters.article(theta0=np.radians(30))
+    eq = ss.equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0))))
+    at = rms_sweep(p, **BELT, x0=eq.x[:3], y0=eq.y[:3], t_end=200.0, transient=100.0)
+    # The middle one diverges. The last is stable by (27), and repels all the same: the friction law's damping feeds a mode.
+    assert at.regime.tolist() == [Regime.EQUILIBRIUM, Regime.UNSETTLED, Regime.UNSETTLED]
+    assert at.equilibrium.tolist() == [0, -1, -1]
+    beside = [
+        rms_sweep(p, **BELT, x0=eq.x[1] + 1e-6, y0=eq.y[1], t_end=400.0, transient=390.0),
+        rms_sweep(p, **BELT, x0=eq.x[2], y0=eq.y[2] + 1e-4, t_end=2e5, transient=1.999e5),
+    ]
+    assert abs(beside[0].mean - eq.x[1]) > 0.1
+    # 4.9e-6 by the eigenvalues of the 4 x 4 linearization, in x the share of that mode
+    early = rms_sweep(p, **BELT, x0=eq.x[2], y0=eq.y[2] + 1e-4, t_end=1e5, transient=9.99e4)
+    assert beside[1].spread > 1.4 * early.spread
+
+
+@needs_heyoka
+def test_a_decay_is_an_approach_until_little_is_left() -> None:
+    p = ss.Parameters.article(theta0=np.radians(30))
+    early = rms_sweep(p, 0.5, 4.0)
+    late = rms_sweep(p, 0.5, 4.0, t_end=2e5, transient=1.99e5)
+    assert (early.regime, early.equilibrium) == (Regime.APPROACHES_EQUILIBRIUM, 0)
+    assert (late.regime, late.equilibrium) == (Regime.EQUILIBRIUM, 0)
+    assert early.distance > 1e-3 > 1e-4 > late.distance
+
+
+def test_without_friction_nothing_settles_but_rest_rests() -> None:
+    p = ss.Parameters.article(theta0=np.radians(30), mu0=0.0)
+    eq = ss.equilibria(p)
+    found = rms_sweep(p, **BELT, x0=eq.x[0] + np.array([0.0, 0.01]), y0=eq.y[0], t_end=400.0, transient=100.0)
+    assert found.regime.tolist() == [Regime.EQUILIBRIUM, Regime.UNSETTLED]
+
+
+# --------------------------------------------------------------------------------------------------- lift-off
+
+
+def test_a_mass_that_preload_brings_back_has_not_lifted_off() -> None:
+    p = ss.Parameters.article(theta0=np.radians(30))
+    flight = rms_sweep(p, **BELT, x0=0.1, y0=0.5, t_end=3.0, transient=1.0)
+    later = rms_sweep(p, **BELT, x0=0.1, y0=0.5, t_end=100.0, transient=1.0)
+    assert flight.amplitude > 0
+    assert later.contact_lost > 0
+    assert flight.regime == Regime.UNSETTLED
+
+
+@needs_heyoka
+def test_lift_off_is_for_good_in_a_well_of_the_energy() -> None:
+    p = ss.Parameters.article(theta0=np.radians(60), kappa=0.001)
+    lifted = ss.equilibria(p, contact=False)
+    (at,) = np.flatnonzero(lifted.stability == ss.Stability.STABLE)
+    start = {"x0": float(lifted.x[at]) + 0.01, "y0": float(lifted.y[at])}
+    assert rms_sweep(p, **BELT, **start, t_end=200.0, transient=100.0).regime == Regime.LIFT_OFF
+    assert ss.simulate(p, **BELT, **start, t_end=2e4).y.min() > 1.0
+    # pushed over the brim it comes down
+    pushed = rms_sweep(p, **BELT, **start, vx0=0.2, t_end=3.0, transient=1.0)
+    assert pushed.regime == Regime.UNSETTLED
+    assert rms_sweep(p, **BELT, **start, vx0=0.2, t_end=500.0, transient=1.0).contact_lost > 0
+
+
+# ------------------------------------------------------------------------------------------------- one for all
+
+
+@needs_heyoka
+def test_sweep_and_trajectory_say_the_same() -> None:
+    p = ss.Parameters.article(theta0=np.radians([30.0, 40.0, 42.0, 49.0]))
+    found = rms_sweep(p, **BELT)
+    for i, theta0 in enumerate(p.theta0):
+        tr = ss.simulate(p.replace(theta0=theta0), **BELT)
+        outcome = tr.outcome()
+        assert (outcome.regime, outcome.equilibrium) == (found.regime[i], found.equilibrium[i])
+        np.testing.assert_allclose(outcome.period, found.period[i], rtol=1e-6)
+        settled = found.regime[i] in (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE)
+        assert tr.converged() == settled
+        assert np.isfinite(tr.period()) == (found.regime[i] == Regime.LIMIT_CYCLE)
+        assert replace(tr, events=None).outcome() == outcome or np.isnan(outcome.distance)
+
+
+@needs_heyoka
+def test_both_integrators_say_the_same(slow: dict[float, ss.Sweep]) -> None:
+    near = slow[2000.0]
+    start = {"x0": near.cycle_x + 0.03, "y0": near.cycle_y, "vy0": near.cycle_vy, "t_end": 200.0, "transient": 0.0}
+    one, other = (rms_sweep(SLOW, **BELT, **start, backend=name) for name in ("heyoka", "scipy"))
+    assert one.regime == other.regime == Regime.APPROACHES_CYCLE
+    for name in ("period", "cycle_mean", "cycle_rms", "cycle_x"):
+        assert getattr(one, name) == pytest.approx(float(getattr(other, name)), rel=1e-5)
+    assert one.distance == pytest.approx(float(other.distance), abs=SETTLED)
+
+
+def test_every_approach_has_its_attractor() -> None:
+    assert all(code.name == f"APPROACHES_{ATTRACTOR[code].name.removeprefix('LIMIT_')}" for code in ATTRACTOR)
+    assert [code.name for code in Regime][:5] == ["FAILED", "EQUILIBRIUM", "LIMIT_CYCLE", "LIFT_OFF", "UNSETTLED"]
+
+
+# -------------------------------------------------------------------------------------------------- stiffness
+
+
+@needs_heyoka
+def test_creep_as_stiff_as_a_million_is_walked_through() -> None:
+    # 3.2e5 steps in ten time units, where 1.1e5 had been the limit.
+    p = ss.Parameters.article(theta0=np.radians(49), mu0=1.0, kappa=0.2)
+    found = rms_sweep(p, 0.05, 1e6, t_end=10.0, transient=9.0)
+    reference = plain(p, 0.05, 1e6, [0.0] * 4, 10.0, method="Radau").sol
+    assert found.reason == ""
+    assert found.mean == pytest.approx(reference(np.linspace(9, 10, 2001))[0].mean(), abs=1e-5)

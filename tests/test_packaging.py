@@ -86,11 +86,12 @@ def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     copy = tmp_path_factory.mktemp("tree") / "spragsym"
     ignored = ("--exclude=.git", "--exclude=.venv", "--exclude=__pycache__", "--exclude=*.egg-info", "--exclude=.*_cache")
     copy.mkdir()
-    packed = subprocess.run(["tar", "-C", str(ROOT), *ignored, "-cf", "-", "."], check=True, capture_output=True)
-    subprocess.run(["tar", "-C", str(copy), "-xf", "-"], input=packed.stdout, check=True)
+    packed = subprocess.run(["tar", "-C", str(ROOT), *ignored, "-cf", "-", "."], check=True, capture_output=True, timeout=120)
+    subprocess.run(["tar", "-C", str(copy), "-xf", "-"], input=packed.stdout, check=True, timeout=120)
     done = subprocess.run(
-        [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(out), str(copy)], capture_output=True, text=True
-    )
+        [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(out), str(copy)],
+        capture_output=True, text=True, timeout=300,
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
     (wheel,), (sdist,) = out.glob("*.whl"), out.glob("*.tar.gz")
     return wheel, sdist

@@ -92,8 +92,8 @@ def _run(arguments: list[str], debug: bool) -> int:
         sys.stdout.flush()  # here, so that a reader that has left is noticed here
     except click.exceptions.Exit as stop:
         return stop.exit_code
-    except (click.Abort, KeyboardInterrupt):
-        return _report("interrupted", 130, debug)
+    except (click.Abort, KeyboardInterrupt) as stop:
+        return _report("; ".join(["interrupted", *map(str, stop.args)]), 130, debug)
     except BrokenPipeError:
         return _left_alone()
     except click.exceptions.NoArgsIsHelpError as error:

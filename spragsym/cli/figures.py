@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import inspect
-import multiprocessing
 import os
-import signal
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +12,7 @@ from typing import Any
 import click
 
 from ..errors import ParameterError
+from ..workers import Map, pool
 
 
 @click.command()
@@ -91,7 +90,7 @@ def _options(function: Callable[..., Any]) -> set[str]:
 
 
 @contextmanager
-def _processes(workers: int) -> Iterator[Any]:
+def _processes(workers: int) -> Iterator[int | Map]:
     """1, or the map of one pool for all figures: a process takes a second to begin."""
     if workers == 0 or workers < -1:
         raise ParameterError(f"--workers {workers} is not a number of processes; give 1 or more, or -1 for one a core")
@@ -99,10 +98,8 @@ def _processes(workers: int) -> Iterator[Any]:
     if count == 1:
         yield 1
         return
-    # Interrupts are for the main process, which then ends the others.
-    ignore = (signal.SIGINT, signal.SIG_IGN)
-    with multiprocessing.get_context("spawn").Pool(count, signal.signal, ignore) as pool:
-        yield pool.imap
+    with pool(count) as processes:
+        yield processes
 
 
 @contextmanager

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -191,10 +192,12 @@ def sweep(
     axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}
     grid = dict(zip(axes, _open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})
-    result = rms_sweep(
-        p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
-        workers=workers, progress=not quiet, store=output,
-    )  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
+        result = rms_sweep(
+            p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
+            workers=workers, progress=not quiet, store=output,
+        )  # fmt: skip
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
     click.echo(
         f"{output}: "

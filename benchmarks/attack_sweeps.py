@@ -178,7 +178,7 @@ def attack_disks(rng: np.random.Generator, count: int) -> Counter[str]:
             path = folder / f"rms.{('nc', 'csv')[k % 2]}"
             ballast = folder / "ballast"
 
-            def fill(ballast: Path = ballast, spare: int = int(rng.integers(0, 9)) * 4096) -> None:
+            def fill(ballast: Path = ballast, spare: int = int(rng.integers(0, 3)) * 4096) -> None:
                 with open(ballast, "wb", buffering=0) as file:
                     try:
                         while file.write(bytes(4096)) == 4096:
@@ -212,7 +212,7 @@ def children(pid: int) -> list[int]:
 def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counter[str]:
     """Kill one of two workers at a random moment: one line, at once, and the same command finishes the same file."""
     outcomes = Counter[str]()
-    grid = ["--theta0", "20:160:41", "--t-end", "1000", "--transient", "500", "-q", "-j", "2"]
+    grid = ["--theta0", "20:160:21", "--t-end", "1000", "--transient", "500", "-q", "-j", "2"]
     command = [sys.executable, "-m", "spragsym", "sweep", *grid, "-o"]
     begin = time.perf_counter()
     _finish([*command, folder / "whole.nc"])

@@ -210,7 +210,8 @@ def children(pid: int) -> list[int]:
 
 
 def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counter[str]:
-    """Kill one of two workers at a random moment: one line, at once, and the same command finishes the same file."""
+    """Kill one of two workers, or every fourth time their parent, at a random moment: one line, at once, and the same
+    command finishes the same file."""
     outcomes = Counter[str]()
     grid = ["--theta0", "20:160:21", "--t-end", "1000", "--transient", "500", "-q", "-j", "2"]
     command = [sys.executable, "-m", "spragsym", "sweep", *grid, "-o"]
@@ -224,13 +225,15 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
             wanted = time.monotonic() + rng.uniform(0.0, seconds)
             while process.poll() is None and (time.monotonic() < wanted or not children(process.pid)):
                 time.sleep(0.005)
-            for victim in children(process.pid)[:1]:
+            for victim in [process.pid] if k % 4 == 3 else children(process.pid)[:1]:
                 os.kill(victim, signal.SIGKILL)
             killed = time.perf_counter()
             _, said = process.communicate(timeout=60)
         finally:
             process.kill()
-        if process.returncode:
+        if process.returncode == -signal.SIGKILL:
+            outcomes["parent killed"] += 1
+        elif process.returncode:
             assert process.returncode == 1, said
             assert said.startswith("spragsym: "), said
             assert said.count("\n") == 1, said

@@ -200,7 +200,7 @@ def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path
 
     thread = threading.Thread(target=kill)
     thread.start()
-    options = {**SHORT, "t_end": 400.0, "backend": "scipy"}
+    options = {**SHORT, "t_end": 60.0, "backend": "scipy"}
     with pytest.raises(SweepError, match=r"ended by SIGKILL.* of 40 points are kept"):
         rms_sweep(p, **options, workers=2, store=path)
     thread.join()

@@ -222,7 +222,7 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
         path = folder / f"killed{k}.nc"
         process = subprocess.Popen([*command, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         try:
-            wanted = time.monotonic() + rng.uniform(0.0, seconds)
+            wanted = time.monotonic() + rng.uniform(0.0, 0.7 * seconds)
             while process.poll() is None and (time.monotonic() < wanted or not children(process.pid)):
                 time.sleep(0.005)
             for victim in [process.pid] if k % 4 == 3 else children(process.pid)[:1]:

@@ -226,7 +226,8 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
             while process.poll() is None and (time.monotonic() < wanted or not children(process.pid)):
                 time.sleep(0.005)
             for victim in [process.pid] if k % 4 == 3 else children(process.pid)[:1]:
-                os.kill(victim, signal.SIGKILL)
+                with suppress(ProcessLookupError):  # it has just ended
+                    os.kill(victim, signal.SIGKILL)
             killed = time.perf_counter()
             _, said = process.communicate(timeout=60)
         finally:

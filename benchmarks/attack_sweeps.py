@@ -215,16 +215,15 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
     outcomes = Counter[str]()
     grid = ["--theta0", "20:160:21", "--t-end", "1000", "--transient", "500", "-q", "-j", "2"]
     command = [sys.executable, "-m", "spragsym", "sweep", *grid, "-o"]
-    begin = time.perf_counter()
     _finish([*command, folder / "whole.nc"])
-    seconds = time.perf_counter() - begin
     for k in range(count):
         path = folder / f"killed{k}.nc"
         process = subprocess.Popen([*command, path], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         try:
-            wanted = time.monotonic() + rng.uniform(0.0, 0.7 * seconds)
-            while process.poll() is None and (time.monotonic() < wanted or not children(process.pid)):
-                time.sleep(0.005)
+            wanted, pause = int(rng.integers(21)), rng.uniform(0.0, 0.02)
+            while process.poll() is None and (_finished_points(path) < wanted or not children(process.pid)):
+                time.sleep(0.001)
+            time.sleep(pause)
             for victim in [process.pid] if k % 4 == 3 else children(process.pid)[:1]:
                 with suppress(ProcessLookupError):  # it has just ended
                     os.kill(victim, signal.SIGKILL)
@@ -246,6 +245,13 @@ def attack_workers(rng: np.random.Generator, folder: Path, count: int) -> Counte
         _finish([*command, path])
         assert path.read_bytes() == (folder / "whole.nc").read_bytes()
     return outcomes
+
+
+def _finished_points(path: Path) -> int:
+    try:
+        return path_of(path).read_bytes().count(b"\n") - 2
+    except FileNotFoundError:
+        return -1
 
 
 def _finish(command: list[Any]) -> None:

@@ -38,3 +38,15 @@ class MissingExtraError(SpragsymError, ImportError):
             f"{feature} needs {module}, which is not installed; install the extra that brings it: "
             f"pip install 'spragsym[{extra}]'"
         )
+
+
+class SweepError(SpragsymError, RuntimeError):
+    """A sweep had to stop: the machine failed, or whatever else is no property of a motion."""
+
+
+class StoreError(SpragsymError, OSError):
+    """A file is damaged, in use, or cannot be written."""
+
+
+class DamageWarning(UserWarning):
+    """Part of a file is damaged and left out; the rest is good and used."""

@@ -48,5 +48,9 @@ class StoreError(SpragsymError, OSError):
     """A file is damaged, in use, or cannot be written."""
 
 
+class DamagedError(StoreError, TargetError):
+    """A file stands where a result belongs, and is none: damaged, or written by something else."""
+
+
 class DamageWarning(UserWarning):
     """Part of a file is damaged and left out; the rest is good and used."""

@@ -23,7 +23,7 @@ from typing import Any
 import numpy as np
 
 from ._version import __version__
-from .errors import MissingExtraError, ParameterError, StoreError
+from .errors import DamagedError, MissingExtraError, ParameterError, StoreError
 from .generated import SOURCE_HASH
 from .locks import exclusive, write_all
 
@@ -243,12 +243,12 @@ def _verified(path: Path, data: bytes) -> bytes:
     """What the checksum of a file covers."""
     parts = _TRAILED.fullmatch(data)
     if parts is None:
-        raise StoreError(
+        raise DamagedError(
             f"{path} has no checksum at its end: it was cut, changed, or written by something else; "
             "remove it to compute it again, or give another path"
         )
     if _sha256(parts[1]) != parts[2]:
-        raise StoreError(
+        raise DamagedError(
             f"{path} is damaged or was changed: its {len(data)} bytes do not give its checksum; "
             "take it from a copy, or remove it to compute it again"
         )

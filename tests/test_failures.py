@@ -19,7 +19,7 @@ import pytest
 
 import spragsym as ss
 from benchmarks import attack_sweeps as attack
-from spragsym import sweeps
+from spragsym import dynamics
 from spragsym.errors import DamageWarning, StoreError, SweepError
 from spragsym.journal import journal, path_of
 from spragsym.storage import read
@@ -49,14 +49,14 @@ def points_of(path: Path) -> list[list[Any]]:
 
 def failing_at(monkeypatch: pytest.MonkeyPatch, number: int, failure: Callable[[], object]) -> None:
     """Have the motion of one point run into a failure."""
-    run, called = sweeps.run, iter(range(10**6))
+    course, called = dynamics.course, iter(range(10**6))
 
     def fails(*arguments: Any) -> Any:
         if next(called) == number:
             failure()
-        return run(*arguments)
+        return course(*arguments)
 
-    monkeypatch.setattr(sweeps, "run", fails)
+    monkeypatch.setattr(dynamics, "course", fails)
 
 
 def raising(error: BaseException) -> Callable[[], object]:

@@ -42,3 +42,19 @@ class MissingExtraError(SpragsymError, ImportError):
 
 class BackendError(SpragsymError, ImportError):
     """A backend that this installation does not have."""
+
+
+class SweepError(SpragsymError, RuntimeError):
+    """A sweep had to stop: the machine failed, or whatever else is no property of a motion."""
+
+
+class StoreError(SpragsymError, OSError):
+    """A file is damaged, in use, or cannot be written."""
+
+
+class DamagedError(StoreError, TargetError):
+    """A file stands where a result belongs, and is none: damaged, or written by something else."""
+
+
+class DamageWarning(UserWarning):
+    """Part of a file is damaged and left out; the rest is good and used."""

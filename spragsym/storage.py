@@ -1,23 +1,31 @@
-"""Files: datasets with units and provenance, and the journal that a long sweep writes as it goes."""
+"""Files of results: units, provenance, and a checksum, whole or not there at all.
+
+A netCDF file ends in a line with the SHA-256 of all before it, which HDF5 does not look at: its superblock says
+where its data end. A CSV file begins with one of all after it. Nothing of a file is understood before that is
+right: HDF5 takes many damaged files for good ones, and ends the process over others."""
 
 from __future__ import annotations
 
 import csv
 import hashlib
+import io
 import json
 import math
 import os
+import re
 import shutil
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+import tempfile
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from pathlib import Path
-from typing import IO, Any
+from typing import Any
 
 import numpy as np
 
 from ._version import __version__
-from .errors import MissingExtraError, ParameterError
+from .errors import DamagedError, MissingExtraError, ParameterError, StoreError
 from .generated import SOURCE_HASH
+from .locks import exclusive, write_all
 
 #: (unit, meaning) of every quantity that a file can hold.
 QUANTITIES = {
@@ -94,7 +102,15 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
     return digest.hexdigest()
 
 
-# ----------------------------------------------------------------------------------------------- whole files
+# ----------------------------------------------------------------------------------------------- before the work
+
+
+def resolved(path: str | os.PathLike[str]) -> Path:
+    """Where a path leads, through links: also through one to a file that is not there yet."""
+    try:
+        return Path(path).resolve()
+    except (OSError, RuntimeError) as error:  # a link that leads to itself
+        raise ParameterError(f"{path} leads nowhere ({error}); give another path") from error
 
 
 def check_target(path: Path, bytes_needed: int) -> None:
@@ -106,13 +122,10 @@ def check_target(path: Path, bytes_needed: int) -> None:
         raise ParameterError(f"{path} {problem}; give the name of a file in an existing folder")
     if path.suffix == ".nc":
         xarray()
-    probe = path.with_name(path.name + ".probe")
     try:
-        probe.write_bytes(b"\0")
-        probe.unlink()
+        with tempfile.TemporaryFile(dir=path.parent):
+            pass
     except OSError as error:
-        with suppress(OSError):
-            probe.unlink()
         raise ParameterError(
             f"{path} cannot be written ({error.strerror}); give another path, or the right to write there"
         ) from error
@@ -124,33 +137,68 @@ def check_target(path: Path, bytes_needed: int) -> None:
         )
 
 
+def _megabytes(size: int) -> str:
+    return f"{math.ceil(size / 1e6)} MB"
+
+
+# ----------------------------------------------------------------------------------------------------- to write
+
+
 def write(
     path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]
 ) -> None:
     """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes."""
+    path = resolved(path)
     check_target(path, 0)
-    temporary = path.with_name(path.name + ".new")
-    try:
-        if path.suffix == ".nc":
-            dataset().to_netcdf(temporary, engine="h5netcdf")
-        else:
-            write_csv(temporary, columns(), attrs)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
+    # In memory first: HDF5 ends the process when a disk fills while it writes.
+    _replace(path, _netcdf(dataset()) if path.suffix == ".nc" else _csv(columns(), attrs))
 
 
-def write_csv(path: Path, columns: Mapping[str, Any], attrs: Mapping[str, Any]) -> None:
+def _netcdf(dataset: Any) -> bytes:
+    return _sealed(bytes(dataset.to_netcdf(engine="h5netcdf")) + b"\n")
+
+
+def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any]) -> bytes:
     """Names of the columns, then attributes and units in comment lines, then the numbers to the last digit.
 
     The names come first because NumPy takes them from the first line, comment or not.
     """
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        file.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
-        file.writelines(f"# {name} [{QUANTITIES[name][0]}]: {QUANTITIES[name][1]}\n" for name in columns)
-        writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    text.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
+    text.writelines(f"# {name} [{QUANTITIES[name][0]}]: {QUANTITIES[name][1]}\n" for name in columns)
+    writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
+    return _sealed(text.getvalue().encode())
+
+
+def _sealed(data: bytes) -> bytes:
+    """With a last line that holds the checksum of all before it."""
+    return data + _TRAILER % _sha256(data)
+
+
+def _replace(path: Path, data: bytes) -> None:
+    """Put a file in place, in one step: what was there before stays until the new one is on the disk."""
+    temporary = path.with_name(path.name + ".new")
+    try:
+        with exclusive(temporary) as file:
+            try:
+                file.truncate(0)  # what a killed process left
+                write_all(file, data)
+                os.fsync(file.fileno())
+                if os.name == "posix":
+                    os.replace(temporary, path)
+            except BaseException:
+                with suppress(OSError):
+                    temporary.unlink()
+                raise
+        if os.name != "posix":  # where an open file can't be renamed
+            os.replace(temporary, path)
+        _settle(path.parent)
+    except StoreError:
+        raise
+    except OSError as error:
+        raise StoreError(f"{path} cannot be written: {error.strerror}; make room, or give another path") from error
 
 
 def plain(text: str) -> str:
@@ -158,13 +206,62 @@ def plain(text: str) -> str:
     return " ".join(text.replace(",", ";").replace('"', "'").replace("#", "no. ").split())
 
 
-def read(path: Path) -> tuple[dict[str, Any], dict[str, str]]:
-    """Columns, flat, and attributes of a file that :func:`write` wrote."""
-    if path.suffix == ".nc":
-        with xarray().open_dataset(path, engine="h5netcdf") as dataset:
-            return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(dataset.attrs)
-    with path.open(newline="", encoding="utf-8") as file:
-        lines = file.readlines()
+def _settle(folder: Path) -> None:
+    """Have a new name in a folder outlive a power cut, where the system can be asked to."""
+    with suppress(OSError):
+        number = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(number)
+        finally:
+            os.close(number)
+
+
+# ------------------------------------------------------------------------------------------------------ to read
+
+#: The last line of a file.
+_TRAILER = b"# sha256: %b\n"
+_TRAILED = re.compile(rb"(.*\n)# sha256: ([0-9a-f]{64})\n", re.DOTALL)
+
+
+def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Columns, flat, and attributes of a file that :func:`write` wrote.
+
+    Raises
+    ------
+    StoreError
+        If the file cannot be read, or a single bit of it is not as it was written.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
+    content = _verified(path, data)
+    return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
+
+
+def _verified(path: Path, data: bytes) -> bytes:
+    """What the checksum of a file covers."""
+    parts = _TRAILED.fullmatch(data)
+    if parts is None:
+        raise DamagedError(
+            f"{path} has no checksum at its end: it was cut, changed, or written by something else; "
+            "remove it to compute it again, or give another path"
+        )
+    if _sha256(parts[1]) != parts[2]:
+        raise DamagedError(
+            f"{path} is damaged or was changed: its {len(data)} bytes do not give its checksum; "
+            "take it from a copy, or remove it to compute it again"
+        )
+    return parts[1]
+
+
+def _read_netcdf(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
+    with xarray().open_dataset(io.BytesIO(data), engine="h5netcdf") as dataset:
+        return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(dataset.attrs)
+
+
+def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
+    lines = data.decode().splitlines(keepends=True)
     comments, table = ([line for line in lines if line.startswith("#") == comment] for comment in (True, False))
     attrs = dict(line[2:].rstrip("\n").split(": ", 1) for line in comments)
     header, *rows = csv.reader(table)
@@ -172,58 +269,5 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, str]]:
     return {name: np.array(values) for name, values in columns.items()}, attrs
 
 
-def _megabytes(size: int) -> str:
-    return f"{math.ceil(size / 1e6)} MB"
-
-
-# ------------------------------------------------------------------------------------------------ the journal
-
-#: One point of a sweep: its measured values and, if it failed, why.
-Record = tuple[list[float], str]
-
-
-@contextmanager
-def journal(
-    target: Path, header: Mapping[str, Any]
-) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
-    """Finished points of an earlier run to ``target``, and a function that appends one more.
-
-    The journal stands next to the target, a line of JSON a point after a line that says which sweep it
-    belongs to. A line that a kill cut short is dropped; every line is out of this process before the next
-    point is asked for. The journal is removed when the body ends well, which must have written the target.
-    """
-    path = target.with_name(target.name + ".partial")
-    done: dict[int, Record] = {}
-    first = json.dumps(header, sort_keys=True).encode() + b"\n"
-    with path.open("a+b") as file:
-        file.seek(0)
-        found = file.readline()
-        if not found.endswith(b"\n"):  # new, or killed before its first line was whole
-            file.truncate(0)
-            file.write(first)
-            file.flush()
-        elif found != first:
-            raise ParameterError(
-                f"{path} belongs to another sweep; remove it to start anew, or give another path"
-            )
-        else:
-            _replay(file, done)
-
-        def append(index: int, record: Record) -> None:
-            file.write(json.dumps([index, *record]).encode() + b"\n")
-            file.flush()
-
-        yield done, append
-    path.unlink()
-
-
-def _replay(file: IO[bytes], done: dict[int, Record]) -> None:
-    """Read whole lines into ``done``, and cut off what follows the last."""
-    while True:
-        begin = file.tell()
-        line = file.readline()
-        if not line.endswith(b"\n"):
-            file.truncate(begin)
-            return
-        index, values, reason = json.loads(line)
-        done[index] = (values, reason)
+def _sha256(data: bytes) -> bytes:
+    return hashlib.sha256(data).hexdigest().encode()

@@ -3,32 +3,29 @@
 from __future__ import annotations
 
 import math
-import multiprocessing
 import os
-import signal
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import dynamics, integrators, regimes, storage
+from . import workers as processes
 from .display import Result
 from .dynamics import BELT_SPEED, CREEP, MAX_STEPS, TOLERANCE
-from .errors import ParameterError, ParameterTypeError, TargetError
+from .errors import ConvergenceError, ParameterError, ParameterTypeError, TargetError
 from .integrators import Course, Problem
+from .journal import Record, clear, journal
 from .parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, degrees
 from .regimes import Outcome, Regime
-from .storage import Record
+from .workers import Workers as Workers
 
 __all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "basin", "rms_sweep", "sensitivity"]
-
-#: An int, or a map-like callable such as ``pool.imap`` or the ``map`` of a dask.distributed client.
-Workers: TypeAlias = int | Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 #: What is measured of every motion after its transient.
 AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
@@ -188,13 +185,12 @@ def rms_sweep(
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.
     workers : int or map-like callable
         Processes, −1 for one a core; or ``map(function, points)`` of an engine, which may give results or
-        futures with a ``result()``. Results are the same to the last bit for any. Processes import the main
-        module: a script needs ``if __name__ == "__main__":``.
+        futures with a ``result()``, in any order. Results are the same to the last bit for any.
     progress : bool
         Show a bar with the estimated end on stderr.
     store : path, optional
         ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` as they come. The same call resumes
-        from there after a kill, and loads the file when it is finished.
+        from there after a kill, and loads the file when it is finished. One process at a time may write to it.
 
     Returns
     -------
@@ -205,6 +201,11 @@ def rms_sweep(
     ParameterError, ParameterTypeError
         Before the work starts, for arguments that make no sense and files that cannot be written. A motion
         that fails is NaN, with its reason, and stops nothing.
+    SweepError
+        For any failure that is not the motion's: memory, a package that is missing, a worker that was killed.
+        The store keeps what is finished.
+    StoreError
+        When the store is damaged, full, or being written by another process.
 
     Notes
     -----
@@ -231,16 +232,20 @@ def rms_sweep(
     shape = _common_shape(inputs)
     points = _points(inputs, shape)
     if not callable(workers):
-        _count(workers)  # before there is a journal
+        processes.count(workers)  # before there is a journal
     if store is None:
-        return _result(inputs, shape, settings, _records(points, settings, workers, progress, {}, lambda *_: None))
-    target = Path(store)
+        return _result(inputs, shape, settings, _records(points, settings, workers, progress, {}, None))
+    target = storage.resolved(store)
     key = _fingerprint(inputs, settings)
     if target.is_file():
-        return _finished(target, key, inputs, shape, settings)
+        sweep = _finished(target, key, inputs, shape, settings)
+        clear(target, key, len(points))
+        return sweep
     storage.check_target(target, 100_000 + 1000 * len(points))
-    with storage.journal(target, {"fingerprint": key}) as (done, append):
-        sweep = _result(inputs, shape, settings, _records(points, settings, workers, progress, done, append))
+    with journal(target, key, len(points)) as (done, keep):
+        if target.is_file():  # another process has finished it in the meantime
+            return _finished(target, key, inputs, shape, settings)
+        sweep = _result(inputs, shape, settings, _records(points, settings, workers, progress, done, keep))
         sweep.save(target)
     return sweep
 
@@ -249,15 +254,29 @@ def rms_sweep(
 
 
 def _measure(settings: Settings, point: tuple[float, ...]) -> Record:
-    """One record; whatever goes wrong is its reason."""
+    """One record. What the motion itself makes impossible is its reason; whatever else goes wrong is raised."""
     try:
         problem = _problem(settings, point)
-        values = _values(problem, settings.backend)
-        if not np.isfinite(values[: len(AVERAGES)]).all():
-            return [], "ArithmeticError: the motion left the range of numbers"
-        return values, ""
-    except Exception as error:  # one motion must not stop the others, whatever it is
-        return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
+    except ParameterError as error:  # arrays were validated before: what is left is a start at the anchor
+        return _no_result(error)
+    try:
+        with np.errstate(all="ignore"):  # numbers out of range are told by the result
+            values = _values(problem, settings.backend)
+    except ConvergenceError as error:
+        return _no_result(error)
+    except ArithmeticError:
+        return _no_result(_out_of_range())
+    if not np.isfinite(values[: len(AVERAGES)]).all():
+        return _no_result(_out_of_range())
+    return values, ""
+
+
+def _out_of_range() -> ConvergenceError:
+    return ConvergenceError("the motion left the range of numbers; give values of a more common size")
+
+
+def _no_result(error: Exception) -> Record:
+    return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
 def _problem(settings: Settings, point: tuple[float, ...]) -> Problem:
@@ -319,47 +338,21 @@ def _records(
     workers: Workers,
     progress: bool,
     done: dict[int, Record],
-    append: Callable[[int, Record], None],
+    keep: Callable[[int, Record], None] | None,
 ) -> list[Record]:
-    """Every record: those that are done, and the others, appended as they come."""
-    missing = [i for i in range(len(points)) if i not in done]
-    with _advance(progress, len(points), len(done)) as advance:
-        found = _map(workers, partial(_measure, settings), [points[i] for i in missing])
-        for i, record in zip(missing, found, strict=True):
-            done[i] = record
-            append(i, record)
+    """Every record: those that are done, and the others, kept as they come."""
+    keep = done.__setitem__ if keep is None else keep
+    missing = {i: point for i, point in enumerate(points) if i not in done}
+    found = processes.results(workers, partial(_measure, settings), missing, _told)
+    with _advance(progress, len(points), len(done)) as advance, closing(found):
+        for i, record in found:
+            keep(i, record)
             advance()
     return [done[i] for i in range(len(points))]
 
 
-def _map(workers: Workers, function: Callable[[Any], Any], points: list[Any]) -> Iterator[Any]:
-    """Results in the order of the points, each as soon as it and those before it are there."""
-    if callable(workers):
-        for item in workers(function, points):
-            yield item.result() if hasattr(item, "result") else item
-        return
-    count = _count(workers)
-    if count == 1 or len(points) < 2:
-        yield from map(function, points)
-        return
-    # Compiled code and its threads do not survive a fork.
-    with multiprocessing.get_context("spawn").Pool(min(count, len(points)), _ignore_interrupts) as pool:
-        yield from pool.imap(function, points, chunksize=max(1, min(16, len(points) // (8 * count))))
-
-
-def _count(workers: int) -> int:
-    if isinstance(workers, bool) or not isinstance(workers, int):
-        raise ParameterTypeError(f"workers = {workers!r} is neither an int nor a map-like callable")
-    if workers == -1:
-        return os.cpu_count() or 1
-    if workers < 1:
-        raise ParameterError(f"workers = {workers} is neither positive nor -1, which stands for one a core")
-    return workers
-
-
-def _ignore_interrupts() -> None:
-    """Ctrl-C is the parent's to handle."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+def _told(point: tuple[float, ...]) -> str:
+    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(INPUTS, point, strict=True))
 
 
 @contextmanager
@@ -403,14 +396,11 @@ def _result(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Set
 
 def _finished(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
     """The sweep that a file holds, if it is this one."""
+    columns, attributes = storage.read(path)
+    if attributes.get("fingerprint") != key:
+        raise TargetError(f"{path} exists and holds something else; remove it, or give another path")
     kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
-    try:
-        columns, attributes = storage.read(path)
-        if attributes.get("fingerprint") != key:
-            raise ValueError("another sweep")
-        results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
-    except (OSError, ValueError, KeyError, TypeError, RuntimeError) as error:  # HDF5 meets damage with any of them
-        raise TargetError(f"{path} exists and holds something else; remove it, or give another path") from error
+    results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
     return Sweep(inputs, **vars(settings), **results)
 
 

@@ -2,11 +2,69 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
+import signal
+import subprocess
+import sys
+from collections.abc import Callable, Iterator
+from typing import Any, TypeAlias
 
+import pytest
 from hypothesis import settings
+
+Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
 
 # The same numbers in every run, so that a failure is one everywhere; HYPOTHESIS_PROFILE=search looks for new ones.
 settings.register_profile("repeat", derandomize=True, deadline=None)
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeat"))
+
+
+# ----------------------------------------------------------------------------------------- processes that tests start
+
+_LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
+_PR_SET_PDEATHSIG = 1
+
+
+def _as_from_a_terminal() -> None:
+    """Ctrl-C ends a process, also where these tests run under nohup; and it does not outlive them, even if they are killed."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    if _LIBC is not None:
+        _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
+
+
+@pytest.fixture
+def begin() -> Iterator[Begin]:
+    """``subprocess.Popen`` whose processes, and those that they started, end with the test, whatever happens."""
+    started: list[subprocess.Popen[Any]] = []
+    posix: dict[str, Any] = {"preexec_fn": _as_from_a_terminal, "start_new_session": True} if os.name == "posix" else {}
+
+    def popen(call: list[str], **options: Any) -> subprocess.Popen[Any]:
+        started.append(subprocess.Popen(call, **posix, **options))
+        return started[-1]
+
+    try:
+        yield popen
+    finally:
+        for process in started:
+            _end(process)
+
+
+def _end(process: subprocess.Popen[Any]) -> None:
+    if process.poll() is None:
+        if os.name == "posix":
+            os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+        process.wait()
+    for pipe in (process.stdin, process.stdout, process.stderr):
+        if pipe is not None:
+            pipe.close()
+
+
+@pytest.fixture
+def ctrl_c() -> Iterator[None]:
+    """SIGINT raises KeyboardInterrupt in this process, also where these tests run under nohup."""
+    former = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, former)

@@ -11,9 +11,11 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TypeAlias
 
 import click
 import numpy as np
@@ -37,12 +39,19 @@ def invoke(*arguments: str) -> int:
     return stop.value.code
 
 
-def start(*arguments: str, cwd: Path | None = None, **environment: str) -> subprocess.Popen[str]:
-    """Start a command in a process of its own."""
-    return subprocess.Popen(
-        [sys.executable, "-m", "spragsym", *arguments],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd, env={**os.environ, **environment},
-    )  # fmt: skip
+#: Starts a command in a process of its own, as ``start("check", cwd=folder, NAME="value")``.
+Start: TypeAlias = Callable[..., "subprocess.Popen[str]"]
+
+
+@pytest.fixture
+def start(begin: Callable[..., subprocess.Popen[str]]) -> Start:
+    def command(*arguments: str, cwd: Path | None = None, **environment: str) -> subprocess.Popen[str]:
+        return begin(
+            [sys.executable, "-m", "spragsym", *arguments],
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=cwd, env={**os.environ, **environment},
+        )  # fmt: skip
+
+    return command
 
 
 # -------------------------------------------------------------------------------------------------------- results
@@ -284,7 +293,7 @@ def test_any_text_is_one_cell_to_every_reader(words: list[str]) -> None:
 
 
 @pytest.mark.parametrize("command", [[], *([name] for name in COMMANDS)], ids=["spragsym", *COMMANDS])
-def test_help_has_examples_and_exit_codes(command: list[str]) -> None:
+def test_help_has_examples_and_exit_codes(command: list[str], start: Start) -> None:
     process = start(*command, "-h")
     text, silence = process.communicate(timeout=60)
     assert (process.returncode, silence) == (DONE, "")
@@ -316,7 +325,7 @@ def test_options_have_one_meaning_everywhere() -> None:
     assert {flag: forms for flag, forms in seen.items() if len(forms) > 1} == {}
 
 
-def test_version_is_that_of_the_package() -> None:
+def test_version_is_that_of_the_package(start: Start) -> None:
     process = start("--version")
     assert process.communicate(timeout=60) == (f"spragsym, version {ss.__version__}\n", "")
     assert process.returncode == DONE
@@ -329,7 +338,7 @@ def test_no_command_is_usage(capsys: pytest.CaptureFixture[str]) -> None:
     assert said.startswith("Usage: spragsym")
 
 
-def test_completion_of_commands_and_options() -> None:
+def test_completion_of_commands_and_options(start: Start) -> None:
     process = start(_SPRAGSYM_COMPLETE="bash_complete", COMP_WORDS="spragsym equi", COMP_CWORD="1")
     assert "equilibria" in process.communicate(timeout=60)[0]
     process = start(_SPRAGSYM_COMPLETE="bash_complete", COMP_WORDS="spragsym equilibria --ka", COMP_CWORD="2")
@@ -463,7 +472,7 @@ def test_exit_codes(
 # ------------------------------------------------------------------------------------------- pipes, colours, Ctrl-C
 
 
-def test_a_reader_that_leaves_is_no_error() -> None:
+def test_a_reader_that_leaves_is_no_error(start: Start) -> None:
     """As under ``head``: quiet, and not an error."""
     process = start("equilibria", "--theta0", "30", "--json")
     assert process.stdout is not None
@@ -534,7 +543,7 @@ def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
 
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs a pseudo terminal")
 @pytest.mark.parametrize("colour", [True, False])
-def test_no_color_is_respected(colour: bool) -> None:
+def test_no_color_is_respected(colour: bool, begin: Callable[..., subprocess.Popen[bytes]]) -> None:
     environment = {**os.environ, "TERM": "xterm-256color", "COLUMNS": "200"}
     environment.pop("FORCE_COLOR", None)
     environment.pop("NO_COLOR", None)
@@ -542,21 +551,21 @@ def test_no_color_is_respected(colour: bool) -> None:
         environment["NO_COLOR"] = "1"
     master, slave = os.openpty()
     call = [sys.executable, "-m", "spragsym", "check"]
-    with subprocess.Popen(call, stdout=slave, stderr=slave, env=environment) as process:
-        os.close(slave)
-        shown = b""
-        try:
-            while piece := os.read(master, 65536):
-                shown += piece
-        except OSError:  # the other end is closed
-            pass
-        os.close(master)
-    assert process.returncode == DONE
+    process = begin(call, stdout=slave, stderr=slave, env=environment)
+    os.close(slave)
+    shown = b""
+    try:
+        while piece := os.read(master, 65536):
+            shown += piece
+    except OSError:  # the other end is closed
+        pass
+    os.close(master)
+    assert process.wait(timeout=60) == DONE
     assert b"eq-6" in shown
     assert bool(re.search(rb"\x1b\[[\d;]*3[0-7]m", shown)) == colour
 
 
-def test_ctrl_c_ends_cleanly(tmp_path: Path) -> None:
+def test_ctrl_c_ends_cleanly(tmp_path: Path, start: Start) -> None:
     process = start("simulate", "--theta0", "49", "--t-end", "1e6", "--backend", "scipy", cwd=tmp_path)
     time.sleep(2.0)
     process.send_signal(signal.SIGINT)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -26,7 +27,7 @@ def files_of(folder: Path) -> dict[str, bytes]:
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
 
 
-def test_regeneration_is_byte_identical(tmp_path: Path) -> None:
+def test_regeneration_is_byte_identical(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
     """Under three hash seeds, one of them from another working directory; all at the same time."""
     elsewhere = tmp_path / "elsewhere"
     elsewhere.mkdir()
@@ -35,7 +36,7 @@ def test_regeneration_is_byte_identical(tmp_path: Path) -> None:
         target = tmp_path / f"seed-{seed}"
         environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
         call = [sys.executable, "-m", "derive", "--out", str(target)]
-        process = subprocess.Popen(
+        process = begin(
             call, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
         )
         runs.append((target, process))
@@ -182,6 +183,7 @@ def test_a_failed_exchange_brings_the_old_files_back(target: Path, monkeypatch: 
     assert untouched(target)
 
 
+@pytest.mark.usefixtures("ctrl_c")
 def test_ctrl_c_during_the_exchange_waits_for_its_end(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import signal
 

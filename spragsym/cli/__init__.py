@@ -114,8 +114,8 @@ def _run(arguments: list[str], debug: bool) -> int:
         code = _invoke(arguments)
         if sys.stdout is not None:  # closed by the caller
             sys.stdout.flush()  # here, so that a reader that has left and a full disk are noticed here
-    except (click.Abort, KeyboardInterrupt):
-        return _report("interrupted", 130, debug)
+    except (click.Abort, KeyboardInterrupt) as stop:
+        return _report("; ".join(["interrupted", *map(str, stop.args)]), 130, debug)
     except BrokenPipeError:
         return 0  # whoever read our output, head for one, has seen enough
     except click.exceptions.NoArgsIsHelpError as error:

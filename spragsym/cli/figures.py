@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import inspect
-import multiprocessing
 import os
 import re
-import signal
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,6 +14,7 @@ import click
 
 from ..errors import ParameterError
 from ..names import hint
+from ..workers import Map, pool
 from .options import workers
 from .targets import force, refuse
 
@@ -101,16 +100,14 @@ def _options(function: Callable[..., Any]) -> set[str]:
 
 
 @contextmanager
-def _processes(workers: int) -> Iterator[Any]:
+def _processes(workers: int) -> Iterator[int | Map]:
     """1, or the map of one pool for all figures: a process takes a second to begin."""
     count = os.cpu_count() or 1 if workers == -1 else workers
     if count == 1:
         yield 1
         return
-    # Interrupts are for the main process, which then ends the others.
-    ignore = (signal.SIGINT, signal.SIG_IGN)
-    with multiprocessing.get_context("spawn").Pool(count, signal.signal, ignore) as pool:
-        yield pool.imap
+    with pool(count) as processes:
+        yield processes
 
 
 @contextmanager

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import warnings
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -142,7 +144,6 @@ def sweep(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    from contextlib import nullcontext
 
     from ..sweeps import Regime, rms_sweep
 
@@ -151,7 +152,8 @@ def sweep(
     grid = dict(zip(axes, _open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})
     try:
-        with set_aside(output) if force else nullcontext():
+        with set_aside(output) if force else nullcontext(), warnings.catch_warnings():
+            warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
             result = rms_sweep(
                 p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
                 workers=workers, progress=not quiet, store=output,

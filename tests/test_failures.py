@@ -1,0 +1,418 @@
+"""What the machine does to a sweep: never a wrong number, never a wait without end, one clear error, and no work lost."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from benchmarks import attack_sweeps as attack
+from spragsym import dynamics
+from spragsym.errors import DamageWarning, StoreError, SweepError
+from spragsym.journal import journal, path_of
+from spragsym.storage import read
+from spragsym.sweeps import rms_sweep
+
+pytest.importorskip("xarray")
+P, SHORT = attack.P, attack.SHORT
+Begin = Callable[..., "subprocess.Popen[str]"]
+
+
+@pytest.fixture(scope="module")
+def recorded() -> attack.Recorded:
+    """Every point, computed once."""
+    computed = attack.Recorded()
+    rms_sweep(P, **SHORT, workers=computed)
+    return computed
+
+
+def points_of(path: Path) -> list[list[Any]]:
+    """Points in a journal."""
+    lines = [json.loads(line.partition(" ")[2]) for line in path_of(path).read_text().splitlines()]
+    return [line for line in lines if isinstance(line, list)]
+
+
+# ------------------------------------------------------------------------- what is no motion's failure is no result
+
+
+def failing_at(monkeypatch: pytest.MonkeyPatch, number: int, failure: Callable[[], object]) -> None:
+    """Have the motion of one point run into a failure."""
+    course, called = dynamics.course, iter(range(10**6))
+
+    def fails(*arguments: Any) -> Any:
+        if next(called) == number:
+            failure()
+        return course(*arguments)
+
+    monkeypatch.setattr(dynamics, "course", fails)
+
+
+def raising(error: BaseException) -> Callable[[], object]:
+    def failure() -> None:
+        raise error
+
+    return failure
+
+
+@pytest.mark.parametrize("workers", [1, map])
+@pytest.mark.parametrize("error", [MemoryError(), ImportError("no heyoka"), OSError(12, "no memory"), RuntimeError("a mistake")])
+def test_failures_of_the_machine_stop_the_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, error: Exception, workers: Any, recorded: attack.Recorded
+) -> None:
+    path = tmp_path / "rms.csv"
+    with monkeypatch.context() as patch:
+        failing_at(patch, 3, raising(error))
+        with pytest.raises(SweepError, match=f"theta0 = .*{type(error).__name__}.*3 of 12 points are kept in "):
+            rms_sweep(P, **SHORT, store=path, workers=workers)
+    assert not path.exists()
+    assert [(point[0], point[2]) for point in points_of(path)] == [(0, ""), (1, ""), (2, "")]
+    expected = rms_sweep(P, **SHORT, workers=recorded)
+    assert attack.same(expected, rms_sweep(P, **SHORT, store=path, workers=recorded))
+
+
+def test_a_failure_of_the_motion_is_a_result(monkeypatch: pytest.MonkeyPatch) -> None:
+    failing_at(monkeypatch, 3, raising(ss.ConvergenceError("it cannot be followed")))
+    found = rms_sweep(P, **SHORT)
+    np.testing.assert_array_equal(np.isnan(found.rms), np.arange(12) == 3)
+    assert found.reason[3] == "ConvergenceError: it cannot be followed"
+
+
+def test_numbers_out_of_range_are_a_result() -> None:
+    found = rms_sweep(P.replace(theta0=1.0), 0.5, 10.0, vx0=[0.0, 1e308], t_end=3.0, transient=1.0, backend="scipy")
+    assert np.isnan(found.rms).tolist() == [False, True]
+    assert "ConvergenceError" in found.reason[1]
+
+
+def _as_import_error() -> None:
+    try:
+        signal.raise_signal(signal.SIGINT)
+    except KeyboardInterrupt:
+        raise ImportError("an interrupt within an import surfaces so") from None
+
+
+def _as_convergence() -> None:
+    try:
+        signal.raise_signal(signal.SIGINT)
+    except KeyboardInterrupt:
+        raise ss.ConvergenceError("a callback stopped the integrator") from None
+
+
+def _as_nothing() -> None:
+    with suppress(KeyboardInterrupt):
+        signal.raise_signal(signal.SIGINT)
+
+
+@pytest.mark.usefixtures("ctrl_c")
+@pytest.mark.parametrize("interrupt", [_as_import_error, _as_convergence, _as_nothing])
+def test_ctrl_c_is_one_whatever_a_library_makes_of_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, interrupt: Callable[[], None]
+) -> None:
+    former = signal.getsignal(signal.SIGINT)
+    failing_at(monkeypatch, 3, interrupt)
+    with pytest.raises(KeyboardInterrupt, match=r"3 of 12 points are kept in .*, and the same call goes on from there"):
+        rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
+    assert len(points_of(tmp_path / "rms.csv")) == 3
+    assert signal.getsignal(signal.SIGINT) is former
+
+
+@pytest.mark.parametrize(
+    ("gives", "message"),
+    [
+        (lambda function, tasks: [], "left out 12 of 12"),
+        (lambda function, tasks: [None for _ in tasks], "gave None"),
+        (lambda function, tasks: [function(task) for task in [*tasks, tasks[0]]], "returned once only"),
+        (lambda function, tasks: 1 / 0, "stopped with ZeroDivisionError"),
+    ],
+)
+def test_a_map_that_is_none_is_one_error(gives: Any, message: str) -> None:
+    with pytest.raises(SweepError, match=message):
+        rms_sweep(P, **SHORT, workers=gives)
+
+
+def test_a_map_may_give_results_in_any_order(recorded: attack.Recorded) -> None:
+    def backwards(function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterator[Any]:
+        return (function(task) for task in reversed(list(tasks)))
+
+    assert attack.same(rms_sweep(P, **SHORT, workers=backwards), rms_sweep(P, **SHORT, workers=recorded))
+
+
+# ---------------------------------------------------------------------------------------------------------- workers
+
+
+@pytest.mark.parametrize(
+    ("heyoka", "message"),
+    [
+        ("raise ImportError('it is not on this machine')", "ImportError: it is not on this machine"),
+        ("raise MemoryError", "MemoryError"),
+        ("import os, signal; os.kill(os.getpid(), signal.SIGKILL)", "ended by SIGKILL"),
+        ("import os; print('LLVM ERROR: out of memory', flush=True); os._exit(3)", "exit code 3.*LLVM ERROR"),
+    ],
+)
+def test_a_worker_that_fails_is_one_error_at_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, heyoka: str, message: str
+) -> None:
+    pytest.importorskip("heyoka")
+    (tmp_path / "heyoka.py").write_text(heyoka)
+    monkeypatch.syspath_prepend(tmp_path)  # for the workers: this process has the other one
+    with pytest.raises(SweepError, match=message):
+        rms_sweep(P, **SHORT, workers=2, backend="heyoka", store=tmp_path / "rms.csv")
+    assert not (tmp_path / "rms.csv").exists()
+    assert points_of(tmp_path / "rms.csv") == []
+
+
+def test_a_script_needs_no_guard(tmp_path: Path, begin: Begin) -> None:
+    script = (
+        "print('once')\n"
+        "import numpy as np, spragsym as ss\n"
+        "p = ss.Parameters.article(theta0=np.radians([35.0, 40.0]))\n"
+        "print(ss.rms_sweep(p, 0.5, 10.0, t_end=5.0, transient=1.0, workers=2, backend='scipy').rms.tolist())\n"
+    )
+    path = tmp_path / "script.py"
+    path.write_text(script)
+    ways = [begin([sys.executable, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)]
+    with path.open() as file:  # as from a shell's here-document
+        ways.append(begin([sys.executable, "-"], stdin=file, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True))
+    p = ss.Parameters.article(theta0=np.radians([35.0, 40.0]))
+    expected = rms_sweep(p, 0.5, 10.0, t_end=5.0, transient=1.0, backend="scipy").rms.tolist()
+    for process in ways:
+        assert process.communicate(timeout=60) == (f"once\n{expected}\n", "")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="lists processes as Linux does")
+def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path: Path) -> None:
+    p, path = P.replace(theta0=np.radians(np.linspace(30.0, 60.0, 20))), tmp_path / "rms.csv"
+
+    def kill() -> None:
+        wait_for(lambda: path_of(path).exists() and len(path_of(path).read_bytes().splitlines()) > 4)
+        os.kill(attack.children(os.getpid())[0], signal.SIGKILL)
+
+    thread = threading.Thread(target=kill)
+    thread.start()
+    options = {**SHORT, "t_end": 60.0, "backend": "scipy"}
+    with pytest.raises(SweepError, match=r"ended by SIGKILL.* of 20 points are kept"):
+        rms_sweep(p, **options, workers=2, store=path)
+    thread.join()
+    kept = len(points_of(path))
+    assert 0 < kept < 20
+    assert attack.children(os.getpid()) == []
+    computed = attack.Recorded()
+    sweep = rms_sweep(p.replace(theta0=p.theta0[:3]), **options)
+    assert attack.same(sweep, rms_sweep(p.replace(theta0=p.theta0[:3]), **options, workers=2))
+    assert np.isfinite(rms_sweep(p, **options, store=path, workers=computed).rms).all()
+    assert len(computed.answers) == 20 - kept
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="lists processes as Linux does")
+def test_workers_end_with_their_parent(tmp_path: Path, begin: Begin) -> None:
+    call = [sys.executable, "-m", "spragsym", "sweep", "--theta0", "49,50", "--t-end", "1e6", "--backend", "scipy", "-j", "2"]
+    process = begin([*call, "-q", "-o", str(tmp_path / "rms.csv")])
+    wait_for(lambda: len(attack.children(process.pid)) == 2)
+    workers = attack.children(process.pid)
+    time.sleep(0.5)
+    process.kill()
+    process.wait()
+    wait_for(lambda: not any(_runs(worker) for worker in workers))
+
+
+def _runs(pid: int) -> bool:
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except FileNotFoundError:
+        return False
+
+
+def wait_for(condition: Callable[[], bool], seconds: float = 30.0) -> None:
+    deadline = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+
+
+def test_a_command_in_poor_circumstances(tmp_path: Path, begin: Begin) -> None:
+    """As nohup, setsid and cron start it: no terminal, no input, no home to write to, ASCII, and Ctrl-C ignored."""
+    environment = {"PATH": os.environ["PATH"], "HOME": "/proc/none", "LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"}
+    path = tmp_path / "rms.csv"
+    ignored = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); from spragsym.cli import main; main()"
+    grid = ["sweep", "--theta0", "35:60:4", "--t-end", "30", "--transient", "10", "-j", "2", "-o", str(path)]
+    process = begin(
+        [sys.executable, "-W", "error", "-c", ignored, *grid], env=environment,
+        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    shown, said = process.communicate(timeout=60)
+    assert process.returncode == 0, said
+    assert shown.startswith(f"{path}: ")
+    assert len(read(path)[0]["rms"]) == 4
+
+
+# --------------------------------------------------------------------------------------------------- two on one store
+
+
+def test_a_second_process_is_refused_and_told_who_is_first(tmp_path: Path, begin: Begin) -> None:
+    path = tmp_path / "rms.csv"
+    command = [sys.executable, "-m", "spragsym", "sweep", "--theta0", "35,40", "-q", "-o", str(path)]
+    with journal(path, "another sweep", 2):
+        with pytest.raises(StoreError, match=rf"another thread of this process \({os.getpid()}\)"):
+            rms_sweep(P, **SHORT, store=path)
+        process = begin(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        _, said = process.communicate(timeout=60)
+        path.write_text("")  # as the first one does at its end
+    assert process.returncode == 1
+    assert f"is being written by process {os.getpid()} on this machine" in said
+    assert said.count("\n") == 1
+
+
+def test_a_killed_process_holds_nothing(tmp_path: Path, begin: Begin, recorded: attack.Recorded) -> None:
+    path = tmp_path / "rms.csv"
+    code = (
+        "import sys, time; from pathlib import Path; from spragsym.journal import journal\n"
+        "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)"
+    )
+    process = begin([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    assert process.stdout.readline() == "held\n"
+    with pytest.raises(StoreError, match=f"process {process.pid} on this machine"):
+        rms_sweep(P, **SHORT, store=path, workers=recorded)
+    process.kill()
+    process.wait()
+    rms_sweep(P, **SHORT, store=path, workers=recorded)
+    assert path.exists()
+
+
+def test_what_another_has_finished_is_loaded(tmp_path: Path, recorded: attack.Recorded) -> None:
+    path = tmp_path / "rms.csv"
+    expected = rms_sweep(P, **SHORT, store=path, workers=recorded)
+    left = attack.journal_bytes(tmp_path / "other.csv", recorded, 3)
+    path_of(path).write_bytes(left)  # killed after the result was in place, before the journal was gone
+    assert attack.same(expected, rms_sweep(P, **SHORT, store=path))
+    assert not path_of(path).exists()
+
+
+# -------------------------------------------------------------------------------------------------------- damage
+
+
+def test_damaged_journals_give_the_right_numbers_or_are_refused(tmp_path: Path) -> None:
+    outcomes = attack.attack_journals(np.random.default_rng(1), tmp_path, 150)
+    assert sum(outcomes.values()) == 150
+    assert outcomes["healed, and named"] > 50
+
+
+def test_damaged_results_are_refused(tmp_path: Path) -> None:
+    outcomes = attack.attack_files(np.random.default_rng(2), tmp_path, 200)
+    assert outcomes[".nc: refused, and named"] > 90
+    assert outcomes[".csv: refused, and named"] > 90
+
+
+def test_damaged_lines_are_named_by_number(tmp_path: Path, recorded: attack.Recorded) -> None:
+    path = tmp_path / "rms.csv"
+    lines = attack.journal_bytes(path, recorded, 6).split(b"\n")
+    lines[3], lines[5] = b'[6, [], ""]', lines[5].replace(b"0.", b"1.", 1)
+    path_of(path).write_bytes(b"\n".join(lines))
+    with pytest.warns(DamageWarning, match=r"csv\.partial: 2 damaged lines \(4, 6\).*the 4 points of the other lines are good"):
+        found = rms_sweep(P, **SHORT, store=path, workers=recorded)
+    assert attack.same(found, rms_sweep(P, **SHORT, workers=recorded))
+
+
+@pytest.mark.parametrize(
+    "content", [b'{"fingerprint": "0123"}\n[0, [1.0], ""]\n', b"\xff\xfe\x00\n" * 9, b"no journal", bytes(1000)]
+)
+def test_what_is_no_journal_is_left_alone(tmp_path: Path, content: bytes) -> None:
+    path_of(tmp_path / "rms.csv").write_bytes(content)
+    with pytest.raises(StoreError, match=r"rms\.csv\.partial is damaged, no journal, or one of an older version.*remove it"):
+        rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
+    assert path_of(tmp_path / "rms.csv").read_bytes() == content
+
+
+@pytest.mark.parametrize("ending", ["nc", "csv"])
+@pytest.mark.parametrize("content", [b"", b"\x89HDF\r\n\x1a\n" + bytes(500), b"theta0,rms\n1,2\n"])
+def test_what_is_no_result_is_named(tmp_path: Path, ending: str, content: bytes) -> None:
+    path = tmp_path / f"rms.{ending}"
+    path.write_bytes(content)
+    with pytest.raises(StoreError, match=f"{path} has no checksum"):
+        rms_sweep(P, **SHORT, store=path)
+    assert path.read_bytes() == content
+
+
+# ------------------------------------------------------------------------------------------------- links, full disks
+
+
+def test_a_link_to_a_file_not_there_yet_is_written_through(tmp_path: Path, recorded: attack.Recorded) -> None:
+    (tmp_path / "disk").mkdir()
+    link, path = tmp_path / "rms.csv", tmp_path / "disk" / "real.csv"
+    link.symlink_to(path)
+    found = rms_sweep(P, **SHORT, store=link, workers=recorded)
+    assert link.is_symlink()
+    assert path.is_file()
+    found.save(link)
+    assert link.is_symlink()
+    assert attack.same(found, rms_sweep(P, **SHORT, store=path))
+    assert [file.name for file in path.parent.iterdir()] == ["real.csv"]
+
+
+def test_a_link_to_itself_is_an_error(tmp_path: Path) -> None:
+    (tmp_path / "rms.csv").symlink_to(tmp_path / "rms.csv")
+    with pytest.raises(ss.ParameterError, match=r"rms\.csv"):
+        rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
+
+
+@pytest.mark.parametrize(("limit", "ending"), [(1500, "csv"), (4500, "nc")])
+def test_a_full_disk_keeps_what_is_good(
+    tmp_path: Path, begin: Begin, recorded: attack.Recorded, limit: int, ending: str
+) -> None:
+    """No file may be longer than the limit: the journal breaks off, or the result does."""
+    pytest.importorskip("resource")
+    path, whole = tmp_path / f"rms.{ending}", tmp_path / f"whole.{ending}"
+    rms_sweep(P, **SHORT, store=whole, workers=recorded)
+    code = (
+        "import sys, resource; resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[1]),) * 2)\n"
+        "from benchmarks.attack_sweeps import *\n"
+        "try: rms_sweep(P, **SHORT, store=sys.argv[2])\n"
+        "except StoreError as error: sys.exit(str(error))"
+    )
+    call = [sys.executable, "-B", "-c", code, str(limit), str(path)]
+    process = begin(call, cwd=Path(__file__).parents[1], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert said.count("\n") == 1, said
+    assert "cannot be written: File too large; make room" in said
+    assert f"{len(points_of(path))} of 12 points are kept in {path_of(path)}" in said
+    assert (len(points_of(path)) == 12) == (limit == 4500)
+    rms_sweep(P, **SHORT, store=path, workers=recorded)
+    assert path.read_bytes() == whole.read_bytes()
+    assert sorted(file.name for file in tmp_path.iterdir()) == sorted([path.name, whole.name])
+
+
+def test_disks_that_fill(tmp_path: Path) -> None:
+    try:
+        outcomes = attack.attack_disks(np.random.default_rng(3), 6)
+    except PermissionError as error:
+        pytest.skip(str(error))  # to mount one takes root: the test above does without
+    assert outcomes["said so"] > 0
+
+
+# --------------------------------------------------------------------------------------------------- these tests
+
+
+@pytest.mark.skipif(os.name != "posix", reason="nohup is of POSIX")
+def test_processes_of_tests_hear_ctrl_c_also_under_nohup(begin: Begin) -> None:
+    former = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    try:
+        code = "import time; print('here', flush=True); time.sleep(100)"
+        process = begin([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        assert process.stdout is not None
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        assert process.wait(timeout=30) == -signal.SIGINT
+    finally:
+        signal.signal(signal.SIGINT, former)

@@ -33,10 +33,12 @@ SMALLEST_SCALE = 1e-200
 LARGEST_SCALE = 1e200
 #: The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther apart share no scale.
 SMALLEST_RATIO = 1e-60
+#: Where P or Q vanishes, as at a cusp, it is replaced by the smallest normal number.
+SMALLEST_NORMAL = 2.2250738585072014e-308
 #: What underflow may add to P³ + Q² at most, generously.
 UNDERFLOW = 1e-307
 #: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
-LARGEST_H = 0.05
+LARGEST_H = 0.4
 #: The largest radius around θ, over sin θ, for which the bounds on the state below hold.
 LARGEST_RADIUS = 1e-3
 INFINITY = float("inf")
@@ -288,11 +290,11 @@ def outermost(P: Real, Q: Real) -> Real:
     size = absolute(Q)
     inside = P * P * P + Q * Q
     # One real root: Cardano, in the form that does not cancel for P > 0.
-    w = cube_root(size + sqrt(maximum(inside, 0.0)))
+    w = cube_root(size + sqrt(maximum(inside, 0.0)) + SMALLEST_NORMAL)
     v = P / w
     alone = where(P > 0.0, 2.0 * size / (w * w + P + v * v), w - v)
     # Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 z³ − 3 z = cos φ on [√3/2, 1], where Newton converges at once.
-    root = sqrt(maximum(-P, 0.0))
+    root = sqrt(maximum(-P, SMALLEST_NORMAL))
     cosine = minimum(size / (root * root * root), 1.0)
     z = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine)
     for _ in range(2):
@@ -315,7 +317,8 @@ def simple_root(a: Real, b: Real, d: Real, m: Real) -> Real:
 def polish(A1: Real, A2: Real, A3: Real, p1: Real, q1: Real, p2: Real, q2: Real) -> Factors:
     """One Newton step on both factors of t⁴ + A3 t³ + A2 t² + A1 t − 1 at once.
 
-    The change of the second factor is the remainder over the first, modulo the second.
+    The change of the second factor is the remainder over the first, modulo the second. q1 q2 = −1 is kept by setting the smaller
+    from the larger.
     """
     r3 = A3 - (p1 + p2)
     r2 = A2 - (q1 + q2) - p1 * p2
@@ -330,7 +333,15 @@ def polish(A1: Real, A2: Real, A3: Real, p1: Real, q1: Real, p2: Real, q2: Real)
     dp2 = (s1 * dv - s0 * du) * inverse
     dq2 = (s0 * dw + s1 * du * q2) * inverse
     dp1 = r3 - dp2
-    return Factors(p1 + dp1, q1 + (r2 - dq2 - p2 * dp1 - p1 * dp2), p2 + dp2, q2 + dq2)
+    dq1 = r2 - dq2 - p2 * dp1 - p1 * dp2
+    # Where three roots meet, the factors share one, and a step may lead anywhere.
+    good = (q1 + dq1 < 0.0) & (q2 + dq2 > 0.0) & (absolute(dp1 + dp2 + dq1 + dq2) < INFINITY)
+    q1 = q1 + where(good, dq1, 0.0)
+    q2 = q2 + where(good, dq2, 0.0)
+    inverse_q = -1.0 / where(-q1 < q2, q2, q1)
+    return Factors(
+        p1 + where(good, dp1, 0.0), where(-q1 < q2, inverse_q, q1), p2 + where(good, dp2, 0.0), where(-q1 < q2, q2, inverse_q)
+    )
 
 
 def factors(a: Real, b: Real, d: Real, m: Real) -> Factors:
@@ -347,8 +358,7 @@ def factors(a: Real, b: Real, d: Real, m: Real) -> Factors:
     q2 = where(y > 0.0, large, small)
     q1 = -where(y > 0.0, small, large)
     inverse = 1.0 / width
-    first = polish(A1, A2, A3, (A1 - A3 * q1) * inverse, q1, (A3 * q2 - A1) * inverse, q2)
-    return polish(A1, A2, A3, first.p1, first.q1, first.p2, first.q2)
+    return polish(A1, A2, A3, (A1 - A3 * q1) * inverse, q1, (A3 * q2 - A1) * inverse, q2)
 
 
 def root_pair(p: Real, q: Real) -> Pair:
@@ -397,7 +407,7 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
 
     Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ,
     L = σ/q + R/(q sin θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most
-    radius (|cos θ| + radius), and 1/sin θ by that over sin² θ, but for a thousandth.
+    radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
     """
     at = direction(t)
     c_size = absolute(at.cosine)
@@ -411,8 +421,10 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     steepness = absolute(slope) - COUNT_SLOPE * u * slope_size
     bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size
     newton = value / steepness
-    proved = (steepness > 0.0) & (newton * bend < LARGEST_H * steepness) & (newton < LARGEST_RADIUS * s_size) & sound(point)
-    radius = where(proved, 1.06 * newton, INFINITY)
+    h = newton * bend / steepness
+    proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point)
+    # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
+    radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
 
     L, x, y = state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar)
     stiff = point.beta + point.nbar
@@ -424,7 +436,8 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     L_error = L_size * (1.01 * relative * swing + rounding)
     y_size = point.sigma * (point.sin0 + s_size) + point.kappa
     y_error = (1.01 * point.sigma * radius * swing + rounding * y_size) * over
-    x_error = L_error + L_size * (1.01 * radius + rounding) + rounding
+    turn = 1.01 * radius * (s_size + radius)
+    x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding
     state_error = x_error / maximum(minimum(L, absolute(x)), 1.0)
     error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
     beyond = (1.0 - 2.0 * point.nbar) * y  # positive on the side of the belt that n̄ says

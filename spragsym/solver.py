@@ -180,6 +180,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     unsettled = _in_blocks(p, threads, lambda values, begin, size: begin + solve(values, contact, out, begin, size))
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
+    out.clear()
     if reasons and not p.shape:
         raise ConvergenceError(reasons[0])
     escalated, folds, undecided = (_flags(p.shape, rows) for rows in (left, fold, np.array([*reasons], dtype=np.int64)))
@@ -303,6 +304,7 @@ def _escalate(
         with np.errstate(all="ignore"):
             point = kernel.Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, int(contact))
             left = block.solve(point, rows.size, again, 0, np.longdouble)
+        again.clear()
         out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
     folds: list[int] = []
     reasons: dict[int, str] = {}

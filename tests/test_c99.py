@@ -510,7 +510,8 @@ def test_cosine_and_sine_are_those_of_python(tmp_path: Path) -> None:
     """Bit for bit those of the compiled solver, whose accuracy is tested there."""
     rng = np.random.default_rng(11)
     run = compile_inside(
-        tmp_path, "void run(double x, double *out);\nvoid run(double x, double *out) {\n    const Direction at = cosine_and_sine(x);\n"
+        tmp_path, "void run(double x, double *out);\nvoid run(double x, double *out) {\n"
+        "    const Direction at = cosine_and_sine(x);\n"
         "    out[0] = at.cosine;\n    out[1] = at.sine;\n}\n",
     )
     found = np.empty(2)

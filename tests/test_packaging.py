@@ -110,7 +110,7 @@ def committed(*folders: str) -> set[str]:
     return {
         path.relative_to(ROOT).as_posix()
         for path in paths
-        if path.is_file() and not skipped & set(path.parts) and path.suffix != ".pyc"
+        if path.is_file() and not skipped & set(path.parts) and path.suffix not in (".pyc", ".so", ".pyd")
     }
 
 

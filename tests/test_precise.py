@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import json
 import math
@@ -316,12 +317,16 @@ def _everything() -> dict[str, Any]:
         **{f"precise {dps}": precise.equilibria(theta0_deg=30, dps=dps) for dps in (5, 50, 200)},
         "precise cusps": precise.cusps(dps=33).cusps,
     }  # fmt: skip
-    return {name: repr([_bits(value) for one in many for value in vars(one).values()]) for name, many in found.items()}
+    return {name: repr([_bits(one) for one in many]) for name, many in found.items()}
 
 
 def _bits(value: Any) -> Any:
     if isinstance(value, mpmath.mpf):
         return value._mpf_
+    if isinstance(value, ss.Equilibria):
+        return [_bits(getattr(value, name)) for name in ("count", "theta", "L", "x", "y", "error", "stability")]
+    if dataclasses.is_dataclass(value):
+        return [_bits(part) for part in vars(value).values()]
     return value.tobytes() if isinstance(value, np.ndarray) else str(value)
 
 

@@ -1,4 +1,4 @@
-"""A block of points at once in NumPy, in one float type: the kernel on arrays, first for one root a point, then for the others."""
+"""A block of points at once in NumPy, in one float type: one root of every point, then all of those that have more."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where results are kept: the first equilibrium of every point in columns, and apart from it the others of the few that have more.
+"""Where results are kept: the first equilibrium of every point in columns, and the others of the few that have more apart.
 
 Memory that is touched for the first time costs as much as the solving: what most points don't have is not written. Padded
 arrays, of one more axis than the parameters, are made when they are asked for.
@@ -33,7 +33,7 @@ class Slots:
     count : ndarray of int8
         How many each point has.
     first : mapping of str to ndarray
-        Of every point, the first; undefined where there is none.
+        Of every point, the first; NaN and 0 where there is none, after :meth:`clear`.
     further : list of (rows, columns)
         Of some points, all of those that are in slots 1 and up, columns of shape (slots − 1, len(rows)), NaN and 0 beyond the
         count. A later entry replaces an earlier one.
@@ -65,8 +65,13 @@ class Slots:
         table[1:] = nothing
         for rows, columns in self.further:
             table[1:, rows] = columns[name]
-        table[0, self.count == 0] = nothing
         return table.T
+
+    def clear(self) -> None:
+        """Empty the first slot of points that have no equilibrium: memory holds anything before it is written."""
+        rows = np.flatnonzero(self.count == 0)
+        for name, values in self.first.items():
+            values[rows] = _NOTHING[name]
 
 
 def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:

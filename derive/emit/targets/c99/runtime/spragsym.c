@@ -34,7 +34,7 @@
 #endif
 /* What a loop calls must be part of it before it can be turned into vector instructions. */
 #ifdef __GNUC__
-#define INLINE static inline __attribute__((always_inline))
+#define INLINE static inline __attribute__((always_inline, unused))
 #else
 #define INLINE static inline
 #endif

@@ -366,7 +366,7 @@ def root_pair(p: Real, q: Real) -> Pair:
     half = 0.5 * p
     square = half * half - q
     radical = sqrt(maximum(square, 0.0))
-    large = where(half > 0.0, -half - radical, radical - half)
+    large = -half - where(half > 0.0, radical, -radical)
     return Pair(large, q / large, square)
 
 

@@ -8,7 +8,7 @@ Examples
 >>> import numpy as np, spragsym as ss
 >>> p = ss.Parameters.article(theta0=np.radians(49))
 >>> ss.equilibria(p).count
-array(1)
+array(1, dtype=int8)
 """
 
 from __future__ import annotations

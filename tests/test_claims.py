@@ -408,7 +408,7 @@ def test_friction_at_steady_sliding() -> None:
 
 
 def test_limit_cycle_by_another_integrator() -> None:
-    """One period from a late state of the motion leads back to it; at rest beside the equilibrium nothing grows."""
+    """One period from a late state of the motion leads back to it; the equilibrium's fastest mode grows as stated."""
     late = simulate(ss.Parameters.article(theta0=np.radians(49)), V=0.5, d=10.0, t_end=8500.0).after(8000.0)
     start, period = late.state[:, 0], value("fig-7a", "period")
     solution = motion(49.0, start, period, rtol=1e-9)
@@ -416,9 +416,34 @@ def test_limit_cycle_by_another_integrator() -> None:
     assert np.abs(solution.sol(np.linspace(0, period, 40_001))[0]).max() == pytest.approx(
         value("fig-7a", "amplitude of x"), abs=1e-3
     )
-    x = value("fig-7a", "x of the stable equilibrium beside it")
-    y = float(ss.equilibria(ss.Parameters.article(theta0=np.radians(49))).y[0])
-    assert np.abs(motion(49.0, [x + 0.01, y, 0, 0], 300.0).y[0] - x).max() < 0.05
+    x = value("fig-7a", "x of the only equilibrium")
+    growth = value("fig-7a", "its growth rate with the friction law's damping")
+    assert growth_by_differences(49.0, x) == pytest.approx(growth, rel=1e-4)
+
+
+def growth_by_differences(theta0_deg: float, x: float) -> float:
+    """Largest real part at the equilibrium with that x, from forces that are differentiated numerically."""
+    with mpmath.workdps(40):
+        mu0, kappa, alpha, sigma, V, d = (mpmath.mpf(number) for number in ("0.5", "0.007", "0.007", "0.1", "0.5", "10"))
+        anchor = mpmath.expj(mpmath.radians(theta0_deg))
+
+        def forces(x: Any, y: Any, vx: Any) -> list[Any]:
+            spring = anchor - mpmath.mpc(x, y)
+            pull = sigma * (1 - abs(spring)) * spring / abs(spring)
+            friction = mu0 * (1 - mpmath.exp(-d * (V - vx)))
+            return [-pull.real - alpha * x - friction * y, -pull.imag - kappa - y]
+
+        at = [*mpmath.findroot(lambda x, y: forces(x, y, 0), (x, -0.05)), mpmath.mpf(0)]
+        h = mpmath.mpf(10) ** -15
+        slopes = [
+            [(forces(*_moved(at, i, h))[row] - forces(*_moved(at, i, -h))[row]) / (2 * h) for i in range(3)] for row in (0, 1)
+        ]
+        matrix = mpmath.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [*slopes[0], 0], [*slopes[1], 0]])
+        return float(max(mpmath.re(value) for value in mpmath.eig(matrix)[0]))
+
+
+def _moved(at: list[Any], place: int, step: Any) -> list[Any]:
+    return [value + (step if i == place else 0) for i, value in enumerate(at)]
 
 
 def test_amplitude_jump_by_another_integrator() -> None:

@@ -17,11 +17,12 @@ from .. import catastrophe, flutter, precise
 from .. import generated as _generated
 from ..dynamics import simulate
 from ..generated import equilibrium as _equilibrium
-from ..parameters import FloatArray, Parameters
+from ..generated import motion as _motion
+from ..parameters import NAMES, FloatArray, Parameters
 from ..paths import Jump, quasi_static_path
-from ..regimes import ATTRACTOR, Regime
+from ..regimes import Regime
 from ..solver import Stability, equilibria
-from ..sweeps import rms_sweep, sensitivity
+from ..sweeps import sensitivity
 from .rows import Found, Value
 
 #: Belt speed and steepness of the friction law; the article states neither.
@@ -345,14 +346,25 @@ def limit_cycle() -> Found:
     p = _at(49.0)
     late = simulate(p, V=V, d=D, t_end=10000.0).after(8000.0)
     eq = equilibria(p.replace(mu0=catastrophe.sliding_friction(p.mu0, V, D)))
-    beside = rms_sweep(p, V, D, x0=float(eq.x[0]) + 0.01, y0=float(eq.y[0]))
     outcome = late.outcome(0.0)
-    back = ATTRACTOR.get(Regime(int(beside.regime))) == Regime.EQUILIBRIUM
-    holds = outcome.regime == Regime.LIMIT_CYCLE and int(eq.count) == 1 and back
+    x, y = float(eq.x[0]), float(eq.y[0])
+    growth = linearized_growth(p, x, y, V, D)
+    alone = int(eq.count) == 1 and int(eq.stability[0]) == Stability.STABLE
+    holds = outcome.regime == Regime.LIMIT_CYCLE and alone and growth > 0
     return Found(bool(holds), {
-        "period": outcome.period, "amplitude of x": late.amplitude(0.0),
-        "x of the stable equilibrium beside it": float(eq.x[0]),
+        "period": outcome.period, "amplitude of x": late.amplitude(0.0), "x of the only equilibrium": x,
+        "its growth rate with the friction law's damping": growth,
     })  # fmt: skip
+
+
+def linearized_growth(p: Parameters, x: float, y: float, V: float, d: float) -> float:
+    """The largest real part of the linearization at an equilibrium, the damping that (27) leaves out included."""
+    theta0, mu0, kappa, alpha, sigma, beta = p.scalars(*NAMES)
+    along, across = _motion.regime_jacobian(
+        x, y, 0.0, 0.0, np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, V, d, 1, 1
+    )
+    jacobian = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], along, across], dtype=float)
+    return float(np.linalg.eigvals(jacobian).real.max())
 
 
 def amplitude_jump() -> Found:

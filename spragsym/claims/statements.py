@@ -207,7 +207,7 @@ STATEMENTS: tuple[Statement, ...] = (
         stated="from x = y = 0 at theta0 = 49 deg the motion reaches a stable limit cycle",
         compute=computed.limit_cycle,
         outcome="V, d and the initial speed are not stated; from rest with V = 0.5, d = 10 it does, and repeats "
-        "itself after tau = 8000; the only equilibrium is stable as well, and is reached from close by",
+        "itself after tau = 8000; the only equilibrium, stable by (27), repels slowly: the friction law feeds one of its modes",
         status=Status.NOT_STATED,
         test="test_limit_cycle_by_another_integrator",
         command="spragsym simulate --theta0 49 --t-end 10000 --transient 8000",

@@ -31,7 +31,7 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
     D = kernel.discriminant(line, u)
     halves = kernel.factors(line.a, line.b, line.d, line.m)
     large, small, _ = kernel.root_pair(halves.p1, halves.q1)
-    upper = np.where(large > 0.0, large, small)
+    upper: NDArray[Any] = kernel.where(large > 0.0, large, small)
 
     # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
     # where these may be positive, since no equilibrium in contact has sin θ < 0.

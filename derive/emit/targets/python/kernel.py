@@ -8,6 +8,12 @@ from ...language import Kinds
 from .. import Material
 
 
+#: What the language's primitives are for arrays.
+_PRIMITIVES = {
+    "where": "where", "maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt", "cube_root": "cbrt",
+}  # fmt: skip
+
+
 def render(material: Material, header: str) -> str:
     """``generated/kernel.py``: functions of floats and of arrays of any float type."""
     source = material.kernel
@@ -20,6 +26,7 @@ def render(material: Material, header: str) -> str:
     first, rest = docstring.split("\n\n", 1)
     explained = rest.split("\n\n", 1)[1]
     bound = "\n".join(f"{name} = inspect.unwrap(_{home}.{name})" for home, name in used)
+    primitives = "\n".join(f"{name}: Any = numpy.{function}" for name, function in _PRIMITIVES.items())
     imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
     counts = "\n".join(f"{name} = {value!r}" for name, value in material.counts.items())
     constants_and_code = source.text[source.text.index("#: A parameter") :]
@@ -28,8 +35,7 @@ def render(material: Material, header: str) -> str:
         "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
         f"{imports}\n\n"
         "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an array of such.\nFlag: TypeAlias = Any\n\n"
-        "where, maximum, minimum, absolute, sqrt = numpy.where, numpy.maximum, numpy.minimum, numpy.abs, numpy.sqrt\n"
-        "cube_root = numpy.cbrt\n"
+        f"{primitives}\n"
         f"{bound}\n\n"
         "# Counts of roundings, derived from the statements of this file and of the algebra.\n"
         f"{counts}\n\n{constants_and_code}"

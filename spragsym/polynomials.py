@@ -48,10 +48,7 @@ def sturm_chain(polynomial: Polynomial, sign: Sign) -> list[Polynomial]:
     """
     chain = [_trimmed(polynomial, sign)]
     chain.append(_trimmed(derivative(chain[0]), sign))
-    while len(chain[-1]) > 1:
-        remainder = _trimmed(_negated_remainder(chain[-2], chain[-1]), sign)
-        if not remainder:
-            break
+    while remainder := _trimmed(_negated_remainder(chain[-2], chain[-1]), sign):
         chain.append(remainder)
     return chain
 
@@ -59,7 +56,7 @@ def sturm_chain(polynomial: Polynomial, sign: Sign) -> list[Polynomial]:
 def squarefree(polynomial: Polynomial) -> Polynomial:
     """The same roots, each once; exact coefficients only."""
     chain = sturm_chain(polynomial, exact_sign)
-    return chain[0] if len(chain[-1]) <= 1 else _quotient(chain[0], chain[-1])
+    return _quotient(chain[0], chain[-1])
 
 
 def _trimmed(polynomial: Polynomial, sign: Sign) -> Polynomial:
@@ -120,7 +117,7 @@ def _variations(chain: list[Polynomial], t: Coefficient, sign: Sign) -> int:
 def real_roots(
     polynomial: Polynomial, low: Fraction, high: Fraction, sign: Sign, number: Callable[[Fraction], Coefficient], bits: int
 ) -> list[tuple[Fraction, Fraction]]:
-    """Every different real root in (low, high], ascending, each in an interval of width below 2^−bits.
+    """Every different real root in (low, high], ascending, each in an interval of width at most 2^−bits.
 
     Parameters
     ----------

@@ -1,0 +1,173 @@
+"""Runs the tests of one subject against each of its mutants, each in a fork of a process that has everything loaded.
+
+The fault goes into the functions that exist already, by their code, so that whoever imported them gets it. The tests stop at
+the first failure. A mutant that takes many times the processor time of the sound module counts as killed.
+"""
+
+from __future__ import annotations
+
+import ast
+import functools
+import hashlib
+import importlib
+import inspect
+import json
+import os
+import resource
+import signal
+import sys
+import time
+import types
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from .operators import Mutant, mutants
+
+#: Memory that a mutant may take, and the processor time for one test, in seconds and in multiples of what it takes.
+MEMORY, SECONDS, TIMES = 3 << 30, 0.7, 8.0
+
+
+class Runner:
+    """A pytest plugin that puts its own loop over mutants in the place of the run of the tests."""
+
+    def __init__(self, module: str, results: Path, jobs: int, names: Iterable[str] = ()) -> None:
+        self.module, self.results, self.jobs, self.only = importlib.import_module(module), results, jobs, set(names)
+        source = Path(str(self.module.__file__)).read_text(encoding="utf-8")
+        self.tree = ast.parse(source)
+        self.digest = source
+        self.failed = ""
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Remember a failure."""
+        if report.failed:
+            self.failed = report.nodeid
+
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """All mutants that have no result yet."""
+        items = session.items
+        files = sorted({str(item.path) for item in items})
+        tests = "".join(Path(file).read_text(encoding="utf-8") for file in files) + " ".join(item.nodeid for item in items)
+        digest = hashlib.sha256((self.digest + tests).encode()).hexdigest()[:16]
+        limits = self._baseline(items)
+        known = self._known(digest)
+        waiting = [mutant for mutant in mutants(self.tree) if mutant.key not in known]
+        waiting = [mutant for mutant in waiting if not self.only or mutant.key in self.only]
+        running: dict[int, tuple[Mutant, float, int]] = {}
+        with self.results.open("a", encoding="utf-8") as out:
+            while waiting or running:
+                while waiting and len(running) < self.jobs:
+                    mutant = waiting.pop(0)
+                    read, write = os.pipe()
+                    pid = os.fork()
+                    if pid == 0:
+                        self._run(mutant, items, limits, write)
+                    os.close(write)
+                    running[pid] = mutant, time.monotonic(), read
+                pid, status = os.wait()
+                mutant, begun, read = running.pop(pid)
+                by = os.read(read, 1000).decode() or ("time" if os.WIFSIGNALED(status) else "")
+                os.close(read)
+                killed = status != 0
+                took = round(time.monotonic() - begun, 2)
+                row = dict(key=mutant.key, line=mutant.line, killed=killed, by=by, seconds=took, digest=digest)
+                out.write(json.dumps(row, ensure_ascii=False) + "\n")
+                out.flush()
+        return True
+
+    def _known(self, digest: str) -> set[str]:
+        """Mutants with a result for the module and the tests as they are; other results go."""
+        rows = [json.loads(line) for line in self.results.read_text("utf-8").splitlines()] if self.results.exists() else []
+        rows = [row for row in rows if row["digest"] == digest and row["key"] not in self.only]
+        self.results.write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows), encoding="utf-8")
+        return {row["key"] for row in rows}
+
+    def _baseline(self, items: list[pytest.Item]) -> list[float]:
+        """Processor time of each test on the sound module, in a fork of its own, as a limit for the mutants."""
+        read, write = os.pipe()
+        pid = os.fork()
+        if pid == 0:
+            took = []
+            for item, following in zip(items, [*items[1:], None], strict=True):
+                begun = time.process_time()
+                item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
+                took.append(time.process_time() - begun)
+            os.write(write, json.dumps([self.failed, took]).encode())
+            os._exit(0)
+        os.close(write)
+        _, status = os.waitpid(pid, 0)
+        with os.fdopen(read) as answer:
+            failed, took = json.loads(answer.read() or '["a test that ends the process", []]')
+        if failed or status:
+            raise SystemExit(f"the tests fail on the sound module: {failed}")
+        print(f"{self.module.__name__}: {len(items)} tests, {sum(took):.1f} s", flush=True)
+        return [SECONDS + TIMES * seconds for seconds in took]
+
+    def _run(self, mutant: Mutant, items: list[pytest.Item], limits: list[float], write: int) -> None:
+        """In the fork: break the module, run the tests up to the first failure, and end."""
+        quiet = os.open(os.devnull, os.O_WRONLY)
+        os.dup2(quiet, 1)
+        os.dup2(quiet, 2)
+        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        try:
+            signal.setitimer(signal.ITIMER_PROF, SECONDS)
+            mutant.apply()
+            install(self.module, self.tree, mutant.scope)
+            for item, following, limit in zip(items, [*items[1:], None], limits, strict=True):
+                signal.setitimer(signal.ITIMER_PROF, limit)
+                item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
+                if self.failed:
+                    break
+        except BaseException as error:
+            self.failed = repr(error)
+        if self.failed:
+            os.write(write, self.failed.encode()[:1000])
+        os._exit(1 if self.failed else 0)
+
+
+def install(module: types.ModuleType, tree: ast.Module, scope: str) -> None:
+    """Give the functions of a loaded module the code that the tree has; and where its body changed, the values too."""
+    fresh = types.ModuleType(module.__name__)
+    fresh.__dict__.update({name: getattr(module, name) for name in ("__file__", "__package__", "__spec__")})
+    exec(compile(tree, str(module.__file__), "exec"), fresh.__dict__)
+    _transplant(vars(module), vars(fresh), module.__name__)
+    if scope:
+        return
+    for name, new in vars(fresh).items():
+        old = vars(module).get(name)
+        if name.startswith("__") or _function(new) or isinstance(new, type | types.ModuleType):
+            continue
+        for other in [other for key, other in sys.modules.items() if key.startswith("spragsym") or key.startswith("test_")]:
+            if vars(other).get(name) is old:
+                setattr(other, name, new)
+
+
+def _transplant(old: Any, new: Any, module: str) -> None:
+    for name, value in dict(new).items():
+        function, before = _function(value), _function(old.get(name))
+        if function and before and function.__module__ == module:
+            before.__code__, before.__defaults__ = function.__code__, function.__defaults__
+            before.__kwdefaults__ = function.__kwdefaults__
+        elif isinstance(value, type) and value.__module__ == module and isinstance(old.get(name), type):
+            _transplant(vars(old[name]), vars(value), module)
+            for attribute in [key for key in vars(old[name]) if not key.startswith("_")]:
+                if attribute not in vars(value):
+                    delattr(old[name], attribute)
+                elif isinstance(vars(value)[attribute], int | float | str | tuple):
+                    setattr(old[name], attribute, vars(value)[attribute])
+
+
+def _function(value: Any) -> types.FunctionType | None:
+    """The plain function in a decorated one, a method, a property."""
+    if isinstance(value, staticmethod | classmethod):
+        value = value.__func__
+    elif isinstance(value, property):
+        value = value.fget
+    elif isinstance(value, functools.cached_property):
+        value = value.func
+    value = inspect.unwrap(value) if callable(value) and not isinstance(value, type) else value
+    return value if isinstance(value, types.FunctionType) else None

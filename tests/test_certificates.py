@@ -273,10 +273,9 @@ def test_functions_enclose_the_truth_and_little_else(name: str, arith: Arithmeti
                     truths = [_REFERENCES[name](_mpf(value + width * k / 4)) for k in range(5)]
                     assert low <= min(truths)
                     assert max(truths) <= high
-                    span = max(truths) - min(truths)
-                    turn = _mpf(width) ** 2 if name in ("cos", "sin") else 0  # a maximum between the samples
+                    span = 2 * _mpf(width) if name in ("cos", "sin") else 1.1 * (max(truths) - min(truths))
                     size = max(map(abs, truths)) + (1 if name in ("cos", "sin") else 0)
-                    assert high - low <= span * (1.1 if width else 1) + 2 * turn + size * mpmath.ldexp(1, 3 - bits)
+                    assert high - low <= span + size * mpmath.ldexp(1, 3 - bits)
 
 
 def _function(arith: Arithmetic, name: str, value: Any) -> Any:

@@ -52,7 +52,9 @@ class Runner:
         files = sorted({str(item.path) for item in items})
         tests = "".join(Path(file).read_text(encoding="utf-8") for file in files) + " ".join(item.nodeid for item in items)
         digest = hashlib.sha256((self.digest + tests).encode()).hexdigest()[:16]
-        limits = self._baseline(items)
+        took = self._baseline(items)
+        items = sorted(items, key=lambda item: took[item.nodeid])
+        limits = [SECONDS + TIMES * took[item.nodeid] for item in items]
         known = self._known(digest)
         waiting = [mutant for mutant in mutants(self.tree) if mutant.key not in known]
         waiting = [mutant for mutant in waiting if not self.only or mutant.key in self.only]
@@ -85,26 +87,26 @@ class Runner:
         self.results.write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows), encoding="utf-8")
         return {row["key"] for row in rows}
 
-    def _baseline(self, items: list[pytest.Item]) -> list[float]:
-        """Processor time of each test on the sound module, in a fork of its own, as a limit for the mutants."""
+    def _baseline(self, items: list[pytest.Item]) -> dict[str, float]:
+        """Processor time of each test on the sound module, in a fork of its own."""
         read, write = os.pipe()
         pid = os.fork()
         if pid == 0:
-            took = []
+            took = {}
             for item, following in zip(items, [*items[1:], None], strict=True):
                 begun = time.process_time()
                 item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
-                took.append(time.process_time() - begun)
+                took[item.nodeid] = time.process_time() - begun
             os.write(write, json.dumps([self.failed, took]).encode())
             os._exit(0)
         os.close(write)
         _, status = os.waitpid(pid, 0)
         with os.fdopen(read) as answer:
-            failed, took = json.loads(answer.read() or '["a test that ends the process", []]')
+            failed, took = json.loads(answer.read() or '["a test that ends the process", {}]')
         if failed or status:
-            raise SystemExit(f"the tests fail on the sound module: {failed}")
-        print(f"{self.module.__name__}: {len(items)} tests, {sum(took):.1f} s", flush=True)
-        return [SECONDS + TIMES * seconds for seconds in took]
+            pytest.exit(f"the tests fail on the sound module: {failed}", 1)
+        print(f"{self.module.__name__}: {len(items)} tests, {sum(took.values()):.1f} s", flush=True)
+        return {str(name): float(seconds) for name, seconds in took.items()}
 
     def _run(self, mutant: Mutant, items: list[pytest.Item], limits: list[float], write: int) -> None:
         """In the fork: break the module, run the tests up to the first failure, and end."""

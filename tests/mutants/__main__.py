@@ -49,7 +49,7 @@ def _inside(name: str, jobs: int, only: list[str]) -> int:
     from .runner import Runner
 
     subject = SUBJECTS[name]
-    runner = Runner(subject["module"], RESULTS / f"{name}.jsonl", jobs, only)
+    runner = Runner(subject["module"], subject.get("functions", []), RESULTS / f"{name}.jsonl", jobs, only)
     options = ["-qq", "-s", "-p", "no:cacheprovider", "-p", "no:xdist"]
     return int(pytest.main([*options, *subject["tests"]], plugins=[runner]))
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ast
 import functools
+import gc
 import hashlib
 import importlib
 import inspect
@@ -33,11 +34,10 @@ MEMORY, SECONDS, TIMES = 3 << 30, 0.7, 8.0
 class Runner:
     """A pytest plugin that puts its own loop over mutants in the place of the run of the tests."""
 
-    def __init__(self, module: str, results: Path, jobs: int, names: Iterable[str] = ()) -> None:
+    def __init__(self, module: str, functions: list[str], results: Path, jobs: int, names: Iterable[str] = ()) -> None:
         self.module, self.results, self.jobs, self.only = importlib.import_module(module), results, jobs, set(names)
-        source = Path(str(self.module.__file__)).read_text(encoding="utf-8")
-        self.tree = ast.parse(source)
-        self.digest = source
+        self.functions = functions
+        self.tree = _parsed(str(self.module.__file__))
         self.failed = ""
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
@@ -49,15 +49,19 @@ class Runner:
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
         """All mutants that have no result yet."""
         items = session.items
-        files = sorted({str(item.path) for item in items})
-        tests = "".join(Path(file).read_text(encoding="utf-8") for file in files) + " ".join(item.nodeid for item in items)
-        digest = hashlib.sha256((self.digest + tests).encode()).hexdigest()[:16]
+        sources = [self.tree, *map(_parsed, sorted({str(item.path) for item in items}))]
+        text = " ".join([*map(ast.unparse, sources), *(item.nodeid for item in items)])  # layout changes nothing
+        digest = hashlib.sha256(text.encode()).hexdigest()[:16]
         took = self._baseline(items)
         items = sorted(items, key=lambda item: took[item.nodeid])
         limits = [SECONDS + TIMES * took[item.nodeid] for item in items]
         known = self._known(digest)
-        waiting = [mutant for mutant in mutants(self.tree) if mutant.key not in known]
+        every = [mutant for mutant in mutants(self.tree) if not self.functions or mutant.scope in self.functions]
+        waiting = [mutant for mutant in every if mutant.key not in known]
         waiting = [mutant for mutant in waiting if not self.only or mutant.key in self.only]
+        gc.collect()
+        gc.freeze()  # forks then share what is loaded
+        gc.disable()
         running: dict[int, tuple[Mutant, float, int]] = {}
         with self.results.open("a", encoding="utf-8") as out:
             while waiting or running:
@@ -129,6 +133,10 @@ class Runner:
         if self.failed:
             os.write(write, self.failed.encode()[:1000])
         os._exit(1 if self.failed else 0)
+
+
+def _parsed(file: str) -> ast.Module:
+    return ast.parse(Path(file).read_text(encoding="utf-8"))
 
 
 def install(module: types.ModuleType, tree: ast.Module, scope: str) -> None:

@@ -13,7 +13,6 @@ from fractions import Fraction
 from typing import Any
 
 import mpmath
-import numpy as np
 
 from . import kernel
 from .errors import ConvergenceError
@@ -108,42 +107,16 @@ def _middle(arith: Arithmetic, value: Interval) -> mpmath.mpf:
 
 
 def _approximate_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[mpmath.mpc]:
-    """All four roots in t of the quartic with the middles of its coefficients.
-
-    The factors that float64 finds are polished with more digits. Next to a cusp, where a split of float64 is too far off for
-    that, it is computed again with twice the digits.
-    """
+    """All four roots in t of the quartic with the middles of its coefficients; twice the digits, which a cusp next by asks for."""
     middles = [_middle(arith, value) for value in trig]
-    e0, e1, e2, e3, e4 = kernel.t_quartic(*middles)
-    monic = e1 / e4, e2 / e4, e3 / e4
-    with np.errstate(all="ignore"):
-        start = [mpmath.mpf(float(value)) for value in kernel.factors(*(np.float64(value) for value in middles))]
-    split = _polished(monic, start)
-    if split is None:
-        with mpmath.extraprec(mpmath.mp.prec):
-            split = _split(monic, middles)
-    p1, q1, p2, q2 = split
+    with mpmath.extraprec(mpmath.mp.prec):
+        p1, q1, p2, q2 = _split(middles)
     return [root for p, q in ((p1, q1), (p2, q2)) for root in _quadratic(p, q)]
 
 
-def _polished(monic: tuple[mpmath.mpf, ...], split: list[mpmath.mpf]) -> list[mpmath.mpf] | None:
-    """Newton's method on the two factors; nothing if it does not converge."""
-    if not all(mpmath.isfinite(value) and value for value in split):
-        return None
-    close = mpmath.ldexp(1, 8 - mpmath.mp.prec)
-    for _ in range(6):
-        try:
-            before, split = split, list(kernel.polish(*monic, *split))
-        except ZeroDivisionError:
-            return None
-        if all(abs(new - old) <= close * abs(old) for new, old in zip(split, before, strict=True)):
-            return split
-    return None
-
-
-def _split(monic: tuple[mpmath.mpf, ...], trig: list[mpmath.mpf]) -> list[mpmath.mpf]:
+def _split(trig: list[mpmath.mpf]) -> list[mpmath.mpf]:
     """The factors in closed form: as :func:`spragsym.kernel.factors`, with functions of any precision."""
-    _, b, _, _ = trig
+    _, e1, _, e3, e4 = kernel.t_quartic(*trig)
     r0, r1, r2 = kernel.resolvent(*trig)
     P, Q = kernel.depressed(r0, r1, r2)
     D = P**3 + Q**2
@@ -153,8 +126,8 @@ def _split(monic: tuple[mpmath.mpf, ...], trig: list[mpmath.mpf]) -> list[mpmath
     else:
         root = mpmath.sqrt(-P)
         z = 2 * root * mpmath.cos(mpmath.acos(min(abs(Q) / root**3, mpmath.mpf(1))) / 3) if P else mpmath.mpf(0)
-    y = 4 / b * ((-z if Q > 0 else z) - r2 / 3)
-    A1, _, A3 = monic
+    y = -4 / e4 * ((-z if Q > 0 else z) - r2 / 3)
+    A1, A3 = e1 / e4, e3 / e4
     width = mpmath.sqrt(y * y + 4)
     large = (abs(y) + width) / 2
     q1, q2 = (-1 / large, large) if y > 0 else (-large, 1 / large)

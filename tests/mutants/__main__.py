@@ -39,7 +39,7 @@ def main() -> int:
         extra = [part for key in given.only for part in ("--only", key)]
         command = [sys.executable, "-m", "tests.mutants", name, "--inside", "--jobs", str(given.jobs), *extra]
         done = subprocess.run(command, env=environment, cwd=HERE.parent.parent, check=False)
-        bad += 1 if done.returncode else _report(name)
+        bad += 1 if done.returncode else _report(name, given.only)
     return 1 if bad else 0
 
 
@@ -49,24 +49,28 @@ def _inside(name: str, jobs: int, only: list[str]) -> int:
     from .runner import Runner
 
     subject = SUBJECTS[name]
-    runner = Runner(subject["module"], subject.get("functions", []), RESULTS / f"{name}.jsonl", jobs, only)
+    runner = Runner(subject["module"], subject.get("functions", []), _results(name, only), jobs, only)
     options = ["-qq", "-s", "-p", "no:cacheprovider", "-p", "no:xdist"]
     return int(pytest.main([*options, *subject["tests"]], plugins=[runner]))
 
 
-def _report(name: str) -> int:
+def _results(name: str, only: list[str]) -> Path:
+    return RESULTS / (f"{name}.only.jsonl" if only else f"{name}.jsonl")
+
+
+def _report(name: str, only: list[str]) -> int:
     """Print the counts of one subject and its survivors, and return the number of those that nobody has explained."""
     listed = {
         key: group["reason"]
         for group in tomllib.loads((HERE / "equivalent.toml").read_text(encoding="utf-8")).get(name, [])
         for key in group["mutants"]
     }
-    rows = [json.loads(line) for line in (RESULTS / f"{name}.jsonl").read_text(encoding="utf-8").splitlines()]
+    rows = [json.loads(line) for line in _results(name, only).read_text(encoding="utf-8").splitlines()]
     alive = [row for row in rows if not row["killed"]]
     unexplained = [row for row in alive if row["key"] not in listed]
     for row in unexplained:
         print(f"  survives, line {row['line']}: {row['key']}")
-    for key in sorted(set(listed) - {row["key"] for row in alive}):
+    for key in sorted(set(listed) - {row["key"] for row in alive}) if not only else ():
         print(f"  listed as equivalent, but killed or gone: {key}")
     counts = len(rows), len(rows) - len(alive), len(alive) - len(unexplained), len(unexplained)
     print(f"{name}: {counts[0]} mutants, {counts[1]} killed, {counts[2]} equivalent, {counts[3]} survive", flush=True)

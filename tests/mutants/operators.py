@@ -18,7 +18,7 @@ _SWAPS: dict[type, tuple[type, ...]] = {
 _NAMES = {"min": "max", "minimum": "maximum", "any": "all", "floor": "ceil", "argmin": "argmax", "nanargmin": "nanargmax"}
 _NAMES |= {other: name for name, other in _NAMES.items()}
 _SIZES = {"abs", "absolute"}
-_STATEMENTS = ast.Assign | ast.AugAssign | ast.Expr | ast.Raise | ast.Continue | ast.Break
+_STATEMENTS = ast.AugAssign | ast.Expr | ast.Raise | ast.Continue | ast.Break
 
 
 @dataclass(frozen=True)
@@ -109,8 +109,15 @@ def _variants(node: ast.AST, field: str) -> Iterator[ast.AST]:
             yield from _other_calls(node, args, keywords)
     if field == "test" and isinstance(node, ast.Name | ast.Call | ast.Attribute | ast.Subscript | ast.BinOp):
         yield ast.UnaryOp(ast.Not(), node)
-    if isinstance(node, _STATEMENTS):
+    if isinstance(node, _STATEMENTS) or (isinstance(node, ast.Assign) and _changes(node)):
         yield ast.Pass()
+
+
+def _changes(node: ast.Assign) -> bool:
+    """Whether an assignment changes what was there; without the first one of a name nothing runs."""
+    used = {part.id for part in ast.walk(node.value) if isinstance(part, ast.Name)}
+    places = [part for target in node.targets for part in ast.walk(target)]
+    return any(isinstance(part, ast.Subscript | ast.Attribute) or (isinstance(part, ast.Name) and part.id in used) for part in places)
 
 
 def _other_constants(value: Any) -> Iterator[Any]:

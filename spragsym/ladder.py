@@ -107,7 +107,7 @@ def _middle(arith: Arithmetic, value: Interval) -> mpmath.mpf:
 
 
 def _approximate_roots(arith: Arithmetic, trig: tuple[Interval, ...]) -> list[mpmath.mpc]:
-    """All four roots in t of the quartic with the middles of its coefficients; twice the digits, which a cusp next by asks for."""
+    """All four roots in t of the quartic with the middles of its coefficients; a cusp next by asks for twice the digits."""
     middles = [_middle(arith, value) for value in trig]
     with mpmath.extraprec(mpmath.mp.prec):
         p1, q1, p2, q2 = _split(middles)

@@ -117,7 +117,7 @@ def _changes(node: ast.Assign) -> bool:
     """Whether an assignment changes what was there; without the first one of a name nothing runs."""
     used = {part.id for part in ast.walk(node.value) if isinstance(part, ast.Name)}
     places = [part for target in node.targets for part in ast.walk(target)]
-    return any(isinstance(part, ast.Subscript | ast.Attribute) or (isinstance(part, ast.Name) and part.id in used) for part in places)
+    return any(isinstance(part, ast.Subscript | ast.Attribute) or getattr(part, "id", "") in used for part in places)
 
 
 def _other_constants(value: Any) -> Iterator[Any]:

@@ -28,7 +28,9 @@ import pytest
 from .operators import Mutant, mutants
 
 #: Memory that a mutant may take, and the processor time for one test, in seconds and in multiples of what it takes.
-MEMORY, SECONDS, TIMES = 3 << 30, 0.7, 8.0
+MEMORY, SECONDS, TIMES = 3 << 30, 0.7, 5.0
+#: How a fork ends.
+SURVIVED, KILLED, BROKEN = 0, 1, 3
 
 
 class Runner:
@@ -52,9 +54,8 @@ class Runner:
         sources = [self.tree, *map(_parsed, sorted({str(item.path) for item in items}))]
         text = " ".join([*map(ast.unparse, sources), *(item.nodeid for item in items)])  # layout changes nothing
         digest = hashlib.sha256(text.encode()).hexdigest()[:16]
-        took = self._baseline(items)
+        took, reached = self._baseline(items)
         items = sorted(items, key=lambda item: took[item.nodeid])
-        limits = [SECONDS + TIMES * took[item.nodeid] for item in items]
         known = self._known(digest)
         every = [mutant for mutant in mutants(self.tree) if not self.functions or mutant.scope in self.functions]
         waiting = [mutant for mutant in every if mutant.key not in known]
@@ -70,16 +71,21 @@ class Runner:
                     read, write = os.pipe()
                     pid = os.fork()
                     if pid == 0:
-                        self._run(mutant, items, limits, write)
+                        try:
+                            some = [item for item in items if not mutant.scope or mutant.scope in reached[item.nodeid]]
+                            self._run(mutant, some, [SECONDS + TIMES * took[item.nodeid] for item in some], write)
+                        finally:
+                            os._exit(BROKEN)
                     os.close(write)
                     running[pid] = mutant, time.monotonic(), read
                 pid, status = os.wait()
                 mutant, begun, read = running.pop(pid)
                 by = os.read(read, 1000).decode() or ("time" if os.WIFSIGNALED(status) else "")
                 os.close(read)
-                killed = status != 0
-                took = round(time.monotonic() - begun, 2)
-                row = dict(key=mutant.key, line=mutant.line, killed=killed, by=by, seconds=took, digest=digest)
+                if os.WIFEXITED(status) and os.WEXITSTATUS(status) not in (SURVIVED, KILLED):
+                    pytest.exit(f"the tool itself failed on {mutant.key}", 1)
+                seconds = round(time.monotonic() - begun, 2)
+                row = dict(key=mutant.key, line=mutant.line, killed=status != 0, by=by, seconds=seconds, digest=digest)
                 out.write(json.dumps(row, ensure_ascii=False) + "\n")
                 out.flush()
         return True
@@ -91,26 +97,32 @@ class Runner:
         self.results.write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows), encoding="utf-8")
         return {row["key"] for row in rows}
 
-    def _baseline(self, items: list[pytest.Item]) -> dict[str, float]:
-        """Processor time of each test on the sound module, in a fork of its own."""
+    def _baseline(self, items: list[pytest.Item]) -> tuple[dict[str, float], dict[str, set[str]]]:
+        """Processor time of each test on the sound module, and the functions that it reaches; in a fork of its own."""
         read, write = os.pipe()
         pid = os.fork()
         if pid == 0:
-            took = {}
+            took, reached = {}, {}
             for item, following in zip(items, [*items[1:], None], strict=True):
-                begun = time.process_time()
+                begun, codes = time.process_time(), set()
+                sys.setprofile(lambda frame, event, _, codes=codes: codes.add(frame.f_code) if event == "call" else None)
                 item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
+                sys.setprofile(None)
                 took[item.nodeid] = time.process_time() - begun
-            os.write(write, json.dumps([self.failed, took]).encode())
+                names = [code.co_qualname.split(".") for code in codes if code.co_filename == self.module.__file__]
+                parts = [[part for part in name if not part.startswith("<")] for name in names]
+                reached[item.nodeid] = sorted({".".join(some[:k]) for some in parts for k in range(1, len(some) + 1)})
+            with os.fdopen(write, "w") as answer:
+                json.dump([self.failed, took, reached], answer)
             os._exit(0)
         os.close(write)
-        _, status = os.waitpid(pid, 0)
         with os.fdopen(read) as answer:
-            failed, took = json.loads(answer.read() or '["a test that ends the process", {}]')
+            failed, took, reached = json.loads(answer.read() or '["a test that ends the process", {}, {}]')
+        _, status = os.waitpid(pid, 0)
         if failed or status:
             pytest.exit(f"the tests fail on the sound module: {failed}", 1)
         print(f"{self.module.__name__}: {len(items)} tests, {sum(took.values()):.1f} s", flush=True)
-        return {str(name): float(seconds) for name, seconds in took.items()}
+        return took, {name: set(functions) for name, functions in reached.items()}
 
     def _run(self, mutant: Mutant, items: list[pytest.Item], limits: list[float], write: int) -> None:
         """In the fork: break the module, run the tests up to the first failure, and end."""
@@ -132,7 +144,7 @@ class Runner:
             self.failed = repr(error)
         if self.failed:
             os.write(write, self.failed.encode()[:1000])
-        os._exit(1 if self.failed else 0)
+        os._exit(KILLED if self.failed else SURVIVED)
 
 
 def _parsed(file: str) -> ast.Module:

@@ -11,7 +11,8 @@ import mpmath
 import pytest
 
 import spragsym as ss
-from spragsym import intervals
+from benchmarks import reference
+from spragsym import intervals, ladder
 from spragsym.intervals import Arithmetic
 
 ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
@@ -99,6 +100,57 @@ def test_the_defaults_are_the_articles() -> None:
     assert ss.precise.cusps() == ss.precise.cusps("0.007", "0.007", "0.1", 0, dps=40)
 
 
+def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int) -> None:
+    """f = f′ = f″ = 0 by the balance of forces, and the geometry."""
+    with mpmath.workdps(digits + 20):
+        kappa, alpha, sigma, beta = (mpmath.mpf(str(value)) for value in values)
+        for cusp in found:
+            s0, c0 = mpmath.sin(cusp.theta0), mpmath.cos(cusp.theta0)
+
+            def f(theta: Any, cusp: Any = cusp, s0: Any = s0, c0: Any = c0) -> Any:
+                s, c = mpmath.sin(theta), mpmath.cos(theta)
+                L = (sigma * s + (beta + 1) * s0 + kappa) / ((beta + 1 + sigma) * s)
+                return s * (sigma * (1 - L) * c + alpha * (c0 - L * c) + cusp.mu0 * (s0 - L * s))
+
+            small = mpmath.mpf(10) ** -digits * (1 + abs(cusp.mu0) + cusp.L)
+            assert all(abs(mpmath.diff(f, cusp.theta, order)) < mpmath.mpf(10) ** (8 * order) * small for order in range(3))
+            assert abs(c0 - cusp.L * mpmath.cos(cusp.theta) - cusp.x) < small
+            assert abs(s0 - cusp.L * mpmath.sin(cusp.theta) - cusp.y) < small
+
+
+class _Spy(intervals.MpmathIntervals):
+    """Arithmetic that says whether it was used."""
+
+    used = 0
+
+    def exact(self, value: Fraction) -> Any:
+        self.used += 1
+        return super().exact(value)
+
+
+def test_the_arithmetic_asked_for_is_the_one_used() -> None:
+    calls = (
+        lambda arith: ss.precise.cusps(arith=arith), lambda arith: ss.precise.equilibria(1, arith=arith),
+        lambda arith: ladder.equilibria(*[1] * 6, arith=arith),
+    )  # fmt: skip
+    for call in calls:
+        spy = _Spy()
+        call(arith=spy)
+        assert spy.used > 0
+
+
+@pytest.mark.parametrize("dps", [1, 8, 40, 150])
+def test_equilibria_have_the_digits_asked_for(dps: int) -> None:
+    """Against Newton's method on the forces."""
+    for point in ((0.5, 0.5, 0.0078125, 0.0078125, 0.125, 0.0), (1.25, 0.0, 0.5, 0.25, 1.0, 0.5)):
+        for contact in (True, False):
+            for state in ss.precise.equilibria(*point, contact=contact, dps=dps):
+                with mpmath.workdps(dps + 40):
+                    true = reference.refine(state.x, state.y, *point, contact=contact, digits=dps + 40)
+                    for name, value in zip(("theta", "L", "x", "y"), true, strict=True):
+                        assert abs(getattr(state, name) - value) <= mpmath.mpf(10) ** -dps * max(1, abs(value))
+
+
 CUSPS = [("0.007", "0.007", "0.1", 0), ("0.3", 0, "1.7", "0.4"), ("0.2", "1.5", "0.9", "0.5")]
 
 
@@ -107,6 +159,7 @@ def test_the_radius_of_a_cusp_holds_every_number(dps: int, arith: Arithmetic) ->
     for values in CUSPS:
         exact, rough = ss.precise.cusps(*values, dps=dps + 40), ss.precise.cusps(*values, dps=dps, arith=arith)
         assert len(exact) == len(rough)
+        _are_cusps(exact, values, dps + 20)
         assert [cusp.mu0 for cusp in rough] == sorted(cusp.mu0 for cusp in rough)
         with mpmath.workdps(dps + 40):
             for one in rough:
@@ -115,5 +168,9 @@ def test_the_radius_of_a_cusp_holds_every_number(dps: int, arith: Arithmetic) ->
                 size = max(1, *(abs(getattr(one, name)) for name in names))
                 assert min(gaps) <= one.radius <= mpmath.mpf(10) ** -dps * size * 1.01
         assert rough.count == exact.count
-        assert bool(rough.polynomial) == (values[1] != "1.5")
+        if values[1] == "1.5":  # α = 1 + β
+            assert (rough.polynomial, rough.sines, rough.count) == ((), (), 0)
+        else:
+            assert rough.count == len(rough.sines) > 0
+            assert all(high - low <= Fraction(1, 2**64) for low, high in rough.sines)
     assert rough[0] is rough.cusps[0]

@@ -25,8 +25,7 @@ import numpy as np
 
 from benchmarks import c_target
 from benchmarks.families import EXTREMES, FAMILIES
-from spragsym import Parameters, ladder
-from spragsym.parameters import NAMES
+from spragsym import ladder
 
 SOURCE = Path(__file__).resolve().parents[2] / "generated" / "c"
 #: What becomes what, outside of comments and declarations; a number is made half as large again, or a third smaller.
@@ -88,10 +87,8 @@ class _Judge:
     """Points, the truth about them, and how many the sound build answers."""
 
     def __init__(self, each: int) -> None:
-        families = {**FAMILIES, **EXTREMES}
-        sets = [family(np.random.default_rng([71, k]), each) for k, family in enumerate(families.values())]
-        columns = [np.concatenate(parts) for parts in zip(*(p.broadcast(*NAMES) for p in sets), strict=True)]
-        self.rows = c_target.table(Parameters(*columns))
+        sets = [family(np.random.default_rng([71, k]), each) for k, family in enumerate(FAMILIES.values())]
+        self.rows = np.concatenate([*map(c_target.table, sets), np.array(EXTREMES)])
         self.truth = [[ladder.equilibria(*map(float, row), contact=contact) for row in self.rows] for contact in (False, True)]
         self.answered = 0
 

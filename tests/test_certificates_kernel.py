@@ -323,7 +323,7 @@ def test_the_factors_multiply_to_the_quartic() -> None:
             sizes = (abs(q1 * q2), abs(p1 * q2) + abs(p2 * q1), abs(q1) + abs(q2) + abs(p1 * p2), abs(p1) + abs(p2))
             gaps = (q1 * q2 - A0, p1 * q2 + p2 * q1 - A1, q1 + q2 + p1 * p2 - A2, p1 + p2 - A3)
             worst = max(worst, *(float(abs(gap) / size) * 2.0**53 for gap, size in zip(gaps, sizes, strict=True)))
-    assert worst < 12
+    assert worst < 6
 
 
 def test_the_resolvents_root_is_the_one_apart_to_a_few_roundings() -> None:

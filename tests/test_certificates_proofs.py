@@ -85,6 +85,14 @@ def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
             low, high = arith.ends(proofs.angle(arith, cosine, sine))
             assert low <= true <= high
             assert high - low < 1e-15
+        for side in (-1, 1):  # a cosine of either sign
+            turns = [side * (mpmath.pi / 2 + mpmath.mpf(k) / 100) for k in (-3, 0, 1)]
+            cosines, sines = ([function(turn) for turn in turns] for function in (mpmath.cos, mpmath.sin))
+            held = arith.between(min(cosines), max(cosines)), arith.between(min(sines), max(sines))
+            low, high = arith.ends(proofs.angle(arith, *held))
+            assert low <= min(turns)
+            assert max(turns) <= high
+            assert high - low < 0.05
 
 
 def test_rationals_become_numbers() -> None:
@@ -170,14 +178,14 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str, arith: Arithmetic) -> 
     assert total >= 2
 
 
-@pytest.mark.parametrize("alpha", ["0.007", "0", "1"])
+@pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
 def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
     """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""
-    exact = (Fraction(7, 1000), Fraction(alpha), Fraction(1, 10), Fraction(0))
+    stiffness, beta, *_ = [*map(Fraction, alpha.split()), Fraction(0)]
+    exact = (Fraction(7, 1000), stiffness, Fraction(1, 10), beta)
     with arith.precision(300):
         points = list(proofs.cusps(arith, exact, 300))
-        assert len(points) == {"0.007": 4, "0": 2, "1": len(points)}[alpha]
-        assert len(points) > 0
+        assert len(points) >= {"0.007": 4, "0": 2}.get(alpha, 1)
         seen = []
         for point in points:
             _check(arith, point, 3, 30)
@@ -191,8 +199,10 @@ def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
 
 
 def test_sines_of_cusps_are_all_real_roots_inside() -> None:
-    """One at sin θ = 1 does not count: with α = 0 and κ = 1 + β that is one."""
-    for kappa, alpha, sigma, beta in [*_rationals(7, 8), [Fraction(3, 2), Fraction(0), Fraction(2), Fraction(1, 2)]]:
+    """One at sin θ = 1, where κ (α + σ) = (1 + β)(α + 2 σ) − α σ, does not count."""
+    at_one = [Fraction(4, 3), Fraction(1, 2), Fraction(1), Fraction(0)]
+    assert sum(proofs.cusp_sines(*at_one, bits=50)[0]) == 0
+    for kappa, alpha, sigma, beta in [*_rationals(7, 8), at_one]:
         polynomial, roots, count = proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
         assert len(roots) == count
         found = np.roots([float(value) for value in polynomial[::-1]])
@@ -213,3 +223,17 @@ def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:
         blurred = proofs.Point((theta0, mu0, *rest), point.theta + wide, point.L, point.x, point.y)
         assert not proofs.is_versal(arith, blurred)
         assert not proofs.is_versal(arith, proofs.Point((theta0 + wide, mu0, *rest), point.theta, point.L, point.x, point.y))
+
+
+def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -> None:
+    """Inside of (−1, 1) and beyond, each once."""
+    roots = [Fraction(-40), Fraction(-3, 2), Fraction(-1, 2), Fraction(1, 3), Fraction(7, 2)]
+    polynomial = [Fraction(2)]
+    for root in roots:
+        polynomial = [a - root * b for a, b in zip([Fraction(0), *polynomial], [*polynomial, Fraction(0)], strict=True)]
+    with arith.precision(300):
+        found = sorted(arith.ends(root) for root in proofs._interval_roots(arith, tuple(map(arith.exact, polynomial)), 300))
+        assert len(found) == len(roots)
+        for (low, high), root in zip(found, roots, strict=True):
+            assert low <= mpmath.mpf(root.numerator) / root.denominator <= high
+            assert high - low < 1e-40

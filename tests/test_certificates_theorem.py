@@ -37,6 +37,8 @@ def _broken() -> list[str]:
         pytest.param(elimination, "state", lambda: STATE | {nm.L: -STATE[nm.L]}, "s > 0 gives L > 0", id="sign of L"),
         pytest.param(elimination, "state", lambda: STATE | {nm.L: 1 / (nm.s * nm.q)},
                      "s < 0 excludes", id="length without preload"),
+        pytest.param(elimination, "state", lambda: STATE | {nm.y: STATE[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q},
+                     "s > 0 ≥ s* gives y < 0", id="y that grows with the depth"),
         pytest.param(elimination, "f_form", FORM + nm.fb * nm.c, "f is negative before", id="f at 0"),
         pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
     ],
@@ -51,3 +53,42 @@ def test_what_a_step_rules_out_is_noticed(
 @pytest.mark.parametrize(("signs", "number"), [((-1, 0, 0, 1), 1), ((1, 0, 1), 0), ((-1, 1, -1, 0, 1), 3), ((), 0), ((0, -1), 0)])
 def test_changes_of_sign(signs: tuple[int, ...], number: int) -> None:
     assert theorem._changes(signs) == number
+
+
+PARTS = [theorem._quartic, theorem._threshold_below_zero, theorem._threshold_above_zero, theorem._middle]
+
+
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.__name__)
+def test_every_sign_that_is_claimed_is_needed(part: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With one of its polynomials not positive a part does not hold."""
+    calls = 0
+
+    def positive(*_: Any, **__: Any) -> bool:
+        nonlocal calls
+        calls += 1
+        return calls != failing
+
+    monkeypatch.setattr(theorem, "manifestly_positive", positive)
+    failing = 0
+    assert all(step.holds for step in part())
+    for failing in range(1, calls + 1):  # noqa: B007  # read by the function above
+        calls = 0
+        assert not all(step.holds for step in part())
+
+
+@pytest.mark.parametrize("e1", [-1, 0])
+@pytest.mark.parametrize("e2", [-1, 0])
+@pytest.mark.parametrize("e3", [-1, 0, 1])
+def test_descartes_rule_is_asked_for_every_row_of_signs(e1: int, e2: int, e3: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(theorem, "manifestly_positive", lambda *_, **__: True)
+    monkeypatch.setattr(theorem, "_changes", lambda signs: 1 + (tuple(signs) == (-1, e1, e2, e3, 1)))
+    assert [step.claim for step in theorem._quartic() if not step.holds] == [
+        step.claim for step in theorem.one_or_three() if "three positive roots need" in step.claim
+    ]
+
+
+def test_the_push_at_the_ends_must_exceed_alpha(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With p = σ, without the α of p = α + σ, it does not."""
+    spelled = theorem._in_contact
+    monkeypatch.setattr(theorem, "_in_contact", lambda expression: spelled(expression.subs(nm.p, nm.sigma)))
+    assert any("−P > α" in step.claim for step in theorem._threshold_above_zero() if not step.holds)

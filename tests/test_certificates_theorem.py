@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
+import sympy as sp
 
 from spragsym.derive import catastrophe, elimination, equilibrium, theorem
 from spragsym.derive import nomenclature as nm
@@ -14,6 +15,7 @@ FORM = elimination.f_form
 ALONG, ACROSS = equilibrium.balance()
 COEFFICIENTS = elimination.f_coefficients()
 STATE = elimination.state()
+DEEPER = sp.together(STATE[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q)
 
 
 def _broken() -> list[str]:
@@ -37,7 +39,7 @@ def _broken() -> list[str]:
         pytest.param(elimination, "state", lambda: STATE | {nm.L: -STATE[nm.L]}, "s > 0 gives L > 0", id="sign of L"),
         pytest.param(elimination, "state", lambda: STATE | {nm.L: 1 / (nm.s * nm.q)},
                      "s < 0 excludes", id="length without preload"),
-        pytest.param(elimination, "state", lambda: STATE | {nm.y: STATE[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q},
+        pytest.param(elimination, "state", lambda: STATE | {nm.y: DEEPER},
                      "s > 0 ≥ s* gives y < 0", id="y that grows with the depth"),
         pytest.param(elimination, "f_form", FORM + nm.fb * nm.c, "f is negative before", id="f at 0"),
         pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),

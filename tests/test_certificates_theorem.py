@@ -94,3 +94,28 @@ def test_the_push_at_the_ends_must_exceed_alpha(monkeypatch: pytest.MonkeyPatch)
     spelled = theorem._in_contact
     monkeypatch.setattr(theorem, "_in_contact", lambda expression: spelled(expression.subs(nm.p, nm.sigma)))
     assert any("−P > α" in step.claim for step in theorem._threshold_above_zero() if not step.holds)
+
+
+def test_both_parts_of_a_length_must_be_positive(monkeypatch: pytest.MonkeyPatch) -> None:
+    numerator, denominator = theorem._length_fraction()
+    for parts in ((-numerator, denominator), (numerator, -denominator)):
+        monkeypatch.setattr(theorem, "_length_fraction", lambda parts=parts: parts)
+        assert any("s > 0 gives L > 0" in step.claim for step in theorem._threshold_below_zero() if not step.holds)
+
+
+def test_the_claim_about_the_ends_is_the_difference_of_the_squares(monkeypatch: pytest.MonkeyPatch) -> None:
+    """P² cos² θ* − α² cos² θ₀ at rational sines, −P = α + λ, s₀ = s* + e."""
+    asked: list[tuple[sp.Expr, tuple[sp.Symbol, ...]]] = []
+
+    def remember(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], **_: Any) -> bool:
+        asked.append((polynomial, symbols))
+        return True
+
+    monkeypatch.setattr(theorem, "manifestly_positive", remember)
+    theorem._threshold_above_zero()
+    polynomial, symbols = asked[-1]
+    for given in ((1, 2, "1/3", "1/5"), (3, "1/7", "2/9", "1/2")):
+        alpha, surplus, threshold, excess = map(sp.Rational, given)
+        level = 1 - (threshold + excess) ** 2
+        here = polynomial.subs(dict(zip(symbols, (alpha, surplus, level, threshold, excess), strict=True)))
+        assert here == (alpha + surplus) ** 2 * (1 - threshold**2) - alpha**2 * level

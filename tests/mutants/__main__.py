@@ -25,25 +25,27 @@ def main() -> int:
     parser.add_argument("subjects", nargs="*", metavar="SUBJECT", help=f"of {', '.join(SUBJECTS)}; all if none is named")
     parser.add_argument("--jobs", type=int, default=1, help="mutants at a time")
     parser.add_argument("--only", action="append", default=[], help="the key of one mutant, run whatever is known of it")
+    parser.add_argument("--again", action="store_true", help="only what survived, with the tests as they are now")
     parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
     given = parser.parse_args()
     unknown = set(given.subjects) - set(SUBJECTS)
     if unknown:
         parser.error(f"no subject {', '.join(sorted(unknown))}; there are {', '.join(SUBJECTS)}")
     if given.inside:
-        return _inside(given.subjects[0], given.jobs, given.only)
+        return _inside(given.subjects[0], given.jobs, given.only, given.again)
     RESULTS.mkdir(parents=True, exist_ok=True)
     environment = os.environ | {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "HYPOTHESIS_PROFILE": "repeat"}
     bad = 0
     for name in given.subjects or SUBJECTS:
         extra = [part for key in given.only for part in ("--only", key)]
         command = [sys.executable, "-m", "tests.mutants", name, "--inside", "--jobs", str(given.jobs), *extra]
+        command += ["--again"] if given.again else []
         done = subprocess.run(command, env=environment, cwd=HERE.parent.parent, check=False)
         bad += 1 if done.returncode else _report(name, given.only)
     return 1 if bad else 0
 
 
-def _inside(name: str, jobs: int, only: list[str]) -> int:
+def _inside(name: str, jobs: int, only: list[str], again: bool) -> int:
     subject = SUBJECTS[name]
     if "first" in subject:
         from . import c99
@@ -53,7 +55,7 @@ def _inside(name: str, jobs: int, only: list[str]) -> int:
 
     from .runner import Runner
 
-    runner = Runner(subject["module"], subject.get("functions", []), _results(name, only), jobs, only)
+    runner = Runner(subject["module"], subject.get("functions", []), _results(name, only), jobs, only, again)
     options = ["-qq", "-s", "-p", "no:cacheprovider", "-p", "no:xdist"]
     return int(pytest.main([*options, *subject["tests"]], plugins=[runner]))
 

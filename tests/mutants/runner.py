@@ -19,7 +19,6 @@ import signal
 import sys
 import time
 import types
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -36,9 +35,9 @@ SURVIVED, KILLED, BROKEN = 0, 1, 3
 class Runner:
     """A pytest plugin that puts its own loop over mutants in the place of the run of the tests."""
 
-    def __init__(self, module: str, functions: list[str], results: Path, jobs: int, names: Iterable[str] = ()) -> None:
-        self.module, self.results, self.jobs, self.only = importlib.import_module(module), results, jobs, set(names)
-        self.functions = functions
+    def __init__(self, module: str, functions: list[str], results: Path, jobs: int, only: list[str], again: bool) -> None:
+        self.module, self.results, self.jobs, self.only = importlib.import_module(module), results, jobs, set(only)
+        self.functions, self.again = functions, again
         self.tree = _parsed(str(self.module.__file__))
         self.failed = ""
 
@@ -91,9 +90,10 @@ class Runner:
         return True
 
     def _known(self, digest: str) -> set[str]:
-        """Mutants with a result for the module and the tests as they are; other results go."""
+        """Mutants with a result for the module and the tests as they are, or killed by earlier ones; other results go."""
         rows = [json.loads(line) for line in self.results.read_text("utf-8").splitlines()] if self.results.exists() else []
-        rows = [row for row in rows if row["digest"] == digest and row["key"] not in self.only]
+        rows = [row | {"digest": digest} for row in rows if row["digest"] == digest or (self.again and row["killed"])]
+        rows = [row for row in rows if row["key"] not in self.only and (row["killed"] or not self.again)]
         self.results.write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows), encoding="utf-8")
         return {row["key"] for row in rows}
 
@@ -103,6 +103,7 @@ class Runner:
         pid = os.fork()
         if pid == 0:
             took, reached = {}, {}
+            install(self.module, self.tree, "")  # put in its own place the sound module must pass as well
             for item, following in zip(items, [*items[1:], None], strict=True):
                 begun, codes = time.process_time(), set()
                 sys.setprofile(lambda frame, event, _, codes=codes: codes.add(frame.f_code) if event == "call" else None)
@@ -176,11 +177,18 @@ def _transplant(old: Any, new: Any, module: str) -> None:
             before.__kwdefaults__ = function.__kwdefaults__
         elif isinstance(value, type) and value.__module__ == module and isinstance(old.get(name), type):
             _transplant(vars(old[name]), vars(value), module)
-            for attribute in [key for key in vars(old[name]) if not key.startswith("_")]:
-                if attribute not in vars(value):
-                    delattr(old[name], attribute)
-                elif isinstance(vars(value)[attribute], int | float | str | tuple):
-                    setattr(old[name], attribute, vars(value)[attribute])
+            _take_over(old[name], value)
+
+
+def _take_over(old: type, new: type) -> None:
+    """Plain values in the body of a class."""
+    for name, value in list(vars(old).items()):
+        if name.startswith("_") or not isinstance(value, int | float | str | tuple):
+            continue
+        if name not in vars(new):
+            delattr(old, name)
+        elif vars(new)[name] != value:
+            setattr(old, name, vars(new)[name])
 
 
 def _function(value: Any) -> types.FunctionType | None:

@@ -167,3 +167,34 @@ def test_most_bits_grow_with_the_spread() -> None:
     assert most(2**10, 1, 1, 1, Fraction(1, 2**30)) == ladder.MAXIMUM_BITS + 40 * ladder.BITS_A_SPREAD
     assert ladder._most_bits(2.0**-20, [Fraction(1)] * 5) == ladder.MAXIMUM_BITS + 20 * ladder.BITS_A_SPREAD
     assert ladder.BITS_A_SPREAD >= 6  # a discriminant of the sixth degree
+
+
+@pytest.mark.parametrize("power", [20, 34, 50])
+def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int, arith: Arithmetic) -> None:
+    """10^−power beside both folds: counts on either side, no fold, and the digits asked for."""
+    fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)}
+    with arith.precision(600):
+        folds = sorted(_middle(arith, point.parameters[0]) for point in proofs.folds(arith, "theta0", fixed, 600))
+    folds = [fold for fold in folds if 0 < fold < math.pi]
+    assert len(folds) == 2
+    for fold, side in zip(folds, (1, -1), strict=True):
+        with mpmath.workprec(700):
+            outside, inside = fold + side * mpmath.mpf(10) ** -power, fold - side * mpmath.mpf(10) ** -power
+        counts = []
+        for theta0 in (outside, inside):
+            for digits in (17, 60):
+                found = ladder.equilibria(_fraction(theta0), *fixed.values(), digits=digits, arith=arith)
+                assert not found.fold
+                point = (theta0, *map(float, fixed.values()))
+                assert _holds(found.states, point, True, digits + power) <= 1
+                allowed = 1.2e-16 if digits == 17 else mpmath.mpf(10) ** -digits
+                assert all(state.error <= allowed for state in found.states)
+                codes = [state.stability for state in found.states]
+                assert codes == ([1, 2, 1] if len(codes) == 3 else [1])
+            counts.append(len(found.states))
+        assert sorted(counts) == [1, 3]
+
+
+def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
+    low, high = arith.ends(value)
+    return (low + high) / 2

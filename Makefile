@@ -21,7 +21,7 @@ LINKS := spragsym/derive spragsym/generated
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 
-.PHONY: help derive test check lint coverage regenerate package bench figures docs check-claims clean
+.PHONY: help derive test check lint coverage mutants regenerate package bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
@@ -29,6 +29,7 @@ help:
 	@echo "make test          run the tests"
 	@echo "make lint          ruff, and mypy in strict mode"
 	@echo "make coverage      the tests, and the lines and branches that they reach"
+	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
 	@echo "make check         what CI runs: lint, types, tests with coverage, generated/ as committed"
 	@echo "make package       build the wheel and the source distribution into dist/"
@@ -73,6 +74,10 @@ lint: $(TEST)
 # The tests again, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
 	$(BIN)/python -m pytest -n $(WORKERS) --cov --cov-branch --cov-report=term
+
+# Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
+mutants: $(TEST)
+	$(BIN)/python -m tests.mutants $(ONLY) --jobs $(WORKERS)
 
 # The derivation, then the committed bytes: what went wrong is the last line.
 regenerate: $(DERIVE)

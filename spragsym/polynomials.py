@@ -48,10 +48,7 @@ def sturm_chain(polynomial: Polynomial, sign: Sign) -> list[Polynomial]:
     """
     chain = [_trimmed(polynomial, sign)]
     chain.append(_trimmed(derivative(chain[0]), sign))
-    while len(chain[-1]) > 1:
-        remainder = _trimmed(_negated_remainder(chain[-2], chain[-1]), sign)
-        if not remainder:
-            break
+    while remainder := _trimmed(_negated_remainder(chain[-2], chain[-1]), sign):
         chain.append(remainder)
     return chain
 

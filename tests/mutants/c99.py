@@ -1,0 +1,141 @@
+"""Single faults in the C solver: operators and numbers in the text of its functions, one build each.
+
+A build is killed if it vouches for what is not so over points of every family: a wrong count, kind or order, an error beyond its
+bound; if it refuses a point that the sound one answers; if it crashes or does not end. The truth is interval arithmetic's.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import hashlib
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from benchmarks import c_target
+from benchmarks.families import EXTREMES, FAMILIES
+from spragsym import ladder
+
+SOURCE = Path(__file__).resolve().parents[2] / "generated" / "c"
+#: What becomes what, outside of comments and declarations; a number is made half as large again, or a third smaller.
+_SWAPS = {
+    " + ": [" - "], " - ": [" + "], " * ": [" / "], " / ": [" * "], " < ": [" <= ", " >= "], " <= ": [" < ", " > "],
+    " > ": [" >= ", " <= "], " >= ": [" > ", " < "], " == ": [" != "], " != ": [" == "], " & ": [" | "], " | ": [" & "],
+    " && ": [" || "], " || ": [" && "], "larger(": ["smaller("], "smaller(": ["larger("], "fabs(": ["("],
+}  # fmt: skip
+_TOKENS = "|".join(re.escape(token) for token in sorted(_SWAPS, key=len, reverse=True))
+_TOKEN = re.compile(_TOKENS + r"|(?<![\w.\[])\d+\.\d+(?!\w)")
+_FUNCTION = re.compile(r"^(?:INLINE|static|spragsym_status)\s[^;{}]*?(\w+)\([^;{}]*\)\s*\{.*?(?:^\}|\}$)", re.M | re.S)
+SECONDS = 20
+
+
+def mutants(text: str, first: str, last: str) -> Iterator[tuple[str, int, str]]:
+    """Key, line and text of every fault in the functions from the first to the last."""
+    seen: Counter[str] = Counter()
+    inside = False
+    for function in _FUNCTION.finditer(text):
+        inside = inside or function[1] == first
+        for token in _TOKEN.finditer(text, function.start(), function.end()) if inside else ():
+            if text.rfind("/*", 0, token.start()) > text.rfind("*/", 0, token.start()):
+                continue
+            number = re.fullmatch(r"[\d.]+", token[0]) and float(token[0])
+            others = _SWAPS[token[0]] if number is None else [repr(number * 1.5), repr(number / 1.5)] if number else ["1.0"]
+            start = text.rfind("\n", 0, token.start()) + 1
+            line = text[start : text.find("\n", token.start())].strip()
+            for other in others:
+                key = f"{function[1]}: {line} : {token[0].strip()} -> {other.strip()}"
+                seen[key] += 1
+                name = key if seen[key] == 1 else f"{key} #{seen[key]}"
+                yield name, text.count("\n", 0, start) + 1, text[: token.start()] + other + text[token.end() :]
+        inside = inside and function[1] != last
+
+
+def run(subject: dict[str, Any], results: Path, only: list[str]) -> int:
+    """All mutants without a result yet."""
+    text = (SOURCE / "spragsym.c").read_text(encoding="utf-8")
+    judge = _Judge(40)
+    digest = hashlib.sha256((text + Path(__file__).read_text(encoding="utf-8")).encode()).hexdigest()[:16]
+    rows = [json.loads(line) for line in results.read_text("utf-8").splitlines()] if results.exists() else []
+    known = {row["key"] for row in rows if row["digest"] == digest} - set(only)
+    results.write_text("".join(json.dumps(row) + "\n" for row in rows if row["key"] in known), encoding="utf-8")
+    judge.answered = judge.count(text)
+    print(f"C: {judge.answered} of {2 * len(judge.rows)} points answered by the sound build", flush=True)
+    with results.open("a", encoding="utf-8") as out:
+        for key, line, changed in mutants(text, subject["first"], subject["last"]):
+            if key in known or (only and key not in only):
+                continue
+            begun = time.monotonic()
+            by = judge.verdict(changed)
+            row = dict(key=key, line=line, killed=bool(by), by=by, seconds=round(time.monotonic() - begun, 2), digest=digest)
+            out.write(json.dumps(row) + "\n")
+            out.flush()
+    return 0
+
+
+class _Judge:
+    """Points, the truth about them, and how many the sound build answers."""
+
+    def __init__(self, each: int) -> None:
+        sets = [family(np.random.default_rng([71, k]), each) for k, family in enumerate(FAMILIES.values())]
+        self.rows = np.concatenate([*map(c_target.table, sets), np.array(EXTREMES)])
+        self.truth = [[ladder.equilibria(*map(float, row), contact=contact) for row in self.rows] for contact in (False, True)]
+        self.answered = 0
+
+    def count(self, text: str) -> int:
+        """Points that a build answers; an error where one is wrong."""
+        answered = 0
+        with tempfile.TemporaryDirectory() as name:
+            for file in ("spragsym.h", "spragsym.c"):
+                (Path(name) / file).write_text(text if file.endswith(".c") else (SOURCE / file).read_text("utf-8"), "utf-8")
+            library = c_target.build(shutil.which("gcc") or "cc", ("-O1", "-w"), Path(name))
+        for contact in (False, True):
+            for batch in (False, True):
+                out = c_target.room(len(self.rows))
+                c_target.solve(library, self.rows, out, contact, batch)
+                good = out.status == 0
+                answered += int(good.sum()) if batch else 0
+                for i in np.flatnonzero(good):
+                    self._check(self.truth[contact][i], out.equilibria[i, : out.count[i]])
+        return answered
+
+    @staticmethod
+    def _check(true: ladder.Settled, found: Any) -> None:
+        assert len(true.states) == len(found), "count"
+        for state, one in zip(true.states, found, strict=True):
+            assert state.stability == one["stability"], "stability"
+            assert one["error"] <= 1e-12, "bound"
+            for name in ("theta", "L", "x", "y"):
+                value = float(getattr(state, name))
+                assert abs(one[name] - value) <= (one["error"] + 1.2e-16) * max(1.0, abs(value)), f"error of {name}"
+
+    def verdict(self, text: str) -> str:
+        """Why a build is not the sound one, if that shows."""
+        read, write = os.pipe()
+        pid = os.fork()
+        if pid == 0:
+            signal.setitimer(signal.ITIMER_PROF, SECONDS)
+            quiet = os.open(os.devnull, os.O_WRONLY)
+            os.dup2(quiet, 2)
+            try:
+                answered = self.count(text)
+                by = "" if answered >= self.answered else f"{self.answered - answered} points refused"
+            except (AssertionError, subprocess.CalledProcessError, ctypes.ArgumentError) as error:
+                by = str(error)[:200] or "wrong"
+            os.write(write, by.encode())
+            os._exit(0)
+        os.close(write)
+        _, status = os.waitpid(pid, 0)
+        with os.fdopen(read) as answer:
+            by = answer.read()
+        return by or (f"signal {os.WTERMSIG(status)}" if os.WIFSIGNALED(status) else "")

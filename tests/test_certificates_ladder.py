@@ -1,0 +1,200 @@
+"""Equilibria with proofs: counts, codes and errors against Newton's method on the forces, with many more digits."""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+import spragsym as ss
+from benchmarks import reference
+from benchmarks.families import FAMILIES
+from spragsym import intervals, ladder, proofs
+from spragsym.intervals import Arithmetic
+from spragsym.parameters import NAMES
+
+ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
+NUMBERS = ("theta", "L", "x", "y")
+BASE = (math.radians(30), 0.5, 0.007, 0.007, 0.1, 0.0)
+
+
+@pytest.fixture(params=ARITHMETICS)
+def arith(request: pytest.FixtureRequest) -> Arithmetic:
+    """Both interval arithmetics."""
+    return intervals.arithmetic(request.param)
+
+
+def _points(number: int) -> Iterator[tuple[float, ...]]:
+    """Points of every family: next to folds and cusps, at right angles, without friction or stiffness."""
+    for index, family in enumerate(FAMILIES.values()):
+        p = family(np.random.default_rng([31, index]), number)
+        yield from (tuple(map(float, row)) for row in zip(*p.broadcast(*NAMES), strict=True))
+
+
+def _truth(state: ladder.State, point: tuple[float, ...], contact: bool, digits: int) -> tuple[mpmath.mpf, ...]:
+    return reference.refine(state.x, state.y, *point, contact=contact, digits=digits)
+
+
+def _holds(states: tuple[ladder.State, ...], point: tuple[float, ...], contact: bool, digits: int) -> float:
+    """Largest share of its bound that an error takes; numbers as a float has them where 17 digits are asked for."""
+    share = 0.0
+    for state in states:
+        with mpmath.workdps(2 * digits + 80):
+            for name, true in zip(NUMBERS, _truth(state, point, contact, 2 * digits + 80), strict=True):
+                value = getattr(state, name)
+                for given in (value, mpmath.mpf(float(value)))[: 2 if digits <= 17 else 1]:
+                    share = max(share, float(abs(given - true) / max(1, abs(true)) / state.error))
+    return share
+
+
+def _code(state: ladder.State, point: tuple[float, ...], contact: bool) -> int:
+    """Stability by the roots of the characteristic polynomial of the stiffnesses, written out."""
+    _, mu0, _, alpha, sigma, beta = map(mpmath.mpf, point)
+    push = int(contact)
+    with mpmath.workdps(60):
+        s, c, L = mpmath.sin(state.theta), mpmath.cos(state.theta), state.L
+        a, b = sigma * (1 - s * s / L) + alpha, sigma / L * s * c + mu0 * push
+        d, e = sigma / L * s * c, sigma * (1 - c * c / L) + beta + push
+        half, determinant = (a + e) / 2, a * e - b * d
+        if half * half < determinant:
+            return 3
+        return 2 if min(half - mpmath.sqrt(half * half - determinant), half) < 0 else 1
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_counts_codes_and_errors_of_the_ladder(contact: bool, arith: Arithmetic) -> None:
+    shares = []
+    for point in _points(3):
+        found = ladder.equilibria(*point, contact=contact, arith=arith)
+        assert not found.fold
+        if contact:
+            assert len(found.states) == reference.count_contact(*point)
+        assert [state.theta for state in found.states] == sorted(state.theta for state in found.states)
+        shares.append(_holds(found.states, point, contact, 17))
+        assert shares[-1] <= 1
+        for state in found.states:
+            assert state.error < 2e-16
+            assert state.stability == _code(state, point, contact)
+            assert (state.y < 0) == contact
+            assert state.L > 0
+    assert max(shares) > 0.55  # half a unit in the last place of a float, and not much more
+
+
+@pytest.mark.parametrize("digits", [1, 18, 40, 120])
+def test_errors_hold_at_any_number_of_digits(digits: int, arith: Arithmetic) -> None:
+    for point in [BASE, *list(_points(1))[::2]]:
+        found = ladder.equilibria(*point, digits=digits, arith=arith)
+        assert _holds(found.states, point, True, digits) <= 1
+        assert all(state.error < mpmath.mpf(10) ** -min(digits, 17 if digits <= 17 else digits) for state in found.states)
+
+
+def test_no_more_bits_than_a_point_needs(arith: Arithmetic) -> None:
+    """A wrong start or a loose enclosure shows in the bits that it takes."""
+    for degrees in (20, 49, 90, 120, 160):
+        point = (math.radians(degrees), *BASE[1:])
+        assert ladder.equilibria(*point, arith=arith).bits == 128
+    assert ladder.equilibria(*BASE, digits=60, arith=arith).bits == int(3.4 * 60) + 64
+    assert ladder.equilibria(1.0, 0.0, 0.4, 0.0, 1.0, 0.0, arith=arith).bits == 128
+    near = [point for point in _points(3) if ladder.equilibria(*point, arith=arith).bits > 256]
+    assert len(near) <= 3
+
+
+def test_widely_spread_parameters_are_settled(arith: Arithmetic) -> None:
+    for point in ((1.0, 1e150, 1.0, 1e150, 1e150, 1e150), (1.0, 0.0, 1e-300, 0.0, 1e-3, 0.0), (1e-9, 0.5, 1e-9, 1e-9, 1e9, 1e-9)):
+        found = ladder.equilibria(*point, arith=arith)
+        assert len(found.states) == reference.count_contact(*point)
+        assert _holds(found.states, point, True, 17) <= 1
+
+
+@pytest.fixture
+def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Bits end at 128, so that what is a fold to 40 digits is one to the last."""
+    for name, value in (("FIRST_BITS", 128), ("MAXIMUM_BITS", 128), ("BITS_A_SPREAD", 0)):
+        monkeypatch.setattr(ladder, name, value)
+
+
+def _fraction(value: mpmath.mpf) -> Fraction:
+    negative, mantissa, exponent, _ = value._mpf_
+    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+@pytest.mark.usefixtures("few_bits")
+def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
+    """Both folds of the base values, left and right: the double root, the simple one, and what is stable."""
+    fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], ("0.5", "0.007", "0.007", "0.1", "0"), strict=True)}
+    with arith.precision(600):
+        points = [
+            [sum(arith.ends(value)) / 2 for value in (point.parameters[0], point.theta, point.L, point.x, point.y)]
+            for point in proofs.folds(arith, "theta0", fixed, 600)
+        ]
+    points = [point for point in points if 0 < point[0] < math.pi]
+    assert len(points) == 2
+    for theta0, *true in points:
+        found = ladder.equilibria(_fraction(theta0), *fixed.values(), arith=arith)
+        assert found.fold
+        assert len(found.states) == 3
+        one, two = next(pair for pair in (found.states[:2], found.states[1:]) if pair[0].theta == pair[1].theta)
+        for state in (one, two):
+            assert state.error < 1.2e-16
+            for name, value in zip(NUMBERS, true, strict=True):
+                assert abs(getattr(state, name) - value) <= state.error * max(1, abs(value))
+            assert state.stability == 1
+        [other] = [state for state in found.states if state.theta != one.theta]
+        assert other.stability == 1
+        assert all(abs(value - state) > 0.1 for value, state in ((other.theta, one.theta), (other.x, one.x)))
+
+
+@pytest.mark.usefixtures("few_bits")
+def test_a_boundary_that_no_bits_settle_is_an_error(arith: Arithmetic) -> None:
+    """The mass at the anchor of the spring: with α = β = 0 and κ = σ the balance holds at θ = −π/2 with L = 0 exactly."""
+    with pytest.raises(ss.ConvergenceError, match=r"128 bits do not settle theta0=.*move the point off"):
+        ladder.equilibria(1, 0, Fraction(1, 2), 0, Fraction(1, 2), 0, contact=False, arith=arith)
+
+
+def test_most_bits_grow_with_the_spread() -> None:
+    def most(*values: Any) -> int:
+        return ladder._most_bits(lambda a: a.pi(), [Fraction(value) for value in values])
+
+    assert most(1, 1, 1, 1, 1) == ladder.MAXIMUM_BITS
+    assert most(0, 1, 0, 1, 0) == ladder.MAXIMUM_BITS
+    assert most(2**10, 1, 1, 1, 1) == most(1, Fraction(1, 2**10), 1, 1, 1) == ladder.MAXIMUM_BITS + 10 * ladder.BITS_A_SPREAD
+    assert most(2**10, 1, 1, 1, Fraction(1, 2**30)) == ladder.MAXIMUM_BITS + 40 * ladder.BITS_A_SPREAD
+    assert ladder._most_bits(2.0**-20, [Fraction(1)] * 5) == ladder.MAXIMUM_BITS + 20 * ladder.BITS_A_SPREAD
+    assert ladder.BITS_A_SPREAD >= 6  # a discriminant of the sixth degree
+
+
+@pytest.mark.parametrize("power", [20, 34, 50])
+def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int, arith: Arithmetic) -> None:
+    """10^−power beside both folds: counts on either side, no fold, and the digits asked for."""
+    fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)}
+    with arith.precision(600):
+        folds = sorted(_middle(arith, point.parameters[0]) for point in proofs.folds(arith, "theta0", fixed, 600))
+    folds = [fold for fold in folds if 0 < fold < math.pi]
+    assert len(folds) == 2
+    for fold, side in zip(folds, (1, -1), strict=True):
+        with mpmath.workprec(700):
+            outside, inside = fold + side * mpmath.mpf(10) ** -power, fold - side * mpmath.mpf(10) ** -power
+        counts = []
+        for theta0 in (outside, inside):
+            for digits in (17, 60):
+                found = ladder.equilibria(_fraction(theta0), *fixed.values(), digits=digits, arith=arith)
+                assert not found.fold
+                point = (theta0, *map(float, fixed.values()))
+                assert _holds(found.states, point, True, digits + power) <= 1
+                allowed = 1.2e-16 if digits == 17 else mpmath.mpf(10) ** -digits
+                assert all(state.error <= allowed for state in found.states)
+                codes = [state.stability for state in found.states]
+                assert codes == ([1, 2, 1] if len(codes) == 3 else [1])
+            counts.append(len(found.states))
+        assert sorted(counts) == [1, 3]
+
+
+def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
+    low, high = arith.ends(value)
+    return (low + high) / 2

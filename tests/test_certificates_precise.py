@@ -1,0 +1,201 @@
+"""Numbers taken exactly, ranges, digits, and the radii of cusps."""
+
+from __future__ import annotations
+
+import importlib.util
+import itertools
+import math
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import pytest
+
+import spragsym as ss
+from benchmarks import reference
+from spragsym import intervals, ladder, proofs
+from spragsym.intervals import Arithmetic
+
+ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
+
+
+@pytest.fixture(params=ARITHMETICS)
+def arith(request: pytest.FixtureRequest) -> Arithmetic:
+    """Both interval arithmetics."""
+    return intervals.arithmetic(request.param)
+
+
+# ----------------------------------------------------------------------------------------------------- precise
+
+
+@pytest.mark.parametrize(
+    ("given", "exact"),
+    [
+        (1, Fraction(1)), (0.5, Fraction(1, 2)), ("0.007", Fraction(7, 1000)), (" +7/1000 ", Fraction(7, 1000)),
+        (".5e-1", Fraction(1, 20)), ("1.", Fraction(1)), (Fraction(2, 3), Fraction(2, 3)), (mpmath.mpf("0.75"), Fraction(3, 4)),
+        (mpmath.mpf(6), Fraction(6)), ("7/1000", Fraction(7, 1000)), ("10/10", Fraction(1)),
+    ],
+)  # fmt: skip
+def test_a_number_is_what_it_writes(given: Any, exact: Fraction) -> None:
+    assert ss.precise.as_exact("kappa", given, ss.parameters.RANGES["kappa"]) == exact
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "error"),
+    [
+        ("kappa", True, ss.ParameterTypeError), ("kappa", None, ss.ParameterTypeError), ("kappa", "seven", ss.ParameterTypeError),
+        ("kappa", "1/0", ss.ParameterError), ("kappa", "1/00 ", ss.ParameterError), ("kappa", math.nan, ss.ParameterError),
+        ("kappa", mpmath.inf, ss.ParameterError), ("kappa", 0, ss.ParameterError), ("kappa", mpmath.mpf(-1), ss.ParameterError),
+        ("alpha", "-1/9", ss.ParameterError), ("theta0", math.pi, ss.ParameterError), ("theta0", 4, ss.ParameterError),
+        ("theta0", 0, ss.ParameterError),
+    ],
+)  # fmt: skip
+def test_what_is_no_number_in_range_is_named(name: str, given: Any, error: type[Exception]) -> None:
+    with pytest.raises(error, match=f"^{name} = "):
+        ss.precise.as_exact(name, given, ss.parameters.RANGES[name])
+
+
+def test_the_ends_of_ranges_that_belong_to_them() -> None:
+    for name in ("alpha", "beta", "mu0"):
+        assert ss.precise.as_exact(name, 0, ss.parameters.RANGES[name]) == 0
+    assert ss.precise.as_exact("kappa", "1e300", ss.parameters.RANGES["kappa"]) == 10**300
+    with pytest.raises(ss.ParameterError, match=r"numpy\.radians"):
+        ss.precise.as_exact("theta0", 49, ss.parameters.RANGES["theta0"])
+
+
+@pytest.mark.parametrize("dps", [0, -1, 1001, True, 2.0, "9"])
+def test_digits_out_of_range(dps: Any) -> None:
+    with pytest.raises((ss.ParameterError, ss.ParameterTypeError), match="dps = "):
+        ss.precise.as_digits(dps)
+
+
+def test_digits_in_range() -> None:
+    assert [ss.precise.as_digits(dps) for dps in (1, 50, 1000)] == [1, 50, 1000]
+
+
+@pytest.mark.parametrize("degrees", [0, "180", 180, 180.5, -1])
+def test_degrees_end_where_radians_do(degrees: Any) -> None:
+    with pytest.raises(ss.ParameterError, match=r"theta0_deg = .* is not in \(0, 180"):
+        ss.precise.equilibria(theta0_deg=degrees)
+
+
+def test_degrees_are_degrees() -> None:
+    """Up to the last before 180, the same as the angle in radians to all digits."""
+    for degrees in ("179.9999999", "0.0000001", "44.5", "179"):
+        with mpmath.workdps(80):
+            theta0 = mpmath.radians(mpmath.mpf(degrees))
+        one, two = ss.precise.equilibria(theta0_deg=degrees, dps=40), ss.precise.equilibria(theta0, dps=40)
+        assert len(one) == len(two)
+        for first, second in zip(one, two, strict=True):
+            assert abs(first.x - second.x) < 1e-38 * max(1, abs(first.x))
+            assert abs(first.theta - second.theta) < 1e-38
+    with pytest.raises(ss.ParameterError, match="one of theta0"):
+        ss.precise.equilibria(1, theta0_deg=1)
+    with pytest.raises(ss.ParameterError, match="one of theta0"):
+        ss.precise.equilibria()
+
+
+def test_the_defaults_are_the_articles() -> None:
+    base = ("0.5", "0.007", "0.007", "0.1", 0)
+    assert ss.precise.equilibria(1) == ss.precise.equilibria(1, *base, contact=True, dps=50)
+    assert ss.precise.cusps() == ss.precise.cusps("0.007", "0.007", "0.1", 0, dps=40)
+
+
+def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int) -> None:
+    """f = f′ = f″ = 0 by the balance of forces, and the geometry."""
+    with mpmath.workdps(digits + 20):
+        kappa, alpha, sigma, beta = (mpmath.mpf(str(value)) for value in values)
+        for cusp in found:
+            s0, c0 = mpmath.sin(cusp.theta0), mpmath.cos(cusp.theta0)
+
+            def f(theta: Any, cusp: Any = cusp, s0: Any = s0, c0: Any = c0) -> Any:
+                s, c = mpmath.sin(theta), mpmath.cos(theta)
+                L = (sigma * s + (beta + 1) * s0 + kappa) / ((beta + 1 + sigma) * s)
+                return s * (sigma * (1 - L) * c + alpha * (c0 - L * c) + cusp.mu0 * (s0 - L * s))
+
+            small = mpmath.mpf(10) ** -digits * (1 + abs(cusp.mu0) + cusp.L)
+            assert all(abs(mpmath.diff(f, cusp.theta, order)) < mpmath.mpf(10) ** (8 * order) * small for order in range(3))
+            assert abs(c0 - cusp.L * mpmath.cos(cusp.theta) - cusp.x) < small
+            assert abs(s0 - cusp.L * mpmath.sin(cusp.theta) - cusp.y) < small
+
+
+class _Spy(intervals.MpmathIntervals):
+    """Arithmetic that says whether it was used."""
+
+    used = 0
+
+    def exact(self, value: Fraction) -> Any:
+        self.used += 1
+        return super().exact(value)
+
+
+def test_the_arithmetic_asked_for_is_the_one_used() -> None:
+    calls = (
+        lambda arith: ss.precise.cusps(arith=arith), lambda arith: ss.precise.equilibria(1, arith=arith),
+        lambda arith: ladder.equilibria(*[1] * 6, arith=arith),
+    )  # fmt: skip
+    for call in calls:
+        spy = _Spy()
+        call(arith=spy)
+        assert spy.used > 0
+
+
+@pytest.mark.parametrize("dps", [1, 8, 40, 150])
+def test_equilibria_have_the_digits_asked_for(dps: int) -> None:
+    """Against Newton's method on the forces."""
+    for point in ((0.5, 0.5, 0.0078125, 0.0078125, 0.125, 0.0), (1.25, 0.0, 0.5, 0.25, 1.0, 0.5)):
+        for contact in (True, False):
+            for state in ss.precise.equilibria(*point, contact=contact, dps=dps):
+                with mpmath.workdps(dps + 40):
+                    true = reference.refine(state.x, state.y, *point, contact=contact, digits=dps + 40)
+                    for name, value in zip(("theta", "L", "x", "y"), true, strict=True):
+                        assert abs(getattr(state, name) - value) <= mpmath.mpf(10) ** -dps * max(1, abs(value))
+
+
+CUSPS = [("0.007", "0.007", "0.1", 0), ("0.3", 0, "1.7", "0.4"), ("0.2", "1.5", "0.9", "0.5")]
+
+
+@pytest.mark.parametrize("dps", [3, 25])
+def test_the_radius_of_a_cusp_holds_every_number(dps: int, arith: Arithmetic) -> None:
+    for values in CUSPS:
+        exact, rough = ss.precise.cusps(*values, dps=dps + 40), ss.precise.cusps(*values, dps=dps, arith=arith)
+        assert len(exact) == len(rough)
+        _are_cusps(exact, values, dps + 20)
+        assert [cusp.mu0 for cusp in rough] == sorted(cusp.mu0 for cusp in rough)
+        with mpmath.workdps(dps + 40):
+            for one in rough:
+                names = ("theta0", "mu0", "theta", "L", "x", "y")
+                gaps = [max(abs(getattr(one, name) - getattr(two, name)) for name in names) for two in exact]
+                size = max(1, *(abs(getattr(one, name)) for name in names))
+                spare = 2 if values[1] == "1.5" else 4  # roots of intervals are found to half of the bits
+                assert min(gaps) <= one.radius <= mpmath.mpf(10) ** -(dps + spare) * size * 1.01
+        assert rough.count == exact.count
+        if values[1] == "1.5":  # α = 1 + β
+            assert (rough.polynomial, rough.sines, rough.count) == ((), (), 0)
+        else:
+            assert rough.count == len(rough.sines) > 0
+            assert all(high - low <= Fraction(1, 2**64) for low, high in rough.sines)
+    assert rough[0] is rough.cusps[0]
+
+
+def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith: Arithmetic) -> None:
+    """One interval of a cusp at a time blurred, by nearly as much as three digits allow, and by a little more."""
+    exact = (Fraction(1, 5), Fraction(3, 2), Fraction(9, 10), Fraction(1, 2))
+    with arith.precision(200), mpmath.workdps(40):
+        for point in itertools.islice(proofs.cusps(arith, exact, 200), 3):
+            fields = [*point.parameters[:2], point.theta, point.L, point.x, point.y]
+            for place, value in enumerate(fields):
+                middles = [sum(arith.ends(field)) / 2 for field in fields]
+                middle, sizes = middles[place], [max(1, abs(one)) for one in middles]
+                for share, allowed in ((0.99, min(sizes[place:]) / 1000), (1.01, sizes[place] / 1000)):
+                    blurred = [*fields]
+                    blurred[place] = value + arith.between(-share * allowed, share * allowed)
+                    wide = proofs.Point((*blurred[:2], *point.parameters[2:]), *blurred[2:])
+                    if share > 1:
+                        with pytest.raises(proofs.Undecided):
+                            ss.precise._cusp(arith, wide, 3)
+                        continue
+                    cusp = ss.precise._cusp(arith, wide, 3)
+                    assert share * allowed <= cusp.radius <= share * allowed * (1 + 1e-6) + 2e-7 * 5
+                    found = (cusp.theta0, cusp.mu0, cusp.theta, cusp.L, cusp.x, cusp.y)
+                    assert abs(found[place] - middle) < 1e-12

@@ -1,0 +1,121 @@
+"""Each part of a step of the theorem is needed: what it rules out, put in its place, is noticed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from spragsym.derive import catastrophe, elimination, equilibrium, theorem
+from spragsym.derive import nomenclature as nm
+
+QUARTIC = elimination.quartic_in_t()
+FORM = elimination.f_form
+ALONG, ACROSS = equilibrium.balance()
+COEFFICIENTS = elimination.f_coefficients()
+STATE = elimination.state()
+DEEPER = sp.together(STATE[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q)
+
+
+def _broken() -> list[str]:
+    return [step.claim for step in theorem.one_or_three() if not step.holds]
+
+
+@pytest.mark.parametrize(
+    ("module", "name", "changed", "claim"),
+    [
+        pytest.param(elimination, "quartic_in_t", lambda: (*QUARTIC, nm.fm), "begins with −b t⁴", id="a power too many"),
+        pytest.param(elimination, "quartic_in_t", lambda: (QUARTIC[0], QUARTIC[1] + nm.fm, *QUARTIC[2:]),
+                     "three positive roots need", id="coefficient of t alone"),
+        pytest.param(elimination, "quartic_in_t", lambda: (*QUARTIC[:2], QUARTIC[2] + nm.fm, *QUARTIC[3:]),
+                     "three positive roots need", id="coefficient of t² alone"),
+        pytest.param(elimination, "f_coefficients", lambda: COEFFICIENTS | {nm.fm: -COEFFICIENTS[nm.fm]},
+                     "three positive roots need", id="sign of m"),
+        pytest.param(elimination, "f_coefficients", lambda: COEFFICIENTS | {nm.fb: 0 * nm.fb},
+                     "−b is positive", id="b is zero"),
+        pytest.param(equilibrium, "balance", lambda: (ALONG, ACROSS - 2 * nm.kappa),
+                     "no equilibrium has sin θ = 0", id="preload"),
+        pytest.param(elimination, "state", lambda: STATE | {nm.L: -STATE[nm.L]}, "s > 0 gives L > 0", id="sign of L"),
+        pytest.param(elimination, "state", lambda: STATE | {nm.L: 1 / (nm.s * nm.q)},
+                     "s < 0 excludes", id="length without preload"),
+        pytest.param(elimination, "state", lambda: STATE | {nm.y: DEEPER},
+                     "s > 0 ≥ s* gives y < 0", id="y that grows with the depth"),
+        pytest.param(elimination, "f_form", FORM + nm.fb * nm.c, "f is negative before", id="f at 0"),
+        pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
+    ],
+)  # fmt: skip
+def test_what_a_step_rules_out_is_noticed(
+    module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(module, name, changed)
+    assert any(claim in broken for broken in _broken())
+
+
+@pytest.mark.parametrize(("signs", "number"), [((-1, 0, 0, 1), 1), ((1, 0, 1), 0), ((-1, 1, -1, 0, 1), 3), ((), 0), ((0, -1), 0)])
+def test_changes_of_sign(signs: tuple[int, ...], number: int) -> None:
+    assert theorem._changes(signs) == number
+
+
+PARTS = [theorem._quartic, theorem._threshold_below_zero, theorem._threshold_above_zero, theorem._middle]
+
+
+@pytest.mark.parametrize("part", PARTS, ids=lambda part: part.__name__)
+def test_every_sign_that_is_claimed_is_needed(part: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """With one of its polynomials not positive a part does not hold."""
+    calls = 0
+
+    def positive(*_: Any, **__: Any) -> bool:
+        nonlocal calls
+        calls += 1
+        return calls != failing
+
+    monkeypatch.setattr(theorem, "manifestly_positive", positive)
+    failing = 0
+    assert all(step.holds for step in part())
+    for failing in range(1, calls + 1):  # noqa: B007  # read by the function above
+        calls = 0
+        assert not all(step.holds for step in part())
+
+
+@pytest.mark.parametrize("e1", [-1, 0])
+@pytest.mark.parametrize("e2", [-1, 0])
+@pytest.mark.parametrize("e3", [-1, 0, 1])
+def test_descartes_rule_is_asked_for_every_row_of_signs(e1: int, e2: int, e3: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(theorem, "manifestly_positive", lambda *_, **__: True)
+    monkeypatch.setattr(theorem, "_changes", lambda signs: 1 + (tuple(signs) == (-1, e1, e2, e3, 1)))
+    assert [step.claim for step in theorem._quartic() if not step.holds] == [
+        step.claim for step in theorem.one_or_three() if "three positive roots need" in step.claim
+    ]
+
+
+def test_the_push_at_the_ends_must_exceed_alpha(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With p = σ, without the α of p = α + σ, it does not."""
+    spelled = theorem._in_contact
+    monkeypatch.setattr(theorem, "_in_contact", lambda expression: spelled(expression.subs(nm.p, nm.sigma)))
+    assert any("−P > α" in step.claim for step in theorem._threshold_above_zero() if not step.holds)
+
+
+def test_both_parts_of_a_length_must_be_positive(monkeypatch: pytest.MonkeyPatch) -> None:
+    numerator, denominator = theorem._length_fraction()
+    for parts in ((-numerator, denominator), (numerator, -denominator)):
+        monkeypatch.setattr(theorem, "_length_fraction", lambda parts=parts: parts)
+        assert any("s > 0 gives L > 0" in step.claim for step in theorem._threshold_below_zero() if not step.holds)
+
+
+def test_the_claim_about_the_ends_is_the_difference_of_the_squares(monkeypatch: pytest.MonkeyPatch) -> None:
+    """P² cos² θ* − α² cos² θ₀ at rational sines, −P = α + λ, s₀ = s* + e."""
+    asked: list[tuple[sp.Expr, tuple[sp.Symbol, ...]]] = []
+
+    def remember(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], **_: Any) -> bool:
+        asked.append((polynomial, symbols))
+        return True
+
+    monkeypatch.setattr(theorem, "manifestly_positive", remember)
+    theorem._threshold_above_zero()
+    polynomial, symbols = asked[-1]
+    for given in ((1, 2, "1/3", "1/5"), (3, "1/7", "2/9", "1/2")):
+        alpha, surplus, threshold, excess = map(sp.Rational, given)
+        level = 1 - (threshold + excess) ** 2
+        here = polynomial.subs(dict(zip(symbols, (alpha, surplus, level, threshold, excess), strict=True)))
+        assert here == (alpha + surplus) ** 2 * (1 - threshold**2) - alpha**2 * level

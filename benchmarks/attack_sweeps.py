@@ -23,10 +23,11 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym import storage, sweeps
 from spragsym.errors import DamageWarning, StoreError
-from spragsym.journal import path_of
-from spragsym.sweeps import Sweep, rms_sweep
+from spragsym.sweeps import many as sweeps
+from spragsym.sweeps import storage
+from spragsym.sweeps.journal import path_of
+from spragsym.sweeps.many import Sweep, rms_sweep
 
 P = ss.Parameters.article(theta0=np.radians(np.linspace(30.0, 60.0, 12)))
 SHORT = {"V": 0.5, "d": 10.0, "t_end": 30.0, "transient": 10.0}

@@ -17,16 +17,9 @@ import spragsym as ss
 from benchmarks import c_target
 from benchmarks.bench_equilibria import _with_backend
 from benchmarks.families import FAMILIES
-from spragsym import ladder
-from spragsym.generated.equilibrium import (
-    contact_matrix,
-    contact_quartic,
-    contact_vector,
-    f_coefficients,
-    state,
-    t_quartic,
-)
+from spragsym.generated.equilibrium import contact_matrix, contact_quartic, contact_vector, f_coefficients, state, t_quartic
 from spragsym.parameters import NAMES
+from spragsym.statics import ladder
 
 Array = NDArray[np.float64]
 _HARD = ("random", "near folds", "cusp wedge", "false double root", "right angle", "light preload")

@@ -18,7 +18,7 @@ import numpy as np
 from scipy.optimize import fsolve
 
 import spragsym as ss
-from spragsym import fold_curves
+from spragsym.catastrophe import fold_curves
 from spragsym.generated.equilibrium import f, f_coefficients, f_slope
 
 BASE = ss.Parameters.article()

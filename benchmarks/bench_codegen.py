@@ -19,9 +19,10 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from derive import mechanics, stability
-from derive import nomenclature as nm
-from derive.emit import functions, python, statements
+from derive.emit import python, statements
+from derive.kang_nam import catalogue as functions
+from derive.kang_nam import mechanics, stability
+from derive.kang_nam import nomenclature as nm
 from spragsym.generated import motion as _motion
 from spragsym.generated import stability as _stability
 

@@ -18,9 +18,9 @@ import numpy as np
 from scipy.integrate import simpson, solve_ivp
 
 import spragsym as ss
-from spragsym.dynamics import simulate
+from spragsym.dynamics.trajectory import simulate
 from spragsym.generated import motion
-from spragsym.sweeps import rms_sweep
+from spragsym.sweeps.many import rms_sweep
 
 V, D = 0.5, 10.0  # the article states neither: our assumption
 ANGLES = np.radians(np.linspace(1.0, 179.0, 181))
@@ -127,7 +127,8 @@ def sweep_table() -> None:
 
 def overhead_table() -> None:
     """What a point of a sweep costs over the integration alone, and how much of it is the judgement of its limit."""
-    from spragsym import dynamics, integrators, regimes
+    from spragsym.dynamics import integrators, regimes
+    from spragsym.dynamics import trajectory as dynamics
 
     def fastest(function: Any, times: int) -> float:
         function()
@@ -165,7 +166,7 @@ def overhead_table() -> None:
 
 def sensitivity_table() -> None:
     """Where the RMS jumps, for V and d over a decade each."""
-    from spragsym.sweeps import sensitivity
+    from spragsym.sweeps.many import sensitivity
 
     print("\n## The jump of the RMS against V and d: θ₀ in degrees, RMS before → after\n")
     V_axis, d_axis = 0.5 * 10 ** np.linspace(-0.5, 0.5, 5), 10.0 * 10 ** np.linspace(-0.5, 0.5, 5)

@@ -22,10 +22,11 @@ import scipy.optimize
 import spragsym as ss
 from benchmarks import c_target
 from benchmarks.families import random
-from spragsym import compiled, kernel
+from spragsym import compiled
 from spragsym.generated.equilibrium import contact_quartic, f_coefficients, residuals, t_quartic
 from spragsym.parameters import NAMES
-from spragsym.solver import BLOCK
+from spragsym.statics import kernel
+from spragsym.statics.solver import BLOCK
 
 
 def main(n: int = 1_000_000) -> None:
@@ -151,7 +152,7 @@ def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     roots = np.empty((4, n))
     u = 2.0**-53
     with np.errstate(all="ignore"):
-        np.empty(1 << 19)  # see spragsym.solver: keeps glibc from returning the blocks' memory each time
+        np.empty(1 << 19)  # see spragsym.statics.solver: keeps glibc from returning the blocks' memory each time
         for begin in range(0, n, BLOCK):
             rows = slice(begin, begin + BLOCK)
             theta0, *values = (column[rows] for column in columns)

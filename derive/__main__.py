@@ -14,8 +14,9 @@ try:
 except ModuleNotFoundError:
     sys.exit("derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'")
 
-from . import catastrophe, check, elimination, equilibrium, linear_sprag, mechanics, stability, theorem
-from .emit import ledger, write
+from .kang_nam import catastrophe, check, elimination, equilibrium, linear_sprag, mechanics, stability, theorem
+from .kang_nam import ledger
+from .emit import write
 
 T = TypeVar("T")
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from . import nomenclature as nm
+from .kang_nam import nomenclature as nm
 
 
 def reduce_circles(polynomial: sp.Expr) -> sp.Expr:

@@ -19,12 +19,13 @@ from typing import Any, TypeAlias
 
 import mpmath
 
-from . import ladder, proofs
+from .catastrophe import proofs
 from .errors import ParameterError, ParameterTypeError
-from .intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
+from .exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
+from .exact.polynomials import Undecided
 from .parameters import RANGES, Range
-from .polynomials import Undecided
-from .solver import Stability
+from .statics import ladder
+from .statics.solver import Stability
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf
@@ -115,7 +116,7 @@ def equilibria(
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic to use, another than :class:`spragsym.intervals.Balls`.
+        Interval arithmetic to use, another than :class:`spragsym.exact.intervals.Balls`.
 
     Returns
     -------
@@ -220,7 +221,7 @@ def cusps(
     dps : int
         Decimal digits, 1 to 1000.
     arith : Arithmetic, optional
-        Interval arithmetic to use, another than :class:`spragsym.intervals.Balls`.
+        Interval arithmetic to use, another than :class:`spragsym.exact.intervals.Balls`.
 
     Returns
     -------

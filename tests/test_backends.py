@@ -14,8 +14,7 @@ import pytest
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym import backends, kernel, ladder
-from spragsym.statics import compiled
+from spragsym.statics import backends, compiled, kernel, ladder
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
 

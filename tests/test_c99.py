@@ -19,10 +19,10 @@ from scipy.optimize import brentq
 
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
-from spragsym import kernel, ladder
 from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
 from spragsym.generated import equilibrium, motion, stability
+from spragsym.statics import kernel, ladder
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "emit" / "targets" / "c99" / "tests" / "driver.c"

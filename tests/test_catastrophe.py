@@ -13,7 +13,8 @@ import pytest
 import spragsym as ss
 from benchmarks.validate_folds import count_map_mismatches, random_fixed
 from benchmarks.validate_paths import check, random_path
-from spragsym import fold_curves, polynomials
+from spragsym.catastrophe import fold_curves
+from spragsym.exact import polynomials
 from spragsym.parameters import NAMES
 
 BASE = ss.Parameters.article()

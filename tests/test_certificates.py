@@ -14,9 +14,9 @@ from typing import Any
 import mpmath
 import pytest
 
-from spragsym import intervals, polynomials
-from spragsym.intervals import Arithmetic
-from spragsym.polynomials import Undecided, exact_sign
+from spragsym.exact import intervals, polynomials
+from spragsym.exact.intervals import Arithmetic
+from spragsym.exact.polynomials import Undecided, exact_sign
 
 ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
 

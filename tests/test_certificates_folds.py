@@ -11,7 +11,8 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym import fold_curves, intervals, proofs
+from spragsym.catastrophe import fold_curves, proofs
+from spragsym.exact import intervals
 from spragsym.generated import catastrophe as generated
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.

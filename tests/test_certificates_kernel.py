@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from spragsym import kernel
 from spragsym.generated import equilibrium as generated
+from spragsym.statics import kernel
 
 Array = NDArray[Any]
 U = np.float32(2.0**-24)

@@ -15,9 +15,11 @@ import pytest
 import spragsym as ss
 from benchmarks import reference
 from benchmarks.families import FAMILIES
-from spragsym import intervals, ladder, proofs
-from spragsym.intervals import Arithmetic
+from spragsym.catastrophe import proofs
+from spragsym.exact import intervals
+from spragsym.exact.intervals import Arithmetic
 from spragsym.parameters import NAMES
+from spragsym.statics import ladder
 
 ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
 NUMBERS = ("theta", "L", "x", "y")

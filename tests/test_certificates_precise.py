@@ -13,8 +13,10 @@ import pytest
 
 import spragsym as ss
 from benchmarks import reference
-from spragsym import intervals, ladder, proofs
-from spragsym.intervals import Arithmetic
+from spragsym.catastrophe import proofs
+from spragsym.exact import intervals
+from spragsym.exact.intervals import Arithmetic
+from spragsym.statics import ladder
 
 ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
 

@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym import intervals, proofs
-from spragsym.intervals import Arithmetic
+from spragsym.catastrophe import proofs
+from spragsym.exact import intervals
+from spragsym.exact.intervals import Arithmetic
 from spragsym.parameters import NAMES
 
 ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]

@@ -12,8 +12,8 @@ import pytest
 import spragsym as ss
 from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym import kernel, ladder, solver
 from spragsym.parameters import NAMES
+from spragsym.statics import kernel, ladder, solver
 
 
 @pytest.fixture(autouse=True)

@@ -7,8 +7,8 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from spragsym.derive import catastrophe, elimination, equilibrium, theorem
-from spragsym.derive import nomenclature as nm
+from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, theorem
+from spragsym.derive.kang_nam import nomenclature as nm
 
 QUARTIC = elimination.quartic_in_t()
 FORM = elimination.f_form

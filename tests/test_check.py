@@ -14,11 +14,11 @@ import pytest
 import sympy as sp
 from sympy.parsing.latex import parse_latex
 
-from spragsym.derive import article, check, evidence, explanations
-from spragsym.derive import nomenclature as nm
-from spragsym.derive.article import Printed
-from spragsym.derive.check import Derived, Row
-from spragsym.derive.mechanics import AX, AY
+from spragsym.derive.kang_nam import article, check, evidence, explanations
+from spragsym.derive.kang_nam import nomenclature as nm
+from spragsym.derive.kang_nam.article import Printed
+from spragsym.derive.kang_nam.check import Derived, Row
+from spragsym.derive.kang_nam.mechanics import AX, AY
 
 EQUATIONS = {f"eq-{number}" for number in range(1, 30)}
 APPENDIX = {"A1-c0", "A1-d0", *(f"A{number}" for number in range(2, 14))}

@@ -25,7 +25,7 @@ from spragsym.claims import Status
 from spragsym.claims.report import page
 from spragsym.cli import cli
 from spragsym.cli.check import check as check_command
-from spragsym.dynamics import simulate
+from spragsym.dynamics.trajectory import simulate
 
 ROOT = Path(__file__).parents[1]
 BASE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
@@ -459,7 +459,7 @@ def test_amplitude_jump_by_another_integrator() -> None:
 
 def test_cross_references() -> None:
     """What the wrong references point at, as printed."""
-    from spragsym.derive import article
+    from spragsym.derive.kang_nam import article
 
     printed = {entry.id: entry.latex for entry in article.PRINTED}
     assert "L" in printed["eq-26"]

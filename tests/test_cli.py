@@ -112,7 +112,7 @@ def test_check_fails_where_a_row_is_not_as_recorded(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pytest.importorskip("sympy")
-    from spragsym.derive import check as derivation
+    from spragsym.derive.kang_nam import check as derivation
 
     rows = derivation.run()
     monkeypatch.setattr(derivation, "run", lambda: rows[1:])
@@ -273,7 +273,7 @@ def test_a_file_has_the_degrees_that_were_typed(tmp_path: Path, capsys: pytest.C
 
 @given(st.lists(st.text(max_size=30), min_size=1, max_size=4))
 def test_any_text_is_one_cell_to_every_reader(words: list[str]) -> None:
-    from spragsym import storage
+    from spragsym.sweeps import storage
 
     with TemporaryDirectory() as folder:
         path = Path(folder) / "a.csv"

@@ -10,11 +10,12 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym import dynamics, integrators
 from spragsym.cli.motion import simulate as simulate_command
-from spragsym.dynamics import Event, Trajectory, simulate
+from spragsym.dynamics import integrators
+from spragsym.dynamics import trajectory as dynamics
+from spragsym.dynamics.trajectory import Event, Trajectory, simulate
 from spragsym.generated import stability
-from spragsym.solver import equilibria
+from spragsym.statics.solver import equilibria
 
 BACKENDS = [
     "scipy",

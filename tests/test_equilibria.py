@@ -14,10 +14,10 @@ import spragsym as ss
 from benchmarks import reference
 from benchmarks.families import FAMILIES, random
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym import intervals, kernel, ladder, solver
+from spragsym.exact import intervals
 from spragsym.generated import kernel as solved
 from spragsym.generated.equilibrium import f_coefficients
-from spragsym.statics import compiled
+from spragsym.statics import compiled, kernel, ladder, solver
 
 FOLD_DEG = 44.5593177025653  # left fold at base values, by three continuation codes (peers)
 

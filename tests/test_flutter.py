@@ -12,8 +12,10 @@ import pytest
 
 import spragsym as ss
 from benchmarks.validate_flutter import compare, random_set
-from spragsym import descartes, flutter_proofs, intervals, kernel
+from spragsym.catastrophe import flutter_proofs
+from spragsym.exact import descartes, intervals
 from spragsym.generated import stability
+from spragsym.statics import kernel
 
 #: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.
 NEXT_TO_90 = ss.Parameters.article(mu0=1.3, alpha=1.3, sigma=0.32)

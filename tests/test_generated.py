@@ -19,12 +19,12 @@ import pytest
 import sympy as sp
 
 from spragsym import generated
-from spragsym.derive import catastrophe as folds
-from spragsym.derive import elimination
-from spragsym.derive import equilibrium as balance
-from spragsym.derive import linear_sprag as linear_model
-from spragsym.derive import nomenclature as nm
-from spragsym.derive import stability as linearized
+from spragsym.derive.kang_nam import catastrophe as folds
+from spragsym.derive.kang_nam import elimination
+from spragsym.derive.kang_nam import equilibrium as balance
+from spragsym.derive.kang_nam import linear_sprag as linear_model
+from spragsym.derive.kang_nam import nomenclature as nm
+from spragsym.derive.kang_nam import stability as linearized
 from spragsym.generated import catastrophe, equilibrium, linear_sprag, motion, scales, stability
 
 EPS = 2.0**-53

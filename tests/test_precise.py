@@ -20,11 +20,13 @@ import pytest
 import spragsym as ss
 from benchmarks.families import cusp_wedge
 from benchmarks.validate_precise import points, worst_shares
-from spragsym import intervals, ladder, precise, proofs
+from spragsym import precise
+from spragsym.catastrophe import proofs
 from spragsym.cli import cli as command_line
-from spragsym.intervals import Ball, Balls
-from spragsym.polynomials import Undecided
-from spragsym.statics import compiled
+from spragsym.exact import intervals
+from spragsym.exact.intervals import Ball, Balls
+from spragsym.exact.polynomials import Undecided
+from spragsym.statics import compiled, ladder
 
 ARITH = Balls()
 
@@ -429,7 +431,7 @@ def test_one_hopeless_point_leaves_the_others(backend: str, wide: bool, monkeypa
     if backend == "compiled" and not compiled.available():
         pytest.skip("the compiled solver was not built: no C compiler")
     if not wide:
-        monkeypatch.setattr("spragsym.solver._extended_precision", lambda: False)
+        monkeypatch.setattr("spragsym.statics.solver._extended_precision", lambda: False)
     kappa = np.array([[0.1, 0.2], [0.05, 0.1]])
     ss.set_backend(backend)
     try:

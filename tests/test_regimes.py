@@ -13,11 +13,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym import dynamics, regimes
+from spragsym.dynamics import regimes
+from spragsym.dynamics import trajectory as dynamics
+from spragsym.dynamics.integrators import Course
+from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion
-from spragsym.integrators import Course
-from spragsym.regimes import ATTRACTOR, SETTLED, Regime
-from spragsym.sweeps import basin, rms_sweep
+from spragsym.sweeps.many import basin, rms_sweep
 
 BELT = {"V": 0.5, "d": 10.0}
 SLOW = ss.Parameters.article(theta0=np.radians(42))

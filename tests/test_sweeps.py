@@ -21,12 +21,13 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from spragsym import storage, sweeps
 from spragsym.cli.motion import sweep as sweep_command
-from spragsym.dynamics import Event, simulate
-from spragsym.regimes import Regime
-from spragsym.solver import equilibria
-from spragsym.sweeps import Sweep, basin, rms_sweep, sensitivity
+from spragsym.dynamics.regimes import Regime
+from spragsym.dynamics.trajectory import Event, simulate
+from spragsym.statics.solver import equilibria
+from spragsym.sweeps import many as sweeps
+from spragsym.sweeps import storage
+from spragsym.sweeps.many import Sweep, basin, rms_sweep, sensitivity
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))

@@ -10,8 +10,8 @@ from typing import Any
 import pytest
 import sympy as sp
 
-from spragsym.derive import catastrophe, elimination, equilibrium, stability, theorem
-from spragsym.derive import nomenclature as nm
+from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, stability, theorem
+from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.generated import equilibrium as generated
 
 

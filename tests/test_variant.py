@@ -89,7 +89,7 @@ def test_a_symbol_without_a_dimension_goes_into_the_groups(tmp_path: Path) -> No
 
 
 def test_a_force_that_the_elimination_was_not_made_for_stops_it(tmp_path: Path) -> None:
-    """As the docstring of ``derive/mechanics.py`` says: a cubic contact leaves no D and b, and nothing is written."""
+    """As the docstring of ``derive/kang_nam/mechanics.py`` says: a cubic contact leaves no D and b, and nothing is written."""
     done = _variant(tmp_path, ("mechanics.py", "sp.Piecewise((-stiffness * y, y < 0)", "sp.Piecewise((-stiffness * y**3, y < 0)"))
     assert done.returncode != 0
     assert "nothing was written" in done.stderr or "is untouched" in done.stderr
@@ -100,7 +100,7 @@ def test_the_page_names_places_that_exist() -> None:
     """Every function that the page says a file has, or uses, stands in that file."""
     text = sections()["Add a viscous damper along the belt"].split("To adopt the change for good")[1]
     for file, names in (("spragsym/integrators.py", ("motion.regime_rhs",)),
-                        ("derive/emit/functions.py", ("further_parameters",))):  # fmt: skip
+                        ("derive/kang_nam/catalogue.py", ("further_parameters",))):  # fmt: skip
         assert f"`{file}`" in text
         assert all(f"`{name}`" in text and name in (ROOT / file).read_text(encoding="utf-8") for name in names)
     named = set(re.findall(r"`((?:derive|spragsym)/[\w/]+\.py)`", PAGE.read_text(encoding="utf-8")))

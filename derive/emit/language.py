@@ -1,4 +1,4 @@
-"""The small language of ``derive/kernel.py``: its primitives, and how a target reads it.
+"""The small language that kernels are written in: its primitives, and how a target reads it.
 
 A function is a docstring, statements and a return. Statements assign a name, unpack the results of generated algebra into names,
 or repeat statements a fixed number of times. Everything has one of three kinds: a real number, a flag, or a record.
@@ -18,7 +18,6 @@ Real: TypeAlias = Any
 #: True or false, or an array of such.
 Flag: TypeAlias = Any
 
-KERNEL = Path(__file__).resolve().parent.parent / "kernel.py"
 REAL, FLAG = "Real", "Flag"
 
 
@@ -89,8 +88,8 @@ class KernelError(ArithmeticError):
     """The kernel's source is not in its language."""
 
 
-def read(path: Path = KERNEL) -> Source:
-    """Parse the kernel."""
+def read(path: Path) -> Source:
+    """Parse a kernel."""
     text = path.read_text(encoding="utf-8")
     lines = text.splitlines()
     constants, records, routines = [], {}, {}

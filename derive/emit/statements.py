@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .functions import Function, Results
+from ..kang_nam.catalogue import Function, Results
 
 
 @dataclass(frozen=True)

@@ -14,9 +14,10 @@ from pathlib import Path
 
 import sympy as sp
 
-from . import bounds, language, ledger, targets
-from .functions import further_parameters, modules
-from .ledger import Ledger
+from ..kang_nam import bounds, ledger
+from . import language, targets
+from ..kang_nam.catalogue import further_parameters, modules
+from ..kang_nam.ledger import Ledger
 
 SOURCES = Path(__file__).resolve().parent.parent
 
@@ -41,7 +42,7 @@ def render(outcome: Ledger) -> dict[str, str]:
         f'- :mod:`kernel`: The equilibria of one point, and how far they can be trusted.\n\n{header}\n"""\n\n'
         f'#: SHA-256 of the derivation that this package was generated from.\nSOURCE_HASH = "{digest}"\n'
     )
-    kernel = language.read()
+    kernel = language.read(SOURCES / "kang_nam" / "kernel.py")
     known = {function.name: function for module in names for function in module.functions}
     material = targets.Material(names, kernel, bounds.counts(kernel, known), digest[:16], header)
     # A variant with parameters of its own is printed by targets that can.

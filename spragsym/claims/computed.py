@@ -13,16 +13,18 @@ import mpmath
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from .. import catastrophe, flutter, precise
 from .. import generated as _generated
-from ..dynamics import simulate
+from .. import precise
+from ..catastrophe import flutter_points as flutter
+from ..catastrophe import points as catastrophe
+from ..catastrophe.paths import Jump, quasi_static_path
+from ..dynamics.regimes import Regime
+from ..dynamics.trajectory import simulate
 from ..generated import equilibrium as _equilibrium
 from ..generated import motion as _motion
 from ..parameters import NAMES, FloatArray, Parameters
-from ..paths import Jump, quasi_static_path
-from ..regimes import Regime
-from ..solver import Stability, equilibria
-from ..sweeps import sensitivity
+from ..statics.solver import Stability, equilibria
+from ..sweeps.many import sensitivity
 from .rows import Found, Value
 
 #: Belt speed and steepness of the friction law; the article states neither.

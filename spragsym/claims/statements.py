@@ -155,7 +155,7 @@ STATEMENTS: tuple[Statement, ...] = (
         where="Section 3, before Figure 5 and before Figure 11",
         stated="there are always one or three real steady-sliding equilibria",
         compute=computed.one_or_three,
-        outcome="counted for all parameters of the figures, and proved for all others in derive/theorem.py",
+        outcome="counted for all parameters of the figures, and proved for all others in derive/kang_nam/theorem.py",
         test="test_one_or_three_by_signs",
         command="spragsym check",
     ),

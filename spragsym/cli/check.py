@@ -84,7 +84,7 @@ def _check_claims(json_output: bool) -> None:
 
 def _check_equations(json_output: bool) -> None:
     try:
-        from ..derive import check as derivation
+        from ..derive.kang_nam import check as derivation
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym check", error.name or "sympy", "derive") from error
     rows = derivation.run()

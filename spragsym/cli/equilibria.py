@@ -43,8 +43,8 @@ def _rows(theta0_deg: float, values: dict[str, float]) -> tuple[list[dict[str, A
     import numpy as np
 
     from ..errors import ConvergenceError
-    from ..solver import Stability
-    from ..solver import equilibria as solve
+    from ..statics.solver import Stability
+    from ..statics.solver import equilibria as solve
 
     p = build(theta0_deg, **values)
     rows, reasons = [], {}

@@ -14,7 +14,7 @@ import click
 
 from ..errors import ParameterError
 from ..names import hint
-from ..workers import Map, pool
+from ..sweeps.workers import Map, pool
 from .options import workers
 from .targets import force, refuse
 

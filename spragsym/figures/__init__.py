@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from .article import (
+from .article import (  # fmt: skip
     figure_3,
     figure_4,
     figure_5,
@@ -29,15 +29,15 @@ from .article import (
     figure_12,
     figure_13,
     figure_14,
-)  # fmt: skip
+)
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
-from .extras import (
+from .extras import (  # fmt: skip
     bifurcation_figure,
     figure_cusp_friction,
     figure_false_double_root,
     figure_rms_map,
     figure_sensitivity,
-)  # fmt: skip
+)
 from .files import FORMATS, write
 from .style import Sheet
 

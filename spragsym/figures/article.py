@@ -13,18 +13,18 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..catastrophe import bifurcation_set, folds, linear_sprag
-from ..dynamics import simulate
-from ..flutter import FlutterBoundary, flutter_boundary, flutter_onsets
+from ..catastrophe.flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
+from ..catastrophe.paths import Path, quasi_static_path
+from ..catastrophe.points import bifurcation_set, folds, linear_sprag
+from ..dynamics.trajectory import simulate
 from ..generated import motion
 from ..parameters import FloatArray, Parameters
-from ..paths import Path, quasi_static_path
-from ..solver import Stability, equilibria
-from ..sweeps import Workers, rms_sweep
+from ..statics.solver import Stability, equilibria
+from ..sweeps.many import Workers, rms_sweep
 from . import surfaces
 from .curves import LABELS, branches, draw_branches, draw_path, joined, mark_folds, passages, table_of
 from .hidden import Cover, cover_of, parts
-from .style import (
+from .style import (  # fmt: skip
     BLACK,
     BLUE,
     DOUBLE,
@@ -40,7 +40,7 @@ from .style import (
     panels,
     styled,
     write_along,
-)  # fmt: skip
+)
 
 #: Belt speed and steepness of the friction law; the article states neither.
 V, D = 0.5, 10.0

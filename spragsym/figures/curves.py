@@ -11,11 +11,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
-from ..catastrophe import Folds, folds
-from ..flutter import flutter_onsets
+from ..catastrophe.flutter_points import flutter_onsets
+from ..catastrophe.paths import Path
+from ..catastrophe.points import Folds, folds
 from ..parameters import RANGES, FloatArray, Parameters
-from ..paths import Path
-from ..solver import Equilibria, Stability, equilibria
+from ..statics.solver import Equilibria, Stability, equilibria
 from .style import BLACK, LINES, Table, own_axes, styled
 
 #: Names of axes.

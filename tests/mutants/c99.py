@@ -25,7 +25,7 @@ import numpy as np
 
 from benchmarks import c_target
 from benchmarks.families import EXTREMES, FAMILIES
-from spragsym import ladder
+from spragsym.statics import ladder
 
 SOURCE = Path(__file__).resolve().parents[2] / "generated" / "c"
 #: What becomes what, outside of comments and declarations; a number is made half as large again, or a third smaller.

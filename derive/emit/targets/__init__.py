@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from ..functions import Function, Module
+from ...kang_nam.catalogue import Function, Module
 from ..language import Source
 
 #: Folders of this package that hold a target, in the order in which they are written.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping
 
-from ...functions import Function
+from ....kang_nam.catalogue import Function
 from ...language import Kinds, Routine
 from .. import Material, Target, runtime
 from . import algebra, cost, kernel

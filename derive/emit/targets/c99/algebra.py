@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ...functions import Function
+from ....kang_nam.catalogue import Function
 from ...statements import flatten, straight_line
 from ..python.algebra import AlgebraPrinter, meaning
 

@@ -7,8 +7,8 @@ import textwrap
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
-from .... import nomenclature as nm
-from ...functions import Function, Module, Results
+from ....kang_nam import nomenclature as nm
+from ....kang_nam.catalogue import Function, Module, Results
 from ...statements import straight_line
 
 _WIDTH = 112

@@ -1,0 +1,191 @@
+"""The equilibrium surface in closed form, its folds (f = f′ = 0) and its cusps (f = f′ = f″ = 0)."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from .. import algebra
+from . import elimination, stability
+from . import nomenclature as nm
+from .elimination import f_form
+
+#: f′, f″ and f‴ with respect to θ.
+slope = sp.expand(algebra.rotate_derivative(f_form))
+curvature = sp.expand(algebra.rotate_derivative(slope))
+third = sp.expand(algebra.rotate_derivative(curvature))
+
+
+@cache
+def surface() -> sp.Expr:
+    """M(θ, θ₀) = μ₀ n̄ on the equilibrium surface: f is linear in M."""
+    f = elimination.f_in_parameters()
+    (friction,) = sp.solve(f, nm.M)
+    without, along = sp.collect(sp.expand(f), nm.M, evaluate=False)[sp.S.One], sp.diff(f, nm.M)
+    arranged = (nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.q * nm.alpha * nm.c0 * nm.s) / (
+        nm.s * (nm.kappa - nm.sigma * (nm.s0 - nm.s))
+    )
+    if sp.simplify(friction - arranged.subs(elimination.f_coefficients())) != 0 or without.has(nm.M) or along.has(nm.M):
+        raise ArithmeticError("f is not linear in M, or the surface is not what catastrophe.py arranges")
+    return arranged.subs(elimination.f_coefficients())
+
+
+@cache
+def surface_in_coefficients() -> sp.Expr:
+    """The same, with a and b kept as symbols."""
+    arranged = nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.q * nm.alpha * nm.c0 * nm.s
+    arranged /= nm.s * (nm.kappa - nm.sigma * (nm.s0 - nm.s))
+    if sp.simplify(arranged.subs(elimination.f_coefficients()) - surface()) != 0:
+        raise ArithmeticError("the surface is not what catastrophe.py arranges")
+    return arranged
+
+
+@cache
+def slope_identity() -> bool:
+    """L det K = ∂f/∂θ wherever f = 0: the friction that f = 0 asks for makes the two sides the same function."""
+    parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+    on_surface = {nm.M: surface()}
+    determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))
+    left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
+    right = algebra.rotate_derivative(elimination.f_in_parameters())
+    return algebra.equal(left.subs(on_surface).subs(parameters), right.subs(on_surface).subs(parameters))
+
+
+# ------------------------------------------------------------------------------------------------------ folds
+
+
+@cache
+def fold_relations() -> dict[sp.Symbol, sp.Expr]:
+    """b and d on a fold, from f = f′ = 0, which are linear in the two."""
+    solution = sp.solve([f_form, slope], [nm.fb, nm.fd], dict=True)[0]
+    arranged = {
+        nm.fb: -(nm.s**2) * (nm.fa * nm.s + nm.fm * nm.c),
+        nm.fd: -nm.fa * nm.c**3 + nm.fm * nm.s * (1 + nm.c**2),
+    }
+    if not all(algebra.equal(solution[symbol], value) for symbol, value in arranged.items()):
+        raise ArithmeticError("b and d on a fold are not what catastrophe.py arranges")
+    return arranged
+
+
+@cache
+def fold_residuals() -> tuple[sp.Expr, sp.Expr]:
+    """b − b(fold) and d − d(fold): both zero exactly where f = f′ = 0, and linear in each of μ₀, κ, α, σ and β."""
+    coefficients = elimination.f_coefficients()
+    return tuple(
+        (symbol - value).subs(coefficients) for symbol, value in fold_relations().items()
+    )  # type: ignore[return-value]
+
+
+@cache
+def fold_angles() -> tuple[sp.Expr, sp.Expr]:
+    """sin θ₀ and cos θ₀ on the fold through θ at friction M: a line and a parabola in M. Needs α, B > 0."""
+    along, across = fold_residuals()
+    (s0,) = sp.solve(along, nm.s0)
+    (c0,) = sp.solve(across, nm.c0)
+    return s0, c0
+
+
+@cache
+def fold_quartic() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of the polynomial in M whose roots are all folds at a given θ.
+
+    It is (p B q α)² (sin² θ₀ + cos² θ₀ − 1) with :func:`fold_angles`; α = 0 takes :func:`fold_quadratic`.
+    """
+    s0, c0 = fold_angles()
+    scale = nm.p * nm.B * nm.q * nm.alpha
+    condition = sp.cancel((scale * s0) ** 2 + (scale * c0.subs(nm.s0, s0)) ** 2 - scale**2)
+    return _coefficients_in_M(condition)
+
+
+@cache
+def fold_quadratic() -> tuple[sp.Expr, ...]:
+    """The same for α = 0: cos θ₀ drops out of f, and what is left of d − d(fold) is quadratic in M."""
+    _, across = fold_residuals()
+    s0, _ = fold_angles()
+    return _coefficients_in_M(sp.cancel((nm.p * nm.B * across.subs(nm.s0, s0)).subs(nm.alpha, 0)))
+
+
+def _coefficients_in_M(condition: sp.Expr) -> tuple[sp.Expr, ...]:
+    numerator, denominator = sp.fraction(sp.together(condition))
+    if denominator.free_symbols:
+        raise ArithmeticError("the fold condition is not a polynomial in M")
+    return tuple(value / denominator for value in reversed(sp.Poly(numerator, nm.M).all_coeffs()))
+
+
+# ------------------------------------------------------------------------------------------------------ cusps
+
+
+@cache
+def cusp_friction() -> sp.Expr:
+    """m on a cusp: f″ = 0 on the fold."""
+    condition = algebra.reduce_circles(curvature.subs(fold_relations()))
+    (friction,) = sp.solve(condition, nm.fm)
+    arranged = 3 * nm.fa * nm.s * nm.c / (3 * nm.s**2 - 2)
+    if not algebra.equal(friction, arranged):
+        raise ArithmeticError("m on a cusp is not what catastrophe.py arranges")
+    return arranged
+
+
+@cache
+def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
+    """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ."""
+    s0, c0 = fold_angles()
+    friction = {nm.M: cusp_friction().subs(nm.fa, elimination.f_coefficients()[nm.fa]) / nm.sigma}
+    s0_cusp = sp.factor(algebra.reduce_circles(sp.expand(sp.cancel(s0.subs(friction) * (3 * nm.s**2 - 2)))))
+    s0_cusp = s0_cusp / (3 * nm.s**2 - 2)
+    c0_cusp = sp.cancel(c0.subs(friction).subs(nm.s0, s0_cusp) / nm.c)
+    numerator, denominator = sp.fraction(c0_cusp)
+    return s0_cusp, sp.factor(algebra.reduce_circles(numerator)) / sp.factor(denominator)
+
+
+@cache
+def cusp_polynomial() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of the polynomial in s = sin θ whose real roots in (−1, 1) are all the cusps.
+
+    It is (B p α q)² (3 s² − 2)⁴ (sin² θ₀ + cos² θ₀ − 1) with :func:`cusp_angles`. Contact only, α > 0 and a ≠ 0; the terms of
+    degree 10 cancel.
+    """
+    s0, ratio = cusp_angles()
+    scale = nm.B * nm.p * nm.alpha * nm.q * (3 * nm.s**2 - 2) ** 2
+    condition = sp.cancel(scale * s0) ** 2 + (1 - nm.s**2) * sp.cancel(scale * ratio) ** 2 - scale**2
+    polynomial = sp.Poly(sp.expand(condition.subs(_POLES)), nm.s)
+    return tuple(reversed(polynomial.all_coeffs()))
+
+
+@cache
+def cusp_cubic() -> tuple[sp.Expr, ...]:
+    """The same for α = 0, where cos θ₀ is free and what is left of d − d(fold) = 0 is a cubic in s.
+
+    The numerator of cos θ₀ in :func:`cusp_angles`, which must vanish with α, over B − α.
+    """
+    _, ratio = cusp_angles()
+    numerator = sp.cancel(ratio * nm.B * nm.alpha * nm.p * nm.q * (3 * nm.s**2 - 2) ** 2 / (nm.B - nm.alpha))
+    polynomial = sp.Poly(sp.expand(numerator.subs(_POLES).subs(nm.alpha, 0) / nm.sigma), nm.s)
+    return tuple(reversed(polynomial.all_coeffs()))
+
+
+_POLES = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+
+
+def identities() -> dict[str, bool]:
+    """The closed forms, each decided by exact algebra."""
+    mirror = {nm.c: -nm.c, nm.c0: -nm.c0, nm.M: -nm.M}
+    f = elimination.f_in_parameters()
+    return {
+        "L det K = f′ at every equilibrium": slope_identity(),
+        "the fold relations solve f = f′ = 0": all(
+            algebra.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
+        ),
+        "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
+        "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": sp.expand(
+            sp.rem(sum(value * nm.s**power for power, value in enumerate(cusp_polynomial())), 3 * nm.s**2 - 2, nm.s)
+            - sp.Rational(16, 27) * nm.sigma**4 * (nm.B - nm.alpha) ** 4
+        )
+        == 0,
+        "the cusp cubic (α = 0) has degree 3": len(cusp_cubic()) == 4,
+        "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset of flutter is a fold": (
+            stability.trace_identity()
+        ),
+        "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": algebra.equal(f.subs(mirror, simultaneous=True), -f),
+    }

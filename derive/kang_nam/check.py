@@ -1,0 +1,275 @@
+"""Printed against derived: one ledger row for every printed statement, decided by exact algebra.
+
+:func:`run` recomputes every row. A printed form that differs from the derived one and is not explained, and an explanation of
+a difference that is zero, are failures; so is a correction whose right form is not the derived one, whose second derivation
+disagrees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import sympy as sp
+
+from .. import algebra
+from . import article, elimination, equilibrium, explanations, mechanics, stability
+from . import nomenclature as nm
+from .article import Printed
+
+#: Statuses of a row that stands as recorded.
+SOUND = ("confirmed", "misprint", "approximation", "definition")
+#: The status of a row whose printed form is not the derived one, without an explanation that holds.
+FAILED = "failed"
+
+
+@dataclass(frozen=True)
+class Row:
+    """The outcome for one printed statement; every text is LaTeX or plain words, every empty field means not applicable.
+
+    ``derived`` stands in the arrangement of ``printed``, so that the two can be compared by eye: exact algebra has shown that it
+    is ``derivation``, the form that the derivation itself arrives at. A failed row has the latter in both.
+    """
+
+    id: str
+    where: str
+    status: str
+    printed: str
+    derived: str
+    derivation: str
+    difference: str
+    note: str = ""
+    cause: str = ""
+    evidence: str = ""
+    consequence: str = ""
+    limit: str = ""
+
+    def as_dict(self) -> dict[str, str]:
+        """For JSON."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class Derived:
+    """What the derivation gives where something is printed: its components, and what a printed relation is about."""
+
+    components: tuple[sp.Expr, ...]
+    about: tuple[Any, ...] = ()
+    #: Substitutions that bring the printed form into the derivation's terms; one comparison for each tuple of them.
+    terms: tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...] = ((),)
+
+
+def run(printed: Iterable[Printed] = article.PRINTED) -> list[Row]:
+    """Check every printed statement."""
+    derived = derived_forms()
+    return [check(entry, derived[entry.id]) for entry in printed]
+
+
+def failures(rows: Sequence[Row]) -> list[Row]:
+    """Rows that do not stand."""
+    return [row for row in rows if row.status not in SOUND]
+
+
+def check(entry: Printed, derived: Derived) -> Row:
+    """Compare one printed statement with the derivation and with what is said about it."""
+    gaps = _differences(_components(entry, derived), derived)
+    base = {
+        "id": entry.id,
+        "where": entry.where,
+        "printed": entry.latex,
+        "derived": _latex(derived.components),
+        "derivation": _latex(derived.components),
+        "difference": _latex(gaps),
+        "note": explanations.NOTES.get(entry.id, ""),
+    }
+    differs = any(gap != 0 for gap in gaps)
+    if entry.id in explanations.CORRECTIONS:
+        return _misprint(entry.id, _components(entry, derived), derived, differs, base)
+    if entry.id in explanations.APPROXIMATIONS:
+        approximation = explanations.APPROXIMATIONS[entry.id]
+        if not differs:
+            return Row(status=FAILED, **base | {"note": "explained as an approximation, but the difference is zero"})
+        if not all(gap == 0 or approximation.vanishes(gap) for gap in gaps):
+            return Row(status=FAILED, **base | {"note": f"the difference does not vanish for {approximation.limit}"})
+        if not _is_derived(approximation.expression, derived):
+            return Row(status=FAILED, **base | {"note": "the exact form given for this approximation is not the derived one"})
+        return Row(status="approximation", limit=approximation.limit, **base | {"derived": approximation.latex})
+    if differs:
+        return Row(status=FAILED, **base | {"note": "printed and derived differ, and nothing explains it"})
+    base["derived"] = entry.latex
+    if entry.id in explanations.DEFINITIONS:
+        return Row(status="definition", **base | {"note": explanations.DEFINITIONS[entry.id]})
+    return Row(status="confirmed", **base)
+
+
+def _misprint(
+    id: str, components: tuple[sp.Expr, ...], derived: Derived, differs: bool, base: dict[str, str]
+) -> Row:
+    correction = explanations.CORRECTIONS[id]
+    if not differs:
+        return Row(status=FAILED, **base | {"note": "explained as a misprint, but the difference is zero"})
+    gaps = _differences(components, derived)
+    explained = (correction.gap.subs(list(derived.terms[0])),)
+    if not all(algebra.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
+        return Row(status=FAILED, **base | {"note": "the difference is not the one that the correction explains"})
+    if not _is_derived(correction.expression, derived):
+        return Row(status=FAILED, **base | {"note": "the right form given for this misprint is not the derived one"})
+    holds, evidence = correction.evidence()
+    if not holds:
+        return Row(status=FAILED, **base | {"note": f"the second derivation disagrees: {evidence}"})
+    return Row(
+        status="misprint",
+        cause=correction.cause,
+        evidence=evidence,
+        consequence=correction.consequence(),
+        **base | {"derived": correction.latex},
+    )
+
+
+def _is_derived(expression: article.Expression, derived: Derived) -> bool:
+    """Whether a form of ours, in the arrangement of the print, is the derived one."""
+    components = expression(*derived.about) if callable(expression) else expression
+    components = components if isinstance(components, tuple) else (components,)
+    return not any(gap != 0 for gap in _differences(components, derived))
+
+
+def _components(entry: Printed, derived: Derived) -> tuple[sp.Expr, ...]:
+    value = entry.expression(*derived.about) if callable(entry.expression) else entry.expression
+    return value if isinstance(value, tuple) else (value,)
+
+
+def _differences(components: tuple[sp.Expr, ...], derived: Derived) -> tuple[sp.Expr, ...]:
+    gaps = []
+    for terms in derived.terms:
+        for left, right in zip(components, derived.components, strict=True):
+            left, right = (sp.sympify(side).subs(list(terms)) for side in (left, right))
+            gap = sp.S.Zero if left == right else algebra.difference(left, right)
+            gaps.append(sp.S.Zero if gap == 0 else sp.factor_terms(sp.simplify(gap)))
+    return tuple(gaps)
+
+
+def _latex(components: tuple[sp.Expr, ...]) -> str:
+    texts = [nm.latex(component) for component in components]
+    return texts[0] if len(texts) == 1 else r"\left(" + r",\; ".join(texts) + r"\right)"
+
+
+# --------------------------------------------------------------------------------------------- what is derived
+
+
+def derived_forms() -> dict[str, Derived]:
+    """The derivation's counterpart of every printed statement, by id."""
+    return {**_motion_forms(), **_scale_forms(), **_balance_forms(), **_quartic_forms(), **_stability_forms()}
+
+
+def _motion_forms() -> dict[str, Derived]:
+    with_units, scaled = mechanics.dimensional_motion(), mechanics.motion()
+    length = mechanics.spring_length(nm.x, nm.y, nm.L_0)
+    # (3)–(5) turn Δ, cos θ and sin θ into x and y; L is the spring's length.
+    geometry = (
+        (article.Delta, nm.L_0 - nm.L),
+        (nm.c, (nm.L_0 * nm.c0 - nm.x) / nm.L),
+        (nm.s, (nm.L_0 * nm.s0 - nm.y) / nm.L),
+        (nm.L, length),
+    )
+    polar = ((nm.x, nm.L_0 * nm.c0 - nm.L * nm.c), (nm.y, nm.L_0 * nm.s0 - nm.L * nm.s))
+    u = sp.Symbol("u", positive=True)
+    below_on_above = (((nm.y, -u),), ((nm.y, sp.S.Zero),), ((nm.y, u),))
+    (pushing, _), (apart, _) = mechanics.contact_force(nm.y, nm.k_c).args
+    return {
+        "eq-1": Derived((with_units.x,), terms=(geometry,)),
+        "eq-2": Derived((with_units.y,), terms=(geometry,)),
+        "eq-3": Derived((nm.L_0 - nm.L,)),
+        "eq-4": Derived((sp.S.Zero,), terms=(polar,)),
+        "eq-5": Derived((sp.S.Zero,), terms=(polar,)),
+        "eq-6": Derived((length,)),
+        "eq-7": Derived((pushing, apart)),
+        "eq-8": Derived((scaled.x,)),
+        "eq-9": Derived((scaled.y,)),
+        "eq-10": Derived((mechanics.friction(),)),
+        "eq-11": Derived((mechanics.contact_law(),), terms=below_on_above),
+    }
+
+
+def _scale_forms() -> dict[str, Derived]:
+    scales, groups = mechanics.scales(), mechanics.groups()
+    forms = {
+        "def-tau": Derived((1 / scales["time"],)),
+        "def-prime": Derived((sp.S.One,)),
+        **{f"def-{name}": Derived((1 / scales["length"],)) for name in ("x", "y", "L")},
+    }
+    for symbol in (nm.sigma, nm.alpha, nm.beta, nm.kappa, nm.n):
+        dimensional, scale = groups[symbol]
+        forms[f"def-{symbol}"] = Derived((dimensional / scale,))
+    return forms
+
+
+def _balance_forms() -> dict[str, Derived]:
+    contact, liftoff = equilibrium.CONTACT, equilibrium.LIFTOFF
+    D, b = equilibrium.matrix_form()
+    friction = ((nm.mu, nm.mu0),)
+    along, across = (force.subs(contact) for force in equilibrium.balance())
+    at_rest = mechanics.motion()
+    rest = {at_rest.ax: 0, at_rest.ay: 0, nm.vx: 0, nm.vy: 0}
+    lifted = tuple(force.subs(liftoff) for force in equilibrium.balance())
+    return {
+        "eq-12": Derived((at_rest.x.subs(rest).subs(nm.mu, mechanics.steady_friction()),)),
+        "eq-13": Derived((at_rest.y.subs(rest),)),
+        "eq-14": Derived((along,)),
+        "eq-15": Derived((across,)),
+        "eq-16": Derived((along, across), about=(D.subs(contact), b.subs(contact))),
+        "eq-17": Derived(tuple(D.subs(contact)), about=(equilibrium.matrix_A().subs(contact),)),
+        "eq-18": Derived(tuple(equilibrium.matrix_A().subs(contact)), terms=(friction,)),
+        "eq-19": Derived(tuple(b.subs(contact)), terms=(friction,)),
+        "eq-22": Derived(lifted, about=(D.subs(liftoff), b.subs(liftoff))),
+        "eq-24": Derived(tuple(D.subs(liftoff))),
+        "eq-25": Derived(tuple(b.subs(liftoff))),
+    }
+
+
+def _quartic_forms() -> dict[str, Derived]:
+    D, b = equilibrium.matrix_form()
+    quartic = elimination.quartic_in_L()
+    forms: dict[str, Derived] = {}
+    for equation, vector_names, case, names in (
+        ((20, 21), (nm.b1, nm.b2), equilibrium.CONTACT, ("A1-c0", "A2", "A3", "A4", "A5")),
+        ((23, 26), (nm.b3, nm.b4), equilibrium.LIFTOFF, ("A1-d0", "A6", "A7", "A8", "A9")),
+    ):
+        matrix, vector = D.subs(case), b.subs(case)
+        coefficients = tuple(value.subs(case) for value in quartic)
+        scaled = matrix.adjugate() * vector
+        # Printed in b₁ … b₄; what those stand for is checked by the rows A10–A13.
+        right_sides = tuple(zip((nm.b1, nm.b2), equilibrium.matrix_form()[1].subs(equilibrium.CONTACT), strict=True)) + tuple(
+            zip((nm.b3, nm.b4), equilibrium.matrix_form()[1].subs(equilibrium.LIFTOFF), strict=True)
+        )
+        forms[f"eq-{equation[0]}"] = _unit_norm_form()
+        forms[f"eq-{equation[1]}"] = Derived((sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), about=coefficients)
+        shorthand = elimination.quartic_in_L_shorthand()
+        in_names = {nm.b1: vector_names[0], nm.b2: vector_names[1], **({nm.M: sp.S.Zero} if case[nm.nbar] == 0 else {nm.M: nm.mu0})}
+        spelled = {nm.p: nm.alpha + nm.sigma, nm.q: nm.beta + case[nm.nbar] + nm.sigma}
+        for id, value, full in zip(names, shorthand, coefficients, strict=True):
+            arranged = value.subs(in_names, simultaneous=True).subs(spelled)
+            if not algebra.equal(arranged.subs(right_sides), full):
+                raise ArithmeticError(f"{id}: the quartic in shorthand is not the quartic")
+            forms[id] = Derived((arranged,), terms=(right_sides,))
+        for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):
+            forms[id] = Derived((value,))
+    return forms
+
+
+def _unit_norm_form() -> Derived:
+    """(20) and (23) for any invertible D and any b, so that the printed form is checked as an identity."""
+    D, b = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
+    return Derived((elimination.unit_norm(D, b),), about=(D, b))
+
+
+def _stability_forms() -> dict[str, Derived]:
+    K = stability.stiffness()
+    C = stability.damping()
+    law = mechanics.contact_law()
+    slopes = tuple(-sp.diff(value, nm.y) for value, _ in law.args)
+    return {
+        "eq-27": Derived((stability.characteristic(K, C).subs(stability.lam, article.lam),), about=(K,)),
+        "eq-28": Derived(tuple(K)),
+        "eq-29": Derived(slopes),
+    }

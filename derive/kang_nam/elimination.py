@@ -1,0 +1,168 @@
+"""From the balance of forces to one polynomial: the published quartic in L, (20)–(21), (23), (26), and the quartic in t.
+
+Both come from D(L) (cos θ, sin θ)ᵀ = b. The article asks that D⁻¹ b have unit length, which forgets the sign of
+cos θ; solving the second row for L keeps it and leaves one trigonometric equation f(θ) = 0.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from .. import algebra
+from . import equilibrium
+from . import nomenclature as nm
+from .equilibrium import spell_out
+
+# ---------------------------------------------------------------------------------- the published quartic in L
+
+
+def unit_norm(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
+    """|D⁻¹ b|² − 1 by Cramer's rule, which vanishes at an equilibrium: (20) and (23), there written bᵀ (D Dᵀ)⁻¹ b = 1."""
+    cosine = sp.Matrix.hstack(b, D[:, 1]).det() / D.det()
+    sine = sp.Matrix.hstack(D[:, 0], b).det() / D.det()
+    return cosine**2 + sine**2 - 1
+
+
+@cache
+def quartic_in_L() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of |adj(D) b|² − det(D)² for the family in n̄, in c0, s0 and the parameters.
+
+    This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
+    """
+    D, b = equilibrium.matrix_form()
+    scaled = D.adjugate() * b
+    polynomial = sp.Poly(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
+    return tuple(reversed(polynomial.all_coeffs()))
+
+
+@cache
+def quartic_in_L_shorthand() -> tuple[sp.Expr, ...]:
+    """The same coefficients in terms of b₁, b₂, p, q and M, as (A1)–(A9) write them."""
+    D = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
+    scaled = D.adjugate() * sp.Matrix([nm.b1, nm.b2])
+    polynomial = sp.Poly(sp.expand(scaled.dot(scaled) - D.det() ** 2), nm.L)
+    return tuple(sp.factor_terms(sp.collect(value, (nm.b1, nm.b2))) for value in reversed(polynomial.all_coeffs()))
+
+
+@cache
+def singular_lengths() -> tuple[sp.Expr, sp.Expr]:
+    """The two spring lengths at which D is singular: σ/(σ + α) and σ/(σ + B)."""
+    D, _ = equilibrium.matrix_form()
+    return tuple(sp.solve(factor, nm.L)[0] for factor in D.diagonal())  # type: ignore[return-value]
+
+
+# ------------------------------------------------------------------------------------------ the equation in θ
+
+
+@cache
+def state() -> dict[sp.Symbol, sp.Expr]:
+    """L, y and x as functions of θ, from the balance across the belt, in which μ₀ does not occur."""
+    _, across = equilibrium.balance()
+    (length,) = sp.solve(across, nm.L)
+    shorthand = (nm.sigma * nm.s + nm.B * nm.s0 + nm.kappa) / (nm.q * nm.s)
+    _require(sp.simplify(length - spell_out(shorthand)) == 0, "L(θ) from F_y = 0")
+    y = (nm.sigma * (nm.s0 - nm.s) - nm.kappa) / nm.q
+    _require(sp.simplify(spell_out(y - (nm.s0 - shorthand * nm.s))) == 0, "y(θ) = s₀ − L s")
+    return {nm.L: shorthand, nm.y: y, nm.x: nm.c0 - nm.L * nm.c}
+
+
+#: f(θ) = a s c + b c + d s − m s².
+f_form = nm.fa * nm.s * nm.c + nm.fb * nm.c + nm.fd * nm.s - nm.fm * nm.s**2
+
+
+@cache
+def f_coefficients() -> dict[sp.Symbol, sp.Expr]:
+    """a, b, d, m of f(θ) = q s F_x(θ, L(θ)), in shorthands; derived, then arranged so that few digits are lost."""
+    along, _ = equilibrium.balance()
+    f = sp.expand(sp.simplify(spell_out(nm.q * nm.s * along.subs(nm.L, state()[nm.L]))))
+    derived = sp.Poly(f, nm.c, nm.s).as_dict()
+    _require(set(derived) <= {(1, 1), (1, 0), (0, 1), (0, 2)}, "f has the four terms s c, c, s and s²")
+    arranged = {
+        nm.fa: nm.sigma * (nm.B - nm.alpha),
+        nm.fb: -nm.p * (nm.B * nm.s0 + nm.kappa),
+        nm.fd: nm.q * nm.alpha * nm.c0 + nm.M * (nm.sigma * nm.s0 - nm.kappa),
+        nm.fm: nm.M * nm.sigma,
+    }
+    for powers, value in {(1, 1): nm.fa, (1, 0): nm.fb, (0, 1): nm.fd, (0, 2): -nm.fm}.items():
+        # n̄² = n̄ for n̄ in {0, 1}.
+        gap = sp.rem(sp.expand(derived.get(powers, 0) - spell_out(value.subs(arranged))), nm.nbar**2 - nm.nbar, nm.nbar)
+        _require(gap == 0, f"coefficient of c^{powers[0]} s^{powers[1]} in f")
+    return arranged
+
+
+@cache
+def f_in_parameters() -> sp.Expr:
+    """f(θ) in c, s, c0, s0 and the shorthands."""
+    return f_form.subs(f_coefficients())
+
+
+@cache
+def quartic_in_t() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of (1 + t²)² f with t = tan(θ/2), in a, b, d, m."""
+    t = nm.tt
+    half_angle = {nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)}
+    polynomial = sp.Poly(sp.cancel((1 + t**2) ** 2 * f_form.subs(half_angle)), t)
+    return tuple(sp.factor_terms(value) for value in reversed(polynomial.all_coeffs()))
+
+
+@cache
+def resolvent_cubic() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of the cubic in ℓ whose roots split f into two straight lines.
+
+    On the unit circle f equals the conic f + ℓ (c² + s² − 1), which is a pair of lines where its determinant is zero.
+    The cubic has the discriminant of the quartic in t (see :func:`identities`) and needs no division by b.
+    """
+    ell = sp.Symbol("ell")
+    conic = f_form + ell * (nm.c**2 + nm.s**2 - 1)
+    homogeneous = sp.Symbol("h")
+    form = sp.expand(sp.cancel(homogeneous**2 * conic.subs({nm.c: nm.c / homogeneous, nm.s: nm.s / homogeneous}, simultaneous=True)))
+    determinant = sp.hessian(form, (nm.c, nm.s, homogeneous)).det()
+    polynomial = sp.Poly(sp.expand(determinant), ell)
+    return tuple(sp.expand(value / polynomial.LC()) for value in reversed(polynomial.all_coeffs()))
+
+
+# ------------------------------------------------------------------------------------------------- identities
+
+
+def identities() -> dict[str, bool]:
+    """What the two eliminations owe each other, each decided by exact algebra."""
+    t, ell = nm.tt, sp.Symbol("ell")
+    in_t = sp.Poly(sum(value * t**power for power, value in enumerate(quartic_in_t())), t)
+    cubic = sp.Poly(sum(value * ell**power for power, value in enumerate(resolvent_cubic())), ell)
+    length, f = state()[nm.L], f_in_parameters()
+
+    # In contact; lift-off is the same with β − 1 for β and μ₀ = 0. M, B and κ stay symbols.
+    in_L = sum(value * nm.L**power for power, value in enumerate(quartic_in_L_shorthand()))
+    right_side = {nm.b1: -nm.alpha * nm.c0 - nm.M * nm.s0, nm.b2: -nm.B * nm.s0 - nm.kappa}
+    shorthand = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+    published = (nm.q * nm.s) ** 2 * in_L.subs(right_side).subs(nm.L, length)
+    factored = (nm.sigma - nm.q * length) ** 2 * f * f.subs(nm.c, -nm.c)
+
+    # Where a s + b = 0 the terms in cos θ cancel, so that θ and π − θ are roots together: there L = σ/(σ + α).
+    shared = {nm.s: -nm.fb / nm.fa}
+    false_root = spell_out(length.subs(shared).subs(f_coefficients()))
+    return {
+        "the roots in t multiply to −1": quartic_in_t()[0] == -quartic_in_t()[4],
+        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": algebra.equal(
+            published.subs(shorthand), factored.subs(shorthand)
+        ),
+        "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(
+            false_root - singular_lengths()[0]
+        )
+        == 0,
+        "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(
+            f_form - f_form.subs(nm.c, -nm.c) - 2 * nm.c * (nm.fa * nm.s + nm.fb)
+        )
+        == 0,
+        "the resolvent cubic has the discriminant of the t-quartic": sp.expand(
+            in_t.discriminant() - 4096 * cubic.discriminant()
+        )
+        == 0,
+    }
+
+
+def _require(holds: bool, what: str) -> None:
+    if not holds:
+        raise ArithmeticError(f"the derivation does not give what elimination.py arranges: {what}")

@@ -1,0 +1,472 @@
+"""How the equilibria of one point are found and how far the result can be trusted, written once for every target language.
+
+Nothing here is run as it stands. :mod:`derive.emit.language` reads the functions below and each target prints them: Python for
+arrays of any float type, C for one point and for blocks of points. They are therefore written in a small language: functions of
+numbers and of the records below, assignments, ``+ - * /``, comparisons joined by ``&``, ``|`` and ``~``, ``where`` for both
+sides of a choice, loops of a fixed number of passes, and calls. There are no branches, so that many points can be worked on side
+by side. ``f``, ``state`` and other names that are not defined here are generated algebra (``derive/emit/catalogue``).
+
+The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² + p2 t + q2) with real factors,
+q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one.
+The split comes from the root of the resolvent cubic that lies farthest from the mean of the three. At a fold that root stays
+simple, so that the two roots about to meet sit together in the second factor, which is then as accurate as the problem allows.
+
+Bounds on rounding errors have the form (count) u (size): ``u`` is the unit roundoff, the size is the same expression with the
+absolute values of all of its terms, and the count, at the head of the emitted file, is derived from the emitted statements by
+:mod:`derive.emit.bounds`.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from ..emit.language import Flag, Real, absolute, cube_root, derived, maximum, minimum, sqrt, where
+
+# Generated algebra, and counts of roundings: a target gives them their meaning.
+f_coefficients, f_magnitudes, f, f_slope, t_quartic, resolvent, state, stiffness, invariants = derived(9)
+COUNT_P, COUNT_Q, COUNT_E1, COUNT_F, COUNT_SLOPE, COUNT_STATE, COUNT_THETA, COUNT_K = derived(8)
+
+#: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
+SMALLEST_PARAMETER = 1e-250
+#: Between these the largest coefficient of f can be divided out without underflow or overflow.
+SMALLEST_SCALE = 1e-200
+LARGEST_SCALE = 1e200
+#: The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther apart share no scale.
+SMALLEST_RATIO = 1e-60
+#: Where P or Q vanishes, as at a cusp, it is replaced by the smallest normal number.
+SMALLEST_NORMAL = 2.2250738585072014e-308
+#: What underflow may add to P³ + Q² at most, generously.
+UNDERFLOW = 1e-307
+#: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
+LARGEST_H = 0.4
+#: The largest radius around θ, over sin θ, for which the bounds on the state below hold.
+LARGEST_RADIUS = 1e-3
+INFINITY = float("inf")
+
+
+class Direction(NamedTuple):
+    """Cosine and sine of an angle."""
+
+    cosine: Real
+    sine: Real
+
+
+class Point(NamedTuple):
+    """A parameter point of one regime: cos θ₀, sin θ₀, μ₀, κ, α, σ, β and n̄."""
+
+    cos0: Real
+    sin0: Real
+    mu0: Real
+    kappa: Real
+    alpha: Real
+    sigma: Real
+    beta: Real
+    nbar: Real
+
+
+class Balance(NamedTuple):
+    """Coefficients of f, the sizes of a and d, all over ``scale``, which is the largest coefficient."""
+
+    a: Real
+    b: Real
+    d: Real
+    m: Real
+    a_size: Real
+    d_size: Real
+    scale: Real
+
+
+class Depressed(NamedTuple):
+    """P and Q of z³ + 3 P z + 2 Q, the resolvent shifted to the mean of its roots."""
+
+    P: Real
+    Q: Real
+
+
+class Discriminant(NamedTuple):
+    """P³ + Q², negative for four real roots in t and positive for two, and a bound on its rounding error."""
+
+    value: Real
+    error: Real
+
+
+class Factors(NamedTuple):
+    """Coefficients of the two real quadratic factors of the quartic in t."""
+
+    p1: Real
+    q1: Real
+    p2: Real
+    q2: Real
+
+
+class Pair(NamedTuple):
+    """Roots of a quadratic, the one of larger magnitude first, and the discriminant, negative if they are not real."""
+
+    large: Real
+    small: Real
+    square: Real
+
+
+class Guesses(NamedTuple):
+    """tan(θ/2) at the roots that may be equilibria, ascending, how many there are, and whether there are certainly no more."""
+
+    t0: Real
+    t1: Real
+    t2: Real
+    t3: Real
+    count: Real
+    certain: Flag
+
+
+class Kind(NamedTuple):
+    """Code of the stability, and whether rounding errors can't change it."""
+
+    code: Real
+    certain: Flag
+
+
+class Root(NamedTuple):
+    """What is at a root of f.
+
+    The state; the radius around θ in which exactly one root is proved, infinite where none is; a bound on the error of θ, L, x
+    and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that n̄ says); whether it
+    certainly is none; its stability, and whether that is certain.
+    """
+
+    L: Real
+    x: Real
+    y: Real
+    radius: Real
+    error: Real
+    member: Flag
+    outsider: Flag
+    code: Real
+    known: Flag
+
+
+# ------------------------------------------------------------------------------------------- the balance of forces
+
+
+def cosine_and_sine(x: Real) -> Direction:
+    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which not every library's are.
+
+    x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round; then the
+    polynomials of fdlibm's k_sin.c and k_cos.c.
+    """
+    k = where(x > 0.7853981633974483, 1.0, 0.0) + where(x > 2.356194490192345, 1.0, 0.0)
+    near = x - k * 1.5707963267948966
+    rest = k * 6.123233995736766e-17
+    r = near - rest
+    tail = (near - r) - rest
+    z = r * r
+    odd4 = -2.50507602534068634195e-08 + z * 1.58969099521155010221e-10
+    odd = 8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 + z * odd4))
+    s = r - ((z * (0.5 * tail - z * r * odd) - tail) - z * r * -1.66666666666666324348e-01)
+    even4 = -2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)
+    even = 4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * even4))
+    half = 0.5 * z
+    top = 1.0 - half
+    c = top + (((1.0 - top) - half) + (z * z * even - r * tail))
+    sine = where(k == 1.0, c, where(k > 1.0, -s, s))
+    cosine = where(k == 1.0, -s, where(k > 1.0, -c, c))
+    return Direction(cosine, sine)
+
+
+def arctangent(t: Real) -> Real:
+    """atan t in double precision, within one unit in the last place.
+
+    By atan t = atan c + atan((t − c)/(1 + c t)) with c one of 0, 1/2, 1, 3/2 and infinity, whose arc tangents stand in two
+    parts; then the polynomial of fdlibm's s_atan.c.
+    """
+    size = absolute(t)
+    first = size < 0.4375
+    second = size < 0.6875
+    third = size < 1.1875
+    fourth = size < 2.4375
+    beyond = where(fourth, size - 1.5, -1.0) / where(fourth, 1.0 + 1.5 * size, size)
+    about_one = where(second, 2.0 * size - 1.0, size - 1.0) / where(second, 2.0 + size, size + 1.0)
+    x = where(first, size, where(third, about_one, beyond))
+    high = where(third, where(second, 4.63647609000806093515e-01, 7.85398163397448278999e-01),
+                 where(fourth, 9.82793723247329054082e-01, 1.57079632679489655800e+00))  # fmt: skip
+    low = where(third, where(second, 2.26987774529616870924e-17, 3.06161699786838301793e-17),
+                where(fourth, 1.39033110312309984516e-17, 6.12323399573676603587e-17))  # fmt: skip
+    z = x * x
+    w = z * z
+    even = 6.66107313738753120669e-02 + w * (4.97687799461593236017e-02 + w * 1.62858201153657823623e-02)
+    even = 3.33333333333329318027e-01 + w * (1.42857142725034663711e-01 + w * (9.09088713343650656196e-02 + w * even))
+    odd = -5.83357013379057348645e-02 + w * -3.65315727442169155270e-02
+    odd = -1.99999999998764832476e-01 + w * (-1.11111104054623557880e-01 + w * (-7.69187620504482999495e-02 + w * odd))
+    rest = x * (z * even + w * odd)
+    result = where(first, x - rest, high - ((rest - low) - x))
+    return where(t < 0.0, -result, result)
+
+
+def direction(t: Real) -> Direction:
+    """cos θ and sin θ at t = tan(θ/2)."""
+    inverse = 1.0 / (1.0 + t * t)
+    return Direction((1.0 - t) * (1.0 + t) * inverse, 2.0 * t * inverse)
+
+
+def ordinary(parameter: Real) -> Flag:
+    """Whether a parameter is 0 or large enough for relative rounding errors."""
+    return (parameter > SMALLEST_PARAMETER) | (parameter <= 0.0)
+
+
+def sound(point: Point) -> Flag:
+    """Whether the bounds below can count on relative rounding errors."""
+    positive = (point.sin0 > SMALLEST_PARAMETER) & (point.kappa > SMALLEST_PARAMETER) & (point.sigma > SMALLEST_PARAMETER)
+    return positive & ordinary(point.mu0) & ordinary(point.alpha) & ordinary(point.beta)
+
+
+def balance(point: Point) -> Balance:
+    """f of the point: coefficients and sizes over the largest coefficient."""
+    a, b, d, m = f_coefficients(
+        point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar
+    )
+    a_size, d_size = f_magnitudes(
+        point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar
+    )
+    scale = maximum(maximum(absolute(a), absolute(b)), maximum(absolute(d), absolute(m)))
+    over = 1.0 / scale
+    return Balance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
+
+
+def representable(line: Balance) -> Flag:
+    """Whether double precision can carry the quartic of this balance."""
+    return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b <= -SMALLEST_RATIO)
+
+
+# ---------------------------------------------------------------------------------------------- the number of roots
+
+
+def depressed(r0: Real, r1: Real, r2: Real) -> Depressed:
+    """The resolvent r0 + r1 ℓ + r2 ℓ² + ℓ³ without its quadratic term; P³ + Q² < 0: four real roots in t."""
+    mean = r2 / 3.0
+    return Depressed((r1 - r2 * mean) / 3.0, 0.5 * (r0 - mean * (r1 - 2.0 * mean * mean)))
+
+
+def depressed_size(a_size: Real, b_size: Real, d_size: Real, m_size: Real) -> Depressed:
+    """The sizes of P and Q."""
+    r1_size = 0.25 * (a_size * a_size + b_size * b_size + d_size * d_size)
+    r0_size = 0.25 * b_size * (a_size * d_size + m_size * b_size)
+    mean = m_size / 3.0
+    return Depressed((r1_size + m_size * mean) / 3.0, 0.5 * (r0_size + mean * (r1_size + 2.0 * mean * mean)))
+
+
+def discriminant(line: Balance, u: Real) -> Discriminant:
+    """The sign of P³ + Q² is that of the discriminant, reversed.
+
+    From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error) error; cubing,
+    squaring and adding round four times more.
+    """
+    r0, r1, r2 = resolvent(line.a, line.b, line.d, line.m)
+    it = depressed(r0, r1, r2)
+    size = depressed_size(line.a_size, absolute(line.b), line.d_size, absolute(line.m))
+    P_bound = absolute(it.P) + COUNT_P * u * size.P
+    Q_bound = absolute(it.Q) + COUNT_Q * u * size.Q
+    from_P = P_bound * P_bound * size.P * (3.0 * COUNT_P + 4.0)
+    from_Q = Q_bound * size.Q * (2.0 * COUNT_Q + 4.0)
+    return Discriminant(it.P * it.P * it.P + it.Q * it.Q, u * (from_P + from_Q) + UNDERFLOW)
+
+
+def one_positive(line: Balance, u: Real) -> Flag:
+    """Whether certainly one root in t is positive, and not three: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
+    e0, e1, e2, e3, e4 = t_quartic(line.a, line.b, line.d, line.m)
+    return e1 < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
+
+
+def single(point: Point, u: Real) -> Flag:
+    """Whether there certainly is one equilibrium in contact: one root in t is positive, and (one or three) it is in contact."""
+    line = balance(point)
+    D = discriminant(line, u)
+    return ((D.value > D.error) | one_positive(line, u)) & sound(point) & representable(line)
+
+
+# -------------------------------------------------------------------------------------------------- the two factors
+
+
+def outermost(P: Real, Q: Real) -> Real:
+    """The root of z³ + 3 P z + 2 Q of largest magnitude: the one that no other root is close to."""
+    size = absolute(Q)
+    inside = P * P * P + Q * Q
+    # One real root: Cardano, in the form that does not cancel for P > 0.
+    w = cube_root(size + sqrt(maximum(inside, 0.0)) + SMALLEST_NORMAL)
+    v = P / w
+    alone = where(P > 0.0, 2.0 * size / (w * w + P + v * v), w - v)
+    # Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 z³ − 3 z = cos φ on [√3/2, 1], where Newton converges at once.
+    root = sqrt(maximum(-P, SMALLEST_NORMAL))
+    cosine = minimum(size / (root * root * root), 1.0)
+    z = 0.8660254037844386 + cosine * (0.16306 - 0.02908 * cosine)
+    for _ in range(2):
+        z = z - ((4.0 * z * z - 3.0) * z - cosine) / (12.0 * z * z - 3.0)
+    largest = where(inside < 0.0, 2.0 * root * z, alone)
+    return where(Q > 0.0, -largest, largest)
+
+
+def simple_root(a: Real, b: Real, d: Real, m: Real) -> Real:
+    """The real root of the resolvent cubic farthest from the mean of the three, to full relative accuracy."""
+    r0, r1, r2 = resolvent(a, b, d, m)
+    it = depressed(r0, r1, r2)
+    z = outermost(it.P, it.Q)
+    x = z - r2 / 3.0
+    slope = (3.0 * x + 2.0 * r2) * x + r1
+    step = (((x + r2) * x + r1) * x + r0) / slope
+    return x - where(absolute(step) < absolute(z), step, 0.0)
+
+
+def polish(A1: Real, A2: Real, A3: Real, p1: Real, q1: Real, p2: Real, q2: Real) -> Factors:
+    """One Newton step on both factors of t⁴ + A3 t³ + A2 t² + A1 t − 1 at once.
+
+    The change of the second factor is the remainder over the first, modulo the second. q1 q2 = −1 is kept by setting the smaller
+    from the larger.
+    """
+    r3 = A3 - (p1 + p2)
+    r2 = A2 - (q1 + q2) - p1 * p2
+    r1 = A1 - p1 * q2 - p2 * q1
+    r0 = -1.0 - q1 * q2
+    s1 = r3 * (p2 * p2 - q2) - r2 * p2 + r1
+    s0 = (r3 * p2 - r2) * q2 + r0
+    du = p1 - p2
+    dv = q1 - q2
+    dw = dv - du * p2
+    inverse = 1.0 / (dv * dw + du * du * q2)
+    dp2 = (s1 * dv - s0 * du) * inverse
+    dq2 = (s0 * dw + s1 * du * q2) * inverse
+    dp1 = r3 - dp2
+    dq1 = r2 - dq2 - p2 * dp1 - p1 * dp2
+    # Where three roots meet, the factors share one, and a step may lead anywhere.
+    good = (q1 + dq1 < 0.0) & (q2 + dq2 > 0.0) & (absolute(dp1 + dp2 + dq1 + dq2) < INFINITY)
+    q1 = q1 + where(good, dq1, 0.0)
+    q2 = q2 + where(good, dq2, 0.0)
+    inverse_q = -1.0 / where(-q1 < q2, q2, q1)
+    return Factors(
+        p1 + where(good, dp1, 0.0), where(-q1 < q2, inverse_q, q1), p2 + where(good, dp2, 0.0), where(-q1 < q2, q2, inverse_q)
+    )
+
+
+def factors(a: Real, b: Real, d: Real, m: Real) -> Factors:
+    """The two real quadratic factors of the quartic in t."""
+    e0, e1, e2, e3, e4 = t_quartic(a, b, d, m)
+    over = 1.0 / e4
+    A1 = e1 * over
+    A2 = e2 * over
+    A3 = e3 * over
+    y = -4.0 * over * simple_root(a, b, d, m)
+    width = sqrt(y * y + 4.0)  # q2 − q1
+    large = 0.5 * (absolute(y) + width)
+    small = 1.0 / large
+    q2 = where(y > 0.0, large, small)
+    q1 = -where(y > 0.0, small, large)
+    inverse = 1.0 / width
+    return polish(A1, A2, A3, (A1 - A3 * q1) * inverse, q1, (A3 * q2 - A1) * inverse, q2)
+
+
+def root_pair(p: Real, q: Real) -> Pair:
+    """The two roots of t² + p t + q without cancellation."""
+    half = 0.5 * p
+    square = half * half - q
+    radical = sqrt(maximum(square, 0.0))
+    large = -half - where(half > 0.0, radical, -radical)
+    return Pair(large, q / large, square)
+
+
+def guesses(point: Point, line: Balance, u: Real) -> Guesses:
+    """The roots that may be equilibria.
+
+    In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root of
+    either sign; those of the second are complex, or both negative, or both positive.
+    """
+    D = discriminant(line, u)
+    halves = factors(line.a, line.b, line.d, line.m)
+    first = root_pair(halves.p1, halves.q1)
+    second = root_pair(halves.p2, halves.q2)
+    contact = point.nbar > 0.0
+    spared = (D.value > D.error) | (contact & one_positive(line, u))
+    real = second.square >= 0.0
+    more = real & ~spared
+    # A sorting network; what is left out goes to the end.
+    low = where(contact, INFINITY, minimum(first.large, first.small))
+    high = maximum(first.large, first.small)
+    third = where(more, second.large, INFINITY)
+    fourth = where(more, second.small, INFINITY)
+    a1 = minimum(low, high)
+    a2 = maximum(low, high)
+    b1 = minimum(third, fourth)
+    b2 = maximum(third, fourth)
+    inner = maximum(a1, b1)
+    outer = minimum(a2, b2)
+    count = where(contact, 1.0, 2.0) + where(more, 2.0, 0.0)
+    return Guesses(minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2), count, spared | real)
+
+
+# ----------------------------------------------------------------------------------------------- what is at a root
+
+
+def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
+    """State, error bounds and stability at a root of f that is proved to lie near θ = 2 atan t.
+
+    Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ,
+    L = σ/q + R/(q sin θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most
+    radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
+    """
+    at = direction(t)
+    c_size = absolute(at.cosine)
+    s_size = absolute(at.sine)
+    b_size = absolute(line.b)
+    m_size = absolute(line.m)
+    f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size)
+    value = absolute(f(at.cosine, at.sine, line.a, line.b, line.d, line.m)) + COUNT_F * u * f_size
+    slope = f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m)
+    slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * m_size * s_size) * c_size
+    steepness = absolute(slope) - COUNT_SLOPE * u * slope_size
+    bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size
+    newton = value / steepness
+    h = newton * bend / steepness
+    proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point)
+    # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
+    radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
+
+    L, x, y = state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar)
+    stiff = point.beta + point.nbar
+    over = 1.0 / (stiff + point.sigma)
+    L_size = (point.sigma * s_size + stiff * point.sin0 + point.kappa) * over / s_size
+    relative = radius / s_size
+    swing = c_size + relative
+    rounding = COUNT_STATE * u
+    L_error = L_size * (1.01 * relative * swing + rounding)
+    y_size = point.sigma * (point.sin0 + s_size) + point.kappa
+    y_error = (1.01 * point.sigma * radius * swing + rounding * y_size) * over
+    turn = 1.01 * radius * (s_size + radius)
+    x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding
+    state_error = x_error / maximum(minimum(L, absolute(x)), 1.0)
+    error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
+    beyond = (1.0 - 2.0 * point.nbar) * y  # positive on the side of the belt that n̄ says
+    member = (L > L_error) & (beyond > y_error)
+    outsider = (L < -L_error) | (beyond < -y_error)
+    uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
+    kind = stability(at, L, slope, uncertainty, point)
+    return Root(L, x, y, radius, error, member, outsider, kind.code, proved & kind.certain)
+
+
+def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Point) -> Kind:
+    """1 stable, 2 divergent, 3 flutter, by (27).
+
+    The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ, and of
+    sin θ and L over themselves.
+    """
+    (K11, K12), (K21, K22) = stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar)
+    trace, determinant, flutter = invariants(K11, K12, K21, K22)
+    pull = point.sigma / absolute(L)
+    size = point.alpha + point.beta + point.nbar + 2.0 * point.sigma + 3.0 * pull
+    margin = COUNT_K * uncertainty * size
+    saddle = slope < 0.0
+    fluttering = flutter < 0.0
+    code = where(saddle, 2.0, where(fluttering, 3.0, where(trace > 0.0, 1.0, 2.0)))
+    # Far from a vanishing discriminant, and from a vanishing trace where that decides.
+    far = absolute(flutter) > margin * (size + 2.0 * point.mu0 * point.nbar)
+    return Kind(code, saddle | (far & (fluttering | (absolute(trace) > margin))))
+
+
+def apart(low: Real, low_radius: Real, high: Real, high_radius: Real) -> Flag:
+    """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²)."""
+    return 2.0 * (high - low) > (low_radius + high_radius) * (1.0 + maximum(low * low, high * high))

@@ -1,0 +1,111 @@
+"""The outcome of the check, for machines (JSON) and for people (Markdown)."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from .check import Row
+from .theorem import Step
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Rows of the check, the identities that the elimination rests on, and the steps of the count theorem."""
+
+    rows: tuple[Row, ...]
+    identities: dict[str, bool]
+    theorem: tuple[Step, ...]
+
+
+def as_dict(ledger: Ledger, digest: str) -> dict[str, Any]:
+    """For JSON."""
+    return {
+        "source_hash": digest,
+        "sympy": sp.__version__,
+        "summary": summary(ledger.rows),
+        "rows": [row.as_dict() for row in ledger.rows],
+        "identities": ledger.identities,
+        "one_or_three": [{"claim": step.claim, "holds": step.holds} for step in ledger.theorem],
+    }
+
+
+def summary(rows: tuple[Row, ...]) -> dict[str, int]:
+    """How many rows have each status."""
+    return dict(sorted(Counter(row.status for row in rows).items()))
+
+
+def markdown(ledger: Ledger, header: str) -> str:
+    """A page that a referee can read."""
+    lines = [
+        "# Ledger: the article's equations against the derivation",
+        "",
+        header,
+        "",
+        "Every numbered equation, appendix coefficient and definition of J. Kang and J. Nam, *Minimal Model for Sprag-Slip "
+        "Oscillation as Catastrophe-Type Behavior*, Applied Sciences 10 (2020) 2748, as printed, against what follows from "
+        "energies and forces. Equality is decided by exact algebra modulo sin² + cos² = 1. What is derived stands in the "
+        "arrangement of the print, so that the two can be compared by eye; ledger.json also has the form that the derivation itself "
+        "arrives at.",
+        "",
+        "Shorthands: $B = \\beta + \\overline{n}$, $M = \\mu_o \\overline{n}$, $p = \\alpha + \\sigma$, $q = B + \\sigma$.",
+        "",
+        "Outcome: " + ", ".join(f"{count} {status}" for status, count in summary(ledger.rows).items()) + ".",
+        "",
+        "| row | where | status |",
+        "|---|---|---|",
+        *(f"| [{row.id}](#{row.id.lower()}) | {row.where} | {row.status} |" for row in ledger.rows),
+        "",
+        "## Rows that differ from the print",
+        "",
+    ]
+    for row in ledger.rows:
+        if row.status not in ("confirmed", "definition"):
+            lines += _section(row)
+    lines += ["## Rows that stand as printed", ""]
+    for row in ledger.rows:
+        if row.status in ("confirmed", "definition"):
+            lines += _section(row)
+    lines += ["## Identities", "", *(f"- {_mark(holds)} {claim}" for claim, holds in ledger.identities.items()), ""]
+    lines += [
+        "## One or three",
+        "",
+        "For 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 there are one or three steady-sliding equilibria, counted "
+        "with multiplicity, and of three different ones the middle one is divergent. With s = sin θ and s* = s₀ − κ/σ, each "
+        "step decided by exact algebra:",
+        "",
+        *(f"{number}. {_mark(step.holds)} {step.claim}" for number, step in enumerate(ledger.theorem, 1)),
+        "",
+    ]
+    return "\n".join(lines)
+
+
+def side_by_side(printed: str, derived: str) -> list[str]:
+    """Two forms, one above the other, as Markdown."""
+    rows = [rf"&\text{{{name}:}} && {latex}" for name, latex in (("printed", printed), ("derived", derived))]
+    return ["```math", r"\begin{aligned}", rows[0] + r" \\", rows[1], r"\end{aligned}", "```"]
+
+
+def _mark(holds: bool) -> str:
+    return "proved:" if holds else "NOT PROVED:"
+
+
+def _section(row: Row) -> list[str]:
+    lines = [f"### {row.id}", "", f"{row.where}: **{row.status}**." + (f" Note: {row.note}." if row.note else "")]
+    if row.status in ("confirmed", "definition"):
+        lines += ["", "Printed and derived:", "", f"```math\n{row.printed}\n```", ""]
+    else:
+        lines += ["", *side_by_side(row.printed, row.derived), ""]
+        lines += ["Printed less derived:", "", f"```math\n{row.difference}\n```", ""]
+    for title, text in (
+        ("Cause", row.cause),
+        ("Second derivation", row.evidence),
+        ("Consequence", row.consequence),
+        ("Limit", row.limit),
+    ):
+        if text:
+            lines += [f"{title}: {text}.", ""]
+    return lines

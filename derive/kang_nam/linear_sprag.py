@@ -1,0 +1,77 @@
+"""The constant-angle model of the article's reference [17], its poles, and the critical friction μ_cr.
+
+The inclined spring keeps the angle θ₀ whatever the mass does, so its stretch is the displacement along that direction.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from .. import algebra
+from . import mechanics, stability
+from . import nomenclature as nm
+
+T = sp.Symbol("T", positive=True)  # tan θ₀
+
+
+@cache
+def balance() -> sp.Matrix:
+    """Forces at steady sliding in contact, from the energy of springs of constant direction; dimensionless."""
+    stretch = nm.x * nm.c0 + nm.y * nm.s0
+    energy = (nm.alpha * nm.x**2 + nm.beta * nm.y**2 + nm.sigma * stretch**2) / 2
+    contact = mechanics.contact_family().subs(nm.nbar, 1)
+    pushed, lifted = mechanics.applied_force(nm.mu0, contact, sp.S.Zero, sp.S.Zero)
+    lifted = lifted.subs(nm.F_L, nm.kappa)
+    return sp.Matrix([sp.diff(energy, nm.x) - pushed, sp.diff(energy, nm.y) - lifted])
+
+
+@cache
+def stiffness() -> sp.Matrix:
+    """The matrix of the linear balance."""
+    return balance().jacobian([nm.x, nm.y]).applyfunc(sp.factor)
+
+
+@cache
+def equilibrium() -> tuple[sp.Expr, sp.Expr]:
+    """x and y; both have the pole det = 0."""
+    solution = sp.solve(list(balance()), [nm.x, nm.y], dict=True)[0]
+    return sp.factor(solution[nm.x]), sp.factor(solution[nm.y])
+
+
+@cache
+def pole_friction() -> sp.Expr:
+    """μ₀ at which the displacement is infinite, as a function of T = tan θ₀."""
+    determinant = stability.determinant(stiffness())
+    on_tangent = sp.cancel(determinant.subs(nm.s0, T * nm.c0) / nm.c0**2).subs(nm.c0, 1 / sp.sqrt(1 + T**2))
+    (friction,) = sp.solve(sp.expand(sp.simplify(on_tangent)), nm.mu0)
+    return sp.collect(sp.cancel(friction), T)
+
+
+@cache
+def pole_quadratic() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of the quadratic in tan θ₀ whose roots are the poles."""
+    numerator = sp.fraction(sp.cancel(pole_friction() - nm.mu0))[0]
+    return tuple(sp.factor(value) for value in reversed(sp.Poly(numerator, T).all_coeffs()))
+
+
+@cache
+def critical_friction_squared() -> sp.Expr:
+    """μ_cr²: the discriminant of :func:`pole_quadratic` is σ² (μ₀² − μ_cr²). Below μ_cr there is no pole."""
+    e0, e1, e2 = pole_quadratic()
+    discriminant = sp.expand(e1**2 - 4 * e0 * e2)
+    return sp.factor(sp.solve(discriminant, nm.mu0**2)[0])
+
+
+def identities() -> dict[str, bool]:
+    """The linear model is the nonlinear one, linearized about the undeformed state."""
+    undeformed = {nm.L: 1, nm.c: nm.c0, nm.s: nm.s0, nm.nbar: 1}
+    gap = stability.stiffness().subs(undeformed) - stiffness()
+    x, y = equilibrium()
+    return {
+        "its stiffness is K at x = y = 0": all(algebra.equal(entry, 0) for entry in gap),
+        "its displacement solves K (x, y) = (0, −κ)": all(
+            algebra.equal(entry, 0) for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
+        ),
+    }

@@ -1,0 +1,197 @@
+"""Linearization about an equilibrium: K (28), n̄ (29), the characteristic equation (27), and the damping it leaves out."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from .. import algebra
+from . import elimination, equilibrium, mechanics
+from . import nomenclature as nm
+
+lam = sp.Symbol("lambda")
+
+
+def _gradient(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """∂/∂x and ∂/∂y of an expression in x, y and L(x, y), at the state (c, s, L)."""
+    length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
+    polar = dict(zip((nm.x, nm.y), equilibrium.displacement(), strict=True))
+    slopes = [mechanics.replace_length(sp.diff(length, coordinate)).subs(polar) for coordinate in (nm.x, nm.y)]
+    return tuple(
+        sp.expand((sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, nm.L).subs(polar) * slope))
+        for coordinate, slope in zip((nm.x, nm.y), slopes, strict=True)
+    )  # type: ignore[return-value]
+
+
+@cache
+def stiffness() -> sp.Matrix:
+    """K of (28): the Jacobian of (F_x, F_y) at the equilibrium, in c, s and L."""
+    return sp.Matrix([_gradient(force) for force in equilibrium.balance_cartesian()])
+
+
+@cache
+def damping() -> sp.Matrix:
+    """∂(F_x, F_y)/∂(x', y') at steady sliding: the term that (27) leaves out, in y, μ₀, d and V."""
+    forces = sp.Matrix(mechanics.sliding_forces())
+    return sp.simplify(forces.jacobian([nm.vx, nm.vy]).subs({nm.vx: 0, nm.vy: 0}))
+
+
+def characteristic(K: sp.Matrix, C: sp.Matrix) -> sp.Expr:
+    """det(λ² I + λ C + K)."""
+    return sp.expand((lam**2 * sp.eye(2) + lam * C + K).det())
+
+
+def trace(K: sp.Matrix) -> sp.Expr:
+    """K₁₁ + K₂₂."""
+    return K[0, 0] + K[1, 1]
+
+
+def determinant(K: sp.Matrix) -> sp.Expr:
+    """K₁₁ K₂₂ − K₁₂ K₂₁: negative is divergence."""
+    return K[0, 0] * K[1, 1] - K[0, 1] * K[1, 0]
+
+
+def flutter_discriminant(K: sp.Matrix) -> sp.Expr:
+    """(K₁₁ − K₂₂)² + 4 K₁₂ K₂₁, the discriminant of (27) in λ²: negative is flutter."""
+    return (K[0, 0] - K[1, 1]) ** 2 + 4 * K[0, 1] * K[1, 0]
+
+
+@cache
+def trace_identity() -> bool:
+    """The trace of K at an equilibrium in contact is α + σ + (B sin θ₀ + κ)/(L sin θ): positive for 0 < θ, θ₀ < π.
+
+    Where the discriminant is 0, the determinant is a quarter of its square: positive, so that no onset of flutter is a fold.
+    """
+    _, across = equilibrium.balance()
+    (preload,) = sp.solve(in_contact(across), nm.kappa)
+    positive = nm.p + (nm.B * nm.s0 + preload) / (nm.L * nm.s)
+    parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+    return algebra.equal(trace(in_shorthand(stiffness())).subs(parameters), positive.subs(parameters))
+
+
+@cache
+def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
+    """u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, the two balances in contact at given θ and μ₀."""
+    along, across = (in_contact(force) for force in equilibrium.balance())
+    (s0,) = sp.solve(across, nm.s0)
+    cosine = sp.expand(nm.alpha * nm.c0 - along).subs(nm.s0, s0)
+    lines = []
+    for value in (s0, cosine):
+        line = sp.Poly(sp.expand(value), nm.L)
+        if line.degree() != 1 or value.has(nm.c0):
+            raise ArithmeticError("the balance at a given direction is not linear in the spring length")
+        lines += [sp.factor(line.coeff_monomial(power)) for power in (1, nm.L)]
+    return tuple(lines)  # type: ignore[return-value]
+
+
+@cache
+def flutter_quadratic() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring length L in direction θ."""
+    discriminant = sp.expand(nm.L**2 * flutter_discriminant(in_shorthand(stiffness())))
+    coefficients = [algebra.reduce_circles(value) for value in reversed(sp.Poly(discriminant, nm.L).all_coeffs())]
+    difference = nm.alpha - nm.B
+    arranged = (
+        nm.sigma**2,
+        2 * nm.sigma * (difference * (nm.c**2 - nm.s**2) + 2 * nm.M * nm.s * nm.c),
+        difference**2,
+    )
+    if not all(algebra.equal(ours, derived) for ours, derived in zip(arranged, coefficients, strict=True)):
+        raise ArithmeticError("the discriminant is not what stability.py arranges")
+    return arranged
+
+
+@cache
+def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """X, Y and Z in u1, w1, u2, w2 and e0, e1, e2: X² = Y Z is the resultant, in L, of the discriminant and of the unit circle.
+
+    :func:`flutter_quadratic` has the coefficients e; α² (cos² θ₀ + sin² θ₀ − 1) with :func:`reference_lines` is a second
+    quadratic in L. Where the two share one root, it is X/Y.
+    """
+    u1, w1, u2, w2 = LINES
+    e0, e1, e2 = QUADRATIC
+    g0 = u2**2 + nm.alpha**2 * (u1**2 - 1)
+    g1 = 2 * (u2 * w2 + nm.alpha**2 * u1 * w1)
+    g2 = w2**2 + nm.alpha**2 * w1**2
+    X, Y, Z = e0 * g2 - e2 * g0, e2 * g1 - e1 * g2, e1 * g0 - e0 * g1
+    resultant = sp.resultant(e0 + e1 * nm.L + e2 * nm.L**2, g0 + g1 * nm.L + g2 * nm.L**2, nm.L)
+    if sp.expand(X**2 - Y * Z - resultant) != 0:
+        raise ArithmeticError("X² − Y Z is not the resultant")
+    return X, Y, Z
+
+
+@cache
+def flutter_without_alpha() -> sp.Expr:
+    """The same for α = 0, where cos θ₀ is free and the second line is the second condition: a square root of the resultant."""
+    _, _, u2, w2 = LINES
+    e0, e1, e2 = QUADRATIC
+    condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2
+    X, Y, Z = flutter_elimination()
+    if sp.expand((X**2 - Y * Z).subs(nm.alpha, 0) - condition**2) != 0:
+        raise ArithmeticError("the resultant at α = 0 is no square")
+    return condition
+
+
+#: Symbols for the coefficients of :func:`reference_lines` and :func:`flutter_quadratic`.
+LINES = sp.symbols("u1 w1 u2 w2")
+QUADRATIC = sp.symbols("e0 e1 e2")
+
+
+@cache
+def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
+    """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit of θ₀.
+
+    J is minus the Jacobian of the two balances in θ and L, which makes it f′; by the implicit function theorem.
+    """
+    balances = [in_contact(force) for force in equilibrium.balance()]
+    by_direction = [algebra.rotate_derivative(force) for force in balances]
+    by_length = [sp.diff(force, nm.L) for force in balances]
+    by_reference = [nm.c0 * sp.diff(force, nm.s0) - nm.s0 * sp.diff(force, nm.c0) for force in balances]
+    jacobian = by_direction[1] * by_length[0] - by_direction[0] * by_length[1]
+    direction = by_reference[0] * by_length[1] - by_reference[1] * by_length[0]
+    length = by_direction[0] * by_reference[1] - by_direction[1] * by_reference[0]
+    e0, e1, e2 = flutter_quadratic()
+    discriminant = e0 + e1 * nm.L + e2 * nm.L**2
+    change = algebra.rotate_derivative(discriminant) * direction + sp.diff(discriminant, nm.L) * length
+    return change, jacobian
+
+
+@cache
+def flutter_friction() -> sp.Expr:
+    """M at which an equilibrium with spring length L in direction θ is an onset: the discriminant is linear in M."""
+    e0, e1, e2 = flutter_quadratic()
+    (friction,) = sp.solve(e0 + e1 * nm.L + e2 * nm.L**2, nm.M)
+    arranged = -(e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2) / (
+        4 * nm.sigma * nm.s * nm.c * nm.L
+    )
+    if not algebra.equal(friction, arranged):
+        raise ArithmeticError("the friction at an onset is not what stability.py arranges")
+    return arranged
+
+
+@cache
+def flutter_cubic() -> tuple[sp.Expr, ...]:
+    """g0, g1, k0, k1, k2, k3: onsets at a given θ are where cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.
+
+    The balance along the belt times 4 σ sin θ cos θ L, with L from the balance across it and μ₀ from
+    :func:`flutter_friction`.
+    """
+    along, _ = equilibrium.balance()
+    scale = 4 * nm.sigma * nm.s * nm.c * nm.L
+    condition = sp.cancel(scale * in_contact(along).subs(nm.M, flutter_friction()))
+    cosine = sp.expand(condition).coeff(nm.c0, 1)
+    rest = sp.expand(cosine * nm.c0 - condition)
+    length = elimination.state()[nm.L]
+    linear = sp.Poly(sp.expand(cosine.subs(nm.L, length)), nm.s0).all_coeffs()
+    cubic = sp.Poly(sp.expand(rest.subs(nm.L, length)), nm.s0).all_coeffs()
+    return (*reversed(linear), *reversed(cubic))
+
+
+def in_contact(force: sp.Expr) -> sp.Expr:
+    """A balance in contact, with B for β + 1 and M for μ₀."""
+    return force.subs(nm.mu0 * nm.nbar, nm.M).subs(equilibrium.CONTACT).subs({nm.mu0: nm.M, nm.beta: nm.B - 1})
+
+
+def in_shorthand(K: sp.Matrix) -> sp.Matrix:
+    """K with B for β + n̄ and M for μ₀ n̄."""
+    return K.subs(nm.mu0 * nm.nbar, nm.M).subs(nm.nbar, nm.B - nm.beta).applyfunc(sp.expand)

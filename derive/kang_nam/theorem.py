@@ -1,0 +1,227 @@
+"""One or three: for 0 < θ₀ < π, κ > 0, σ > 0, α, β ≥ 0 and every μ₀ ≥ 0 the number of steady-sliding equilibria,
+counted with multiplicity, is one or three, and of three different ones the middle one is divergent.
+
+An equilibrium in contact is a root of f with L > 0 and y < 0, that is, with s > s* = s₀ − κ/σ. Each step names what it
+claims and decides it by exact algebra: an identity, or a polynomial in nonnegative quantities with nonnegative
+coefficients and a term that is positive.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import catastrophe, elimination, equilibrium, stability
+from . import nomenclature as nm
+from ..algebra import manifestly_positive
+
+
+@dataclass(frozen=True)
+class Step:
+    """A claim and whether exact algebra confirms it."""
+
+    claim: str
+    holds: bool
+
+
+def one_or_three() -> tuple[Step, ...]:
+    """The proof, step by step."""
+    return (*_quartic(), *_threshold_below_zero(), *_threshold_above_zero(), *_middle())
+
+
+# What the steps know to be positive (κ, σ, s₀ and L − 1 where it occurs) or not negative (α, β).
+_kappa, _sigma, _s0 = sp.symbols("kappa sigma s_0", positive=True)
+_alpha, _beta = sp.symbols("alpha beta", nonnegative=True)
+_POSITIVE = {nm.kappa: _kappa, nm.sigma: _sigma, nm.s0: _s0, nm.alpha: _alpha, nm.beta: _beta, nm.nbar: 1}
+
+
+def _in_contact(expression: sp.Expr) -> sp.Expr:
+    return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(_POSITIVE)
+
+
+def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
+    """Numerator and denominator of L(θ)."""
+    return sp.fraction(sp.together(elimination.state()[nm.L]))  # type: ignore[no-any-return]
+
+
+def _penetration() -> sp.Expr:
+    """−q y(θ), positive in contact."""
+    return -nm.q * elimination.state()[nm.y]
+
+
+def _changes(signs: Iterable[int]) -> int:
+    """Changes of sign in a row of −1, 0, 1, zeros left out."""
+    return sum(one != other for one, other in itertools.pairwise(sign for sign in signs if sign))
+
+
+def _quartic() -> tuple[Step, ...]:
+    quartic = elimination.quartic_in_t()
+    friction = sp.Symbol("mu_0", positive=True)
+    t = sp.Symbol("t", positive=True)
+    sine = sp.expand_trig(sp.sin(2 * sp.atan(t)))
+    _, across = equilibrium.balance()
+    return (
+        Step(
+            "−b is positive: a polynomial with positive coefficients in κ, σ, s₀ > 0 and α, β ≥ 0",
+            manifestly_positive(
+                _in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)
+            ),
+        ),
+        Step(
+            "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive at ±∞, so that it has an "
+            "odd number of roots on either side of 0, and at most three positive ones",
+            len(quartic) == 5 and quartic[4] == -nm.fb and quartic[0] == nm.fb,
+        ),
+        Step(
+            "three positive roots need a + d > 0: that of t is 2 (a + d), that of t² is −4 m with m = μ₀ σ ≥ 0, and without "
+            "the first positive the coefficients change sign once, which by Descartes' rule leaves one positive root",
+            sp.expand(quartic[1] - 2 * (nm.fa + nm.fd)) == 0
+            and quartic[2] == -4 * nm.fm
+            and manifestly_positive(
+                _in_contact(nm.fm).subs(nm.mu0, friction), (_sigma, friction), strict_symbols=(_sigma, friction)
+            )
+            and all(
+                _changes((-1, e1, e2, e3, 1)) == 1 for e1 in (-1, 0) for e2 in (-1, 0) for e3 in (-1, 0, 1)
+            ),
+        ),
+        Step(
+            "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x adds no root",
+            elimination.f_form.subs(nm.s, 0) == nm.fb * nm.c,
+        ),
+        Step(
+            "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is then B s₀ + κ > 0",
+            manifestly_positive(
+                _in_contact(across.subs(nm.s, 0)), (_kappa, _s0, _beta), strict_symbols=(_kappa,)
+            ),
+        ),
+        Step("t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0),
+    )
+
+
+def _threshold_below_zero() -> tuple[Step, ...]:
+    """s* ≤ 0: the equilibria in contact are exactly the roots with t > 0."""
+    s, u = sp.symbols("s u", positive=True)
+    depth = sp.Symbol("depth", nonnegative=True)  # −s* = κ/σ − s₀
+    numerator, denominator = (_in_contact(part) for part in _length_fraction())
+    every = (_kappa, _sigma, _s0, _alpha, _beta)
+    penetration = _in_contact(_penetration())
+    # s = −u: L > 0 asks numerator < 0, contact asks penetration > 0, yet the first exceeds the second.
+    conflict = (numerator - penetration).subs(nm.s, -u)
+    return (
+        Step(
+            "s > 0 gives L > 0",
+            manifestly_positive(numerator.subs(nm.s, s), (s, *every), strict_symbols=(s, _sigma))
+            and manifestly_positive(denominator.subs(nm.s, s), (s, *every), strict_symbols=(s, _sigma)),
+        ),
+        Step(
+            "s > 0 ≥ s* gives y < 0",
+            manifestly_positive(
+                penetration.subs(nm.s, s).subs(_kappa, _sigma * (_s0 + depth)),
+                (s, depth, _sigma, _s0),
+                strict_symbols=(s, _sigma),
+            ),
+        ),
+        Step(
+            "s < 0 excludes L > 0 together with y < 0: σ s + B s₀ + κ must be negative and σ (s − s₀) + κ positive, "
+            "but the first is larger than the second by (B + σ) s₀",
+            manifestly_positive(conflict, (_sigma, _s0, _beta), strict_symbols=(_sigma, _s0)),
+        ),
+    )
+
+
+def _threshold_above_zero() -> tuple[Step, ...]:
+    """s* > 0: f has opposite signs at the two ends of the arc s > s*, where y = 0."""
+    threshold, excess, stretch, surplus = sp.symbols("s_star excess stretch surplus", positive=True)
+    level = sp.Symbol("level", nonnegative=True)  # cos² θ₀
+    on_arc = {_s0: threshold + excess, _kappa: _sigma * excess}  # s₀ − s* = κ/σ
+    numerator, denominator = (_in_contact(part).subs(nm.s, threshold).subs(on_arc) for part in _length_fraction())
+
+    along, _ = equilibrium.balance()
+    P = nm.sigma - nm.p * nm.L
+    at_end = along.subs(nm.s0, nm.L * nm.s) - equilibrium.spell_out(P * nm.c + nm.alpha * nm.c0)
+    return (
+        Step(
+            "at the ends L = s₀/s*, which exceeds 1",
+            sp.simplify(numerator / denominator - (threshold + excess) / threshold) == 0,
+        ),
+        Step("there F_x = P cos θ + α cos θ₀ with P = σ − p L, whatever the friction", sp.expand(at_end) == 0),
+        Step(
+            "−P > α, since −P − α = p (L − 1)",
+            manifestly_positive(
+                _in_contact(-P).subs(nm.L, 1 + stretch) - _alpha,
+                (stretch, _sigma, _alpha),
+                strict_symbols=(stretch, _sigma),
+            ),
+        ),
+        Step(
+            "P² cos² θ* > α² cos² θ₀, with −P = α + λ, cos² θ₀ = C ≥ 0 and cos² θ* = C + s₀² − s*²: F_x has the sign of "
+            "−cos θ at either end, so that there is an odd number of roots between, all with t > 0 and L > 0: one or three",
+            manifestly_positive(
+                (_alpha + surplus) ** 2 * (level + (threshold + excess) ** 2 - threshold**2) - _alpha**2 * level,
+                (_alpha, surplus, level, threshold, excess),
+                strict_symbols=(surplus, threshold, excess),
+            ),
+        ),
+    )
+
+
+def _middle() -> tuple[Step, ...]:
+    """Three different equilibria: f rises, falls and rises through them, and L det K = f′."""
+    f = elimination.f_form
+    K = sp.Matrix(2, 2, sp.symbols("K_11 K_12 K_21 K_22"))
+    equation = sp.Poly(stability.characteristic(K, sp.zeros(2, 2)), stability.lam)
+    # Multiplicities of three different roots that count three at most, and the signs of f before, between and after them.
+    simple = [counts for counts in itertools.product((1, 2, 3), repeat=3) if sum(counts) <= 3]
+    signs = [tuple(itertools.accumulate(counts, lambda sign, count: sign * (-1) ** count, initial=-1)) for counts in simple]
+    return (
+        Step("L det K = f′ at every equilibrium", catastrophe.slope_identity()),
+        Step(
+            "s* ≤ 0: contact is 0 < θ < π, and f is negative before the first root and positive after the last: f = b < 0 at "
+            "θ = 0 and −b at θ = π",
+            f.subs({nm.s: 0, nm.c: 1}) == nm.fb
+            and f.subs({nm.s: 0, nm.c: -1}) == -nm.fb
+            and manifestly_positive(
+                _in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)
+            ),
+        ),
+        Step(
+            "s* > 0: contact is θ* < θ < π − θ*, and f is negative before the first root and positive after the last: at the "
+            "ends f = q s* F_x with q s* > 0, F_x = P cos θ + α cos θ₀ has the sign of P cos θ since (F_x)(P cos θ − α cos θ₀) > 0, "
+            "and P < 0",
+            _signs_at_the_ends(f),
+        ),
+        Step(
+            "three different roots that count three at most are simple, so that the signs of f before, between and after them are "
+            "−, +, −, +: f falls through the second, f′ < 0 there, and det K < 0",
+            simple == [(1, 1, 1)] and signs == [(-1, 1, -1, 1)],
+        ),
+        Step(
+            "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and positive for large λ, so that a real "
+            "λ > 0 solves it",
+            equation.all_coeffs() == [1, 0, stability.trace(K), 0, sp.expand(stability.determinant(K))],
+        ),
+    )
+
+
+def _signs_at_the_ends(f: sp.Expr) -> bool:
+    """Whether f has the sign of −cos θ where sin θ = s* > 0."""
+    threshold, excess = sp.symbols("s_star excess", positive=True)
+    level = sp.Symbol("level", nonnegative=True)
+    on_arc = {_s0: threshold + excess, _kappa: _sigma * excess}  # s₀ − s* = κ/σ
+    every, strict = (_sigma, _alpha, _beta, threshold, excess, level), (_sigma, threshold, excess)
+    P = _sigma - (_sigma + _alpha) * (threshold + excess) / threshold  # L = s₀/s*
+    force, mirrored = (P * nm.c + sign * _alpha * nm.c0 for sign in (1, -1))
+    factor = _in_contact(nm.q) * threshold
+    at_end = _in_contact(f).subs(nm.s, threshold).subs(on_arc)
+    # cos² θ₀ = level, and cos² θ = level + s₀² − s*² at the ends.
+    squares = {nm.c**2: level + (threshold + excess) ** 2 - threshold**2, nm.c0**2: level}
+    product = sp.expand(force * mirrored).subs(squares)
+    return (
+        sp.simplify(at_end - factor * force) == 0
+        and manifestly_positive(factor, every, strict)
+        and manifestly_positive(sp.simplify(-P * threshold), every, strict)
+        and manifestly_positive(sp.simplify(product * threshold**2), every, strict)
+    )

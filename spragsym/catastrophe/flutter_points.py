@@ -1,0 +1,187 @@
+"""Where flutter sets in: all onsets at one friction, proved complete, and the curves of onsets in the plane of θ₀ and μ₀."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ParameterError
+from ..exact.intervals import Arithmetic, arithmetic
+from ..generated import stability as _stability
+from ..parameters import FloatArray, Parameters
+from ..statics import kernel
+from . import proofs
+from .flutter_curves import curves
+from .flutter_proofs import Elimination, Onset, onsets
+
+_FIXED = ("kappa", "alpha", "sigma", "beta")
+
+
+@dataclass(frozen=True)
+class FlutterOnsets(Result):
+    """Onsets of flutter at one friction, sorted by θ₀; one array for each coordinate of the states that they belong to.
+
+    ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are. ``side`` is 1 where the state
+    flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where the two sides do not differ: there the
+    boundary is only touched. ``error`` bounds |error| / max(1, |value|) of θ₀, θ, L, x and y; ``mu0`` is the friction that was
+    asked for.
+    """
+
+    theta0: FloatArray
+    mu0: FloatArray
+    theta: FloatArray
+    L: FloatArray
+    x: FloatArray
+    y: FloatArray
+    branch: NDArray[np.int64]
+    count: NDArray[np.int64]
+    side: NDArray[np.int8]
+    error: FloatArray
+
+    def __len__(self) -> int:
+        return int(self.theta0.size)
+
+
+def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> FlutterOnsets:
+    """All onsets of flutter in contact along 0 < θ₀ < π at the friction μ₀ of ``p``: proved complete, to 1e-12 and better.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars μ₀, κ, α, σ, β, taken as the exact rationals that the floats are; ``theta0`` is not used.
+
+    Returns
+    -------
+    FlutterOnsets
+        Empty where no equilibrium flutters or touches flutter. So it is for μ₀ = 0, where K is symmetric.
+
+    Raises
+    ------
+    ParameterError
+        For a parameter that is missing or an array.
+    ConvergenceError
+        At parameters so degenerate that onsets can't be told apart, or that three of them meet.
+
+    Notes
+    -----
+    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15), eliminated to one polynomial in tan(θ/2 − π/4), whose real roots are
+    isolated exactly; see :mod:`spragsym.catastrophe.flutter_proofs`. No onset is a
+    fold: there the determinant of K vanishes, here it is positive.
+
+    Examples
+    --------
+    >>> found = flutter_onsets(Parameters.article(alpha=0.7))
+    >>> print(np.degrees(found.theta0).round(6), found.side)
+    [135.389588 166.068824] [ 1 -1]
+    """
+    mu0, *fixed = p.scalars("mu0", *_FIXED)
+    rows = []
+    if mu0 > 0:
+        elimination = Elimination(*map(Fraction, (mu0, *fixed)))
+        arith = arith or arithmetic()
+
+        def attempt(bits: int) -> list[tuple[float, ...]]:
+            return [_row(arith, onset) for onset in onsets(arith, elimination, bits)]
+
+        rows = sorted(proofs.with_enough_bits(arith, 20, attempt, "flutter_onsets"))
+    theta0, theta, L, x, y, branch, count, side, error = np.array(rows, dtype=float).reshape(-1, 9).T
+    return FlutterOnsets(
+        theta0, np.full(theta0.size, mu0), theta, L, x, y,
+        branch.astype(np.int64), count.astype(np.int64), side.astype(np.int8), error,
+    )  # fmt: skip
+
+
+def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:
+    """Middles as floats, rank, number and side, and the largest error, the rounding to float included."""
+    values, error = proofs.as_floats(arith, (onset.theta0, onset.theta, onset.L, onset.x, onset.y))
+    return (*values, onset.branch, onset.count, onset.side, error)
+
+
+# ---------------------------------------------------------------------------------------------------- boundary
+
+
+@dataclass(frozen=True)
+class FlutterBoundary(Result):
+    """Points of the surface at which flutter sets in or ends, in contact with μ₀ > 0 and 0 < θ₀ < π.
+
+    ``branch`` counts the equilibria from below in θ, from 0; ``count`` is how many there are at that point; ``curve`` numbers
+    the connected pieces, along which points are in order.
+    """
+
+    theta0: FloatArray
+    mu0: FloatArray
+    theta: FloatArray
+    L: FloatArray
+    x: FloatArray
+    y: FloatArray
+    branch: NDArray[np.int64]
+    count: NDArray[np.int64]
+    curve: NDArray[np.int64]
+
+
+def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
+    """Where the discriminant of (27) in λ² is zero on the equilibrium surface: the Hopf points of the article's Figure 14.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars κ, α, σ, β; ``theta0`` and ``mu0`` are spanned and not used.
+    n : int
+        About how many directions θ to solve at.
+
+    Returns
+    -------
+    FlutterBoundary
+        Points that satisfy the condition to rounding, each once.
+
+    Notes
+    -----
+    Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15): at each θ a polynomial of degree 6 in tan(θ₀/2), all positive roots of
+    which are taken; see ``flutter_curves``. The curves are sampled in θ: one that begins and ends between two
+    neighbours is not seen. Whether an onset exists at a given friction is for :func:`flutter_onsets` to say, which misses none.
+
+    Examples
+    --------
+    >>> found = flutter_boundary(Parameters.article(alpha=0.7))
+    >>> bool((abs(found.mu0 - 0.5) < 0.01).any())
+    True
+    """
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
+        raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
+    fixed = p.scalars(*_FIXED)
+    kappa, alpha, sigma, beta = fixed
+    found = []
+    for number, points in enumerate(curves(fixed, int(n))):  # type: ignore[arg-type]
+        theta, theta0 = points
+        c, s = np.cos(theta), np.sin(theta)
+        with np.errstate(all="ignore"):
+            L, x, y = kernel.state(c, s, np.cos(theta0), np.sin(theta0), kappa, sigma, beta, 1)
+            mu0 = _stability.flutter_friction(c, s, L, alpha, sigma, beta)
+        good = (y < 0) & (mu0 > 0) & np.isfinite(mu0)
+        found.append(np.stack([theta0, mu0, theta, L, x, y, np.full(theta.size, number)])[:, good])
+    theta0, mu0, theta, L, x, y, curve = np.concatenate(found, axis=-1) if found else np.empty((7, 0))
+    branch, count = _rank(fixed, theta0, mu0, theta)
+    _, curve = np.unique(curve, return_inverse=True)
+    return FlutterBoundary(theta0, mu0, theta, L, x, y, branch, count, curve)
+
+
+def _rank(
+    fixed: tuple[float, ...], theta0: FloatArray, mu0: FloatArray, theta: FloatArray
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Rank of each point among the equilibria there, and their number.
+
+    From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.
+    """
+    kappa, _, sigma, beta = fixed
+    c0, s0 = np.cos(theta0), np.sin(theta0)
+    with np.errstate(all="ignore"):
+        p1, q1, p2, q2 = kernel.factors(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
+        pairs = kernel.root_pair(p1, q1), kernel.root_pair(p2, q2)
+        t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
+        _, _, y = kernel.state((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), c0, s0, kappa, sigma, beta, 1)
+        t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
+        return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)

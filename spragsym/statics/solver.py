@@ -1,0 +1,351 @@
+"""All equilibria of many parameter points, each with its stability and a bound on its error."""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Callable, Mapping
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ConvergenceError
+from ..generated import kernel
+from ..generated import stability as _stability
+from ..parameters import NAMES, FloatArray, Parameters
+from . import backends, block, compiled
+from .slots import COLUMNS, Columns, Slots, empty
+
+if TYPE_CHECKING:
+    from .ladder import Settled
+
+T = TypeVar("T")
+
+#: Points solved at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
+BLOCK = 1 << 14
+
+
+class Stability(enum.IntEnum):
+    """Type of an equilibrium by the roots λ of det(λ² I + K) = 0, (27)."""
+
+    NONE = 0  #: no equilibrium in this slot
+    STABLE = 1  #: all λ imaginary
+    DIVERGENT = 2  #: a real positive λ
+    FLUTTER = 3  #: a complex pair with a positive real part
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibria(Result):
+    """Every equilibrium of every parameter point.
+
+    Attributes
+    ----------
+    count : ndarray of int8
+        Number of equilibria; the shape of the parameters.
+    theta, L, x, y : ndarray
+        Direction of the spring in radians, its length and the displacement, over L_0. One more axis than the parameters, of
+        length 3 in contact and 4 in lift-off; ascending ``theta``, NaN beyond ``count``. Made when they are first asked for.
+    stability : ndarray of int8
+        Codes of :class:`Stability`, of the shape of ``theta``.
+    error : ndarray
+        Bound on |error| / max(1, |value|) of theta, L, x and y, the largest of the four.
+    escalated : ndarray of bool
+        Points that float64 could not settle and more digits did.
+    fold : ndarray of bool
+        Points that are a fold to the last digit that could be tried: one state stands in two slots.
+    undecided : ndarray of bool
+        Points without an answer, whose ``count`` is 0 and whose slots are empty; :meth:`reason` says why.
+    reasons : dict
+        The reason for each of them, by its position in ``count.flat``.
+    """
+
+    parameters: Parameters
+    contact: bool
+    count: NDArray[np.int8]
+    escalated: NDArray[np.bool_]
+    fold: NDArray[np.bool_]
+    undecided: NDArray[np.bool_]
+    reasons: Mapping[int, str]
+    _slots: Slots = field(repr=False)
+
+    def reason(self, *index: int) -> str:
+        """Why the point of that index has no answer; empty where it has one."""
+        return self.reasons.get(int(np.arange(self.count.size).reshape(self.count.shape)[index]), "")
+
+    def decided(self) -> Equilibria:
+        """Itself, for what needs all points; :class:`ConvergenceError` with the first reason where one has no answer."""
+        for reason in self.reasons.values():
+            raise ConvergenceError(reason)
+        return self
+
+    def _column(self, name: str) -> NDArray[Any]:
+        table = self._slots.padded(name)
+        return np.moveaxis(table.T.reshape(self._slots.slots, *self.count.shape), 0, -1)
+
+    @cached_property
+    def theta(self) -> FloatArray:
+        """Direction of the spring in radians."""
+        return self._column("theta")
+
+    @cached_property
+    def L(self) -> FloatArray:
+        """Length of the spring over L_0."""
+        return self._column("L")
+
+    @cached_property
+    def x(self) -> FloatArray:
+        """Displacement along the belt over L_0."""
+        return self._column("x")
+
+    @cached_property
+    def y(self) -> FloatArray:
+        """Displacement across the belt over L_0."""
+        return self._column("y")
+
+    @cached_property
+    def error(self) -> FloatArray:
+        """Bound on the error of the four, over max(1, |value|)."""
+        return self._column("error")
+
+    @cached_property
+    def stability(self) -> NDArray[np.int8]:
+        """Codes of :class:`Stability`."""
+        return self._column("stability")
+
+    @cached_property
+    def eigenvalues(self) -> NDArray[np.complex128]:
+        """The four λ of (27) at every equilibrium, on one more axis; NaN beyond ``count``."""
+        p = self.parameters
+        mu0, alpha, sigma, beta = (value[..., None] for value in p.broadcast("mu0", "alpha", "sigma", "beta"))
+        K = _stability.stiffness(np.cos(self.theta), np.sin(self.theta), self.L, mu0, alpha, sigma, beta, int(self.contact))
+        trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
+        # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
+        root = np.sqrt(discriminant.astype(complex))
+        large = 0.5 * (trace + np.where(trace < 0, -root, root))
+        with np.errstate(invalid="ignore"):  # empty slots
+            small = determinant / large
+        frequencies = np.stack([np.sqrt(-large), np.sqrt(-small)], axis=-1)
+        return np.concatenate([frequencies, -frequencies], axis=-1)
+
+
+def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
+    """All equilibria: steady sliding in contact, or at rest in lift-off.
+
+    Parameters
+    ----------
+    p : Parameters
+        Any shape; ``theta0`` and ``mu0`` are needed.
+    contact : bool
+        True for n̄ = 1 (y < 0), False for n̄ = 0 (y ≥ 0).
+
+    Returns
+    -------
+    Equilibria
+        One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|). Points of an array that have no
+        answer are marked ``undecided``.
+
+    Raises
+    ------
+    ConvergenceError
+        For a single point that lies on a border that no number of digits can settle, as where L = 0, or whose length or
+        displacement float64 can't carry.
+
+    Notes
+    -----
+    Source: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated; stability by (27)–(28). The count is proved:
+    the sign of the discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64 can't, the
+    point is solved again with more digits: extended precision where the machine has it, then intervals.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> eq = equilibria(Parameters.article(theta0=np.radians([30.0, 49.0])))
+    >>> eq.count
+    array([3, 1], dtype=int8)
+    >>> eq.stability[0]
+    array([1, 2, 1], dtype=int8)
+    >>> print(np.round(eq.x[1], 6))
+    [1.217424      nan      nan]
+    """
+    p.require("theta0", "mu0")
+    out = Slots(math.prod(p.shape), 3 if contact else 4)
+    compiled_or_not, threads = backends.chosen()
+    solve = _compiled if compiled_or_not == "compiled" else _numpy
+    unsettled = _in_blocks(p, threads, lambda values, begin, size: begin + solve(values, contact, out, begin, size))
+    left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
+    fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
+    out.clear()
+    if reasons and not p.shape:
+        raise ConvergenceError(reasons[0])
+    escalated, folds, undecided = (_flags(p.shape, rows) for rows in (left, fold, np.array([*reasons], dtype=np.int64)))
+    return Equilibria(p, contact, out.count.reshape(p.shape), escalated, folds, undecided, reasons, out)
+
+
+def _flags(shape: tuple[int, ...], rows: NDArray[np.int64]) -> NDArray[np.bool_]:
+    flags = np.zeros(math.prod(shape), dtype=np.bool_)
+    flags[rows] = True
+    return flags.reshape(shape)
+
+
+def count(p: Parameters) -> NDArray[np.int8]:
+    """The number of equilibria in contact, one or three: ``equilibria(p).count``, but faster where it is one.
+
+    Parameters
+    ----------
+    p : Parameters
+        Any shape; ``theta0`` and ``mu0`` are needed.
+
+    Returns
+    -------
+    ndarray of int8
+        Of that shape.
+
+    Notes
+    -----
+    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say where there is one, with bounds on
+    rounding errors; all other points are solved.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> count(Parameters.article(theta0=np.radians([30.0, 49.0])))
+    array([3, 1], dtype=int8)
+    """
+    p.require("theta0", "mu0")
+    compiled_or_not, threads = backends.chosen()
+    single = compiled.single if compiled_or_not == "compiled" else _single
+    flags = np.concatenate([np.empty(0, dtype=np.bool_), *_in_blocks(p, threads, lambda values, _, size: single(values, size))])
+    counts = np.ones(flags.size, dtype=np.int8)
+    others = np.flatnonzero(~flags)
+    if others.size:
+        some = Parameters(*(np.broadcast_to(getattr(p, name), p.shape).flat[others] for name in NAMES))
+        counts[others] = equilibria(some).count
+    return counts.reshape(p.shape)
+
+
+# ----------------------------------------------------------------------------------------------------- float64
+
+
+def _in_blocks(p: Parameters, threads: int, work: Callable[[list[NDArray[np.float64]], int, int], T]) -> list[T]:
+    """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number."""
+    given = [_column(p, name) for name in NAMES]
+    size = math.prod(p.shape)
+
+    def one(begin: int) -> T:
+        end = min(begin + BLOCK, size)
+        return work([_part(values, begin, end) for values in given], begin, end - begin)
+
+    # glibc gives freed memory back to the system and faults it in again until it has seen one large block freed.
+    np.empty(1 << 19)
+    begins = range(0, size, BLOCK)
+    if threads > 1 and len(begins) > 1:
+        with ThreadPoolExecutor(threads) as pool:
+            return list(pool.map(one, begins))
+    return [one(begin) for begin in begins]
+
+
+def _column(p: Parameters, name: str) -> NDArray[np.float64]:
+    """A parameter as it was given, or with the axes of the common shape if it is neither one number nor of that shape."""
+    value = getattr(p, name)
+    if value.size == 1 or value.shape == p.shape:
+        return np.ascontiguousarray(value).reshape(-1)
+    return np.broadcast_to(value, p.shape)
+
+
+def _part(values: NDArray[np.float64], begin: int, end: int) -> NDArray[np.float64]:
+    """A range of points in C order, contiguous; of one number, that; of an array that is broadcast, a copy of that range only."""
+    if values.size == 1:
+        return values.reshape(-1)
+    return values[begin:end] if values.ndim == 1 else values.flat[begin:end]
+
+
+def _compiled(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    return compiled.solve(values, contact, out, begin, size)
+
+
+def _numpy(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    with np.errstate(all="ignore"):
+        return block.solve(_point(values, contact), size, out, begin, np.float64)
+
+
+def _single(values: list[NDArray[np.float64]], size: int) -> NDArray[np.bool_]:
+    with np.errstate(all="ignore"):
+        flags = kernel.single(_point(values, True), np.float64(2.0**-53))
+    return np.array(np.broadcast_to(flags, size))
+
+
+def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
+    theta0, mu0, kappa, alpha, sigma, beta = (value if value.size > 1 else value[0] for value in values)
+    cos0, sin0 = kernel.cosine_and_sine(theta0)
+    return kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
+
+
+# -------------------------------------------------------------------------------------------------- more digits
+
+
+def _escalate(
+    p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], dict[int, str]]:
+    """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals.
+
+    Returns which of them are folds, and why points are left without an answer, by row.
+    """
+    given = [np.broadcast_to(getattr(p, name), p.shape).flat[rows] for name in NAMES]
+    left = np.arange(rows.size)
+    if _extended_precision():
+        theta0, mu0, kappa, alpha, sigma, beta = (value.astype(np.longdouble) for value in given)
+        again = Slots(rows.size, out.slots)
+        with np.errstate(all="ignore"):
+            point = kernel.Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, int(contact))
+            left = block.solve(point, rows.size, again, 0, np.longdouble)
+        again.clear()
+        out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
+    folds: list[int] = []
+    reasons: dict[int, str] = {}
+    if left.size:
+        from . import ladder
+
+        count, columns = np.zeros(left.size, dtype=np.int8), empty(out.slots, left.size)
+        for place, row in enumerate(left):
+            parameters = dict(zip(NAMES, (float(value[row]) for value in given), strict=True))
+            try:
+                found = ladder.equilibria(*parameters.values(), contact=contact)
+                _store(columns, place, found, parameters)
+            except ConvergenceError as reason:
+                reasons[int(rows[row])] = str(reason)
+            else:
+                count[place] = len(found.states)
+                folds += [int(rows[row])] * found.fold
+        out.put(rows[left], count, columns)
+    return np.array(folds, dtype=np.int64), reasons
+
+
+def _extended_precision() -> bool:
+    """Whether long double is the 80-bit type, with its 64-bit significand."""
+    return bool(np.finfo(np.longdouble).nmant == 63)
+
+
+def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:
+    """States rounded to float64, by at most half a unit in the last place, which the error includes."""
+    for state in found.states:
+        if not np.isfinite(float(state.L) + float(state.x) + float(state.y)):
+            raise ConvergenceError(
+                f"log10 L = {_log10(state.L):.6g} at an equilibrium of "
+                f"{', '.join(f'{name}={value}' for name, value in parameters.items())} is beyond float64; "
+                "spragsym.precise carries it"
+            )
+    for slot, state in enumerate(found.states):
+        for name, values in columns.items():
+            values[slot, place] = float(getattr(state, name))
+        columns["error"][slot, place] += 1.2e-16
+
+
+def _log10(value: Any) -> float:
+    """The logarithm of an mpf, of any size."""
+    _, mantissa, exponent, _ = value._mpf_
+    return math.log10(mantissa) + int(exponent) * math.log10(2)

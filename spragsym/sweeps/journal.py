@@ -1,0 +1,220 @@
+"""The journal of a sweep: finished points, a line each, in a file beside the result until that is written.
+
+A line is a checksum and JSON. The checksum of a point takes in the fingerprint of its sweep, so that a line that
+is cut, changed, or that belongs to another sweep, is never taken for a result.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import socket
+import time
+import warnings
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass, field
+from io import FileIO
+from pathlib import Path
+from typing import Any, TypeAlias
+
+from ..errors import DamageWarning, ParameterError, SpragsymError, StoreError, SweepError
+from .locks import HeldError, exclusive, write_all
+from .storage import provenance
+
+#: One point of a sweep: its measured values and, if it failed, why.
+Record: TypeAlias = tuple[list[float], str]
+
+
+def path_of(target: Path) -> Path:
+    """Where the journal of a result stands."""
+    return target.with_name(target.name + ".partial")
+
+
+@contextmanager
+def journal(
+    target: Path, fingerprint: str, total: int
+) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
+    """Finished points of an earlier run to ``target``, and a function that keeps one more.
+
+    Every line is out of this process before the next point is asked for. A line that a kill cut short is
+    dropped; a damaged one is dropped with a :class:`~spragsym.errors.DamageWarning`. The journal is removed when
+    the body ends well, which must have written the target; whatever else ends the body says how many points are
+    kept.
+
+    Raises
+    ------
+    StoreError
+        If another process writes to the same target, the journal cannot be read or written, or nothing in it
+        can be told to be of any sweep.
+    ParameterError
+        If it holds points of another sweep.
+    """
+    path = path_of(target)
+    with ExitStack() as stack:
+        file, data = _opened(stack, path)
+        found = _understood(data, fingerprint)
+        _begin(file, path, fingerprint, found)
+        done = {index: record for index, record in found.points.items() if 0 <= index < total}
+
+        def keep(index: int, record: Record) -> None:
+            _append(file, path, _line(fingerprint, [index, *record]))
+            done[index] = record
+
+        with _told(path, done, total):
+            yield done, keep
+        if os.name == "posix":
+            path.unlink()  # while it is locked, so that it is nobody else's
+    if os.name != "posix":
+        with suppress(OSError):  # an open file can't be removed there: whoever has it sees that the work is done
+            path.unlink()
+
+
+def clear(target: Path, fingerprint: str, total: int) -> None:
+    """Remove the journal that a kill left beside its finished result, if it is still there and nobody's."""
+    if path_of(target).exists():
+        with suppress(SpragsymError, OSError), journal(target, fingerprint, total):
+            pass
+
+
+def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
+    """The journal, for this process alone until the stack is left, and what it holds."""
+    try:
+        file = stack.enter_context(exclusive(path))
+        file.seek(0)
+        return file, file.readall() or b""
+    except HeldError:
+        raise StoreError(f"{path} is being written by {_holder(path)}; wait for it to end, or give another path") from None
+    except OSError as error:
+        raise StoreError(f"{path} cannot be read and written: {error.strerror}; give another path") from error
+
+
+@contextmanager
+def _told(path: Path, done: dict[int, Record], total: int) -> Iterator[None]:
+    """What ends a sweep before its end says what is kept."""
+
+    def kept() -> str:
+        return f"{len(done)} of {total} points are kept in {path}, and the same call goes on from there"
+
+    try:
+        yield
+    except KeyboardInterrupt as stop:
+        raise KeyboardInterrupt(kept()) from stop
+    except (SweepError, StoreError) as error:
+        raise type(error)(f"{error}; {kept()}") from error
+
+
+# ---------------------------------------------------------------------------------------------------- its lines
+
+
+def _line(key: str, content: Any) -> bytes:
+    text = json.dumps(content).encode()
+    return _checksum(key, text) + b" " + text + b"\n"
+
+
+def _checksum(key: str, text: bytes) -> bytes:
+    return hashlib.sha256(key.encode() + b" " + text).hexdigest()[:16].encode()
+
+
+def _content(key: str, line: bytes) -> Any:
+    """What a line without its end says; None if its checksum is not right."""
+    checksum, _, text = line.partition(b" ")
+    return json.loads(text) if checksum == _checksum(key, text) else None
+
+
+@dataclass
+class _Found:
+    """What a journal holds."""
+
+    fingerprint: str | None = None
+    points: dict[int, Record] = field(default_factory=dict)
+    damaged: list[int] = field(default_factory=list)
+    length: int = 0
+    size: int = 0
+
+
+def _understood(data: bytes, fingerprint: str) -> _Found:
+    """Every line that is good: the head, who wrote, points of this sweep; and the numbers of the others."""
+    *lines, rest = data.split(b"\n")
+    found = _Found(length=len(data) - len(rest), size=len(data))
+    for number, line in enumerate(lines, 1):
+        point, other = _content(fingerprint, line), _content("", line)
+        if point is not None:
+            index, values, reason = point
+            found.points[index] = (values, reason)
+        elif other is None:
+            found.damaged.append(number)
+        elif "fingerprint" in other:
+            found.fingerprint = other["fingerprint"]
+    return found
+
+
+def _begin(file: FileIO, path: Path, fingerprint: str, found: _Found) -> None:
+    """Make the file ready to append to, and say what is wrong with what it holds."""
+    head = _line("", {"journal": 1, "fingerprint": fingerprint, **provenance()})
+    ours = found.fingerprint == fingerprint or bool(found.points)
+    if not ours and found.fingerprint is not None and found.damaged:
+        # The lines of another sweep have checksums that only its fingerprint can tell from damage.
+        raise ParameterError(f"{path} belongs to another sweep; remove it to start anew, or give another path")
+    if not ours and found.fingerprint is None and found.size and not _is_cut(file, head):
+        raise StoreError(
+            f"{path} is damaged, no journal, or one of an older version: its first line is not as it is written, and no "
+            "other line is a point of this sweep; remove it to start anew, or give another path"
+        )
+    if found.damaged:
+        _warn(path, found)
+    if ours:
+        file.truncate(found.length)  # what a kill left of a line
+        head = b""
+    else:
+        file.truncate(0)
+    _append(file, path, head + _line("", {"pid": os.getpid(), "host": socket.gethostname()}))
+
+
+def _is_cut(file: FileIO, head: bytes) -> bool:
+    """Whether a kill, or a full disk, left a part of the first line and nothing else."""
+    file.seek(0)
+    return head.startswith(file.readall() or b"")
+
+
+def _warn(path: Path, found: _Found) -> None:
+    shown = ", ".join(map(str, found.damaged[:10])) + (", …" if len(found.damaged) > 10 else "")
+    warnings.warn(
+        f"{path}: {len(found.damaged)} damaged line{'s' * (len(found.damaged) > 1)} ({shown}): not as written, by their "
+        f"checksums; the {len(found.points)} points of the other lines are good, and what is lost is computed again",
+        DamageWarning,
+        stacklevel=2,
+    )
+
+
+def _append(file: FileIO, path: Path, line: bytes) -> None:
+    """Write a line, all of it or nothing."""
+    end = file.seek(0, os.SEEK_END)
+    try:
+        write_all(file, line)
+    except BaseException as error:
+        with suppress(OSError):
+            file.truncate(end)
+        if not isinstance(error, OSError):
+            raise
+        raise StoreError(f"{path} cannot be written: {error.strerror}; make room, or give another path") from error
+
+
+# -------------------------------------------------------------------------------------------------- who has it
+
+
+def _holder(path: Path) -> str:
+    """Who holds a journal, as far as it says."""
+    time.sleep(0.1)  # the other may have opened it just now, and not yet have said who it is
+    writer: dict[str, Any] = {}
+    with suppress(OSError):
+        for line in path.read_bytes().split(b"\n"):
+            content = _content("", line)
+            writer = content if isinstance(content, dict) and "pid" in content else writer
+    if not writer:
+        return "another process"
+    here = writer["host"] == socket.gethostname()
+    if here and writer["pid"] == os.getpid():
+        return f"another thread of this process ({writer['pid']})"
+    return f"process {writer['pid']} on {'this machine' if here else 'the machine'} ({writer['host']})"

@@ -1,0 +1,103 @@
+"""A file that one process at a time may write to; a process that is killed holds it no longer."""
+
+from __future__ import annotations
+
+import errno
+import os
+import sys
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from io import FileIO
+from pathlib import Path
+
+from ..errors import StoreError
+
+if sys.platform == "win32":
+    import msvcrt
+
+    #: Locks bind all who read there, too: one byte far behind any content.
+    _BEHIND = 0x7FFF0000
+
+    def _lock(file: FileIO) -> None:
+        file.seek(_BEHIND)
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+
+else:
+    import fcntl
+
+    def _lock(file: FileIO) -> None:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+#: Another holds the lock.
+_HELD = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
+#: The file system has no locks: some network and cluster file systems, as they are mounted.
+_NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL)
+
+
+class HeldError(StoreError):
+    """Another process, or another thread of this one, writes to the file."""
+
+
+@contextmanager
+def exclusive(path: Path) -> Iterator[FileIO]:
+    """Open a file to read and append, made if it is not there, that no other caller has until the end.
+
+    The system lets go of the lock when the process ends, whatever ends it. On a network file system it holds
+    between machines as far as the file system's own locks do; where there are none, a warning says so.
+
+    Raises
+    ------
+    HeldError
+        At once, if another has it.
+    OSError
+        If the file can't be opened.
+    """
+    with _opened(path) as file:
+        yield file
+
+
+def _opened(path: Path) -> FileIO:
+    while True:
+        file = open(path, "a+b", buffering=0)  # noqa: SIM115 -- whoever asked closes it
+        try:
+            if _locked(file) and not _is_at(file, path):
+                file.close()  # it was renamed or removed between opening and locking
+                continue
+        except BaseException:
+            file.close()
+            raise
+        return file
+
+
+def _locked(file: FileIO) -> bool:
+    """Lock it; whether the file system knows locks."""
+    try:
+        _lock(file)
+    except OSError as error:
+        if error.errno in _HELD:
+            raise HeldError(f"{file.name} is being written by another process; wait for it, or give another path") from error
+        if error.errno not in _NO_LOCKS:
+            raise
+        warnings.warn(
+            f"{file.name} lies on a file system without locks ({error.strerror}): nothing keeps a second process from "
+            "writing there; start one only, or give a path on a local disk",
+            stacklevel=2,
+        )
+        return False
+    return True
+
+
+def _is_at(file: FileIO, path: Path) -> bool:
+    try:
+        return os.path.samestat(os.fstat(file.fileno()), path.stat())
+    except FileNotFoundError:
+        return False
+
+
+def write_all(file: FileIO, data: bytes) -> None:
+    """Write all of it, or raise: a disk that is almost full takes a part, and says so only the next time."""
+    view = memoryview(data)
+    while view:
+        view = view[file.write(view) :]

@@ -1,0 +1,273 @@
+"""Files of results: units, provenance, and a checksum, whole or not there at all.
+
+A netCDF file ends in a line with the SHA-256 of all before it, which HDF5 does not look at: its superblock says
+where its data end. A CSV file begins with one of all after it. Nothing of a file is understood before that is
+right: HDF5 takes many damaged files for good ones, and ends the process over others."""
+
+from __future__ import annotations
+
+import csv
+import hashlib
+import io
+import json
+import math
+import os
+import re
+import shutil
+import tempfile
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._version import __version__
+from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError
+from ..generated import SOURCE_HASH
+from .locks import exclusive, write_all
+
+#: (unit, meaning) of every quantity that a file can hold.
+QUANTITIES = {
+    "theta0": ("rad", "inclination of the undeformed spring"),
+    "theta0_deg": ("degree", "the same in degrees"),
+    "mu0": ("1", "friction coefficient at full slip"),
+    "kappa": ("1", "preload F_L / (k_c L_0)"),
+    "alpha": ("1", "stiffness ratio k_x / k_c"),
+    "sigma": ("1", "stiffness ratio k / k_c"),
+    "beta": ("1", "stiffness ratio k_y / k_c"),
+    "V": ("L_0 sqrt(k_c/m)", "belt speed"),
+    "d": ("1/(L_0 sqrt(k_c/m))", "steepness of the friction law in creep"),
+    "x0": ("L_0", "initial displacement along the belt"),
+    "y0": ("L_0", "initial displacement across the belt"),
+    "vx0": ("L_0 sqrt(k_c/m)", "initial speed along the belt"),
+    "vy0": ("L_0 sqrt(k_c/m)", "initial speed across the belt"),
+    "t": ("sqrt(m/k_c)", "time"),
+    "x": ("L_0", "displacement along the belt"),
+    "y": ("L_0", "displacement across the belt, negative into the belt"),
+    "vx": ("L_0 sqrt(k_c/m)", "speed along the belt"),
+    "vy": ("L_0 sqrt(k_c/m)", "speed across the belt"),
+    "error": ("1", "largest difference of x, y, x', y' to a run at a tighter tolerance"),
+    "rms": ("L_0", "root mean square of x about zero, after the transient"),
+    "spread": ("L_0", "root mean square of x about its mean, after the transient"),
+    "amplitude": ("L_0", "largest |x| after the transient"),
+    "mean": ("L_0", "mean of x after the transient"),
+    "mean_y": ("L_0", "mean of y after the transient"),
+    "period": ("sqrt(m/k_c)", "period of the cycle that the motion is on or approaches; NaN for none"),
+    "rate": ("sqrt(k_c/m)", "rate at which what the motion settles to or approaches attracts"),
+    "distance": ("1", "what is left of the way there: of the reach of a cycle, over L_0 for rest"),
+    "cycle_mean": ("L_0", "mean of x over one period of the cycle"),
+    "cycle_rms": ("L_0", "root mean square of x about zero over one period of the cycle"),
+    "cycle_x": ("L_0", "largest x of the cycle"),
+    "cycle_y": ("L_0", "y of the cycle where its x is largest"),
+    "cycle_vy": ("L_0 sqrt(k_c/m)", "speed across the belt of the cycle where its x is largest"),
+    "contact_lost": ("1", "times contact was lost after the transient"),
+    "slip_reversed": ("1", "times x' passed V after the transient"),
+    "regime": ("1", "what the motion settles to or approaches"),
+    "equilibrium": ("1", "index of the equilibrium that it settles to or approaches; -1 for none"),
+    "reason": ("1", "why a point has no result"),
+    "event_t": ("sqrt(m/k_c)", "time of an event"),
+    "event": ("1", "what happened"),
+}
+
+
+def xarray() -> Any:
+    """The module, or an error that names the extra."""
+    try:
+        import h5netcdf  # noqa: F401
+        import h5py  # noqa: F401
+        import xarray
+    except ModuleNotFoundError as error:
+        raise MissingExtraError("a netCDF file", error.name or "xarray", "sweep") from error
+    return xarray
+
+
+def attributes(name: str) -> dict[str, str]:
+    """Unit and meaning of a quantity."""
+    unit, meaning = QUANTITIES[name]
+    return {"units": unit, "long_name": meaning}
+
+
+def provenance() -> dict[str, str]:
+    """What produced a file: the version and the hash of the derivation behind the generated code."""
+    return {"source": f"spragsym {__version__}", "generated_from": SOURCE_HASH}
+
+
+def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
+    """SHA-256 of everything that a result depends on."""
+    digest = hashlib.sha256(json.dumps({**settings, **provenance()}, sort_keys=True).encode())
+    for name, values in arrays.items():
+        array = np.ascontiguousarray(values, dtype="<f8")
+        digest.update(f"{name}{array.shape}".encode() + array.tobytes())
+    return digest.hexdigest()
+
+
+# ----------------------------------------------------------------------------------------------- before the work
+
+
+def resolved(path: str | os.PathLike[str]) -> Path:
+    """Where a path leads, through links: also through one to a file that is not there yet."""
+    try:
+        return Path(path).resolve()
+    except (OSError, RuntimeError) as error:  # a link that leads to itself
+        raise ParameterError(f"{path} leads nowhere ({error}); give another path") from error
+
+
+def check_target(path: Path, bytes_needed: int) -> None:
+    """Raise, before any work, if a file cannot be written there."""
+    if path.suffix not in (".nc", ".csv"):
+        raise ParameterError(f"{path} ends neither in .nc nor in .csv; the ending says which file is meant")
+    if path.is_dir() or not path.parent.is_dir():
+        problem = "is a folder" if path.is_dir() else "lies in a folder that does not exist"
+        raise ParameterError(f"{path} {problem}; give the name of a file in an existing folder")
+    if path.suffix == ".nc":
+        xarray()
+    try:
+        with tempfile.TemporaryFile(dir=path.parent):
+            pass
+    except OSError as error:
+        raise ParameterError(
+            f"{path} cannot be written ({error.strerror}); give another path, or the right to write there"
+        ) from error
+    free = shutil.disk_usage(path.parent).free
+    if free < bytes_needed:
+        raise ParameterError(
+            f"{path}: about {_megabytes(bytes_needed)} are needed and {_megabytes(free)} are free; "
+            "make room, or write to another disk"
+        )
+
+
+def _megabytes(size: int) -> str:
+    return f"{math.ceil(size / 1e6)} MB"
+
+
+# ----------------------------------------------------------------------------------------------------- to write
+
+
+def write(
+    path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]
+) -> None:
+    """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes."""
+    path = resolved(path)
+    check_target(path, 0)
+    # In memory first: HDF5 ends the process when a disk fills while it writes.
+    _replace(path, _netcdf(dataset()) if path.suffix == ".nc" else _csv(columns(), attrs))
+
+
+def _netcdf(dataset: Any) -> bytes:
+    return _sealed(bytes(dataset.to_netcdf(engine="h5netcdf")) + b"\n")
+
+
+def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any]) -> bytes:
+    """Names of the columns, then attributes and units in comment lines, then the numbers to the last digit.
+
+    The names come first because NumPy takes them from the first line, comment or not.
+    """
+    text = io.StringIO(newline="")
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(columns)
+    text.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
+    text.writelines(f"# {name} [{QUANTITIES[name][0]}]: {QUANTITIES[name][1]}\n" for name in columns)
+    writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
+    return _sealed(text.getvalue().encode())
+
+
+def _sealed(data: bytes) -> bytes:
+    """With a last line that holds the checksum of all before it."""
+    return data + _TRAILER % _sha256(data)
+
+
+def _replace(path: Path, data: bytes) -> None:
+    """Put a file in place, in one step: what was there before stays until the new one is on the disk."""
+    temporary = path.with_name(path.name + ".new")
+    try:
+        with exclusive(temporary) as file:
+            try:
+                file.truncate(0)  # what a killed process left
+                write_all(file, data)
+                os.fsync(file.fileno())
+                if os.name == "posix":
+                    os.replace(temporary, path)
+            except BaseException:
+                with suppress(OSError):
+                    temporary.unlink()
+                raise
+        if os.name != "posix":  # where an open file can't be renamed
+            os.replace(temporary, path)
+        _settle(path.parent)
+    except StoreError:
+        raise
+    except OSError as error:
+        raise StoreError(f"{path} cannot be written: {error.strerror}; make room, or give another path") from error
+
+
+def plain(text: str) -> str:
+    """Text that is one cell to every reader of CSV, NumPy too, which knows no quotes: no comma, quote, # or line end."""
+    return " ".join(text.replace(",", ";").replace('"', "'").replace("#", "no. ").split())
+
+
+def _settle(folder: Path) -> None:
+    """Have a new name in a folder outlive a power cut, where the system can be asked to."""
+    with suppress(OSError):
+        number = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(number)
+        finally:
+            os.close(number)
+
+
+# ------------------------------------------------------------------------------------------------------ to read
+
+#: The last line of a file.
+_TRAILER = b"# sha256: %b\n"
+_TRAILED = re.compile(rb"(.*\n)# sha256: ([0-9a-f]{64})\n", re.DOTALL)
+
+
+def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Columns, flat, and attributes of a file that :func:`write` wrote.
+
+    Raises
+    ------
+    StoreError
+        If the file cannot be read, or a single bit of it is not as it was written.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
+    content = _verified(path, data)
+    return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
+
+
+def _verified(path: Path, data: bytes) -> bytes:
+    """What the checksum of a file covers."""
+    parts = _TRAILED.fullmatch(data)
+    if parts is None:
+        raise DamagedError(
+            f"{path} has no checksum at its end: it was cut, changed, or written by something else; "
+            "remove it to compute it again, or give another path"
+        )
+    if _sha256(parts[1]) != parts[2]:
+        raise DamagedError(
+            f"{path} is damaged or was changed: its {len(data)} bytes do not give its checksum; "
+            "take it from a copy, or remove it to compute it again"
+        )
+    return parts[1]
+
+
+def _read_netcdf(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
+    with xarray().open_dataset(io.BytesIO(data), engine="h5netcdf") as dataset:
+        return {name: dataset[name].values.ravel() for name in dataset.variables}, dict(dataset.attrs)
+
+
+def _read_csv(data: bytes) -> tuple[dict[str, Any], dict[str, Any]]:
+    lines = data.decode().splitlines(keepends=True)
+    comments, table = ([line for line in lines if line.startswith("#") == comment] for comment in (True, False))
+    attrs = dict(line[2:].rstrip("\n").split(": ", 1) for line in comments)
+    header, *rows = csv.reader(table)
+    columns = dict(zip(header, zip(*rows, strict=True) if rows else [()] * len(header), strict=True))
+    return {name: np.array(values) for name, values in columns.items()}, attrs
+
+
+def _sha256(data: bytes) -> bytes:
+    return hashlib.sha256(data).hexdigest().encode()

@@ -24,9 +24,9 @@ import numpy as np
 
 import spragsym as ss
 from spragsym.errors import DamageWarning, StoreError
+from spragsym.files import storage
+from spragsym.files.journal import path_of
 from spragsym.sweeps import many as sweeps
-from spragsym.sweeps import storage
-from spragsym.sweeps.journal import path_of
 from spragsym.sweeps.many import Sweep, rms_sweep
 
 P = ss.Parameters.article(theta0=np.radians(np.linspace(30.0, 60.0, 12)))

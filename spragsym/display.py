@@ -19,7 +19,7 @@ ROWS = 20
 _ANGLES = {"poles", "width"}
 
 #: Column of codes → module and enumeration that says what they mean.
-_CODES = {"stability": ("solver", "Stability"), "regime": ("sweeps", "Regime"), "which": ("dynamics", "Event")}
+_CODES = {"stability": ("statics", "Stability"), "regime": ("sweeps", "Regime"), "which": ("dynamics", "Event")}
 
 
 @dataclass(frozen=True)

@@ -273,7 +273,7 @@ def test_a_file_has_the_degrees_that_were_typed(tmp_path: Path, capsys: pytest.C
 
 @given(st.lists(st.text(max_size=30), min_size=1, max_size=4))
 def test_any_text_is_one_cell_to_every_reader(words: list[str]) -> None:
-    from spragsym.sweeps import storage
+    from spragsym.files import storage
 
     with TemporaryDirectory() as folder:
         path = Path(folder) / "a.csv"

@@ -161,7 +161,7 @@ def test_the_theory_names_what_exists() -> None:
         if test:
             assert f"def {name}(" in (ROOT / f"tests/test_{module}.py").read_text(encoding="utf-8"), name
         else:
-            assert callable(getattr(importlib.import_module(f"spragsym.derive.{module}"), name)), name
+            assert callable(getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)), name
 
 
 @pytest.mark.parametrize("command", [command for command, _ in commands(DOCS / "command_line.md")])

@@ -21,9 +21,9 @@ import spragsym as ss
 from benchmarks import attack_sweeps as attack
 from spragsym.dynamics import trajectory as dynamics
 from spragsym.errors import DamageWarning, StoreError, SweepError
-from spragsym.sweeps.journal import journal, path_of
+from spragsym.files.journal import journal, path_of
+from spragsym.files.storage import read
 from spragsym.sweeps.many import rms_sweep
-from spragsym.sweeps.storage import read
 
 pytest.importorskip("xarray")
 P, SHORT = attack.P, attack.SHORT
@@ -276,7 +276,7 @@ def test_a_second_process_is_refused_and_told_who_is_first(tmp_path: Path, begin
 def test_a_killed_process_holds_nothing(tmp_path: Path, begin: Begin, recorded: attack.Recorded) -> None:
     path = tmp_path / "rms.csv"
     code = (
-        "import sys, time; from pathlib import Path; from spragsym.sweeps.journal import journal\n"
+        "import sys, time; from pathlib import Path; from spragsym.files.journal import journal\n"
         "with journal(Path(sys.argv[1]), 'a', 2): print('held', flush=True); time.sleep(100)"
     )
     process = begin([sys.executable, "-c", code, str(path)], stdout=subprocess.PIPE, text=True)

@@ -24,9 +24,9 @@ import spragsym as ss
 from spragsym.cli.motion import sweep as sweep_command
 from spragsym.dynamics.regimes import Regime
 from spragsym.dynamics.trajectory import Event, simulate
+from spragsym.files import storage
 from spragsym.statics.solver import equilibria
 from spragsym.sweeps import many as sweeps
-from spragsym.sweeps import storage
 from spragsym.sweeps.many import Sweep, basin, rms_sweep, sensitivity
 
 pytest.importorskip("xarray")

@@ -76,7 +76,7 @@ def simulate(
     """
     from ..dynamics.trajectory import Event
     from ..dynamics.trajectory import simulate as integrate
-    from ..sweeps import storage
+    from ..files import storage
 
     p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})
     if output is not None:

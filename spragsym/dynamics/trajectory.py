@@ -14,9 +14,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..display import Result
 from ..errors import ParameterError, ParameterTypeError
+from ..files import storage
 from ..generated import motion
 from ..parameters import FINITE, NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, Range, as_number, as_numbers, degrees
-from ..sweeps import storage
 from . import integrators, regimes
 from .integrators import DEGREE, Course, Event, Problem
 from .regimes import SETTLED, Outcome, Regime

@@ -21,10 +21,10 @@ from ..dynamics.integrators import Course, Problem
 from ..dynamics.regimes import Outcome, Regime
 from ..dynamics.trajectory import BELT_SPEED, CREEP, MAX_STEPS, TOLERANCE
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError, TargetError
+from ..files import storage
+from ..files.journal import Record, clear, journal
 from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, degrees
-from . import storage
 from . import workers as processes
-from .journal import Record, clear, journal
 from .workers import Workers as Workers
 
 __all__ = ["Basin", "Regime", "Sensitivity", "Sweep", "basin", "rms_sweep", "sensitivity"]

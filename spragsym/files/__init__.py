@@ -1,0 +1,1 @@
+"""Files: datasets with units and provenance, the journal that a long sweep writes as it goes, and locks."""

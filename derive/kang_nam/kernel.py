@@ -118,6 +118,16 @@ class Guesses(NamedTuple):
     certain: Flag
 
 
+class Separation(NamedTuple):
+    """A direction, the certain sign of f there, and whether it certainly is one of those in contact, y < 0, or none."""
+
+    t: Real
+    positive: Flag
+    negative: Flag
+    inside: Flag
+    outside: Flag
+
+
 class Kind(NamedTuple):
     """Code of the stability, and whether rounding errors can't change it."""
 
@@ -397,6 +407,38 @@ def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     outer = minimum(a2, b2)
     count = where(contact, 1.0, 2.0) + where(more, 2.0, 0.0)
     return Guesses(minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2), count, spared | real)
+
+
+def separation(one: Real, other: Real, point: Point, line: Balance, u: Real) -> Separation:
+    """f at a direction between two positive roots."""
+    t = sqrt(one * other)
+    at = direction(t)
+    c_size = absolute(at.cosine)
+    f_size = f(c_size, at.sine, line.a_size, absolute(line.b), line.d_size, -absolute(line.m))
+    value = f(at.cosine, at.sine, line.a, line.b, line.d, line.m)
+    error = COUNT_F * u * f_size
+    # y < 0 where σ sin θ > σ sin θ₀ − κ.
+    depth = point.sigma * (at.sine - point.sin0) + point.kappa
+    margin = COUNT_STATE * u * (point.sigma * (at.sine + point.sin0) + point.kappa)
+    return Separation(t, value > error, value < -error, depth > margin, depth < -margin)
+
+
+def one_or_three(all: Guesses, point: Point, u: Real) -> Real:
+    """The number of equilibria in contact by the roots that were guessed, 1 or 3; 0 where that is open.
+
+    At most three roots have sin θ > 0. f is negative at θ = 0 and at the lower end of the directions in contact, positive at their
+    upper end and at θ = π. Three equilibria are certain where f is positive and, farther up, negative, both in contact. One is
+    certain where there are no three roots, and where f changes its sign twice out of contact, so that two of the roots lie there.
+    """
+    line = balance(point)
+    lower = separation(all.t0, all.t1, point, line, u)
+    upper = separation(all.t1, all.t2, point, line, u)
+    three = lower.positive & lower.inside & upper.negative & upper.inside & (lower.t < upper.t)
+    below = lower.positive & lower.outside & (lower.t < 1.0)
+    above = upper.negative & upper.outside & (upper.t > 1.0)
+    alone = (all.count < 2.0) | below | above
+    number = where(alone, 1.0, where(three, 3.0, 0.0))
+    return where(all.certain, where(sound(point), where(representable(line), number, 0.0), 0.0), 0.0)
 
 
 # ----------------------------------------------------------------------------------------------- what is at a root

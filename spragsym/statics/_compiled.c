@@ -6,7 +6,7 @@
  * of the six columns theta, L, x, y, error (doubles) and stability (signed chars), of n each; `further` a tuple of a buffer of n
  * 64-bit rows, then the six columns with room for n rows of the slots 1 and up.
  *
- * single(theta0, mu0, kappa, alpha, sigma, beta, flags): where there certainly is one equilibrium in contact. */
+ * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -207,16 +207,86 @@ static PyObject *solve(PyObject *module, PyObject *arguments) {
     return (used < 0) ? NULL : PyLong_FromSsize_t(used);
 }
 
-CLONED static void single_columns(const point_columns *p, int flags[BLOCK]) {
+/* Points of which one discriminant does not tell the number, put together until they fill a block. */
+typedef struct {
+    point_columns points;
+    Py_ssize_t place[BLOCK];
+    int filled;
+} waiting;
+
+static Point point_at(const point_columns *p, int i) {
+    const Point point = {p->cos0[i],  p->sin0[i],  p->mu0[i],  p->kappa[i],
+                         p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
+    return point;
+}
+
+CLONED static void single_columns(point_columns *p, int flags[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
                              p->alpha[i],       p->sigma[i],     p->beta[i], p->nbar[i]};
+        p->cos0[i] = undeformed.cosine;
+        p->sin0[i] = undeformed.sine;
         flags[i] = single(point, UNIT_ROUNDOFF);
     }
 }
 
-static PyObject *find_single(PyObject *module, PyObject *arguments) {
+CLONED static void count_columns(point_columns *p) {
+    for (int i = 0; i < BLOCK; i++) {
+        const Point point = {p->cos0[i],  p->sin0[i],  p->mu0[i],  p->kappa[i],
+                             p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
+        const Guesses all = {p->t[0][i], p->t[1][i], p->t[2][i], p->t[3][i], p->count[i], p->certain[i]};
+        p->count[i] = one_or_three(all, point, UNIT_ROUNDOFF);
+    }
+}
+
+static void count_waiting(waiting *some, signed char *counts) {
+    guess_columns(&some->points);
+    count_columns(&some->points);
+    for (int i = 0; i < some->filled; i++) {
+        counts[some->place[i]] = (signed char)some->points.count[i];
+    }
+    some->filled = 0;
+}
+
+static void wait_for_block(const point_columns *p, int i, Py_ssize_t place, waiting *some, signed char *counts) {
+    point_columns *const q = &some->points;
+    const int j = some->filled++;
+    const Point point = point_at(p, i);
+    q->theta0[j] = p->theta0[i];
+    q->mu0[j] = point.mu0;
+    q->kappa[j] = point.kappa;
+    q->alpha[j] = point.alpha;
+    q->sigma[j] = point.sigma;
+    q->beta[j] = point.beta;
+    q->nbar[j] = point.nbar;
+    some->place[j] = place;
+    if (some->filled == BLOCK) {
+        count_waiting(some, counts);
+    }
+}
+
+static void count_all(const Py_buffer given[PARAMETERS], Py_ssize_t points, signed char *counts) {
+    point_columns p;
+    waiting some;
+    int refused[BLOCK];
+    int flags[BLOCK];
+    memset(&some, 0, sizeof some);
+    for (Py_ssize_t start = 0; start < points; start += BLOCK) {
+        const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
+        load_columns(given, 1.0, start, length, &p, refused);
+        single_columns(&p, flags);
+        for (int i = 0; i < length; i++) {
+            counts[start + i] = (signed char)(flags[i] && !refused[i]);
+            if (!flags[i] && !refused[i]) {
+                wait_for_block(&p, i, start + i, &some, counts);
+            }
+        }
+    }
+    count_waiting(&some, counts);
+}
+
+static PyObject *count(PyObject *module, PyObject *arguments) {
     PyObject *given[PARAMETERS];
     PyObject *result;
     buffers all;
@@ -232,19 +302,8 @@ static PyObject *find_single(PyObject *module, PyObject *arguments) {
     }
     held = held && hold(&all, result, 1, points, 1);
     if (held) {
-        point_columns p;
-        int refused[BLOCK];
-        int flags[BLOCK];
-        signed char *const to = (signed char *)all.settled.buf;
         Py_BEGIN_ALLOW_THREADS;
-        for (Py_ssize_t start = 0; start < points; start += BLOCK) {
-            const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
-            load_columns(all.given, 1.0, start, length, &p, refused);
-            single_columns(&p, flags);
-            for (int i = 0; i < length; i++) {
-                to[start + i] = (signed char)(flags[i] && !refused[i]);
-            }
-        }
+        count_all(all.given, points, (signed char *)all.settled.buf);
         Py_END_ALLOW_THREADS;
     }
     release(&all);
@@ -255,7 +314,7 @@ static PyObject *find_single(PyObject *module, PyObject *arguments) {
 }
 
 static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
-                                {"single", find_single, METH_VARARGS, "Where there certainly is one equilibrium in contact."},
+                                {"count", count, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
                                 {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,

@@ -8,6 +8,6 @@ def solve(
     theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, contact: int,
     settled: Buffer, count: Buffer, first: tuple[Buffer, ...], further: tuple[Buffer, ...],
 ) -> int: ...
-def single(
-    theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, flags: Buffer
+def count(
+    theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, counts: Buffer
 ) -> None: ...

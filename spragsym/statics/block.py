@@ -46,11 +46,11 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
         t = [upper] if contact else [large, small]
         one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
         roots = np.sort(np.stack([*(value[pairs] for value in t), one, other]), axis=0)
-        settled[pairs] = _some(roots, _rows(point, pairs), _rows(line, pairs), out, begin + pairs, u)
+        settled[pairs] = _some(roots, rows_of(point, pairs), rows_of(line, pairs), out, begin + pairs, u)
     return np.flatnonzero(~settled)
 
 
-def _rows(record: Any, rows: NDArray[np.int64]) -> Any:
+def rows_of(record: Any, rows: NDArray[np.int64]) -> Any:
     """Some of the points of a record."""
     return type(record)(*(value[rows] if np.ndim(value) else value for value in record))
 
@@ -89,7 +89,7 @@ def _some(
     """Several roots a point, in ascending order along the first axis: lined up, so that they are looked at in one go."""
     roots, points = t.shape
     every = np.tile(np.arange(points), roots)
-    root = kernel.at_root(t.ravel(), _rows(point, every), _rows(line, every), u)
+    root = kernel.at_root(t.ravel(), rows_of(point, every), rows_of(line, every), u)
     sure = (_sure(root, u) | root.outsider).reshape(t.shape)
     radius = np.broadcast_to(root.radius, every.shape).reshape(t.shape)
     # Two proved roots are different when the intervals that hold them are.

@@ -45,14 +45,14 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
     return np.flatnonzero(~settled)
 
 
-def single(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.bool_]:
-    """Where there certainly is one equilibrium in contact; ``values`` as for :func:`solve`."""
+def count(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
+    """The number of equilibria in contact, 0 where that is open; ``values`` as for :func:`solve`."""
     from . import _compiled
 
-    flags = np.empty(size, dtype=np.bool_)
+    counts = np.empty(size, dtype=np.int8)
     theta0, mu0, kappa, alpha, sigma, beta = values
-    _compiled.single(theta0, mu0, kappa, alpha, sigma, beta, flags)
-    return flags
+    _compiled.count(theta0, mu0, kappa, alpha, sigma, beta, counts)
+    return counts
 
 
 def _room(slots: int, size: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:

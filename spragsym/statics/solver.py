@@ -207,8 +207,10 @@ def count(p: Parameters) -> NDArray[np.int8]:
 
     Notes
     -----
-    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say where there is one, with bounds on
-    rounding errors; all other points are solved.
+    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say where there is one, and otherwise
+    the signs of f between its roots, all with bounds on rounding errors; what is left is solved.
+
+    Raises :class:`ConvergenceError` for a point that has no answer, see :func:`equilibria`.
 
     Examples
     --------
@@ -218,13 +220,13 @@ def count(p: Parameters) -> NDArray[np.int8]:
     """
     p.require("theta0", "mu0")
     compiled_or_not, threads = backends.chosen()
-    single = compiled.single if compiled_or_not == "compiled" else _single
-    flags = np.concatenate([np.empty(0, dtype=np.bool_), *_in_blocks(p, threads, lambda values, _, size: single(values, size))])
-    counts = np.ones(flags.size, dtype=np.int8)
-    others = np.flatnonzero(~flags)
-    if others.size:
-        some = Parameters(*(np.broadcast_to(getattr(p, name), p.shape).flat[others] for name in NAMES))
-        counts[others] = equilibria(some).count
+    method = compiled.count if compiled_or_not == "compiled" else _count
+    blocks = _in_blocks(p, threads, lambda values, _, size: method(values, size))
+    counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
+    open_ones = np.flatnonzero(counts == 0)
+    if open_ones.size:
+        some = Parameters(*(np.broadcast_to(getattr(p, name), p.shape).flat[open_ones] for name in NAMES))
+        counts[open_ones] = equilibria(some).decided().count
     return counts.reshape(p.shape)
 
 
@@ -273,10 +275,15 @@ def _numpy(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: 
         return block.solve(_point(values, contact), size, out, begin, np.float64)
 
 
-def _single(values: list[NDArray[np.float64]], size: int) -> NDArray[np.bool_]:
+def _count(values: list[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
+    u = np.float64(2.0**-53)
     with np.errstate(all="ignore"):
-        flags = kernel.single(_point(values, True), np.float64(2.0**-53))
-    return np.array(np.broadcast_to(flags, size))
+        point = _point(values, True)
+        counts = np.array(np.broadcast_to(kernel.single(point, u), size), dtype=np.int8)
+        left = np.flatnonzero(counts == 0)
+        some = block.rows_of(point, left)
+        counts[left] = kernel.one_or_three(kernel.guesses(some, kernel.balance(some), u), some, u)
+    return counts
 
 
 def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:

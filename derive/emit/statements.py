@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..kang_nam.catalogue import Function, Results
+from .function import Function, Results
 
 
 @dataclass(frozen=True)

@@ -28,7 +28,7 @@ def _primitive(name: str) -> Callable[..., Any]:
     return unbound
 
 
-#: What every target provides: both sides of a choice computed, and functions of one or two reals.
+#: What every target provides: ``where`` computes both sides of a choice; the others are functions of one or two reals.
 where, maximum, minimum, absolute, sqrt, cube_root = map(
     _primitive, ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
 )
@@ -71,7 +71,7 @@ class Constant:
 
 @dataclass(frozen=True)
 class Source:
-    """The kernel as read: what a target prints, and the text itself for a target that is Python."""
+    """The kernel as read: its parts, which a target prints, and its text, which the Python target copies."""
 
     text: str
     first_line: int  #: where the constants begin, with the comment above the first; imports stand before it
@@ -143,7 +143,7 @@ def _kind(annotation: ast.expr | None, node: ast.AST) -> str:
 
 @dataclass(frozen=True)
 class Kinds:
-    """What is real, what is a flag, and what is a record, anywhere in the kernel."""
+    """Tells, for any expression of the kernel, whether it is a real number, a flag or a record."""
 
     source: Source
 

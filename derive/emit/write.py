@@ -1,4 +1,4 @@
-"""A folder written whole or not at all: first beside its place, then moved into it."""
+"""Writes a folder whole or not at all: the files are written to a new folder beside it, then the two change places."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def source_hash() -> str:
 
 
 def write(files: dict[str, str], target: Path) -> None:
-    """Put ``files`` in the place of ``target``, which is left as it was on any failure or interruption."""
+    """Replace the folder ``target`` by one that holds ``files``; after a failure or an interruption it is as it was."""
     target = target.resolve()
     if target.exists() and not target.is_dir():
         raise FileExistsError(f"{target} is a file; name a folder to write")
@@ -56,7 +56,7 @@ def write(files: dict[str, str], target: Path) -> None:
 
 @contextmanager
 def _undisturbed() -> Iterator[None]:
-    """Hold Ctrl-C back for the moment in which the folders change places."""
+    """Hold Ctrl-C back while the folders change places, and raise it afterwards."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return

@@ -42,7 +42,7 @@ def surface_in_coefficients() -> sp.Expr:
 
 @cache
 def slope_identity() -> bool:
-    """L det K = ∂f/∂θ wherever f = 0: the friction that f = 0 asks for makes the two sides the same function."""
+    """L det K = ∂f/∂θ wherever f = 0: with the friction for which f = 0 put in, the two sides are the same function."""
     parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
     on_surface = {nm.M: surface()}
     determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))

@@ -1,8 +1,11 @@
 """Printed against derived: one ledger row for every printed statement, decided by exact algebra.
 
-:func:`run` recomputes every row. A printed form that differs from the derived one and is not explained, and an explanation of
-a difference that is zero, are failures; so is a correction whose right form is not the derived one, whose second derivation
-disagrees.
+:func:`run` recomputes every row. A row fails if
+
+- its printed form differs from the derived one and no explanation is given,
+- an explanation is given and there is no difference,
+- the right form of its correction is not the derived one, or
+- its second derivation disagrees.
 """
 
 from __future__ import annotations
@@ -17,7 +20,7 @@ from . import article, circles, elimination, equilibrium, explanations, mechanic
 from . import nomenclature as nm
 from .article import Printed
 
-#: Statuses of a row that stands as recorded.
+#: Statuses of a row that passes the check.
 SOUND = ("confirmed", "misprint", "approximation", "definition")
 #: The status of a row whose printed form is not the derived one, without an explanation that holds.
 FAILED = "failed"
@@ -27,8 +30,8 @@ FAILED = "failed"
 class Row:
     """The outcome for one printed statement; every text is LaTeX or plain words, every empty field means not applicable.
 
-    ``derived`` stands in the arrangement of ``printed``, so that the two can be compared by eye: exact algebra has shown that it
-    is ``derivation``, the form that the derivation itself arrives at. A failed row has the latter in both.
+    ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as exact algebra has shown, and has the
+    arrangement of ``printed``, so that the two can be compared by eye. In a failed row ``derived`` is the same as ``derivation``.
     """
 
     id: str
@@ -66,7 +69,7 @@ def run(printed: Iterable[Printed] = article.PRINTED) -> list[Row]:
 
 
 def failures(rows: Sequence[Row]) -> list[Row]:
-    """Rows that do not stand."""
+    """Rows that do not pass the check."""
     return [row for row in rows if row.status not in SOUND]
 
 

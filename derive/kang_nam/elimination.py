@@ -126,7 +126,7 @@ def resolvent_cubic() -> tuple[sp.Expr, ...]:
 
 
 def identities() -> dict[str, bool]:
-    """What the two eliminations owe each other, each decided by exact algebra."""
+    """How the two eliminations are related: statements, and whether exact algebra confirms each."""
     t, ell = nm.tt, sp.Symbol("ell")
     in_t = sp.Poly(sum(value * t**power for power, value in enumerate(quartic_in_t())), t)
     cubic = sp.Poly(sum(value * ell**power for power, value in enumerate(resolvent_cubic())), ell)

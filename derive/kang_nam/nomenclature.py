@@ -1,7 +1,7 @@
 """Every symbol of the model, once: SymPy symbol, code name, the article's name, meaning, unit, domain.
 
 Angles enter the algebra only through their cosine and sine, so ``c`` and ``s`` stand for cos θ and sin θ, ``c0``
-and ``s0`` for cos θ₀ and sin θ₀; what ties each pair together is :data:`UNIT_CIRCLES`.
+and ``s0`` for cos θ₀ and sin θ₀; the relation between the two is in :data:`UNIT_CIRCLES`.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ _QUANTITIES: dict[sp.Symbol, Quantity] = {}
 
 
 def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str = "real") -> sp.Symbol:
-    # Nonnegative is as much as SymPy needs to simplify the square root in the spring length; signs that a
-    # proof relies on are stated in that proof.
+    # Positive is all that SymPy must know to simplify the square root in the spring length. A proof that relies on other signs
+    # states them itself.
     return _enter(Quantity(sp.Symbol(code, real=True, positive=True if domain == "> 0" else None), article, meaning, unit, domain))
 
 

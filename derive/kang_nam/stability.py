@@ -140,7 +140,7 @@ QUADRATIC = sp.symbols("e0 e1 e2")
 def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
     """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit of θ₀.
 
-    J is minus the Jacobian of the two balances in θ and L, which makes it f′; by the implicit function theorem.
+    By the implicit function theorem. J is minus the Jacobian determinant of the two balances in θ and L, and equals f′.
     """
     balances = [in_contact(force) for force in equilibrium.balance()]
     by_direction = [circles.rotate_derivative(force) for force in balances]

@@ -19,7 +19,7 @@ _FILES = ("spragsym.h", "spragsym.c", "Makefile", "main.c")
 
 
 def render(material: Material) -> dict[str, str]:
-    """The header, the source, and the example that an export brings along."""
+    """The header, the source, and an example with its makefile."""
     texts = {name: runtime(__file__, name) for name in _FILES}
     known = material.algebra
     used = _called(material, known)

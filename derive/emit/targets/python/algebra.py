@@ -86,7 +86,7 @@ def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
 
 
 def _assigned(expression: sp.Expr) -> str:
-    """The right side of an assignment; squares stand alone there, and become products."""
+    """The right side of an assignment; a square is always a whole right side, and is printed as a product."""
     if isinstance(expression, sp.Pow) and expression.exp == 2:
         factor = _PRINTER.doprint(expression.base)
         return f"{factor}*{factor}"

@@ -19,14 +19,15 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from derive.emit import python, statements
+from derive.emit import statements
+from derive.emit.targets.python import algebra as python
 from derive.kang_nam import catalogue as functions
 from derive.kang_nam import mechanics, stability
 from derive.kang_nam import nomenclature as nm
 from spragsym.generated import motion as _motion
 from spragsym.generated import stability as _stability
 
-_SIDE = sp.Symbol("side")
+_SIDE = nm.side
 _CALLS = 2000
 
 
@@ -137,7 +138,7 @@ def _ours(subject: Subject) -> Outcome:
     wanted = [one for one in modules[subject.module].functions if one.name in (subject.function, subject.function.replace("jacobian", "rhs"))]
     begin = time.perf_counter()
     operations = sum(statements.straight_line(one).operations for one in wanted)
-    lines = sum(python._function(one).count("\n") for one in wanted)
+    lines = sum(python.definition(one, nm.quantities()).count("\n") for one in wanted)
     seconds = time.perf_counter() - begin
     return Outcome("ours", seconds, subject.ours, f"{operations} operations, {lines} lines with docs")
 

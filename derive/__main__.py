@@ -14,9 +14,8 @@ try:
 except ModuleNotFoundError:
     sys.exit("derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'")
 
-from .kang_nam import catastrophe, check, elimination, equilibrium, linear_sprag, mechanics, stability, theorem
-from .kang_nam import ledger
 from .emit import write
+from .kang_nam import catastrophe, check, elimination, emission, equilibrium, ledger, linear_sprag, mechanics, stability, theorem
 
 T = TypeVar("T")
 
@@ -53,7 +52,7 @@ def main(arguments: list[str] | None = None) -> int:
     if unproved or (failed and not options.variant):
         print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
         return 1
-    files = _step("emit", lambda: write.render(outcome))
+    files = _step("emit", lambda: emission.render(outcome))
     write.write(files, options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities and {len(proof)} steps of the count theorem proved")

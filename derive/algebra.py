@@ -1,20 +1,21 @@
 """Exact comparison: two expressions are equal when their difference reduces to zero, and not otherwise.
 
-Differences are brought over one denominator and their numerators reduced modulo cos² + sin² = 1 for θ and θ₀, which
-is a Gröbner basis: the remainder is zero exactly when the numerator vanishes on both unit circles. No float takes part.
+An angle enters as a pair of symbols for its cosine and sine. A difference is brought over one denominator and its numerator reduced
+modulo cos² + sin² = 1 for each pair, which is a Gröbner basis: the remainder is zero exactly when the numerator vanishes on all of
+the unit circles. No float takes part.
 """
 
 from __future__ import annotations
 
 import sympy as sp
 
-from .kang_nam import nomenclature as nm
+#: Pairs of symbols, each for the cosine and the sine of one angle.
+Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 
-
-def reduce_circles(polynomial: sp.Expr) -> sp.Expr:
+def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² on each unit circle."""
     polynomial = sp.expand(polynomial)
-    for cosine, sine in nm.UNIT_CIRCLES:
+    for cosine, sine in circles:
         if not polynomial.has(cosine):
             continue
         even_odd = [sp.S.Zero, sp.S.Zero]
@@ -24,18 +25,18 @@ def reduce_circles(polynomial: sp.Expr) -> sp.Expr:
     return polynomial
 
 
-def difference(left: sp.Expr, right: sp.Expr) -> sp.Expr:
+def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit circles.
 
-    Roots, exponentials, absolute values and signs count as unknowns of their own, so that nothing is taken for equal that
-    is not equal term by term.
+    Every root, exponential, absolute value and sign is treated as an independent unknown. An equality that holds only because of
+    a relation between two of them is therefore not recognised.
     """
     unknowns: dict[sp.Expr, sp.Dummy] = {}
     gap = (sp.sympify(left) - sp.sympify(right)).replace(
         _is_transcendental, lambda node: unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
     )
     numerator, denominator = sp.fraction(sp.together(gap))
-    numerator = reduce_circles(numerator)
+    numerator = reduce_circles(numerator, circles)
     if numerator == 0:
         return sp.S.Zero
     return (numerator / sp.factor(denominator)).subs({dummy: node for node, dummy in unknowns.items()})
@@ -45,23 +46,6 @@ def _is_transcendental(node: sp.Basic) -> bool:
     return isinstance(node, sp.exp | sp.Abs | sp.sign | sp.Piecewise) or (
         isinstance(node, sp.Pow) and not node.exp.is_Integer
     )
-
-
-def equal(left: sp.Expr, right: sp.Expr) -> bool:
-    """Whether two expressions are the same function on the unit circles."""
-    return difference(left, right) == 0
-
-
-def on_circle(expression: sp.Expr) -> sp.Expr:
-    """The same expression with cos θ, sin θ, cos θ₀, sin θ₀ as functions of the angles turned into symbols."""
-    return expression.subs(
-        {sp.cos(nm.theta): nm.c, sp.sin(nm.theta): nm.s, sp.cos(nm.theta0): nm.c0, sp.sin(nm.theta0): nm.s0}
-    )
-
-
-def rotate_derivative(expression: sp.Expr) -> sp.Expr:
-    """d/dθ of an expression in ``c`` and ``s``: dc = −s dθ, ds = c dθ."""
-    return sp.diff(expression, nm.s) * nm.c - sp.diff(expression, nm.c) * nm.s
 
 
 def manifestly_positive(

@@ -15,14 +15,15 @@ from . import names
 from .display import Shown
 from .errors import NotDimensionlessError, ParameterError, ParameterTypeError
 from .generated import scales as _scales
+from .generated.quantities import BASE_VALUES, PARAMETERS, QUANTITIES
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
 #: Names of the dimensionless parameters, in the order in which every function takes them.
-NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+NAMES = PARAMETERS
 
 #: The article's base values (Section 3); its θ₀ is the control parameter.
-ARTICLE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
+ARTICLE = BASE_VALUES
 
 
 @dataclass(frozen=True)
@@ -56,16 +57,22 @@ POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
 
-RANGES = {
-    "theta0": Range(
-        0.0, math.pi, open_low=True, remedy="angles are radians, strictly between 0 and pi; use numpy.radians for degrees"
-    ),
-    "mu0": Range(0.0, remedy="a belt that runs the other way is the mirror image: give the supplement of theta0"),
-    "kappa": Range(0.0, open_low=True, remedy="without preload nothing presses the mass on the belt"),
-    "alpha": NOT_NEGATIVE,
-    "sigma": Range(0.0, open_low=True, remedy="without the inclined spring there is no sprag"),
-    "beta": NOT_NEGATIVE,
+#: What to do about a value out of its range, where the range alone does not say it.
+_REMEDIES = {
+    "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
+    "mu0": "a belt that runs the other way is the mirror image: give the supplement of theta0",
+    "kappa": "without preload nothing presses the mass on the belt",
+    "sigma": "without the inclined spring there is no sprag",
 }
+
+
+def range_of(name: str, remedy: str = "") -> Range:
+    """The allowed values of a quantity of the nomenclature."""
+    quantity = QUANTITIES[name]
+    return Range(quantity.low, quantity.high, quantity.low_open and not math.isinf(quantity.low), remedy)
+
+
+RANGES = {name: range_of(name, _REMEDIES.get(name, "")) for name in NAMES}
 
 
 def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArray:
@@ -352,16 +359,14 @@ class PhysicalParameters(Shown):
     d: float | None = None
 
     def __post_init__(self) -> None:
-        for name in ("m", "k", "k_c", "F_L", "L_0"):
-            object.__setattr__(self, name, as_number(name, getattr(self, name), POSITIVE))
-        for name in ("k_x", "k_y"):
-            object.__setattr__(self, name, as_number(name, getattr(self, name), NOT_NEGATIVE))
+        for name in ("m", "k", "k_x", "k_y", "k_c", "F_L", "L_0"):
+            object.__setattr__(self, name, as_number(name, getattr(self, name), range_of(name)))
         for name in ("theta0", "mu0"):
             object.__setattr__(self, name, as_number(name, getattr(self, name), RANGES[name]))
         if self.V is not None:
-            object.__setattr__(self, "V", as_number("V", self.V))
+            object.__setattr__(self, "V", as_number("V", self.V, range_of("V_dim")))
         if self.d is not None:
-            object.__setattr__(self, "d", as_number("d", self.d, POSITIVE))
+            object.__setattr__(self, "d", as_number("d", self.d, range_of("d_dim")))
 
     def __getattr__(self, name: str) -> Any:
         # Every function of the model asks its parameters for one of these first.

@@ -14,7 +14,7 @@ import sympy as sp
 from spragsym.derive import __main__ as command
 from spragsym.derive.emit import write
 from spragsym.derive.emit.targets.python import algebra as python
-from spragsym.derive.kang_nam import article, check, elimination, stability, theorem
+from spragsym.derive.kang_nam import article, check, elimination, emission, stability, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -109,7 +109,7 @@ def test_a_failed_check_writes_nothing_and_names_the_row(
 @pytest.mark.usefixtures("quick")
 def test_a_variant_is_written_in_spite_of_the_print(target: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     print_wrongly(monkeypatch)
-    monkeypatch.setattr(write, "render", lambda outcome: {"new.py": "new\n"})
+    monkeypatch.setattr(emission, "render", lambda outcome: {"new.py": "new\n"})
     assert command.main(["--out", str(target), "--variant"]) == 0
     assert files_of(target) == {"new.py": b"new\n"}
 
@@ -139,13 +139,13 @@ def test_an_identity_that_is_not_proved_writes_nothing(
 
 
 def test_an_arrangement_that_is_not_what_was_derived_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    from spragsym.derive.kang_nam import catalogue as functions
+    from spragsym.derive.kang_nam.catalogue import stability as functions
 
     wrong = stability.stiffness().copy()
     wrong[1, 0] = -wrong[1, 0]
     monkeypatch.setattr(stability, "stiffness", lambda: wrong)
     with pytest.raises(ArithmeticError, match=r"K \(28\)"):
-        functions._stability()
+        functions.module()
 
 
 # ----------------------------------------------------------------------------------------- interrupted writes

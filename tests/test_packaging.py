@@ -42,6 +42,8 @@ def test_packages_are_those_of_the_tree() -> None:
     tree = {name: path for name, path in sources(ROOT / "spragsym").items() if not (ROOT / "spragsym" / path.name).is_symlink()}
     for folder in ("derive", "generated"):
         tree |= {f"spragsym.{name}": path for name, path in sources(ROOT / folder).items()}
+    # A target language is found by its folder, by setuptools too: as data of the registry's package.
+    tree = {name: path for name, path in tree.items() if not name.startswith("spragsym.derive.emit.targets.")}
     assert sorted(listed) == sorted(tree)
     assert len(listed) == len(set(listed))
 

@@ -28,7 +28,7 @@ def _primitive(name: str) -> Callable[..., Any]:
     return unbound
 
 
-#: What every target provides: both sides of a choice computed, and functions of one or two reals.
+#: What every target provides: ``where`` computes both sides of a choice; the others are functions of one or two reals.
 where, maximum, minimum, absolute, sqrt, cube_root = map(
     _primitive, ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
 )
@@ -71,9 +71,10 @@ class Constant:
 
 @dataclass(frozen=True)
 class Source:
-    """The kernel as read: what a target prints, and the text itself for a target that is Python."""
+    """The kernel as read: its parts, which a target prints, and its text, which the Python target copies."""
 
     text: str
+    first_line: int  #: where the constants begin, with the comment above the first; imports stand before it
     constants: tuple[Constant, ...]
     records: Mapping[str, Record]
     routines: Mapping[str, Routine]
@@ -93,26 +94,32 @@ def read(path: Path) -> Source:
     text = path.read_text(encoding="utf-8")
     lines = text.splitlines()
     constants, records, routines = [], {}, {}
+    first_line = 0
     for node in ast.parse(text).body:
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
             constants.append(_constant(node, lines))
+            first_line = first_line or node.lineno - len(_comment_above(node, lines))
         elif isinstance(node, ast.ClassDef):
             records[node.name] = _record(node)
         elif isinstance(node, ast.FunctionDef):
             routines[node.name] = _routine(node)
-    return Source(text, tuple(constants), records, routines)
+    return Source(text, first_line, tuple(constants), records, routines)
 
 
 def _constant(node: ast.Assign, lines: list[str]) -> Constant:
     (target,) = node.targets
     assert isinstance(target, ast.Name)
-    comment: list[str] = []
-    line = node.lineno - 2
-    while lines[line].startswith("#:"):
-        comment.insert(0, lines[line].removeprefix("#:").strip())
-        line -= 1
+    comment = [line.removeprefix("#:").strip() for line in _comment_above(node, lines)]
     value = float("inf") if isinstance(node.value, ast.Call) else ast.literal_eval(node.value)
     return Constant(target.id, float(value), " ".join(comment))
+
+
+def _comment_above(node: ast.stmt, lines: list[str]) -> list[str]:
+    """The lines of the comment that documents a constant."""
+    first = node.lineno - 1
+    while lines[first - 1].startswith("#:"):
+        first -= 1
+    return lines[first : node.lineno - 1]
 
 
 def _record(node: ast.ClassDef) -> Record:
@@ -136,7 +143,7 @@ def _kind(annotation: ast.expr | None, node: ast.AST) -> str:
 
 @dataclass(frozen=True)
 class Kinds:
-    """What is real, what is a flag, and what is a record, anywhere in the kernel."""
+    """Tells, for any expression of the kernel, whether it is a real number, a flag or a record."""
 
     source: Source
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..kang_nam.catalogue import Function, Results
+from .function import Function, Results
 
 
 @dataclass(frozen=True)
 class Body:
-    """Assignments in order, then results of the same nesting as the function's, each printable as it stands."""
+    """Assignments in order, then the results, nested as those of the function are."""
 
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
     results: Results
@@ -52,7 +52,7 @@ def straight_line(function: Function) -> Body:
 
 
 def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Symbol, sp.Expr]]:
-    """The shorthands that the results rest on, each after those that it rests on itself."""
+    """The shorthands that the results use; each comes after the shorthands that it uses itself."""
     ordered: dict[sp.Symbol, sp.Expr] = {}
 
     def visit(expression: sp.Expr) -> None:
@@ -70,9 +70,9 @@ def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Sy
 
 
 class _Powers:
-    """Integer powers as named products of smaller ones: no number type needs a power, and each is computed once.
+    """Replaces integer powers by named products of smaller powers, each computed once, so that a number type needs no powers.
 
-    Not even a square: some interval libraries have none for a ball around zero.
+    Squares are replaced too: some interval libraries cannot square a ball around zero.
     """
 
     def __init__(self) -> None:
@@ -94,7 +94,7 @@ class _Powers:
             symbol = sp.Symbol(f"base{len(self.definitions)}", real=True)
             self.definitions[symbol] = base
             base = symbol
-        # Symbols of one name but other assumptions must not be mixed: the derived symbol takes those of its base.
+        # Always with the same assumptions: SymPy takes symbols of one name and different assumptions for different symbols.
         symbol = sp.Symbol(f"{base}_{exponent}", real=True)
         if symbol not in self.definitions:
             low, high = exponent // 2, exponent - exponent // 2

@@ -1,7 +1,8 @@
 r"""What is printed: every numbered equation, appendix coefficient and definition of the article, mistakes included.
 
 J. Kang and J. Nam, "Minimal Model for Sprag-Slip Oscillation as Catastrophe-Type Behavior", Applied Sciences 10 (2020)
-2748. Nothing here is derived and nothing is mended; :mod:`derive.check` holds each entry against the derivation.
+2748. Nothing here is derived or corrected; :mod:`derive.kang_nam.check` compares each entry with the
+derivation.
 
 ``latex`` is the article's typesetting. ``expression`` is its transcription: for an equation, left side less right side;
 for several components, a tuple. Where the article writes a relation between objects that it defines elsewhere (D, b, the
@@ -154,7 +155,7 @@ APPENDIX = (
 )  # fmt: skip
 
 DEFINITIONS = (
-    # Given in terms of the dimensional quantities: what is written, over what it stands for.
+    # Each as the ratio of what the article writes to the dimensional quantity for which it stands.
     _definition("tau", r"\tau = t \sqrt{k_c/m}", sp.sqrt(k_c / m_mass)),
     _definition("prime", r"(\bullet)' = d(\bullet)/d\tau", sp.S.One),
     _definition("x", r"x \to x/L_o", 1 / L_0),

@@ -6,15 +6,14 @@ from functools import cache
 
 import sympy as sp
 
-from .. import algebra
-from . import elimination, stability
+from . import circles, elimination, stability
 from . import nomenclature as nm
 from .elimination import f_form
 
 #: f′, f″ and f‴ with respect to θ.
-slope = sp.expand(algebra.rotate_derivative(f_form))
-curvature = sp.expand(algebra.rotate_derivative(slope))
-third = sp.expand(algebra.rotate_derivative(curvature))
+slope = sp.expand(circles.rotate_derivative(f_form))
+curvature = sp.expand(circles.rotate_derivative(slope))
+third = sp.expand(circles.rotate_derivative(curvature))
 
 
 @cache
@@ -43,13 +42,13 @@ def surface_in_coefficients() -> sp.Expr:
 
 @cache
 def slope_identity() -> bool:
-    """L det K = ∂f/∂θ wherever f = 0: the friction that f = 0 asks for makes the two sides the same function."""
+    """L det K = ∂f/∂θ wherever f = 0: with the friction for which f = 0 put in, the two sides are the same function."""
     parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
     on_surface = {nm.M: surface()}
     determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))
     left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
-    right = algebra.rotate_derivative(elimination.f_in_parameters())
-    return algebra.equal(left.subs(on_surface).subs(parameters), right.subs(on_surface).subs(parameters))
+    right = circles.rotate_derivative(elimination.f_in_parameters())
+    return circles.equal(left.subs(on_surface).subs(parameters), right.subs(on_surface).subs(parameters))
 
 
 # ------------------------------------------------------------------------------------------------------ folds
@@ -63,7 +62,7 @@ def fold_relations() -> dict[sp.Symbol, sp.Expr]:
         nm.fb: -(nm.s**2) * (nm.fa * nm.s + nm.fm * nm.c),
         nm.fd: -nm.fa * nm.c**3 + nm.fm * nm.s * (1 + nm.c**2),
     }
-    if not all(algebra.equal(solution[symbol], value) for symbol, value in arranged.items()):
+    if not all(circles.equal(solution[symbol], value) for symbol, value in arranged.items()):
         raise ArithmeticError("b and d on a fold are not what catastrophe.py arranges")
     return arranged
 
@@ -119,10 +118,10 @@ def _coefficients_in_M(condition: sp.Expr) -> tuple[sp.Expr, ...]:
 @cache
 def cusp_friction() -> sp.Expr:
     """m on a cusp: f″ = 0 on the fold."""
-    condition = algebra.reduce_circles(curvature.subs(fold_relations()))
+    condition = circles.reduce_circles(curvature.subs(fold_relations()))
     (friction,) = sp.solve(condition, nm.fm)
     arranged = 3 * nm.fa * nm.s * nm.c / (3 * nm.s**2 - 2)
-    if not algebra.equal(friction, arranged):
+    if not circles.equal(friction, arranged):
         raise ArithmeticError("m on a cusp is not what catastrophe.py arranges")
     return arranged
 
@@ -132,11 +131,11 @@ def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
     """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ."""
     s0, c0 = fold_angles()
     friction = {nm.M: cusp_friction().subs(nm.fa, elimination.f_coefficients()[nm.fa]) / nm.sigma}
-    s0_cusp = sp.factor(algebra.reduce_circles(sp.expand(sp.cancel(s0.subs(friction) * (3 * nm.s**2 - 2)))))
+    s0_cusp = sp.factor(circles.reduce_circles(sp.expand(sp.cancel(s0.subs(friction) * (3 * nm.s**2 - 2)))))
     s0_cusp = s0_cusp / (3 * nm.s**2 - 2)
     c0_cusp = sp.cancel(c0.subs(friction).subs(nm.s0, s0_cusp) / nm.c)
     numerator, denominator = sp.fraction(c0_cusp)
-    return s0_cusp, sp.factor(algebra.reduce_circles(numerator)) / sp.factor(denominator)
+    return s0_cusp, sp.factor(circles.reduce_circles(numerator)) / sp.factor(denominator)
 
 
 @cache
@@ -175,7 +174,7 @@ def identities() -> dict[str, bool]:
     return {
         "L det K = f′ at every equilibrium": slope_identity(),
         "the fold relations solve f = f′ = 0": all(
-            algebra.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
+            circles.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
         ),
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
         "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": sp.expand(
@@ -187,5 +186,5 @@ def identities() -> dict[str, bool]:
         "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset of flutter is a fold": (
             stability.trace_identity()
         ),
-        "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": algebra.equal(f.subs(mirror, simultaneous=True), -f),
+        "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": circles.equal(f.subs(mirror, simultaneous=True), -f),
     }

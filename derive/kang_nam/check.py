@@ -1,8 +1,11 @@
 """Printed against derived: one ledger row for every printed statement, decided by exact algebra.
 
-:func:`run` recomputes every row. A printed form that differs from the derived one and is not explained, and an explanation of
-a difference that is zero, are failures; so is a correction whose right form is not the derived one, whose second derivation
-disagrees.
+:func:`run` recomputes every row. A row fails if
+
+- its printed form differs from the derived one and no explanation is given,
+- an explanation is given and there is no difference,
+- the right form of its correction is not the derived one, or
+- its second derivation disagrees.
 """
 
 from __future__ import annotations
@@ -13,12 +16,11 @@ from typing import Any
 
 import sympy as sp
 
-from .. import algebra
-from . import article, elimination, equilibrium, explanations, mechanics, stability
+from . import article, circles, elimination, equilibrium, explanations, mechanics, stability
 from . import nomenclature as nm
 from .article import Printed
 
-#: Statuses of a row that stands as recorded.
+#: Statuses of a row that passes the check.
 SOUND = ("confirmed", "misprint", "approximation", "definition")
 #: The status of a row whose printed form is not the derived one, without an explanation that holds.
 FAILED = "failed"
@@ -28,8 +30,8 @@ FAILED = "failed"
 class Row:
     """The outcome for one printed statement; every text is LaTeX or plain words, every empty field means not applicable.
 
-    ``derived`` stands in the arrangement of ``printed``, so that the two can be compared by eye: exact algebra has shown that it
-    is ``derivation``, the form that the derivation itself arrives at. A failed row has the latter in both.
+    ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as exact algebra has shown, and has the
+    arrangement of ``printed``, so that the two can be compared by eye. In a failed row ``derived`` is the same as ``derivation``.
     """
 
     id: str
@@ -67,7 +69,7 @@ def run(printed: Iterable[Printed] = article.PRINTED) -> list[Row]:
 
 
 def failures(rows: Sequence[Row]) -> list[Row]:
-    """Rows that do not stand."""
+    """Rows that do not pass the check."""
     return [row for row in rows if row.status not in SOUND]
 
 
@@ -111,7 +113,7 @@ def _misprint(
         return Row(status=FAILED, **base | {"note": "explained as a misprint, but the difference is zero"})
     gaps = _differences(components, derived)
     explained = (correction.gap.subs(list(derived.terms[0])),)
-    if not all(algebra.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
+    if not all(circles.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
         return Row(status=FAILED, **base | {"note": "the difference is not the one that the correction explains"})
     if not _is_derived(correction.expression, derived):
         return Row(status=FAILED, **base | {"note": "the right form given for this misprint is not the derived one"})
@@ -144,7 +146,7 @@ def _differences(components: tuple[sp.Expr, ...], derived: Derived) -> tuple[sp.
     for terms in derived.terms:
         for left, right in zip(components, derived.components, strict=True):
             left, right = (sp.sympify(side).subs(list(terms)) for side in (left, right))
-            gap = sp.S.Zero if left == right else algebra.difference(left, right)
+            gap = sp.S.Zero if left == right else circles.difference(left, right)
             gaps.append(sp.S.Zero if gap == 0 else sp.factor_terms(sp.simplify(gap)))
     return tuple(gaps)
 
@@ -249,7 +251,7 @@ def _quartic_forms() -> dict[str, Derived]:
         spelled = {nm.p: nm.alpha + nm.sigma, nm.q: nm.beta + case[nm.nbar] + nm.sigma}
         for id, value, full in zip(names, shorthand, coefficients, strict=True):
             arranged = value.subs(in_names, simultaneous=True).subs(spelled)
-            if not algebra.equal(arranged.subs(right_sides), full):
+            if not circles.equal(arranged.subs(right_sides), full):
                 raise ArithmeticError(f"{id}: the quartic in shorthand is not the quartic")
             forms[id] = Derived((arranged,), terms=(right_sides,))
         for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):

@@ -10,8 +10,7 @@ from functools import cache
 
 import sympy as sp
 
-from .. import algebra
-from . import equilibrium
+from . import circles, equilibrium
 from . import nomenclature as nm
 from .equilibrium import spell_out
 
@@ -127,7 +126,7 @@ def resolvent_cubic() -> tuple[sp.Expr, ...]:
 
 
 def identities() -> dict[str, bool]:
-    """What the two eliminations owe each other, each decided by exact algebra."""
+    """How the two eliminations are related: statements, and whether exact algebra confirms each."""
     t, ell = nm.tt, sp.Symbol("ell")
     in_t = sp.Poly(sum(value * t**power for power, value in enumerate(quartic_in_t())), t)
     cubic = sp.Poly(sum(value * ell**power for power, value in enumerate(resolvent_cubic())), ell)
@@ -145,7 +144,7 @@ def identities() -> dict[str, bool]:
     false_root = spell_out(length.subs(shared).subs(f_coefficients()))
     return {
         "the roots in t multiply to −1": quartic_in_t()[0] == -quartic_in_t()[4],
-        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": algebra.equal(
+        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": circles.equal(
             published.subs(shorthand), factored.subs(shorthand)
         ),
         "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(

@@ -1,8 +1,8 @@
 """A second route to what the check decides: Newton's law on the free body, in complex numbers, at 50 digits.
 
 Nothing here uses the symbolic derivation. The spring's pull is a vector along the line to its anchor, equilibria are found
-by Newton's method on the sum of forces, and the forces themselves are held against differences of the energy. It backs the
-algebra of a corrected row and says what a misprint would cost.
+by Newton's method on the sum of forces, and the forces themselves are compared with differences of the energy. It
+confirms the algebra of a corrected row and computes what a misprint would cost.
 """
 
 from __future__ import annotations
@@ -68,7 +68,7 @@ def energy_slope_y(point: Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.m
 def equilibria(point: Point, contact: int | Fraction = 1) -> list[tuple[mpmath.mpf, mpmath.mpf]]:
     """Rest positions (x, y) in contact, or in lift-off for ``contact=0``, sorted by x.
 
-    Newton's method from a grid of starting points, in the precision of the first call: evidence for the states it finds, not for their number.
+    Newton's method from a grid of starting points, in the precision of the first call. There may be states that it does not find.
     """
     stiffness = mpmath.mpf(Fraction(contact).numerator) / Fraction(contact).denominator
 

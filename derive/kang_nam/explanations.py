@@ -26,7 +26,7 @@ class Correction:
 
     latex: str
     expression: sp.Expr | tuple[sp.Expr, ...]
-    #: Printed less right: a misprint other than the one explained here is not explained.
+    #: Printed form less right form. Only this difference is explained; any other misprint in the row still fails the check.
     gap: sp.Expr
     cause: str
     evidence: Callable[[], tuple[bool, str]]
@@ -58,7 +58,7 @@ def _at_base(function: Callable[[Point], str]) -> Callable[[], str]:
 
 
 def _below(value: mpmath.mpf) -> str:
-    """A rounding error in words that no other machine or version changes."""
+    """A rounding error for the ledger: its size varies with machine and version, so that a small one is only said to be small."""
     return "below 1e-40" if abs(value) < mpmath.mpf(10) ** -40 else show(value, 3)
 
 

@@ -9,11 +9,8 @@ from functools import cache
 
 import sympy as sp
 
-from .. import algebra
-from . import mechanics, stability
+from . import circles, mechanics, stability
 from . import nomenclature as nm
-
-T = sp.Symbol("T", positive=True)  # tan θ₀
 
 
 @cache
@@ -44,16 +41,16 @@ def equilibrium() -> tuple[sp.Expr, sp.Expr]:
 def pole_friction() -> sp.Expr:
     """μ₀ at which the displacement is infinite, as a function of T = tan θ₀."""
     determinant = stability.determinant(stiffness())
-    on_tangent = sp.cancel(determinant.subs(nm.s0, T * nm.c0) / nm.c0**2).subs(nm.c0, 1 / sp.sqrt(1 + T**2))
+    on_tangent = sp.cancel(determinant.subs(nm.s0, nm.T * nm.c0) / nm.c0**2).subs(nm.c0, 1 / sp.sqrt(1 + nm.T**2))
     (friction,) = sp.solve(sp.expand(sp.simplify(on_tangent)), nm.mu0)
-    return sp.collect(sp.cancel(friction), T)
+    return sp.collect(sp.cancel(friction), nm.T)
 
 
 @cache
 def pole_quadratic() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of the quadratic in tan θ₀ whose roots are the poles."""
     numerator = sp.fraction(sp.cancel(pole_friction() - nm.mu0))[0]
-    return tuple(sp.factor(value) for value in reversed(sp.Poly(numerator, T).all_coeffs()))
+    return tuple(sp.factor(value) for value in reversed(sp.Poly(numerator, nm.T).all_coeffs()))
 
 
 @cache
@@ -70,8 +67,8 @@ def identities() -> dict[str, bool]:
     gap = stability.stiffness().subs(undeformed) - stiffness()
     x, y = equilibrium()
     return {
-        "its stiffness is K at x = y = 0": all(algebra.equal(entry, 0) for entry in gap),
+        "its stiffness is K at x = y = 0": all(circles.equal(entry, 0) for entry in gap),
         "its displacement solves K (x, y) = (0, −κ)": all(
-            algebra.equal(entry, 0) for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
+            circles.equal(entry, 0) for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
         ),
     }

@@ -122,6 +122,12 @@ def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
     }
 
 
+def further_parameters() -> tuple[sp.Symbol, ...]:
+    """Dimensionless parameters that the published model does not have, in the order of :func:`groups`."""
+    published = {*nm.PARAMETERS, nm.n, nm.V, nm.creep}
+    return tuple(symbol for symbol in groups() if symbol not in published)
+
+
 @cache
 def motion() -> Motion:
     """The dimensionless equations of motion, (8) and (9), in x, y and the spring length L."""

@@ -1,36 +1,45 @@
 """Every symbol of the model, once: SymPy symbol, code name, the article's name, meaning, unit, domain.
 
 Angles enter the algebra only through their cosine and sine, so ``c`` and ``s`` stand for cos θ and sin θ, ``c0``
-and ``s0`` for cos θ₀ and sin θ₀; what ties each pair together is :data:`UNIT_CIRCLES`.
+and ``s0`` for cos θ₀ and sin θ₀; the relation between the two is in :data:`UNIT_CIRCLES`.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 
 import sympy as sp
 
-
-@dataclass(frozen=True)
-class Quantity:
-    """One entry of the nomenclature; ``str(symbol)`` is the name in generated code."""
-
-    symbol: sp.Symbol
-    article: str
-    meaning: str
-    unit: str = "1"
-    domain: str = "real"
-
+from ..emit.quantities import Quantity
 
 _QUANTITIES: dict[sp.Symbol, Quantity] = {}
 
 
 def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str = "real") -> sp.Symbol:
-    # Nonnegative is as much as SymPy needs to simplify the square root in the spring length; signs that a
-    # proof relies on are stated in that proof.
+    # Positive is all that SymPy must know to simplify the square root in the spring length. A proof that relies on other signs
+    # states them itself.
+    return _enter(Quantity(sp.Symbol(code, real=True, positive=True if domain == "> 0" else None), article, meaning, unit, domain))
+
+
+def _scaled(code: str, article: str, measured: str, scale: str, remark: str = "", domain: str = "real", meaning: str = "") -> sp.Symbol:
+    """A quantity over its scale; the remark says more about its values."""
+    over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
+    said = f", {remark}" if remark else ""
     symbol = sp.Symbol(code, real=True, positive=True if domain == "> 0" else None)
-    _QUANTITIES[symbol] = Quantity(symbol, article, meaning, unit, domain)
-    return symbol
+    return _enter(Quantity(symbol, article, meaning or f"{measured}{over}{said}", "1", domain, measured + said, scale))
+
+
+def _local(code: str, meaning: str, article: str = "") -> sp.Symbol:
+    """A symbol of the emitted code only, of which nothing is assumed."""
+    symbol = sp.Symbol(code)
+    return _enter(Quantity(symbol, article or sp.latex(symbol), meaning))
+
+
+def _enter(entry: Quantity) -> sp.Symbol:
+    if any(str(entry.symbol) == str(other) for other in _QUANTITIES):
+        raise ValueError(f"{entry.symbol} stands in the nomenclature twice; give the second quantity another name")
+    _QUANTITIES[entry.symbol] = entry
+    return entry.symbol
 
 
 # Dimensional data.
@@ -55,19 +64,20 @@ kappa = _define("kappa", r"\kappa", "preload F_L / (k_c L_0)", domain="> 0")
 alpha = _define("alpha", r"\alpha", "stiffness ratio k_x / k_c", domain=">= 0")
 sigma = _define("sigma", r"\sigma", "stiffness ratio k / k_c", domain="> 0")
 beta = _define("beta", r"\beta", "stiffness ratio k_y / k_c", domain=">= 0")
-V = _define("V", "V", "belt speed over L_0 sqrt(k_c/m)")
-creep = _define("d", "d", "steepness of the friction law in creep, times L_0 sqrt(k_c/m)", domain="> 0")
+V = _scaled("V", "V", "belt speed", "L_0 sqrt(k_c/m)")
+creep = _scaled("d", "d", "steepness of the friction law in creep", "1/(L_0 sqrt(k_c/m))", domain="> 0")
 nbar = _define("nbar", r"\overline{n}", "1 in contact, 0 in lift-off", domain="{0, 1}")
 
 # State.
 theta = _define("theta", r"\theta", "current inclination of the spring", "rad")
 c = _define("cos", r"\cos\theta", "cos θ", domain="[-1, 1]")
 s = _define("sin", r"\sin\theta", "sin θ", domain="[-1, 1]")
-L = _define("L", "L", "spring length over L_0", domain="> 0")
-x = _define("x", "x", "displacement along the belt over L_0")
-y = _define("y", "y", "displacement across the belt over L_0, negative into the belt")
-vx = _define("vx", "x'", "dx/dτ")
-vy = _define("vy", "y'", "dy/dτ")
+L = _scaled("L", "L", "spring length", "L_0", domain="> 0")
+x = _scaled("x", "x", "displacement along the belt", "L_0")
+y = _scaled("y", "y", "displacement across the belt", "L_0", "negative into the belt")
+vx = _scaled("vx", "x'", "speed along the belt", "L_0 sqrt(k_c/m)", meaning="dx/dτ")
+vy = _scaled("vy", "y'", "speed across the belt", "L_0 sqrt(k_c/m)", meaning="dy/dτ")
+tau = _scaled("tau", r"\tau", "time", "sqrt(m/k_c)")
 mu = _define("mu", r"\mu", "friction coefficient at the current sliding speed")
 n = _define("n", "n", "contact force N / (k_c L_0)", domain=">= 0")
 tt = _define("t", "t", "tan(θ/2)")
@@ -86,13 +96,19 @@ fb = _define("b_f", "b", "coefficient of cos θ in f")
 fd = _define("d_f", "d", "coefficient of sin θ in f")
 fm = _define("m_f", "m", "coefficient of −sin² θ in f")
 
+# Arguments of emitted functions that stand for no quantity of the article.
+side = _local("side", "sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead")
+T = _define("T", "T", "tan θ₀", domain="> 0")
+C11 = _local("C11", "damping ∂F_x/∂x'")
+K11, K12, K21, K22 = (_local(f"K{place}", f"entry {place[0]}, {place[1]} of the stiffness matrix") for place in ("11", "12", "21", "22"))
+
 PARAMETERS = (mu0, kappa, alpha, sigma, beta)
 UNIT_CIRCLES = ((c, s), (c0, s0))
 
 
-def quantity(symbol: sp.Symbol) -> Quantity:
-    """The nomenclature's entry for a symbol."""
-    return _QUANTITIES[symbol]
+def quantities() -> Mapping[str, Quantity]:
+    """Every entry of the nomenclature by its name in code."""
+    return {str(symbol): entry for symbol, entry in _QUANTITIES.items()}
 
 
 def latex(expression: object) -> str:

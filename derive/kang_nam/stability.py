@@ -6,8 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-from .. import algebra
-from . import elimination, equilibrium, mechanics
+from . import circles, elimination, equilibrium, mechanics
 from . import nomenclature as nm
 
 lam = sp.Symbol("lambda")
@@ -67,7 +66,7 @@ def trace_identity() -> bool:
     (preload,) = sp.solve(in_contact(across), nm.kappa)
     positive = nm.p + (nm.B * nm.s0 + preload) / (nm.L * nm.s)
     parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
-    return algebra.equal(trace(in_shorthand(stiffness())).subs(parameters), positive.subs(parameters))
+    return circles.equal(trace(in_shorthand(stiffness())).subs(parameters), positive.subs(parameters))
 
 
 @cache
@@ -89,14 +88,14 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
 def flutter_quadratic() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring length L in direction θ."""
     discriminant = sp.expand(nm.L**2 * flutter_discriminant(in_shorthand(stiffness())))
-    coefficients = [algebra.reduce_circles(value) for value in reversed(sp.Poly(discriminant, nm.L).all_coeffs())]
+    coefficients = [circles.reduce_circles(value) for value in reversed(sp.Poly(discriminant, nm.L).all_coeffs())]
     difference = nm.alpha - nm.B
     arranged = (
         nm.sigma**2,
         2 * nm.sigma * (difference * (nm.c**2 - nm.s**2) + 2 * nm.M * nm.s * nm.c),
         difference**2,
     )
-    if not all(algebra.equal(ours, derived) for ours, derived in zip(arranged, coefficients, strict=True)):
+    if not all(circles.equal(ours, derived) for ours, derived in zip(arranged, coefficients, strict=True)):
         raise ArithmeticError("the discriminant is not what stability.py arranges")
     return arranged
 
@@ -141,10 +140,10 @@ QUADRATIC = sp.symbols("e0 e1 e2")
 def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
     """N and J: along the equilibria at fixed μ₀, L² times the discriminant changes by N/J per unit of θ₀.
 
-    J is minus the Jacobian of the two balances in θ and L, which makes it f′; by the implicit function theorem.
+    By the implicit function theorem. J is minus the Jacobian determinant of the two balances in θ and L, and equals f′.
     """
     balances = [in_contact(force) for force in equilibrium.balance()]
-    by_direction = [algebra.rotate_derivative(force) for force in balances]
+    by_direction = [circles.rotate_derivative(force) for force in balances]
     by_length = [sp.diff(force, nm.L) for force in balances]
     by_reference = [nm.c0 * sp.diff(force, nm.s0) - nm.s0 * sp.diff(force, nm.c0) for force in balances]
     jacobian = by_direction[1] * by_length[0] - by_direction[0] * by_length[1]
@@ -152,7 +151,7 @@ def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
     length = by_direction[0] * by_reference[1] - by_direction[1] * by_reference[0]
     e0, e1, e2 = flutter_quadratic()
     discriminant = e0 + e1 * nm.L + e2 * nm.L**2
-    change = algebra.rotate_derivative(discriminant) * direction + sp.diff(discriminant, nm.L) * length
+    change = circles.rotate_derivative(discriminant) * direction + sp.diff(discriminant, nm.L) * length
     return change, jacobian
 
 
@@ -164,7 +163,7 @@ def flutter_friction() -> sp.Expr:
     arranged = -(e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2) / (
         4 * nm.sigma * nm.s * nm.c * nm.L
     )
-    if not algebra.equal(friction, arranged):
+    if not circles.equal(friction, arranged):
         raise ArithmeticError("the friction at an onset is not what stability.py arranges")
     return arranged
 

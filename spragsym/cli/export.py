@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+import json
 from importlib import resources
+from importlib.resources.abc import Traversable
 from pathlib import Path
 
 import click
 
 from .targets import force, holds, refuse
 
-#: What an export in C consists of; the last two are the example.
-_FILES = {"c": ("spragsym.h", "spragsym.c", "Makefile", "main.c")}
+
+def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
+    """Each language that was generated: its folder, and the files of an export, as its ``target.json`` names them."""
+    found = {}
+    for folder in resources.files("spragsym.generated").iterdir():
+        entry = folder / "target.json"
+        if entry.is_file():
+            target = json.loads(entry.read_text(encoding="utf-8"))
+            found[target["language"]] = folder, tuple(target["files"])
+    return found
 
 
 @click.command()
-@click.option(
-    "--language", type=click.Choice(sorted(_FILES)), default="c", show_default=True, help="Language to write."
-)
+@click.option("--language", type=click.Choice(sorted(languages())), default="c", show_default=True, help="Language to write.")
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
@@ -38,15 +46,13 @@ def export(language: str, out: Path, force: bool) -> None:
     \b
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
     """
-    texts = {name: _text(language, name) for name in _FILES[language]}
+    folder, names = languages()[language]
+    texts = {name: (folder / name).read_text(encoding="utf-8") for name in names}
     changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
     refuse((out / name for name in changed), force)
     out.mkdir(parents=True, exist_ok=True)
     for name, text in changed.items():
+        (out / name).parent.mkdir(parents=True, exist_ok=True)
         (out / name).write_text(text, encoding="utf-8", newline="\n")
     for name in texts:
         click.echo(out / name)
-
-
-def _text(language: str, name: str) -> str:
-    return resources.files("spragsym.generated").joinpath(language, name).read_text(encoding="utf-8")

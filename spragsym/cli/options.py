@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
+from ..generated.quantities import QUANTITIES
 from ..parameters import (
     ARTICLE,
     FINITE,
@@ -37,13 +38,11 @@ BELT = (
     ("--speed", "-V", "V", 0.5, _SPEED, "Belt speed V. Our assumption."),
 )
 
-_PARAMETER_HELP = {
-    "mu0": "Friction coefficient.",
-    "kappa": "Preload F_L / (k_c L_0).",
-    "alpha": "Stiffness along the belt, k_x / k_c.",
-    "sigma": "Stiffness of the inclined spring, k / k_c.",
-    "beta": "Stiffness across the belt, k_y / k_c.",
-}
+
+def sentence(name: str) -> str:
+    """The meaning of a quantity of the nomenclature, as help says it."""
+    meaning = QUANTITIES[name].meaning
+    return f"{meaning[0].upper()}{meaning[1:]}."
 
 
 class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
@@ -110,15 +109,15 @@ def _flag(param: click.Parameter | None) -> str:
 
 def parameters(function: F) -> F:
     """``--mu0 --kappa --alpha --sigma --beta``, with the article's base values as defaults."""
-    for name, text in reversed(_PARAMETER_HELP.items()):
+    for name, value in reversed(ARTICLE.items()):
         kind = Number(RANGES[name])
-        function = click.option(f"--{name}", type=kind, default=ARTICLE[name], show_default=True, help=text)(function)
+        function = click.option(f"--{name}", type=kind, default=value, show_default=True, help=sentence(name))(function)
     return function
 
 
 def theta0(function: F) -> F:
     """``--theta0`` in degrees."""
-    text = "Inclination of the undeformed spring, degrees."
+    text = f"{sentence('theta0')[:-1]}, degrees."
     return click.option("--theta0", "theta0_deg", type=Number(DEGREES), required=True, help=text)(function)
 
 

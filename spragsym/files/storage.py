@@ -1,8 +1,9 @@
 """Files of results: units, provenance, and a checksum, whole or not there at all.
 
-A netCDF file ends in a line with the SHA-256 of all before it, which HDF5 does not look at: its superblock says
-where its data end. A CSV file begins with one of all after it. Nothing of a file is understood before that is
-right: HDF5 takes many damaged files for good ones, and ends the process over others."""
+Every file, netCDF or CSV, ends in a line with the SHA-256 of all bytes before it. HDF5 ignores that line, because its superblock
+says where the data end. The checksum is verified before anything else is read: HDF5 accepts many damaged files, and crashes the
+process on others.
+"""
 
 from __future__ import annotations
 
@@ -25,28 +26,29 @@ import numpy as np
 from .._version import __version__
 from ..errors import DamagedError, MissingExtraError, ParameterError, StoreError
 from ..generated import SOURCE_HASH
+from ..generated.quantities import PARAMETERS
+from ..generated.quantities import QUANTITIES as _TABLE
 from .locks import exclusive, write_all
 
-#: (unit, meaning) of every quantity that a file can hold.
+
+def _model(name: str) -> tuple[str, str]:
+    """Unit and meaning of a quantity of the nomenclature."""
+    quantity = _TABLE[name]
+    return quantity.unit, quantity.meaning
+
+
+def _initial(name: str) -> tuple[str, str]:
+    """The same of its initial value, without the remark on its sign."""
+    unit, meaning = _model(name)
+    return unit, f"initial {meaning.partition(',')[0]}"
+
+
+#: (unit, meaning) of every quantity that a file can hold: the model's from the nomenclature, then what is computed from a motion.
 QUANTITIES = {
-    "theta0": ("rad", "inclination of the undeformed spring"),
+    **{name: _model(name) for name in (*PARAMETERS, "V", "d", "x", "y", "vx", "vy")},
+    **{f"{name}0": _initial(name) for name in ("x", "y", "vx", "vy")},
     "theta0_deg": ("degree", "the same in degrees"),
-    "mu0": ("1", "friction coefficient at full slip"),
-    "kappa": ("1", "preload F_L / (k_c L_0)"),
-    "alpha": ("1", "stiffness ratio k_x / k_c"),
-    "sigma": ("1", "stiffness ratio k / k_c"),
-    "beta": ("1", "stiffness ratio k_y / k_c"),
-    "V": ("L_0 sqrt(k_c/m)", "belt speed"),
-    "d": ("1/(L_0 sqrt(k_c/m))", "steepness of the friction law in creep"),
-    "x0": ("L_0", "initial displacement along the belt"),
-    "y0": ("L_0", "initial displacement across the belt"),
-    "vx0": ("L_0 sqrt(k_c/m)", "initial speed along the belt"),
-    "vy0": ("L_0 sqrt(k_c/m)", "initial speed across the belt"),
-    "t": ("sqrt(m/k_c)", "time"),
-    "x": ("L_0", "displacement along the belt"),
-    "y": ("L_0", "displacement across the belt, negative into the belt"),
-    "vx": ("L_0 sqrt(k_c/m)", "speed along the belt"),
-    "vy": ("L_0 sqrt(k_c/m)", "speed across the belt"),
+    "t": _model("tau"),
     "error": ("1", "largest difference of x, y, x', y' to a run at a tighter tolerance"),
     "rms": ("L_0", "root mean square of x about zero, after the transient"),
     "spread": ("L_0", "root mean square of x about its mean, after the transient"),

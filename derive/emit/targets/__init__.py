@@ -1,4 +1,4 @@
-"""Target languages: a folder each, with a printer, runtime files in the language itself, and one entry in :data:`TARGETS`.
+"""Target languages: each folder beside this file is one, found by itself.
 
 A target turns the same material, generated algebra and the kernel, into files of its language. Its folder holds
 
@@ -14,15 +14,14 @@ from __future__ import annotations
 
 import importlib
 import json
+import pkgutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from ...kang_nam.catalogue import Function, Module
+from ..function import Function, Module
 from ..language import Source
-
-#: Folders of this package that hold a target, in the order in which they are written.
-LANGUAGES = ("python", "c99")
+from ..quantities import Quantity
 
 
 @dataclass(frozen=True)
@@ -31,9 +30,14 @@ class Material:
 
     modules: tuple[Module, ...]
     kernel: Source
-    counts: Mapping[str, float]
-    source: str  #: head of the hash of what all is made from
-    header: str
+    counts: Mapping[str, float]  #: counts of roundings that the kernel's error bounds name
+    quantities: Mapping[str, Quantity]  #: by their names in code
+    parameters: tuple[str, ...]  #: of the dimensionless model, in the order in which functions take them
+    base_values: Mapping[str, float]
+    public: tuple[str, ...]  #: functions of the algebra that a library in another language offers to its callers
+    variant: bool  #: whether there are parameters that the published model does not have
+    digest: str  #: SHA-256 of the derivation
+    header: str  #: one sentence for the head of every file: where it comes from
 
     @property
     def algebra(self) -> dict[str, Function]:
@@ -50,12 +54,26 @@ class Target:
     folder: str
     render: Callable[[Material], dict[str, str]]
     exported: tuple[str, ...] = ()
-    further: bool = False  #: whether it can print parameters that the published model does not have
+    variants: bool = False  #: whether it can print parameters that the published model does not have
 
 
 def targets() -> tuple[Target, ...]:
-    """All of them."""
-    return tuple(importlib.import_module(f".{name}", __name__).TARGET for name in LANGUAGES)
+    """All of them, in the order of their folders' names."""
+    folders = sorted(module.name for module in pkgutil.iter_modules(__path__) if module.ispkg)
+    return tuple(importlib.import_module(f".{name}", __name__).TARGET for name in folders)
+
+
+def render(material: Material) -> dict[str, str]:
+    """The files of every target that can print the material, by their paths below ``generated/``."""
+    rendered: dict[str, str] = {}
+    for target in targets():
+        if material.variant and not target.variants:
+            continue
+        for path, text in files(target, material).items():
+            if path in rendered:
+                raise ArithmeticError(f"{target.title}: another target writes {path} too; give the target a folder of its own")
+            rendered[path] = text
+    return rendered
 
 
 def files(target: Target, material: Material) -> dict[str, str]:

@@ -5,44 +5,38 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping
 
-from ....kang_nam.catalogue import Function
+from ...function import Function
 from ...language import Kinds, Routine
 from .. import Material, Target, runtime
 from . import algebra, cost, kernel
 
-#: What the header offers of the generated algebra.
-_PUBLIC = (
-    "contact_quartic", "liftoff_quartic", "f_coefficients", "f", "f_slope", "f_curvature",
-    "t_quartic", "resolvent", "state", "residuals", "stiffness", "invariants", "damping", "characteristic",
-    "spring_length", "friction", "rhs", "regime_rhs", "regime_jacobian", "energy",
-)  # fmt: skip
 #: Functions whose cost stands at the head of the source.
 _TABLE = (
     "spragsym_prepare", "spragsym_equilibria", "spragsym_equilibria_batch", "spragsym_step",
     "balance", "guesses", "at_root", "runge_kutta",
 )  # fmt: skip
-_FILES = ("spragsym.h", "spragsym.c", "main.c", "Makefile")
+_FILES = ("spragsym.h", "spragsym.c", "Makefile", "main.c")
 
 
 def render(material: Material) -> dict[str, str]:
-    """The header, the source, and the example that an export brings along."""
+    """The header, the source, and an example with its makefile."""
     texts = {name: runtime(__file__, name) for name in _FILES}
     known = material.algebra
     used = _called(material, known)
-    statics = [algebra.static(f"algebra_{name}", known[name]) for name in (*_PUBLIC, *sorted(used - set(_PUBLIC)))]
-    public = [known[name] for name in _PUBLIC]
+    statics = [algebra.static(f"algebra_{name}", known[name]) for name in (*material.public, *sorted(used - set(material.public)))]
+    public = [known[name] for name in material.public]
     parts = {
         "algebra": "\n".join(item.text for item in statics),
         "kernel": _kernel(material, known),
         "wrappers": "\n".join(algebra.wrapper(function) for function in public),
-        "prototypes": "".join(algebra.prototype(function) for function in public),
+        "prototypes": "".join(algebra.prototype(function, material.quantities) for function in public),
     }
     source = _filled(texts["spragsym.c"], parts)
     counted = cost.costs(texts["spragsym.h"] + source, {item.name: item.operations for item in statics})
     words = {f"cost:{name}": cost.describe(value) for name, value in counted.items()}
     words["block"] = str(cost.constants(source)["BLOCK"])
     words["table"] = "\n".join(f" * - {name}: {words[f'cost:{name}']}" for name in _TABLE)
-    words["source"] = material.source
+    words["source"] = material.digest[:16]
     words["header"] = textwrap.fill(material.header.replace("``", ""), 118, subsequent_indent=" * ")
     texts["spragsym.h"] = _filled(texts["spragsym.h"], parts)
     texts["spragsym.c"] = source

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 import textwrap
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import sympy as sp
 
-from ....kang_nam.catalogue import Function
+from ...function import Function
+from ...quantities import Quantity
 from ...statements import flatten, straight_line
-from ..python.algebra import AlgebraPrinter, meaning
+from ..python.algebra import AlgebraPrinter
 
 _WIDTH = 124
 #: Names that mean something else in C.
@@ -137,9 +139,10 @@ def wrapper(function: Function) -> str:
     )
 
 
-def prototype(function: Function) -> str:
+def prototype(function: Function, quantities: Mapping[str, Quantity]) -> str:
+    """The declaration of the public function, with what its arguments mean."""
     meanings = {
-        _name(symbol): meaning(symbol)[0].replace("θ₀", "theta0").replace("θ", "theta")
+        _name(symbol): quantities[str(symbol)].meaning.replace("θ₀", "theta0").replace("θ", "theta")
         for symbol in function.arguments
     }
     described = "".join(f" * @param {name} {text}\n" for name, text in meanings.items())

@@ -70,7 +70,7 @@ class _Printer:
         return {REAL: "double", FLAG: "int"}.get(kind) or kind
 
     def explained(self, node: ast.stmt, indent: str) -> str:
-        """A statement under the comment that stands above it, or behind which it stands."""
+        """A statement, below the comment that stands above it in the kernel."""
         above = self.kinds.source.lines[node.lineno - 2].strip()
         said = f"{indent}/* {_plain(above.removeprefix('#').strip())} */\n" if above.startswith("# ") else ""
         return said + self.statement(node, indent)
@@ -141,7 +141,7 @@ class _Printer:
     def binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
         strength = _STRENGTH[type(op)]
         if isinstance(op, ast.BitAnd | ast.BitOr):
-            # C has & and | bind less than a comparison: brackets around all but a chain of one of them.
+            # In C, & and | bind more weakly than comparisons: both sides get brackets, except in a chain of the same operator.
             chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
             sides = self.print(left, strength if chained else _UNARY), self.print(right, _UNARY)
         else:

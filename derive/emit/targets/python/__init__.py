@@ -1,21 +1,37 @@
-"""Python: plain algebra for any number type, and the kernel for arrays."""
+"""Python: plain algebra for any number type, the kernel for arrays, and the table of quantities."""
 
 from __future__ import annotations
 
+import ast
 import textwrap
 
 from .. import Material, Target, runtime
-from . import algebra, kernel
+from . import algebra, kernel, quantities
 
 
 def render(material: Material) -> dict[str, str]:
-    """One module for each of the catalogue's, and ``kernel.py``."""
+    """A package: one module for each of the catalogue's, ``kernel.py`` and ``quantities.py``."""
     header = textwrap.fill(material.header, 110)
     return {
+        "__init__.py": _package(material),
+        "py.typed": "",
         "_broadcast.py": runtime(__file__, "_broadcast.py").replace("@header@", material.header),
-        **{f"{module.name}.py": algebra.render(module, material.header) for module in material.modules},
+        **{f"{module.name}.py": algebra.render(module, material.quantities, material.header) for module in material.modules},
         "kernel.py": kernel.render(material, header),
+        "quantities.py": quantities.render(material, header),
     }
 
 
-TARGET = Target("python", "Python", "", render, further=True)
+def _package(material: Material) -> str:
+    """The package's docstring, which lists its modules, and the hash by which results say what they were computed with."""
+    summaries = {module.name: module.summary for module in material.modules}
+    summaries["kernel"] = (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
+    summaries["quantities"] = "What every name stands for, its unit, its allowed values and its value in the article."
+    listed = "\n".join(f"- :mod:`{name}`: {summary}" for name, summary in summaries.items())
+    return (
+        f'"""Plain algebra, derived from first principles and checked against the article.\n\n{listed}\n\n{material.header}\n"""\n\n'
+        f'#: SHA-256 of the derivation that this package was generated from.\nSOURCE_HASH = "{material.digest}"\n'
+    )
+
+
+TARGET = Target("python", "Python", "", render, variants=True)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Mapping
 
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
-from ....kang_nam import nomenclature as nm
-from ....kang_nam.catalogue import Function, Module, Results
+from ...function import Function, Module, Results
+from ...quantities import Quantity
 from ...statements import straight_line
 
 _WIDTH = 112
@@ -46,7 +47,7 @@ class AlgebraPrinter(StrPrinter):
 _PRINTER = AlgebraPrinter({"order": None})
 
 
-def render(module: Module, header: str) -> str:
+def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
     """Source text of one generated module."""
     needs_namespace = any(function.transcendental for function in module.functions)
     imports = ["from ._broadcast import Number, broadcasting"]
@@ -58,12 +59,13 @@ def render(module: Module, header: str) -> str:
         "from __future__ import annotations",
         "\n".join(imports),
         f"__all__ = [\n{names},\n]",
-        *(_function(function) for function in module.functions),
+        *(definition(function, quantities) for function in module.functions),
     ]
     return "\n\n".join(parts[:4]) + "\n\n\n" + "\n\n\n".join(parts[4:]) + "\n"
 
 
-def _function(function: Function) -> str:
+def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
+    """One function, from its decorator to its return statement."""
     body = straight_line(function)
     arguments = [f"{symbol}: Number" for symbol in function.arguments]
     arguments += [f"{symbol}: Number = 0" for symbol in function.further]
@@ -76,7 +78,7 @@ def _function(function: Function) -> str:
     lines = [
         "@broadcasting",
         signature,
-        textwrap.indent(_docstring(function, body.operations), "    "),
+        textwrap.indent(_docstring(function, quantities, body.operations), "    "),
         *(_wrap(f"    {symbol} = {_assigned(expression)}") for symbol, expression in body.assignments),
         _return(body.results),
     ]
@@ -84,7 +86,7 @@ def _function(function: Function) -> str:
 
 
 def _assigned(expression: sp.Expr) -> str:
-    """The right side of an assignment; squares stand alone there, and become products."""
+    """The right side of an assignment; a square is always a whole right side, and is printed as a product."""
     if isinstance(expression, sp.Pow) and expression.exp == 2:
         factor = _PRINTER.doprint(expression.base)
         return f"{factor}*{factor}"
@@ -123,12 +125,12 @@ def _wrap(line: str) -> str:
     return f"{indent}{head}{separator}(\n" + "\n".join(f"{indent}    {piece}" for piece in pieces) + f"\n{indent})"
 
 
-def _docstring(function: Function, operations: int) -> str:
+def _docstring(function: Function, quantities: Mapping[str, Quantity], operations: int) -> str:
     described = []
     for symbol in function.accepted:
-        text, unit = meaning(symbol)
+        entry = quantities[str(symbol)]
         optional = ", optional" if symbol in function.further else ""
-        described.append(f"{symbol} : number or array{optional}\n    {text}" + (f" [{unit}]" if unit != "1" else ""))
+        described.append(f"{symbol} : number or array{optional}\n    {entry.meaning}" + (f" [{entry.unit}]" if entry.unit != "1" else ""))
     if function.transcendental:
         described.append("xp : module\n    Namespace with ``sqrt``, ``exp`` and ``sign`` for the number type: numpy, mpmath.")
     returned = "number or array" if not isinstance(function.results, tuple) else "tuple"
@@ -139,18 +141,3 @@ def _docstring(function: Function, operations: int) -> str:
         f"Notes\n-----\nSource: {function.equations}. Operations: {operations}.\n"
         '"""'
     )
-
-
-_LOCAL_MEANINGS = {
-    "side": ("sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead", "1"),
-    "T": ("tan θ₀", "1"),
-    "C11": ("damping ∂F_x/∂x'", "1"),
-    **{name: (f"entry {name[1]}, {name[2]} of the stiffness matrix", "1") for name in ("K11", "K12", "K21", "K22")},
-}
-
-
-def meaning(symbol: sp.Symbol) -> tuple[str, str]:
-    if str(symbol) in _LOCAL_MEANINGS:
-        return _LOCAL_MEANINGS[str(symbol)]
-    entry = nm.quantity(symbol)
-    return entry.meaning, entry.unit

@@ -29,7 +29,7 @@ def render(material: Material, header: str) -> str:
     primitives = "\n".join(f"{name}: Any = numpy.{function}" for name, function in _PRIMITIVES.items())
     imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
     counts = "\n".join(f"{name} = {value!r}" for name, value in material.counts.items())
-    constants_and_code = source.text[source.text.index("#: A parameter") :]
+    constants_and_code = "\n".join(source.lines[source.first_line - 1 :]) + "\n"
     return (
         f'"""{first}\n\n{explained}\n\n{header}\n"""\n\n'
         "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"

@@ -1,0 +1,46 @@
+"""What is generated: functions of algebra, gathered in modules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+#: Nested results: an expression, or a tuple of such.
+Results = sp.Expr | tuple["Results", ...]
+
+
+@dataclass(frozen=True)
+class Function:
+    """One generated function.
+
+    ``results`` are written in the ``arguments`` and in shorthands, each defined in ``shorthands`` (in terms of arguments and
+    of earlier shorthands). ``transcendental`` functions take the namespace of their square roots and exponentials.
+    """
+
+    name: str
+    summary: str
+    equations: str
+    arguments: tuple[sp.Symbol, ...]
+    results: Results
+    returns: str
+    shorthands: dict[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    transcendental: bool = False
+    #: Without shared subexpressions, where each quotient should be rounded once.
+    share: bool = True
+    #: Arguments that the published model does not have and a changed assumption brings in: they come last and default to 0.
+    further: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def accepted(self) -> tuple[sp.Symbol, ...]:
+        """All arguments, in order."""
+        return (*self.arguments, *self.further)
+
+
+@dataclass(frozen=True)
+class Module:
+    """One generated module."""
+
+    name: str
+    summary: str
+    functions: tuple[Function, ...]

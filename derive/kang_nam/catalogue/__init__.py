@@ -1,0 +1,13 @@
+"""Which functions are generated: name, arguments, results, and the algebra of each, taken from the derivation."""
+
+from __future__ import annotations
+
+from ...emit.function import Function, Module
+from . import catastrophe, equilibrium, linear_sprag, motion, scales, stability
+
+__all__ = ["Function", "Module", "modules"]
+
+
+def modules() -> tuple[Module, ...]:
+    """Everything that is generated."""
+    return tuple(part.module() for part in (scales, equilibrium, stability, catastrophe, linear_sprag, motion))

@@ -1,0 +1,51 @@
+"""What the modules of the catalogue share: lists of arguments, shorthands, and the check of what is arranged by hand."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...emit.function import Results
+from ...emit.statements import flatten
+from .. import circles, elimination, equilibrium, mechanics
+from .. import nomenclature as nm
+
+ANGLE0 = (nm.c0, nm.s0)
+ANGLE = (nm.c, nm.s)
+STIFFNESS = (nm.alpha, nm.sigma, nm.beta)
+F_COEFFICIENTS = (nm.fa, nm.fb, nm.fd, nm.fm)
+
+
+def nested(matrix: sp.Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
+    """A matrix as a tuple of its rows."""
+    return tuple(tuple(matrix.row(row)) for row in range(matrix.rows))
+
+
+def require_same(what: str, arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...], names: dict[sp.Symbol, sp.Expr] | None = None) -> None:
+    """Raise unless the form arranged for emission equals, exactly, the form that was derived; ``names`` are shorthands in the first."""
+    for ours, theirs in zip(arranged, derived, strict=True):
+        for _ in range(3):  # a shorthand may stand in another one
+            ours = ours.subs(names or {})
+        if not circles.equal(equilibrium.spell_out(ours), equilibrium.spell_out(theirs)):
+            raise ArithmeticError(f"{what}: the arrangement for emission is not what was derived")
+
+
+def shorthands(case: dict[sp.Symbol, int] | None = None, *names: sp.Symbol) -> dict[sp.Symbol, sp.Expr]:
+    """Definitions of the shorthands, or of those named: in contact, in lift-off, or with n̄ as a symbol where no case is given."""
+    definitions = {**equilibrium.SHORTHANDS, **elimination.f_coefficients()}
+    return {symbol: value.subs(case or {}) for symbol, value in definitions.items() if not names or symbol in names}
+
+
+def further(listed: tuple[sp.Symbol, ...], results: Results, names: dict[sp.Symbol, sp.Expr] | None = None) -> tuple[sp.Symbol, ...]:
+    """Speeds, and parameters of a changed model, on which the results depend and which are not among the arguments ``listed``."""
+    free = {symbol for leaf in flatten(results) for symbol in sp.sympify(leaf).free_symbols}
+    for value in (names or {}).values():
+        free |= sp.sympify(value).free_symbols
+    return tuple(symbol for symbol in (nm.vx, nm.vy, *mechanics.further_parameters()) if symbol in free and symbol not in listed)
+
+
+def added(arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
+    """The terms by which a changed assumption exceeds the arrangement of the published model; zeros if nothing was changed."""
+    return tuple(
+        sp.factor_terms(circles.difference(equilibrium.spell_out(theirs), equilibrium.spell_out(ours)))
+        for ours, theirs in zip(arranged, derived, strict=True)
+    )

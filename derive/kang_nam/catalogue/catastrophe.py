@@ -1,0 +1,180 @@
+"""Functions of the equilibrium surface, its folds and its cusps."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...emit.function import Function, Module
+from .. import catastrophe, circles, elimination, equilibrium
+from .. import nomenclature as nm
+from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
+
+
+def _line(relation: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+    """u and w of ``relation = u + w · symbol``."""
+    slope = sp.diff(relation, symbol)
+    if slope.has(symbol):
+        raise ArithmeticError(f"the fold relations are not linear in {symbol}")
+    return sp.factor_terms(relation.subs(symbol, 0)), sp.factor_terms(slope)
+
+
+def module() -> Module:
+    contact = shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa)
+    s0, c0 = catastrophe.fold_angles()
+    spelled = [
+        sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()
+    ]
+    in_parameters = (*ANGLE, *ANGLE0, nm.mu0, nm.kappa, *STIFFNESS)
+    lines = tuple(
+        Function(
+            f"fold_lines_{symbol}",
+            f"The two fold relations as lines in {symbol}: u1 + w1 {symbol} = 0 and u2 + w2 {symbol} = 0.", "f = f′ = 0",
+            tuple(other for other in in_parameters if other != symbol),
+            tuple(part for relation in spelled for part in _line(relation, symbol)), "u1, w1, u2, w2",
+        )
+        for symbol in nm.PARAMETERS
+    )  # fmt: skip
+    friction, quartic, quartic_names = _fold_quartic(s0, c0)
+    cusp_polynomial, cusp_names = _cusp_polynomial()
+    cusp_s0, cusp_ratio = _cusp_angles()
+    cusp_mu = catastrophe.cusp_friction() / nm.c / nm.sigma
+    return Module(
+        "catastrophe",
+        "The equilibrium surface, its folds (f = f′ = 0) and cusps (f″ = 0 as well), in contact.",
+        (
+            Function("surface", "μ₀ on the equilibrium surface over (θ, θ₀): f is linear in μ₀.", "(14), (15)",
+                     (*ANGLE, *ANGLE0, nm.kappa, *STIFFNESS), catastrophe.surface_in_coefficients(), "mu0",
+                     {**contact, nm.fb: shorthands()[nm.fb]}),
+            Function("fold_residuals", "Both are zero exactly where f = f′ = 0.", "f = f′ = 0", (nm.c, nm.s, *F_COEFFICIENTS),
+                     tuple(symbol - value for symbol, value in catastrophe.fold_relations().items()), "b − b(fold), d − d(fold)"),
+            *lines,
+            Function("fold_angles", "sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.", "f = f′ = 0",
+                     (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS), friction, "sin0, cos0", contact),
+            Function("fold_sine", "sin θ₀ of the fold through θ at friction μ₀, for any α ≥ 0.", "f = f′ = 0",
+                     (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS), friction[0], "sin0", contact),
+            Function("fold_quartic", "Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.",
+                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), quartic, "e0, e1, e2, e3, e4", quartic_names),
+            Function("fold_conic", "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
+                     "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), _fold_conic(), "E0, E1, E2, Ec", contact),
+            Function("fold_quadratic", "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.", "f = f′ = 0",
+                     (*ANGLE, nm.kappa, nm.sigma, nm.beta),
+                     tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
+                     "e0, e1, e2", shorthands(equilibrium.CONTACT, nm.B)),
+            Function("cusp_polynomial", "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
+                     "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", (nm.kappa, *STIFFNESS),
+                     cusp_polynomial, "e0, …, e9", cusp_names),
+            Function("cusp_cubic", "The same for α = 0: e0 + e1 s + e2 s² + e3 s³.", "f = f′ = f″ = 0",
+                     (nm.kappa, nm.sigma, nm.beta), tuple(map(sp.factor, catastrophe.cusp_cubic())), "e0, e1, e2, e3",
+                     shorthands(equilibrium.CONTACT, nm.B)),
+            Function("cusp_point", "sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.",
+                     "f = f′ = f″ = 0", (nm.s, nm.kappa, *STIFFNESS), (cusp_s0, cusp_ratio, cusp_mu),
+                     "sin0, cos0/cos, mu0/cos", contact),
+            Function("unfolding", "∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn.", "f = f′ = 0",
+                     (*ANGLE, *ANGLE0, *nm.PARAMETERS), _unfolding(), "((f_θ₀, f′_θ₀), …, (f_β, f′_β))",
+                     shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)),
+            Function("cusp_sine", "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.", "f = f′ = f″ = 0",
+                     (nm.s, nm.kappa, *STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
+        ),
+    )  # fmt: skip
+
+
+def _fold_conic() -> tuple[sp.Expr, ...]:
+    """The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1, which has no pole and no c0², s0 c0."""
+    a = nm.fa
+    threshold = nm.kappa + nm.sigma * nm.s * (1 + nm.c**2)
+    gap = nm.kappa * nm.p - a * nm.s**3
+    lever = nm.sigma * nm.s**2 * nm.c
+    conic = (
+        gap * threshold - a * nm.c**3 * lever,
+        nm.p * nm.B * threshold - nm.sigma * gap,
+        -nm.p * nm.B * nm.sigma,
+        -nm.q * nm.alpha * lever,
+    )
+    spelled = [relation.subs(nm.fa, elimination.f_coefficients()[nm.fa]) for relation in catastrophe.fold_residuals()]
+    (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in spelled)
+    ours = conic[0] + conic[1] * nm.s0 + conic[2] * nm.s0**2 + conic[3] * nm.c0
+    require_same("fold conic", (ours.subs(a, elimination.f_coefficients()[a]),), (u1 * w2 - u2 * w1,))
+    return conic
+
+
+def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+    """How f and f′ in contact change with each parameter: what makes a cusp a versal one."""
+    f = elimination.f_in_parameters().subs(equilibrium.SHORTHANDS).subs(equilibrium.SHORTHANDS).subs(equilibrium.CONTACT)
+    pairs = []
+    for parameter in (nm.theta0, *nm.PARAMETERS):
+        if parameter == nm.theta0:
+            change = sp.diff(f, nm.s0) * nm.c0 - sp.diff(f, nm.c0) * nm.s0
+        else:
+            change = sp.diff(f, parameter)
+        pair = change, circles.rotate_derivative(change)
+        pairs.append(tuple(sp.factor_terms(sp.collect(sp.expand(part), (nm.c, nm.s))) for part in pair))
+    return tuple(pairs)
+
+
+def _cusp_angles() -> tuple[sp.Expr, sp.Expr]:
+    """sin θ₀ and cos θ₀/cos θ on a cusp with the factor 3 s² − 2 kept together."""
+    S, s = 3 * nm.s**2 - 2, nm.s
+    s0 = (nm.sigma * (nm.B - nm.alpha) * s**3 / (nm.p * S) - nm.kappa) / nm.B
+    G = 3 * nm.kappa * nm.p * nm.q * s * S - 4 * nm.B * nm.p * nm.sigma * (1 - s**2) + 3 * nm.sigma * nm.alpha * nm.q * s**4
+    ratio = (nm.B - nm.alpha) * G / (nm.B * nm.alpha * nm.p * nm.q * S**2)
+    require_same("cusp angles", (s0, ratio), catastrophe.cusp_angles())
+    return s0, ratio
+
+
+def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """(α q)² N² S² + (B − α)² (1 − s²) G² − (B p α q)² S⁴ with S = 3 s² − 2, N = a s³ − κ p S, and G of cos θ₀; degree 9."""
+    g0, g1, g4, r, width, k = sp.symbols("g0 g1 g4 r width k")
+    s = nm.s
+    names = {
+        **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa),
+        r: nm.alpha * nm.q,
+        k: nm.kappa * nm.p,
+        g0: -4 * nm.B * nm.p * nm.sigma,
+        g1: -6 * k * nm.q,
+        g4: 3 * nm.sigma * r,
+        width: nm.B - nm.alpha,
+    }
+    S, first = 3 * s**2 - 2, nm.fa * s**3 - k * (3 * s**2 - 2)
+    second = g0 * (1 - s**2) + g1 * (s - sp.Rational(3, 2) * s**3) + g4 * s**4
+    expanded = sp.expand(
+        (r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (nm.B * nm.p * r) ** 2 * S**4
+    )
+    coefficients = sp.Poly(expanded, s).all_coeffs()[::-1]
+    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
+    derived = catastrophe.cusp_polynomial()
+    require_same("cusp polynomial", tuple(coefficients), (*derived, sp.S.Zero), local)
+    return tuple(_over_one_denominator(value) for value in coefficients[:10]), names
+
+
+def _over_one_denominator(value: sp.Expr) -> sp.Expr:
+    """A polynomial with rational coefficients as an integer one over an integer."""
+    numerator, denominator = sp.fraction(sp.together(value))
+    return sp.factor_terms(sp.expand(numerator)) / denominator
+
+
+def _fold_quartic(
+    s0: sp.Expr, c0: sp.Expr
+) -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """sin θ₀ and cos θ₀ on a fold as polynomials in friction with named coefficients, and the quartic that they make.
+
+    Dividing by p B and q α first keeps every coefficient of the quartic a sum of a few squares and products.
+    """
+    line = sp.symbols("u0 u1")
+    parabola = sp.symbols("g0 g1 g2")
+    s0_terms = sp.Poly(s0, nm.M).all_coeffs()[::-1]
+    c0_terms = sp.Poly(sp.cancel(c0.subs(nm.s0, line[0] + line[1] * nm.M)), nm.M).all_coeffs()[::-1]
+    names = {
+        **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
+        **{name: sp.factor_terms(value) for name, value in zip(line, s0_terms, strict=True)},
+        **{name: sp.factor_terms(value) for name, value in zip(parabola, c0_terms, strict=True)},
+    }
+    u0, u1 = line
+    g0, g1, g2 = parabola
+    quartic = (u0**2 + g0**2 - 1, 2 * (u0 * u1 + g0 * g1), u1**2 + g1**2 + 2 * g0 * g2, 2 * g1 * g2, g2**2)
+    scale = (nm.p * nm.B * nm.q * nm.alpha) ** 2
+    for ours, derived in zip(quartic, catastrophe.fold_quartic(), strict=True):
+        named = {name: names[name] for name in (*line, *parabola)}
+        if sp.simplify(sp.expand(scale * ours.subs(named).subs(named)) - derived) != 0:
+            raise ArithmeticError("the arrangement of the fold quartic is not the fold quartic")
+    in_mu = {nm.M: nm.mu0}
+    return (sp.factor_terms(s0.subs(in_mu)), c0.subs(nm.s0, s0).subs(in_mu)), quartic, names

@@ -1,0 +1,119 @@
+"""Functions of the balance of forces: D, b, the quartics, f, the state."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...emit.function import Function, Module
+from .. import catastrophe, elimination, equilibrium
+from .. import nomenclature as nm
+from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, nested, require_same, shorthands
+
+
+def _quartic(case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """The quartic in L in the arrangement that keeps its squares together, and its shorthands."""
+    b1, b2, p, q, M, sigma = nm.b1, nm.b2, nm.p, nm.q, nm.M, nm.sigma
+    arranged = (
+        sigma**2 * (b1**2 + b2**2 - sigma**2),
+        2 * sigma * (M * b1 * b2 - q * (b1**2 - sigma**2) - p * (b2**2 - sigma**2)),
+        (M * b2 - q * b1) ** 2 + p**2 * b2**2 - sigma**2 * (p**2 + q**2 + 4 * p * q),
+        2 * sigma * p * q * (p + q),
+        -((p * q) ** 2),
+    )
+    require_same("quartic in L", arranged, elimination.quartic_in_L_shorthand())
+    _, b = equilibrium.matrix_form()
+    names = {
+        **shorthands(case, nm.B, nm.M, nm.p, nm.q),
+        nm.b1: -(nm.alpha * nm.c0 + nm.M * nm.s0),
+        nm.b2: -(nm.B * nm.s0 + nm.kappa),
+    }
+    require_same("right side of (16)", (names[nm.b1], names[nm.b2]), tuple(b))
+    if case[nm.nbar] == 0:
+        arranged = tuple(value.subs(nm.M, 0) for value in arranged)
+        names[nm.b1] = names[nm.b1].subs(nm.M, 0)
+        del names[nm.M]
+    return arranged, names
+
+
+def _matrix(D: sp.Matrix, case: dict[sp.Symbol, int]) -> tuple[tuple[sp.Expr, ...], ...]:
+    """D of (18) or (24) with p and q kept together."""
+    arranged = sp.Matrix([[nm.sigma - nm.p * nm.L, -nm.M * nm.L], [0, nm.sigma - nm.q * nm.L]])
+    require_same("D", tuple(arranged), tuple(D))
+    return nested(arranged if case[nm.nbar] else arranged.subs(nm.M, 0))
+
+
+def module() -> Module:
+    D, b = equilibrium.matrix_form()
+    contact, liftoff = equilibrium.CONTACT, equilibrium.LIFTOFF
+    contact_quartic, contact_names = _quartic(contact)
+    liftoff_quartic, liftoff_names = _quartic(liftoff)
+    state = elimination.state()
+    along, across = equilibrium.balance()
+    singular = elimination.singular_lengths()
+    f = elimination.f_form
+    return Module(
+        "equilibrium",
+        "The balance of forces at steady sliding (n̄ = 1) and in lift-off (n̄ = 0), and the polynomials that hold its roots.",
+        (
+            Function("contact_matrix", "D of the balance in contact.", "(17), (18)", (nm.L, nm.mu0, *STIFFNESS),
+                     _matrix(D, contact), "((D11, D12), (D21, D22))", shorthands(contact, nm.B, nm.M, nm.p, nm.q)),
+            Function("contact_vector", "b of the balance in contact.", "(19), (A10), (A11)",
+                     (*ANGLE0, nm.mu0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(contact)), "b1, b2"),
+            Function("contact_quartic", "Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact.",
+                     "(21), (A1)–(A5)", (*ANGLE0, *nm.PARAMETERS), contact_quartic, "c0, c1, c2, c3, c4", contact_names),
+            Function("liftoff_matrix", "D of the balance in lift-off.", "(24)", (nm.L, *STIFFNESS),
+                     _matrix(D, liftoff), "((D11, D12), (D21, D22))", shorthands(liftoff, nm.B, nm.M, nm.p, nm.q)),
+            Function("liftoff_vector", "b of the balance in lift-off.", "(25), (A12), (A13)",
+                     (*ANGLE0, nm.kappa, nm.alpha, nm.beta), tuple(b.subs(liftoff)), "b3, b4"),
+            Function("liftoff_quartic", "Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived.",
+                     "(26), (A1) corrected, (A6)–(A9)", (*ANGLE0, nm.kappa, *STIFFNESS), liftoff_quartic,
+                     "d0, d1, d2, d3, d4", liftoff_names),
+            Function("singular_lengths", "Spring lengths at which D is singular and (20) cannot give the state.", "(17)",
+                     (*STIFFNESS, nm.nbar), singular, "L at which D11 = 0, L at which D22 = 0"),
+            Function("f_coefficients", "a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).",
+                     "(12), (13) eliminated", (*ANGLE0, *nm.PARAMETERS, nm.nbar), F_COEFFICIENTS, "a, b, d, m", shorthands()),
+            Function("f_magnitudes", "Sums of the absolute values of the terms of a and d, against which their rounding errors are "
+                     "measured.", "rounding-error analysis", (*ANGLE0, *nm.PARAMETERS, nm.nbar), _magnitudes(), "|a|, |d|",
+                     shorthands(None, nm.B, nm.M, nm.q)),
+            Function("f", "The scalar function whose roots are the equilibria.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), f, "f"),
+            Function("f_slope", "df/dθ, which is L det K at an equilibrium.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS),
+                     sp.collect(catastrophe.slope, nm.s), "f′"),
+            Function("f_curvature", "d²f/dθ².", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), catastrophe.curvature, "f″"),
+            Function("f_third", "d³f/dθ³.", "(12), (13) eliminated", (*ANGLE, *F_COEFFICIENTS), catastrophe.third, "f‴"),
+            Function("t_quartic", "Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = tan(θ/2).",
+                     "(12), (13) eliminated", F_COEFFICIENTS, elimination.quartic_in_t(), "e0, e1, e2, e3, e4"),
+            Function("resolvent", "Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t.",
+                     "(12), (13) eliminated", F_COEFFICIENTS, _resolvent(), "r0, r1, r2"),
+            Function("state", "Spring length and displacement at an equilibrium with direction θ.", "(4), (5), (13) or (15)",
+                     (*ANGLE, *ANGLE0, nm.kappa, nm.sigma, nm.beta, nm.nbar), (nm.L, state[nm.x], state[nm.y]), "L, x, y",
+                     {**shorthands(None, nm.B, nm.q), nm.L: state[nm.L]}),
+            Function("residuals", "F_x and F_y at spring length L and direction θ.", "(12)–(15)",
+                     (*ANGLE, nm.L, *ANGLE0, *nm.PARAMETERS, nm.nbar), _residuals(along, across), "F_x, F_y"),
+        ),
+    )  # fmt: skip
+
+
+def _resolvent() -> tuple[sp.Expr, ...]:
+    r0, r1, r2, one = elimination.resolvent_cubic()
+    if one != 1:
+        raise ArithmeticError("the resolvent is not monic")
+    return sp.factor(r0), sp.factor(r1), r2
+
+
+def _magnitudes() -> tuple[sp.Expr, sp.Expr]:
+    """a and d with every term made positive, for 0 < θ₀ < π and parameters that are not negative."""
+    coefficients = elimination.f_coefficients()
+    return (
+        coefficients[nm.fa].subs(nm.alpha, -nm.alpha),
+        coefficients[nm.fd].subs({nm.c0: sp.Abs(nm.c0), nm.kappa: -nm.kappa}),
+    )
+
+
+def _residuals(along: sp.Expr, across: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    x, y = equilibrium.displacement()
+    arranged = (
+        nm.sigma * (1 - nm.L) * nm.c + nm.alpha * x + nm.mu0 * nm.nbar * y,
+        nm.sigma * (1 - nm.L) * nm.s + (nm.beta + nm.nbar) * y + nm.kappa,
+    )
+    require_same("residuals (14), (15)", arranged, (along, across))
+    return arranged

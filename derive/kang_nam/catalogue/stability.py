@@ -1,0 +1,134 @@
+"""Functions of the linearization about an equilibrium: K, its invariants, damping, flutter onsets."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ...emit.function import Function, Module
+from .. import equilibrium, stability
+from .. import nomenclature as nm
+from .arrangement import ANGLE, ANGLE0, STIFFNESS, further, nested, require_same, shorthands
+
+
+def module() -> Module:
+    K = stability.stiffness()
+    pull = nm.sigma / nm.L
+    arranged = sp.Matrix([
+        [nm.p - pull * nm.s**2, pull * nm.s * nm.c + nm.M],
+        [pull * nm.s * nm.c, nm.q - pull * nm.c**2],
+    ])  # fmt: skip
+    require_same("K (28)", tuple(arranged), tuple(K))
+    entries = (nm.K11, nm.K12, nm.K21, nm.K22)
+    C = stability.damping()
+    generic = sp.Matrix(2, 2, entries)
+    characteristic = sp.Poly(stability.characteristic(generic, sp.diag(nm.C11, 0)), stability.lam).all_coeffs()
+    if C[0, 1] != 0 or C[1, 0] != 0 or C[1, 1] != 0:
+        characteristic = sp.Poly(stability.characteristic(generic, C), stability.lam).all_coeffs()
+    determinant = stability.determinant(generic)
+    crossing, crossing_names = _flutter_crossing()
+    cubic, cubic_names = _flutter_cubic()
+    contact = shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)
+    at_friction = (*ANGLE, nm.mu0, nm.kappa, *STIFFNESS)
+    return Module(
+        "stability",
+        "Linearization about an equilibrium: K, its invariants, the damping that (27) leaves out, the flutter onsets.",
+        (
+            Function("stiffness", "K, the Jacobian of (F_x, F_y).", "(28)",
+                     (*ANGLE, nm.L, nm.mu0, *STIFFNESS, nm.nbar), nested(arranged), "((K11, K12), (K21, K22))",
+                     shorthands(None, nm.B, nm.M, nm.p, nm.q)),
+            Function("invariants", "Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.",
+                     "(27)", entries, (stability.trace(generic), determinant, stability.flutter_discriminant(generic)),
+                     "trace, determinant, discriminant"),
+            Function("damping", "∂F_x/∂x' at steady sliding.", "(8), (10) linearized",
+                     tuple(symbol for symbol in (nm.y, nm.mu0, nm.V, nm.creep, nm.nbar) if C[0, 0].has(symbol)),
+                     C[0, 0], "C11", transcendental=True, further=further((), C[0, 0])),
+            Function("characteristic", "Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).",
+                     "(27) with damping", (*entries, nm.C11), tuple(characteristic), "e4, e3, e2, e1, e0"),
+            Function("reference_lines", "u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.",
+                     "(14), (15)", at_friction, _reference_lines(), "u1, w1, u2, w2", contact),
+            Function("flutter_quadratic", "Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact.",
+                     "(27)", (*ANGLE, nm.mu0, *STIFFNESS), stability.flutter_quadratic(), "e0, e1, e2", contact),
+            Function("flutter_elimination", "X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length.",
+                     "(27), (14), (15)", at_friction, stability.flutter_elimination(), "X, Y, Z", {**contact, **_flutter_names()}),
+            Function("flutter_without_alpha", "The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2.",
+                     "(27), (14), (15)", (*ANGLE, nm.mu0, nm.kappa, nm.sigma, nm.beta), stability.flutter_without_alpha(),
+                     "condition", {name: value.subs(nm.alpha, 0) for name, value in {**contact, **_flutter_names()}.items()}),
+            Function("flutter_crossing", "N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.",
+                     "(27), (14), (15)", (*ANGLE, nm.L, *ANGLE0, nm.mu0, *STIFFNESS), crossing, "N, J", crossing_names),
+            Function("flutter_cubic", "Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀.",
+                     "(27), (14), (15)", (*ANGLE, nm.kappa, *STIFFNESS), cubic, "g0, g1, k0, k1, k2, k3", cubic_names),
+            Function("flutter_friction", "μ₀ at a flutter onset with spring length L in direction θ, in contact.", "(27)",
+                     (*ANGLE, nm.L, *STIFFNESS), stability.flutter_friction(), "mu0", shorthands(equilibrium.CONTACT, nm.B)),
+        ),
+    )  # fmt: skip
+
+
+def _flutter_names() -> dict[sp.Symbol, sp.Expr]:
+    """The coefficients that the elimination is written in."""
+    return dict(zip((*stability.LINES, *stability.QUADRATIC), (*_reference_lines(), *stability.flutter_quadratic()), strict=True))
+
+
+def _reference_lines() -> tuple[sp.Expr, ...]:
+    friction, preload = nm.M / nm.B, nm.sigma * nm.s + nm.kappa
+    arranged = (
+        -preload / nm.B,
+        nm.q * nm.s / nm.B,
+        friction * preload - nm.sigma * nm.c,
+        nm.p * nm.c - friction * nm.sigma * nm.s,
+    )
+    require_same("the reference lines", arranged, stability.reference_lines())
+    return arranged
+
+
+def _flutter_crossing() -> tuple[tuple[sp.Expr, sp.Expr], dict[sp.Symbol, sp.Expr]]:
+    """By Cramer's rule in the derivatives of the balances along and across the belt with respect to θ, L and θ₀."""
+    a_t, a_l, a_0, b_t, b_l, b_0, d_t, d_l = sp.symbols("a_theta a_L a_theta0 b_theta b_L b_theta0 d_theta d_L")
+    _, e1, e2 = stability.flutter_quadratic()
+    names = {
+        **shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q),
+        a_t: nm.s * (nm.p * nm.L - nm.sigma) - nm.M * nm.L * nm.c,
+        a_l: -nm.p * nm.c - nm.M * nm.s,
+        a_0: nm.M * nm.c0 - nm.alpha * nm.s0,
+        b_t: -nm.c * (nm.q * nm.L - nm.sigma),
+        b_l: -nm.q * nm.s,
+        b_0: nm.B * nm.c0,
+        d_t: 4 * nm.sigma * nm.L * (nm.M * (nm.c**2 - nm.s**2) - 2 * (nm.alpha - nm.B) * nm.s * nm.c),
+        d_l: e1 + 2 * e2 * nm.L,
+    }
+    crossing = (
+        d_t * (a_0 * b_l - b_0 * a_l) + d_l * (a_t * b_0 - b_t * a_0),
+        b_t * a_l - a_t * b_l,
+    )
+    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
+    require_same("the crossing of a flutter onset", crossing, stability.flutter_crossing(), local)
+    return crossing, names
+
+
+def _flutter_cubic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """With L = l0 + l1 sin θ₀ and y = y0 + y1 sin θ₀: the discriminant without friction times y, and the spring's pull along."""
+    l0, l1, y0, y1, e0, e1, e2, m1, m2 = sp.symbols("l0 l1 y0 y1 e0 e1 e2 m1 m2")
+    c, s, sigma = nm.c, nm.s, nm.sigma
+    pull = 4 * sigma * s * c**2
+    names = {
+        **shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q),
+        l0: (sigma * s + nm.kappa) / (nm.q * s),
+        l1: nm.B / (nm.q * s),
+        y0: -(sigma * s + nm.kappa) / nm.q,
+        y1: sigma / nm.q,
+        **dict(zip((e0, e1, e2), (value.subs(nm.M, 0) for value in stability.flutter_quadratic()), strict=True)),
+        m1: -pull * sigma,
+        m2: pull * nm.p,
+    }
+    d0, d1, d2 = e0 + l0 * (e1 + e2 * l0), l1 * (e1 + 2 * e2 * l0), e2 * l1**2
+    weight = 4 * sigma * s * c * nm.alpha
+    cubic = (
+        weight * l0,
+        weight * l1,
+        d0 * y0 + l0 * (m1 + m2 * l0),
+        d1 * y0 + d0 * y1 + l1 * (m1 + 2 * m2 * l0),
+        d2 * y0 + d1 * y1 + m2 * l1**2,
+        d2 * y1,
+    )
+    local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
+    require_same("flutter cubic", cubic, stability.flutter_cubic(), local)
+    return cubic, names

@@ -1,0 +1,133 @@
+"""The house as CONTRIBUTING draws it, and a language added by its words alone."""
+
+from __future__ import annotations
+
+import ast
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.test_documents import ROOT, assert_shown, commands, run
+
+PAGE = ROOT / "CONTRIBUTING.md"
+#: Modules of spragsym that every room may use.
+SERVANTS = {"_version", "display", "errors", "names"}
+
+
+def section(title: str) -> str:
+    """One section of CONTRIBUTING."""
+    return PAGE.read_text(encoding="utf-8").split(f"\n## {title}\n")[1].split("\n## ")[0]
+
+
+def imported(path: Path, root: Path) -> set[tuple[str, ...]]:
+    """Modules below ``root`` that a file imports by relative names, as parts of their paths."""
+    package = path.relative_to(root).parts[:-1]
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.level:
+            start = package[: len(package) - node.level + 1]
+            module = (*start, *(node.module.split(".") if node.module else ()))
+            found |= {(*module, alias.name) for alias in node.names}
+    return found
+
+
+# ------------------------------------------------------------------------------------------------------ the rooms
+
+
+def test_the_general_floor_knows_no_model() -> None:
+    derive = ROOT / "derive"
+    general = [derive / "algebra.py", *sorted((derive / "emit").rglob("*.py"))]
+    assert len(general) > 10
+    for path in general:
+        assert not any("kang_nam" in parts for parts in imported(path, derive)), path
+
+
+def arrows() -> dict[str, set[str]]:
+    """Rooms of spragsym in the picture, each with the rooms that it may import from."""
+    drawn = re.findall(r"^    (\w+) .*<- (.*)$", section("The house"), re.MULTILINE)
+    rooms: dict[str, set[str]] = {}
+    for name, text in drawn:
+        before = {*rooms, "generated"}
+        if text.startswith("all above"):
+            left_out = set(re.findall(r"\w+", text.partition(" but ")[2])) - {"and"}
+            assert left_out <= before
+            rooms[name] = before - left_out
+        else:
+            rooms[name] = set() if text == "nothing" else set(text.split(", "))
+        assert rooms[name] <= before, f"{name} stands on what comes after it"
+    return rooms
+
+
+def test_the_picture_shows_every_room_and_every_import() -> None:
+    spragsym, rooms = ROOT / "spragsym", arrows()
+    folders = {path.parent.name for path in spragsym.glob("*/__init__.py") if not path.parent.is_symlink()}
+    assert folders <= set(rooms)
+    for name, below in rooms.items():
+        files = sorted((spragsym / name).glob("*.py")) or [spragsym / f"{name}.py"]
+        for path in files:
+            used = {parts[0] for parts in imported(path, spragsym)} - SERVANTS - {name}
+            if name == "cli":
+                used -= {"derive"}  # loaded when a command asks for it
+            assert used <= below, f"{path.relative_to(ROOT)} imports from {sorted(used - below)}"
+
+
+# ------------------------------------------------------------------------------------------------- a new language
+
+
+def steps() -> str:
+    """The section on languages, without the indentation that the text of a numbered step has."""
+    return re.sub(r"^   ", "", section("Add a language"), flags=re.MULTILINE)
+
+
+@pytest.fixture(scope="module")
+def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the tree with the folder that CONTRIBUTING shows, and nothing else changed."""
+    copy = tmp_path_factory.mktemp("house")
+    ignored = shutil.ignore_patterns("__pycache__", "*.so", "*.egg-info")
+    for folder in ("derive", "generated", "spragsym"):
+        shutil.copytree(ROOT / folder, copy / folder, symlinks=True, ignore=ignored)
+    for name in ("pyproject.toml", "README.md", "LICENSE"):
+        shutil.copy(ROOT / name, copy)
+    shown = r"`(derive/emit/targets/\w+/__init__\.py)`:\n\n```python\n(.*?)\n```"
+    ((path, program),) = re.findall(shown, steps(), re.DOTALL)
+    (copy / path).parent.mkdir()
+    (copy / path).write_text(program + "\n", encoding="utf-8")
+    return copy
+
+
+@pytest.mark.slow
+def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
+    """The steps as CONTRIBUTING shows them: the language is found, generated, offered, exported and packed."""
+    pytest.importorskip("sympy")
+    page = house / "page.md"
+    page.write_text(steps(), encoding="utf-8")
+    done = commands(page)
+    assert len(done) == 2
+    for command, shown in done:
+        assert_shown(shown, run(command, house))
+    text = (house / "plain/algebra.txt").read_text(encoding="utf-8")
+    assert "f_slope(cos, sin, a_f, b_f, d_f, m_f) gives f′" in text
+    build = "from setuptools import setup; setup()"
+    packed = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", build, "-q", "build_py", "--build-lib", "lib"], cwd=house,
+        capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert packed.returncode == 0, packed.stderr
+    for name in ("generated/text/algebra.txt", "generated/text/target.json", "derive/emit/targets/text/__init__.py"):
+        assert (house / "lib/spragsym" / name).is_file()
+    assert not list((house / "lib").rglob("*.pyc"))
+
+
+def test_the_same_file_from_two_targets_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("sympy")
+    from spragsym.derive.emit import targets
+
+    made = targets.Target("one", "One", "same", lambda material: {"a.txt": ""})
+    monkeypatch.setattr(targets, "targets", lambda: (made, made))
+    material = targets.Material((), None, {}, {}, (), {}, (), False, "", "")  # type: ignore[arg-type]  # no kernel is read
+    with pytest.raises(ArithmeticError, match=r"One: another target writes same/a\.txt too"):
+        targets.render(material)

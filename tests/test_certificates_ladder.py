@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
 from collections.abc import Iterator
 from fractions import Fraction
@@ -21,15 +20,14 @@ from spragsym.exact.intervals import Arithmetic
 from spragsym.parameters import NAMES
 from spragsym.statics import ladder
 
-ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
 NUMBERS = ("theta", "L", "x", "y")
 BASE = (math.radians(30), 0.5, 0.007, 0.007, 0.1, 0.0)
 
 
-@pytest.fixture(params=ARITHMETICS)
+@pytest.fixture(params=["integers", "Arb"])
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics."""
-    return intervals.arithmetic(request.param)
+    return intervals.Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
 
 
 def _points(number: int) -> Iterator[tuple[float, ...]]:

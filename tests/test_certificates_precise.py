@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import itertools
 import math
 from fractions import Fraction
@@ -18,13 +17,11 @@ from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.statics import ladder
 
-ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
 
-
-@pytest.fixture(params=ARITHMETICS)
+@pytest.fixture(params=["integers", "Arb"])
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics."""
-    return intervals.arithmetic(request.param)
+    return intervals.Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
 
 
 # ----------------------------------------------------------------------------------------------------- precise
@@ -121,7 +118,7 @@ def _are_cusps(found: ss.precise.CuspProof, values: tuple[Any, ...], digits: int
             assert abs(s0 - cusp.L * mpmath.sin(cusp.theta) - cusp.y) < small
 
 
-class _Spy(intervals.MpmathIntervals):
+class _Spy(intervals.Balls):
     """Arithmetic that says whether it was used."""
 
     used = 0

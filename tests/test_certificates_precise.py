@@ -185,8 +185,8 @@ def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith
             fields = [*point.parameters[:2], point.theta, point.L, point.x, point.y]
             for place, value in enumerate(fields):
                 middles = [sum(arith.ends(field)) / 2 for field in fields]
-                middle, sizes = middles[place], [max(1, abs(one)) for one in middles]
-                for share, allowed in ((0.99, min(sizes[place:]) / 1000), (1.01, sizes[place] / 1000)):
+                middle, sizes = middles[place], [max(Fraction(1), abs(one)) for one in middles]
+                for share, allowed in ((Fraction(99, 100), min(sizes[place:]) / 1000), (Fraction(101, 100), sizes[place] / 1000)):
                     blurred = [*fields]
                     blurred[place] = value + arith.between(-share * allowed, share * allowed)
                     wide = proofs.Point((*blurred[:2], *point.parameters[2:]), *blurred[2:])

@@ -143,7 +143,7 @@ class Ball:
 
 
 def _rounded(radius: int, shift: int) -> int:
-    """The radius in units of 2^shift around a middle that is rounded down to them: itself rounded up, and a unit for the middle."""
+    """The radius in units of 2^shift around a middle that is rounded down to them: rounded up, and a unit for the middle."""
     return 1 - (-radius >> shift)
 
 

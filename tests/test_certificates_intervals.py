@@ -38,7 +38,7 @@ def _mpf(value: Fraction) -> mpmath.mpf:
 
 def _small_balls(bits: int) -> Iterator[Ball]:
     """Every ball of a few bits, about: middles and radii where rounding down loses nothing, one unit, and nearly the next."""
-    for mid, rad, exp in itertools.product((-9, -8, -7, -1, 0, 1, 3, 4, 7), (0, 1, 3), (-3, 0, 2)):
+    for mid, rad, exp in itertools.product((-9, -7, 0, 1, 4, 7), (0, 1, 3), (-3, 0, 2)[:: 1 if bits < 9 else 2]):
         yield Ball(mid, rad, exp, bits)
 
 
@@ -249,7 +249,7 @@ def test_arc_tangents_are_as_close_as_they_say(places: int) -> None:
 
 def test_pi_and_its_parts_are_as_close_as_they_say() -> None:
     with mpmath.workprec(3000):
-        for places in (*range(0, 120), 500, 2500):
+        for places in (*range(0, 64, 3), 500, 2500):
             assert _units_off(intervals._pi_fixed(places), mpmath.pi, places) < 1.01
             for n in (5, 239):
                 value = intervals._atan_of_reciprocal(n, places)
@@ -324,7 +324,7 @@ def test_functions_enclose_the_truth_and_little_else(name: str, arith: Arithmeti
     """At points, and over intervals a little wider, against 60 digits more."""
     rng = random.Random(8)
     for bits in (20, 53, 200):
-        for _ in range(60):
+        for _ in range(20):
             value = rng.randint(1, 2**18) * Fraction(2) ** rng.randint(-50, -16) * (1 if name == "sqrt" else rng.choice([-1, 1]))
             for width in (Fraction(0), abs(value) / 128):
                 with arith.precision(bits):

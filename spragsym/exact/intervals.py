@@ -82,7 +82,7 @@ class Ball:
 
     def __init__(self, mid: int, rad: int, exp: int, bits: int) -> None:
         shift = mid.bit_length() - bits
-        if rad and rad.bit_length() - RADIUS_BITS > shift:
+        if rad.bit_length() - RADIUS_BITS > shift:
             shift = rad.bit_length() - RADIUS_BITS
         if shift > 0:
             mid, rad, exp = mid >> shift, _rounded(rad, shift), exp + shift

@@ -1,9 +1,7 @@
-"""What proofs stand on, against exact arithmetic and many digits: root counts, enclosures of roots, interval functions."""
+"""What proofs stand on, against exact arithmetic and many digits: root counts, enclosures of roots."""
 
 from __future__ import annotations
 
-import contextlib
-import importlib.util
 import itertools
 import math
 import random
@@ -11,20 +9,18 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-import mpmath
 import pytest
 
-from spragsym.exact import intervals, polynomials
+from spragsym.exact import descartes, intervals, polynomials
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided, exact_sign
+from spragsym.exact.refinement import Cell, refine
 
-ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
 
-
-@pytest.fixture(params=ARITHMETICS)
+@pytest.fixture(params=["integers", "Arb"])
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics."""
-    return intervals.arithmetic(request.param)
+    return intervals.Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
 
 
 # ----------------------------------------------------------------------------------------------- polynomials
@@ -53,7 +49,7 @@ def _cases(rng: random.Random, number: int) -> Iterator[tuple[list[Fraction], tu
 def test_counts_are_those_of_known_roots() -> None:
     """Roots at the ends, multiple roots and none: a root at the upper end counts, one at the lower does not."""
     rng = random.Random(1)
-    for roots, polynomial in _cases(rng, 200):
+    for roots, polynomial in _cases(rng, 60):
         chain = polynomials.sturm_chain(polynomial, exact_sign)
         ends = sorted([*(Fraction(rng.randint(-99, 99), 8) for _ in range(3)), *roots, Fraction(-100), Fraction(100)])
         for low, high in itertools.combinations(sorted(set(ends)), 2):
@@ -64,7 +60,7 @@ def test_counts_are_those_of_known_roots() -> None:
 
 
 def test_a_squarefree_part_has_the_same_roots_once() -> None:
-    for roots, polynomial in _cases(random.Random(2), 120):
+    for roots, polynomial in _cases(random.Random(2), 60):
         simple = polynomials.squarefree(polynomial)
         assert [root for root in roots if polynomials.evaluate(simple, root)] == []
         common = polynomials.sturm_chain(simple, exact_sign)[-1]
@@ -89,7 +85,8 @@ def test_roots_are_enclosed_to_the_bits_asked_for() -> None:
         for (low, high), root in zip(found, inside, strict=True):
             assert low <= root <= high
             assert high - low <= Fraction(1, 2**bits)
-            assert low == high or high - low > Fraction(1, 2 ** (bits + 2))  # no work beyond what was asked
+            distance = min(abs(low), abs(high), Fraction(1)) if low * high > 0 else Fraction(1)
+            assert low == high or high - low > distance / 2 ** (bits + 2)  # no work beyond what was asked
             for end in (low, high):  # dyadic, so that a float of enough bits holds them
                 assert end == root or end.denominator & (end.denominator - 1) == 0
 
@@ -124,7 +121,7 @@ def test_interpolation_gives_the_polynomial_back(arith: Arithmetic) -> None:
             blurred = polynomials.interpolate(lambda t: arith.exact(value(t)), degree, arith.exact)  # called here
             for coefficient, exact in zip(blurred, given, strict=True):
                 low, high = arith.ends(coefficient)
-                assert low <= mpmath.mpf(exact.numerator) / exact.denominator <= high
+                assert low <= exact <= high
                 assert high - low < 1e-20
 
 
@@ -144,12 +141,8 @@ def test_interpolation_uses_the_smallest_nodes() -> None:
 
 def _blurred(arith: Arithmetic, polynomial: tuple[Fraction, ...], share: Fraction) -> tuple[Any, ...]:
     return tuple(
-        arith.between(_mpf(value - abs(value) * share), _mpf(value + abs(value) * share)) for value in polynomial
+        arith.between(value - abs(value) * share, value + abs(value) * share) for value in polynomial
     )
-
-
-def _mpf(value: Fraction) -> mpmath.mpf:
-    return mpmath.mpf(value.numerator) / value.denominator
 
 
 def test_interval_coefficients_decide_or_say_that_they_cannot(arith: Arithmetic) -> None:
@@ -160,7 +153,7 @@ def test_interval_coefficients_decide_or_say_that_they_cannot(arith: Arithmetic)
 
     decided, rng = 0, random.Random(5)
     with arith.precision(200):
-        for roots, polynomial in _cases(rng, 40):
+        for roots, polynomial in _cases(rng, 24):
             for bits in (12, 60, 150):
                 try:
                     blurred = _blurred(arith, polynomial, Fraction(1, 2**bits))
@@ -192,128 +185,81 @@ def test_what_intervals_leave_open_is_no_answer(
         return intervals.sign(arith, value)
 
     with arith.precision(100):
-        coefficients = tuple(arith.between(_mpf(Fraction(a)), _mpf(Fraction(b))) for a, b in polynomial)
+        coefficients = tuple(arith.between(Fraction(a), Fraction(b)) for a, b in polynomial)
         with pytest.raises(Undecided, match=words):
             polynomials.real_roots(coefficients, Fraction(low), Fraction(high), sign, arith.exact, 60)
 
 
+# ------------------------------------------------------------------------------------------------- descartes
+
+
+def _with_roots(*roots: Fraction) -> tuple[int, ...]:
+    return polynomials.primitive(_product(*((-root, Fraction(1)) for root in roots)))
+
+
+#: A cluster, roots at the ends of cells and of the range, outside, and next to 0 and 1; (low, high] beside them.
+_CLOSE = Fraction(1, 2) + Fraction(1, 2**70)
+CLUSTERS = [
+    [Fraction(1, 2)], [Fraction(1, 2), _CLOSE, Fraction(3, 4)], [Fraction(0), Fraction(1), Fraction(1, 3)],
+    [Fraction(1, 7), Fraction(2, 7), Fraction(1, 4), Fraction(3, 8), Fraction(-1, 2), Fraction(3, 2)], [Fraction(1), Fraction(2)],
+    [Fraction(1, 10**40), Fraction(2, 10**40), 1 - Fraction(1, 10**30)], [_CLOSE, Fraction(0)],
+    [Fraction(-1, 3), Fraction(-1, 4)], [Fraction(k, 8) for k in range(-8, 9)],
+    [Fraction(1, 2), Fraction(1, 4) - Fraction(1, 2**50), Fraction(1, 4)],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("roots", CLUSTERS)
+@pytest.mark.parametrize(("low", "high"), [(0, 1), (-1, 1), (Fraction(-1, 7), Fraction(13, 11))])
+@pytest.mark.parametrize("bits", [1, 200])
+def test_descartes_finds_every_root_in_the_range(roots: list[Fraction], low: Any, high: Any, bits: int) -> None:
+    for extra in ((1,), (1, 0, 1), (-7,), (Fraction(101, 400), -1, 1)):  # the last with complex roots beside 1/2
+        polynomial = polynomials.primitive(_product(_with_roots(*roots), tuple(map(Fraction, extra))))
+        inside = sorted(root for root in roots if low < root <= high)
+        found = descartes.real_roots(polynomial, Fraction(low), Fraction(high), bits)
+        assert len(found) == len(inside)
+        for root, true in zip(found, inside, strict=True):
+            assert root.low <= true <= root.high
+            assert root.low == root.high or root.low < true < root.high
+            assert not [other for other in roots if other != true and root.low <= other <= root.high]
+            distance = min(map(abs, root)) if root.low > 0 or root.high < 0 else Fraction(1)
+            assert root.high - root.low <= Fraction(1, 2**bits) * min(distance, Fraction(1))
+            if len(roots) < 9:
+                assert polynomials.has_root(polynomial, *root)
+                others = _with_roots(*(other for other in roots if other != true))
+                assert not polynomials.has_root(others, *root)
+
+
+def test_refinement_doubles_the_digits() -> None:
+    """Evaluations of x³ − 2 for 10⁴ bits: a few for every doubling, not one for every bit."""
+    calls = []
+
+    def value(n: int, k: int) -> int:
+        calls.append(k)
+        return n**3 - (2 << 3 * k)
+
+    cell = refine(Cell(1, 2, 0, 1), value, exact_sign, descartes._share, lambda _, k: 10**4 - k)
+    assert (cell.m - cell.n, cell.k, cell.above) == (1, 10**4, 1)
+    assert value(cell.n, cell.k) < 0 < value(cell.m, cell.k)
+    assert len(calls) < 70
+
+
+def test_common_factors_are_exact_also_where_a_prime_divides_the_leading_coefficient() -> None:
+    shared, prime = _with_roots(Fraction(1, 3), Fraction(2, 5)), polynomials._PRIME
+    one, other = (polynomials.primitive(_product(shared, factor)) for factor in ((1, 1, prime), (5, 7, prime)))
+    for first, second in ((one, other), (other, one), (one, shared), (shared, one), (shared, ()), ((), shared)):
+        factor = polynomials.common_divisor(first, second)
+        assert factor in (shared, tuple(-value for value in shared))
+    assert polynomials.common_divisor((1, 1, prime), (5, 7, prime)) in ((1,), (-1,))
+    assert polynomials.common_divisor((), ()) == ()
+    assert polynomials.without(one, shared) == (1, 1, prime)
+    # The same modulo the prime, but different: (t − 1)(t − 2) and (t − 1 − p)(t − 3).
+    one, other = _with_roots(Fraction(1), Fraction(2)), _with_roots(Fraction(1 + prime), Fraction(3))
+    assert len(polynomials.common_divisor(one, other)) == 1
+
+
 def test_an_end_that_is_no_root_must_be_seen_to_be_none(arith: Arithmetic) -> None:
-    """Bisection goes by the sign at the upper end: where an interval holds 0 there, it has none to go by."""
+    """Refinement goes by the sign at the upper end: where an interval holds 0 there, it has none to go by."""
     with arith.precision(60):
-        line = (arith.between(mpmath.mpf(-1), mpmath.mpf(0)), arith.exact(Fraction(1)))
-        with pytest.raises(Undecided, match="holds 0 at an end"):
-            polynomials._bisect(line, Fraction(-1), Fraction(1, 2), lambda v: intervals.sign(arith, v), arith.exact, 20)
-
-
-# ------------------------------------------------------------------------------------------------- intervals
-
-
-def test_a_sign_needs_room_beside_zero(arith: Arithmetic) -> None:
-    with arith.precision(53):
-        for low, high, sign in ((0, 1, 0), (-1, 0, 0), (0, 0, 0), (-1, 1, 0), (1, 2, 1), (-2, -1, -1), (1, 1, 1), (-1, -1, -1)):
-            assert intervals.sign(arith, arith.between(mpmath.mpf(low), mpmath.mpf(high))) == sign
-        assert intervals.sign(arith, arith.exact(Fraction(1, 10**60))) == 1
-        assert intervals.sign(arith, -arith.exact(Fraction(1, 10**60))) == -1
-
-
-def test_what_is_no_number_has_no_sign(arith: Arithmetic) -> None:
-    with arith.precision(53):
-        one = arith.exact(Fraction(1))
-        everything = one / arith.between(mpmath.mpf(-1), mpmath.mpf(1))
-        assert arith.ends(everything) == (-mpmath.inf, mpmath.inf)
-        assert intervals.sign(arith, everything) == 0
-
-
-def test_rationals_are_enclosed_as_closely_as_the_bits_allow(arith: Arithmetic) -> None:
-    rng = random.Random(6)
-    for bits in (24, 53, 300):
-        with arith.precision(bits):
-            for _ in range(50):
-                value = Fraction(rng.randint(-(10**9), 10**9), rng.randint(1, 10**9)) * Fraction(2) ** rng.randint(-90, 90)
-                low, high = arith.ends(arith.exact(value))
-                assert _exact(low) <= value <= _exact(high)
-                assert _exact(high) - _exact(low) <= abs(value) * Fraction(8, 2**bits)
-            low, high = arith.ends(arith.exact(Fraction(1, 3)))
-            assert _exact(high) - _exact(low) > Fraction(1, 2 ** (bits + 8))
-
-
-def _exact(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
-def test_intervals_hold_what_they_are_made_of(arith: Arithmetic) -> None:
-    rng = random.Random(7)
-    with arith.precision(90):
-        for _ in range(60):
-            ends = sorted(mpmath.ldexp(rng.randint(-(2**60), 2**60), rng.randint(-80, 20)) for _ in range(2))
-            low, high = arith.ends(arith.between(*ends))
-            assert low <= ends[0] <= ends[1] <= high
-            slack = mpmath.ldexp(max(map(abs, ends)), -28)  # a ball's radius carries 30 bits
-            assert ends[0] - low <= slack
-            assert high - ends[1] <= slack
-
-
-_REFERENCES = {"cos": mpmath.cos, "sin": mpmath.sin, "sqrt": mpmath.sqrt, "atan": mpmath.atan}
-
-
-@pytest.mark.parametrize("name", _REFERENCES)
-def test_functions_enclose_the_truth_and_little_else(name: str, arith: Arithmetic) -> None:
-    """At points, and over intervals a little wider, against 60 digits more."""
-    rng = random.Random(8)
-    for bits in (20, 53, 200):
-        for _ in range(60):
-            value = rng.randint(1, 2**18) * Fraction(2) ** rng.randint(-50, -16) * (1 if name == "sqrt" else rng.choice([-1, 1]))
-            for width in (Fraction(0), abs(value) / 128):
-                with arith.precision(bits):
-                    given = arith.between(_mpf(value), _mpf(value + width))
-                    low, high = arith.ends(_function(arith, name, given))
-                with mpmath.workprec(bits + 200):
-                    truths = [_REFERENCES[name](_mpf(value + width * k / 4)) for k in range(5)]
-                    assert low <= min(truths)
-                    assert max(truths) <= high
-                    span = 2 * _mpf(width) if name in ("cos", "sin") else 1.1 * (max(truths) - min(truths))
-                    size = max(map(abs, truths)) + (1 if name in ("cos", "sin") else 0)
-                    assert high - low <= span + size * mpmath.ldexp(1, 3 - bits)
-
-
-def _function(arith: Arithmetic, name: str, value: Any) -> Any:
-    if name in ("cos", "sin"):
-        return arith.cos_sin(value)[name == "sin"]
-    return arith.sqrt(value) if name == "sqrt" else arith.atan(value)
-
-
-def test_pi_is_held_closely(arith: Arithmetic) -> None:
-    for bits in (20, 53, 400):
-        with arith.precision(bits):
-            low, high = arith.ends(+arith.pi() * 1)
-        with mpmath.workprec(500):
-            assert low < mpmath.pi < high
-            assert high - low < mpmath.ldexp(1, 4 - bits)
-
-
-def test_precision_is_that_asked_for_and_then_as_before(arith: Arithmetic) -> None:
-    def width() -> Fraction:
-        low, high = arith.ends(arith.exact(Fraction(1, 3)))
-        return _exact(high) - _exact(low)
-
-    before, digits = width(), mpmath.mp.prec
-    with arith.precision(80):
-        eighty = width()
-        with contextlib.suppress(KeyError), arith.precision(30):
-            thirty = width()
-            raise KeyError
-        assert width() == eighty
-    assert Fraction(1, 2**36) < thirty < Fraction(1, 2**26)
-    assert Fraction(1, 2**86) < eighty < Fraction(1, 2**76)
-    assert width() == before
-    assert mpmath.mp.prec == digits
-
-
-def test_the_arithmetic_is_the_one_named_or_the_fastest_there(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert [intervals.arithmetic(name).name for name in ARITHMETICS] == ARITHMETICS
-    assert intervals.arithmetic().name == ARITHMETICS[-1]
-    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None)
-    assert intervals.arithmetic().name == "mpmath"
-    with contextlib.suppress(ImportError):
-        assert intervals.arithmetic("python-flint").name == "python-flint"
+        line = (arith.between(Fraction(-1), Fraction(0)), arith.exact(Fraction(1)))
+        with pytest.raises(Undecided, match="holds 0 near a root"):
+            polynomials._refined(line, Fraction(-1), Fraction(1, 2), lambda v: intervals.sign(arith, v), arith.exact, 20)

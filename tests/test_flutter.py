@@ -13,7 +13,7 @@ import pytest
 import spragsym as ss
 from benchmarks.validate_flutter import compare, random_set
 from spragsym.catastrophe import flutter_proofs
-from spragsym.exact import descartes, intervals
+from spragsym.exact import intervals
 from spragsym.generated import stability
 from spragsym.statics import kernel
 
@@ -247,51 +247,12 @@ def test_boundary_points_are_on_the_boundary_to_rounding() -> None:
             assert (exact.branch[j], exact.count[j]) == (found.branch[i], found.count[i])
 
 
-# ---------------------------------------------------------------------------------------------------- descartes
-
-
-def _product(*factors: tuple[int, ...]) -> tuple[int, ...]:
-    product = [1]
-    for factor in factors:
-        grown = [0] * (len(product) + len(factor) - 1)
-        for i, one in enumerate(product):
-            for j, other in enumerate(factor):
-                grown[i + j] += one * other
-        product = grown
-    return tuple(product)
-
-
 def _with_roots(*roots: Fraction) -> tuple[int, ...]:
-    return _product(*((-root.numerator, root.denominator) for root in roots))
-
-
-@pytest.mark.parametrize("roots", [
-    [Fraction(1, 2)], [Fraction(1, 2), Fraction(1, 2) + Fraction(1, 2**70), Fraction(3, 4)],
-    [Fraction(0), Fraction(1), Fraction(1, 3)],
-    [Fraction(1, 7), Fraction(2, 7), Fraction(1, 4), Fraction(3, 8), Fraction(-1, 2), Fraction(3, 2)], [Fraction(1), Fraction(2)],
-    [Fraction(1, 10**40), Fraction(2, 10**40), 1 - Fraction(1, 10**30)],
-])  # fmt: skip
-def test_descartes_finds_every_root_inside(roots: list[Fraction]) -> None:
-    polynomial = _with_roots(*roots)
-    inside = sorted(root for root in roots if 0 < root < 1)
-    found = descartes.isolate(polynomial)
-    assert len(found) == len(inside)
-    for root, true in zip(found, inside, strict=True):
-        narrow = descartes.refine(polynomial, root, 300)
-        assert narrow.low <= true <= narrow.high
-        assert narrow.high - narrow.low <= Fraction(1, 2**300)
-        assert root.low <= true <= root.high
-        assert not [other for other in roots if other != true and root.low <= other <= root.high]
-
-
-def test_common_factors_are_exact_also_where_a_prime_divides_the_leading_coefficient() -> None:
-    shared, prime = _with_roots(Fraction(1, 3), Fraction(2, 5)), 2**61 - 1
-    one, other = _product(shared, (1, 1, prime)), _product(shared, (5, 7, prime))
-    for first, second in ((one, other), (other, one), (one, shared), (shared, one)):
-        factor = descartes.common_factor(first, second)
-        assert factor in (shared, tuple(-value for value in shared))
-    assert descartes.common_factor((1, 1, prime), (5, 7, prime)) == (1,)
-    assert descartes.quotient(one, shared) == (1, 1, prime)
+    product = [1]
+    for root in roots:
+        pairs = zip([0, *product], [*product, 0], strict=True)
+        product = [root.denominator * one - root.numerator * other for one, other in pairs]
+    return tuple(product)
 
 
 def test_multiple_roots_are_counted() -> None:
@@ -299,5 +260,7 @@ def test_multiple_roots_are_counted() -> None:
     elimination = flutter_proofs.Elimination(*map(Fraction, (1, 1, 1, 1, 0)))
     third, half, other = Fraction(1, 3), Fraction(1, 2), Fraction(3, 4)
     elimination.__dict__["full"] = _with_roots(third, third, third, half, half, other)
-    assert all(root.low <= true <= root.high for root, true in zip(elimination.roots, (third, half, other), strict=True))
-    assert [elimination.multiplicity(root) for root in elimination.roots] == [3, 2, 1]
+    for bits in (1, 90):
+        roots = elimination.roots(bits)
+        assert all(root.low <= true <= root.high for root, true in zip(roots, (third, half, other), strict=True))
+        assert [elimination.multiplicity(root) for root in roots] == [3, 2, 1]

@@ -5,11 +5,9 @@ from __future__ import annotations
 import dataclasses
 import itertools
 import json
-import math
 import sys
 import threading
 import time
-from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import Any
 
@@ -23,188 +21,10 @@ from benchmarks.validate_precise import points, worst_shares
 from spragsym import precise
 from spragsym.catastrophe import proofs
 from spragsym.cli import cli as command_line
-from spragsym.exact import intervals
-from spragsym.exact.intervals import Ball, Balls
-from spragsym.exact.polynomials import Undecided
+from spragsym.exact.intervals import Balls
 from spragsym.statics import compiled, ladder
 
 ARITH = Balls()
-
-
-# --------------------------------------------------------------------------------------------------- intervals
-
-
-def _small_balls(bits: int) -> Iterator[Ball]:
-    """Every ball of a few bits, about: middles and radii where rounding down loses nothing, one unit, and nearly the next."""
-    for mid, rad, exp in itertools.product((-9, -8, -7, -1, 0, 1, 3, 4, 7), (0, 1, 3), (-3, 0, 2)):
-        yield Ball(mid, rad, exp, bits)
-
-
-def _holds(ball: Ball, value: Fraction) -> bool:
-    low, high = ARITH.ends(ball)
-    return low <= value <= high
-
-
-OPERATIONS: list[Callable[[Any, Any], Any]] = [
-    lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b, lambda a, b: a / b,
-]  # fmt: skip
-
-
-@pytest.mark.parametrize("operation", OPERATIONS, ids="+-*/")
-@pytest.mark.parametrize("bits", [2, 3, 60])
-def test_operations_enclose_every_corner(operation: Callable[[Any, Any], Any], bits: int) -> None:
-    """Of three bits nearly every result is rounded; the extremes of a monotonic operation lie at the ends."""
-    for one, other in itertools.product(_small_balls(bits), repeat=2):
-        try:
-            result = operation(one, other)
-        except Undecided:
-            low, high = ARITH.ends(other)
-            assert low <= 0 <= high
-            continue
-        for a, b in itertools.product(ARITH.ends(one), ARITH.ends(other)):
-            assert _holds(result, operation(a, b)), (one, other, result)
-        assert abs(result.mid) <= 1 << bits
-        assert result.rad.bit_length() <= intervals.RADIUS_BITS + 1
-
-
-@pytest.mark.parametrize("bits", [4, 20, 53])
-def test_rounding_takes_the_worst_middle_and_radius(bits: int) -> None:
-    """All ones beyond the last bit: the middle loses nearly a unit and the radius, which has its own, nearly another."""
-    for lost in (1, 5, 40):
-        mid, rad = (1 << bits + lost) - 1, (1 << lost) - 1
-        for sign in (1, -1):
-            for value in (mid - rad, mid + rad):
-                assert _holds(Ball(sign * mid, rad, 0, bits), Fraction(sign * value))
-    wide = (1 << intervals.RADIUS_BITS + 7) - 1
-    for end in (5 - wide, 5 + wide):
-        assert _holds(Ball(5, wide, 0, bits), Fraction(end))
-
-
-def test_far_apart_terms_go_into_the_radius() -> None:
-    for bits, gap, sign in itertools.product((8, 53), (20, 60, 200, 5000), (1, -1)):
-        large, small = Ball(5, 0, gap, bits), Ball(sign * 3, 1, 0, bits)
-        for result, turn in ((large + small, 1), (small - large, -1)):
-            for end in ARITH.ends(small):
-                assert _holds(result, turn * Fraction(5) * 2**gap + end)
-            assert result.mid.bit_length() + result.rad.bit_length() < 200
-    tiny = Ball(3, 0, -5000, 53)
-    assert ARITH.ends(tiny + Ball(0, 0, 0, 53)) == ARITH.ends(Ball(0, 0, 9, 53) + tiny) == ARITH.ends(tiny)
-
-
-@pytest.mark.parametrize("bits", [5, 53, 300])
-def test_rationals_and_unions_are_enclosed(bits: int) -> None:
-    values = [Fraction(n, d) for n in (-10**30, -7, -1, 0, 1, 2, 10**30 + 1) for d in (1, 3, 8, 10**9 + 7, 2**400)]
-    with ARITH.precision(bits):
-        for one, other in itertools.combinations(values, 2):
-            assert _holds(ARITH.exact(one), one)
-            both = ARITH.between(min(one, other), max(one, other))
-            assert _holds(both, one)
-            assert _holds(both, other)
-        assert ARITH.ends(ARITH.exact(Fraction(3, 8))) == (Fraction(3, 8),) * 2
-
-
-def test_numbers_of_other_types_are_exact() -> None:
-    ball = Ball(3, 0, -2, 53)
-    for result, value in [
-        (1 - ball, 0.25), (ball - 1, -0.25), (2 * ball, 1.5), (ball * 0.5, 0.375), (3 / ball, 4), (ball / 3.0, 0.25),
-        (ball**3, 0.421875), (ball**0, 1), (0.5 + ball, 1.25), (-ball, -0.75), (ball**-1 * 3, 4),
-    ]:  # fmt: skip
-        assert _holds(result, Fraction(value))
-    for operation in OPERATIONS:
-        for pair in ((ball, "1"), ("1", ball)):
-            with pytest.raises(TypeError):
-                operation(*pair)
-    with pytest.raises(TypeError):
-        ball**0.5
-    assert repr(ball) == "Ball((3 ± 0) * 2**-2)"
-
-
-FUNCTIONS: dict[str, Callable[[Ball], Ball]] = {
-    "cos": lambda ball: ARITH.cos_sin(ball)[0],
-    "sin": lambda ball: ARITH.cos_sin(ball)[1],
-    "atan": ARITH.atan,
-    "sqrt": ARITH.sqrt,
-}
-
-
-@pytest.mark.parametrize("bits", [3, 24, 53, 128, 700])
-@pytest.mark.parametrize("name", ["cos", "sin", "atan", "sqrt"])
-def test_functions_enclose_and_are_sharp(name: str, bits: int) -> None:
-    """Against mpmath with far more digits; a wide ball at both ends, a point with hardly more than its last bits lost."""
-    rng = np.random.default_rng(bits)
-    context = mpmath.mp.clone()
-    context.prec = 4000 + 2 * bits
-    half_pi = Fraction(math.pi) / 2
-    near_pi = Fraction(math.nextafter(math.pi, 0))
-    values = [Fraction(1), Fraction(1, 3), half_pi, 2 * half_pi, near_pi, Fraction(5, 2), Fraction(1, 2**1000)]
-    values += [Fraction(float(value)) for value in np.concatenate([rng.uniform(0, 4, 30), 10.0 ** rng.uniform(-40, 5, 20)])]
-    for value, sign, width in itertools.product(values, (1, -1), (0, Fraction(1, 2**9), Fraction(1, 2**70))):
-        if sign < 0 and name == "sqrt":
-            continue
-        with ARITH.precision(bits):
-            ball = ARITH.between(sign * value * (1 - width), sign * value * (1 + width))
-        found = FUNCTIONS[name](ball)
-        low, high = (context.mpf(end.numerator) / end.denominator for end in ARITH.ends(found))
-        for end in ARITH.ends(ball):
-            exact = getattr(context, name)(context.mpf(end.numerator) / end.denominator)
-            assert low <= exact <= high, (value, sign, width)
-        if not ball.rad:
-            assert high - low <= abs(exact) * context.mpf(2) ** (5 - bits), (value, sign)
-
-
-def test_functions_at_zero_and_pi() -> None:
-    for exp in (-4, 0, 3):
-        cosine, sine = ARITH.cos_sin(Ball(0, 1, exp, 53))
-        assert _holds(cosine, Fraction(1))
-        assert _holds(sine, Fraction(0))
-        assert ARITH.ends(cosine)[0] <= Fraction(math.cos(min(2.0**exp, math.pi)) + 1e-9)
-    assert ARITH.ends(ARITH.atan(Ball(0, 1, 0, 53))) == (-1, 1)
-    assert ARITH.ends(ARITH.sqrt(Ball(0, 0, 0, 53))) == (0, 0)
-    for bits in (4, 53, 5000):
-        with ARITH.precision(bits):
-            low, high = (_exact_mpf(end, 6000) for end in ARITH.ends(ARITH.pi()))
-        assert low < _pi(6000) < high
-        assert high - low < mpmath.ldexp(1, 5 - bits)
-    for bad in (Ball(3, 4, 0, 53), Ball(-4, 0, 0, 53)):
-        with pytest.raises(Undecided, match="negative"):
-            ARITH.sqrt(bad)
-    assert _holds(ARITH.sqrt(Ball(4, 4, 0, 53)), Fraction(0))
-
-
-def _pi(bits: int) -> mpmath.mpf:
-    with mpmath.workprec(bits):
-        return +mpmath.pi
-
-
-def _exact_mpf(value: Fraction, bits: int) -> mpmath.mpf:
-    with mpmath.workprec(bits):
-        return mpmath.mpf(value.numerator) / value.denominator
-
-
-@pytest.mark.parametrize("divisor", [Ball(0, 0, 0, 53), Ball(3, 3, 0, 53), Ball(-3, 3, 0, 53), Ball(-1, 7, 5, 53)])
-def test_what_holds_0_has_no_sign_and_divides_nothing(divisor: Ball) -> None:
-    """An end on 0 is no sign."""
-    assert intervals.sign(ARITH, divisor) == 0
-    with pytest.raises(Undecided, match="holds 0"):
-        1 / divisor
-
-
-def test_signs_next_to_0() -> None:
-    assert [intervals.sign(ARITH, Ball(mid, 3, -9, 53)) for mid in (-4, -3, 3, 4)] == [-1, 0, 0, 1]
-    assert intervals.sign(ARITH, Ball(1, 0, -9999, 53)) == 1
-
-
-def test_numbers_for_mpmath_and_their_bounds() -> None:
-    many = Fraction((1 << 700) + 1, 1 << 900)
-    with mpmath.workdps(3):
-        number = intervals.as_mpf(many)
-    assert _fraction(number) == many
-    with pytest.raises(ValueError, match="1/3"):
-        intervals.as_mpf(Fraction(1, 3))
-    for bound in (many, Fraction(1, 3), Fraction(10**400, 7), Fraction(0), Fraction(2**31 + 1, 2**31)):
-        above = intervals.rounded_up(bound)
-        assert bound <= above <= bound * (1 + Fraction(1, 2**28))
-        assert above.numerator.bit_length() <= 32 or above.denominator == 1
 
 
 def _fraction(value: mpmath.mpf) -> Fraction:

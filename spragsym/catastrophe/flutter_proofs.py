@@ -20,8 +20,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from ..exact import descartes, polynomials
-from ..exact.descartes import Polynomial, Root
+from ..exact import polynomials
+from ..exact.descartes import Root, real_roots
 from ..exact.intervals import Arithmetic, Interval, sign
 from ..exact.polynomials import Undecided
 from ..generated import stability as _stability
@@ -61,7 +61,7 @@ class Elimination:
     beta: Fraction
 
     @cached_property
-    def full(self) -> Polynomial:
+    def full(self) -> tuple[int, ...]:
         """The polynomial in v, multiple roots included."""
         if self.alpha:
 
@@ -74,20 +74,19 @@ class Elimination:
         return self.polynomial(lambda c, s: _stability.flutter_without_alpha(c, s, *others), _DEGREE_WITHOUT_ALPHA)
 
     @cached_property
-    def repeated(self) -> Polynomial:
+    def repeated(self) -> tuple[int, ...]:
         """The factor whose roots are the multiple ones; ``(1,)`` where there are none."""
-        return descartes.common_factor(self.full, descartes.derivative(self.full))
+        return polynomials.common_divisor(self.full, polynomials.derivative(self.full))
 
     @cached_property
-    def simple(self) -> Polynomial:
+    def simple(self) -> tuple[int, ...]:
         """The same roots, each once."""
-        return self.full if len(self.repeated) == 1 else descartes.quotient(self.full, self.repeated)
+        return polynomials.without(self.full, self.repeated)
 
-    @cached_property
-    def roots(self) -> list[Root]:
-        """All of them in 0 ≤ v < 1."""
+    def roots(self, bits: int) -> list[Root]:
+        """All of them in 0 ≤ v < 1, to a width below 2^−bits."""
         upright = [Root(Fraction(0), Fraction(0))] if self.simple[0] == 0 else []
-        return upright + descartes.isolate(self.simple)
+        return upright + [root for root in real_roots(self.simple, Fraction(0), Fraction(1), bits) if root.low < 1]
 
     @property
     def values(self) -> tuple[Fraction, ...]:
@@ -99,7 +98,7 @@ class Elimination:
         """Degree in cos θ, sin θ of X and Y, over one denominator, in L = X/Y."""
         return _DEGREE_OF_LENGTH if self.alpha else _DEGREE_OF_LENGTH_WITHOUT_ALPHA
 
-    def polynomial(self, function: Callable[[Fraction, Fraction], Fraction], degree: int) -> Polynomial:
+    def polynomial(self, function: Callable[[Fraction, Fraction], Fraction], degree: int) -> tuple[int, ...]:
         """A polynomial of that degree in cos θ and sin θ, as one in v."""
 
         def in_v(v: Fraction) -> Fraction:
@@ -109,7 +108,7 @@ class Elimination:
         values = {v: in_v(v) for v in map(Fraction, range(-degree, degree + 1))}
         common = math.lcm(*(value.denominator for value in values.values()))
         scale = math.factorial(2 * degree)
-        return descartes.primitive(
+        return polynomials.primitive(
             polynomials.interpolate(lambda v: int(values[v] * common), 2 * degree, lambda weight: int(weight * scale))
         )
 
@@ -124,21 +123,14 @@ class Elimination:
     def vanishes(self, root: Root, function: Callable[[Any, Any, Any, Any], Any], degree: int) -> bool:
         """Whether ``function(c, s, X, Y)``, of that degree in cos θ and sin θ, is exactly 0 at a root."""
         other = self.polynomial(lambda c, s: function(c, s, *self.length(c, s, self.values)), degree)
-        return holds(descartes.common_factor(self.simple, other), root)
+        return polynomials.has_root(polynomials.common_divisor(self.simple, other), *root)
 
     def multiplicity(self, root: Root) -> int:
         """How many of the polynomial and its derivatives vanish at a root, in turn."""
         multiplicity, derivative = 0, self.full
-        while holds(descartes.common_factor(self.simple, derivative), root):
-            multiplicity, derivative = multiplicity + 1, descartes.derivative(derivative)
+        while polynomials.has_root(polynomials.common_divisor(self.simple, derivative), *root):
+            multiplicity, derivative = multiplicity + 1, polynomials.derivative(derivative)
         return multiplicity
-
-
-def holds(factor: Polynomial, root: Root) -> bool:
-    """Whether a factor of a polynomial without multiple roots has its root there."""
-    if root.exact:
-        return descartes.sign_at(factor, root.low) == 0
-    return descartes.sign_at(factor, root.low) != descartes.sign_at(factor, root.high)
 
 
 def on_circle(v: Any) -> tuple[Any, Any]:
@@ -150,17 +142,12 @@ def on_circle(v: Any) -> tuple[Any, Any]:
 def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[Onset]:
     """Every onset with 0 < θ₀ < π, in contact."""
     values = tuple(map(arith.exact, elimination.values))
-    for root in elimination.roots:
-        narrow = descartes.refine(elimination.simple, root, bits - 32)
-        v = _interval(arith, narrow)
+    for root in elimination.roots(bits - 32):
+        v = arith.between(*root)
         c, s = on_circle(v)
         lengths = _lengths(arith, elimination, root, c, s, values)
         for L in lengths:
             yield from _at_length(arith, elimination, root, v, c, s, L, values, alone=len(lengths) == 1)
-
-
-def _interval(arith: Arithmetic, root: Root) -> Interval:
-    return arith.between(root.low, root.high)
 
 
 def _sign(arith: Arithmetic, value: Interval, what: str, vanishes: Callable[[], bool]) -> int:

@@ -1,197 +1,98 @@
-"""Real roots in 0 < v < 1 of a polynomial with integer coefficients, by Descartes' rule of signs: exact, and none is missed.
+"""Real roots of polynomials with integer coefficients by Descartes' rule of signs: exact, and none is missed.
 
-Coefficients are listed lowest power first. Nothing here is rounded. Sturm's chain, in ``polynomials``, counts for intervals too,
-but its coefficients grow with the square of the degree. Here intervals are halved, which only adds and shifts: at degree 16 that
-is faster by far.
+Coefficients are listed lowest power first. Nothing here is rounded. Intervals are halved, which only adds and shifts; a chain of
+Sturm's, whose coefficients grow with the square of the degree, is slower by far at degree 16.
 """
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from fractions import Fraction
-from typing import TypeAlias
+from functools import lru_cache
+from typing import NamedTuple
 
-Polynomial: TypeAlias = tuple[int, ...]
-
-#: Primes modulo which common factors are looked for first: where there is none modulo a prime, there is none.
-_PRIMES = (2**61 - 1, 2**89 - 1, 2**107 - 1)
+from .refinement import Cell, refine
 
 
-@dataclass(frozen=True)
-class Root:
+class Root(NamedTuple):
     """The only root of its polynomial in [low, high]: inside, or at both where the two are equal."""
 
     low: Fraction
     high: Fraction
 
-    @property
-    def exact(self) -> bool:
-        """Whether the root is known exactly."""
-        return self.low == self.high
 
-
-def primitive(coefficients: Iterable[Fraction | int]) -> Polynomial:
-    """A positive multiple with coprime integers and without leading zeros; empty for the zero polynomial."""
-    values = [Fraction(value) for value in coefficients]
-    common = math.lcm(*(value.denominator for value in values))
-    integers = [int(value * common) for value in values]
-    while integers and integers[-1] == 0:
-        integers.pop()
-    divisor = math.gcd(*integers)
-    return tuple(value // divisor for value in integers)
-
-
-def derivative(polynomial: Polynomial) -> Polynomial:
-    """d/dv."""
-    return tuple(power * coefficient for power, coefficient in enumerate(polynomial))[1:]
-
-
-def sign_at(polynomial: Sequence[int], v: Fraction) -> int:
-    """Sign of the value at a rational."""
-    value, power = 0, 1
-    for coefficient in reversed(polynomial):
-        value = value * v.numerator + coefficient * power
-        power *= v.denominator
+def sign(value: Fraction | int) -> int:
+    """Sign of a rational."""
     return (value > 0) - (value < 0)
 
 
-# --------------------------------------------------------------------------------------------- common factors
+def sign_at(polynomial: Sequence[int], t: Fraction) -> int:
+    """Sign of the polynomial at a rational."""
+    return sign(_homogeneous(polynomial, t.numerator, t.denominator))
 
 
-def common_factor(one: Polynomial, other: Polynomial) -> Polynomial:
-    """The greatest common divisor, primitive; ``(1,)`` where there is none."""
-    if not other:
-        return primitive(one)
-    if any(one[-1] % prime and _coprime_modulo(one, other, prime) for prime in _PRIMES):
-        return (1,)
-    while other:
-        one, other = other, primitive(_remainder(one, other))
-    return one
+def real_roots(polynomial: tuple[int, ...], low: Fraction, high: Fraction, bits: int) -> list[Root]:
+    """Every root in (low, high], ascending, to a width below 2^−bits, and below 2^−bits of a distance from 0 that is below 1.
+
+    The polynomial has no multiple root there, or this does not end.
+    """
+    unit, cells = _isolated(polynomial, low, high)
+    scale = high - low
+
+    def at(n: int, k: int) -> Fraction:
+        return low + scale * Fraction(n, 1 << k)
+
+    def lacking(n: int, k: int) -> int:
+        ends = at(n, k), at(n + 1, k)
+        distance = min(map(abs, ends)) if ends[0] > 0 or ends[1] < 0 else Fraction(1)
+        return (math.ceil(scale * Fraction(2) ** (bits - k) / min(distance, Fraction(1))) - 1).bit_length()
+
+    def value(n: int, k: int) -> int:
+        return _homogeneous(unit, n, 1 << k)
+
+    found = [refine(cell, value, sign, _share, lacking) for cell in cells]
+    return sorted(Root(at(cell.n, cell.k), at(cell.m, cell.k)) for cell in found)
 
 
-def _coprime_modulo(one: Sequence[int], other: Sequence[int], prime: int) -> bool:
-    """Whether two polynomials have no common factor modulo a prime, by Euclid's algorithm."""
-    high, low = ([value % prime for value in polynomial] for polynomial in (one, other))
-    while any(low):
-        while low[-1] == 0:
-            low.pop()
-        inverse = pow(low[-1], -1, prime)
-        while len(high) >= len(low):
-            factor, shift = high[-1] * inverse % prime, len(high) - len(low)
-            high[shift:] = [(value - factor * part) % prime for value, part in zip(high[shift:], low, strict=True)]
-            high.pop()
-        high, low = low, high
-    return len(high) == 1
+@lru_cache(maxsize=64)
+def _isolated(polynomial: tuple[int, ...], low: Fraction, high: Fraction) -> tuple[list[int], list[Cell]]:
+    """The polynomial in u, where t = low + (high − low) u, and a cell in u for each root in (low, high].
 
-
-def _remainder(dividend: Sequence[int], divisor: Sequence[int]) -> list[int]:
-    """A multiple of the remainder, in integers."""
-    rest = list(dividend)
-    while len(rest) >= len(divisor):
-        shift, factor = len(rest) - len(divisor), rest[-1]
-        rest = [value * divisor[-1] for value in rest]
-        for power, value in enumerate(divisor):
-            rest[shift + power] -= factor * value
-        rest.pop()
-    return rest
-
-
-def quotient(dividend: Polynomial, divisor: Polynomial) -> Polynomial:
-    """A multiple of the quotient of two polynomials of which the second divides the first."""
-    rest, result = [Fraction(value) for value in dividend], []
-    for shift in range(len(dividend) - len(divisor), -1, -1):
-        factor = rest.pop() / divisor[-1]
-        result.append(factor)
-        for power, value in enumerate(divisor[:-1]):
-            rest[shift + power] -= factor * value
-    return primitive(reversed(result))
-
-
-# ------------------------------------------------------------------------------------------------------ roots
-
-
-def isolate(polynomial: Polynomial) -> list[Root]:
-    """Every root with 0 < v < 1, ascending; the polynomial has no multiple root there, or this does not end."""
-    found: list[Root] = []
-    pending = [(list(polynomial), 0, 0)]  # P((place + v)/2^depth) up to a factor
+    Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one root (Collins, Akritas 1976).
+    """
+    unit = _between_0_and_1(polynomial, low, high)
+    found = [Cell(1, 1, 0, 1)] if sum(unit) == 0 else []
+    pending = [(unit, 0, 0)]
     while pending:
-        local, place, depth = pending.pop()
-        if local[0] == 0:
-            if place:
-                at = Fraction(place, 2**depth)
-                found.append(Root(at, at))
-            local = local[1:]
-        changes = _variations(_shifted(local[::-1]))
+        local, n, k = pending.pop()
+        changes = _sign_changes(_shifted_by_1(local[::-1]))
         if changes == 1:
-            found.append(Root(Fraction(place, 2**depth), Fraction(place + 1, 2**depth)))
+            found.append(Cell(n, n + 1, k, -sign(local[0] or local[1])))
         elif changes > 1:
             degree = len(local) - 1
             left = [value << (degree - power) for power, value in enumerate(local)]
-            pending += [(left, 2 * place, depth + 1), (_shifted(left), 2 * place + 1, depth + 1)]
-    return [_off_the_ends(polynomial, root) for root in sorted(found, key=lambda root: root.low)]
+            right = _shifted_by_1(left)
+            if right[0] == 0:
+                found.append(Cell(2 * n + 1, 2 * n + 1, k + 1, 1))
+            pending += [(left, 2 * n, k + 1), (right, 2 * n + 1, k + 1)]
+    return unit, found
 
 
-def _off_the_ends(polynomial: Polynomial, root: Root) -> Root:
-    """The same root between ends that are no roots."""
-    low, high = root.low, root.high
-    while not root.exact and not (sign_at(polynomial, low) and sign_at(polynomial, high)):
-        middle = (low + high) / 2
-        value = sign_at(polynomial, middle)
-        if value == 0:
-            return Root(middle, middle)
-        # A neighbour sits on an end: just inside of that end the sign is that of the slope there.
-        at_low = sign_at(polynomial, low) or sign_at(derivative(polynomial), low)
-        low, high = (middle, high) if value == at_low else (low, middle)
-    return Root(low, high)
+def _between_0_and_1(polynomial: tuple[int, ...], low: Fraction, high: Fraction) -> list[int]:
+    """Coefficients of a positive multiple of the polynomial in u."""
+    common = math.lcm(low.denominator, high.denominator)
+    start, scale = int(low * common), int((high - low) * common)
+    values: list[int] = []
+    for power, coefficient in enumerate(reversed(polynomial)):  # Horner's rule with polynomials in u, times common^power
+        values = [start * one + scale * other for one, other in zip([*values, 0], [0, *values], strict=True)]
+        values[0] += coefficient * common**power
+    return values
 
 
-def refine(polynomial: Polynomial, root: Root, bits: int) -> Root:
-    """The same root in an interval no wider than 2^−bits."""
-    low, high = root.low, root.high
-    if root.exact:
-        return root
-    at_low = sign_at(polynomial, low)
-    width = high - low
-    tolerance = Fraction(1, 2**bits)
-    steps = 1
-    while width > tolerance:
-        # A cell of the secant's root, of 2^steps that the interval is cut into; halving where that misses.
-        pieces = 2**steps
-        cell = _secant(polynomial, low, high, pieces)
-        left, right = low + width * cell / pieces, low + width * (cell + 1) / pieces
-        signs = sign_at(polynomial, left), sign_at(polynomial, right)
-        for value, at in zip(signs, (left, right), strict=True):
-            if value == 0:
-                return Root(at, at)
-        if signs[0] == at_low and signs[1] == -at_low:
-            low, high, steps = left, right, 2 * steps
-        elif signs[0] == at_low:
-            low, steps = right, max(1, steps // 2)
-        else:
-            high, steps = left, max(1, steps // 2)
-        width = high - low
-    return Root(low, high)
-
-
-def _secant(polynomial: Polynomial, low: Fraction, high: Fraction, pieces: int) -> int:
-    """Which of so many equal cells of the interval the chord crosses zero in."""
-    at_low, at_high = (abs(_value(polynomial, end)) for end in (low, high))
-    return min(pieces - 1, int(pieces * at_low / (at_low + at_high)))
-
-
-def _value(polynomial: Sequence[int], v: Fraction) -> Fraction:
-    value, power = 0, 1
-    for coefficient in reversed(polynomial):
-        value = value * v.numerator + coefficient * power
-        power *= v.denominator
-    return Fraction(value, power // v.denominator)
-
-
-def _shifted(coefficients: list[int]) -> list[int]:
-    """P(v + 1)."""
+def _shifted_by_1(coefficients: Sequence[int]) -> list[int]:
+    """Coefficients of the polynomial at u + 1."""
     values = list(coefficients)
     for start in range(len(values) - 1):
         for power in range(len(values) - 2, start - 1, -1):
@@ -199,6 +100,20 @@ def _shifted(coefficients: list[int]) -> list[int]:
     return values
 
 
-def _variations(coefficients: Iterable[int]) -> int:
+def _sign_changes(coefficients: Sequence[int]) -> int:
     signs = [value > 0 for value in coefficients if value]
     return sum(left != right for left, right in itertools.pairwise(signs))
+
+
+def _homogeneous(coefficients: Sequence[int], numerator: int, denominator: int) -> int:
+    """denominator^degree times the polynomial at numerator/denominator."""
+    value, power = coefficients[-1], 1
+    for coefficient in reversed(coefficients[:-1]):
+        power *= denominator
+        value = value * numerator + coefficient * power
+    return value
+
+
+def _share(low: int, high: int, j: int) -> int:
+    """Part of 2^j, from below, in which the chord of values of opposite signs crosses zero."""
+    return (low << j) // (low - high)

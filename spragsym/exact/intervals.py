@@ -82,11 +82,10 @@ class Ball:
 
     def __init__(self, mid: int, rad: int, exp: int, bits: int) -> None:
         shift = mid.bit_length() - bits
-        if rad and rad.bit_length() - RADIUS_BITS > shift:
+        if rad.bit_length() - RADIUS_BITS > shift:
             shift = rad.bit_length() - RADIUS_BITS
         if shift > 0:
-            # The shifts round down: by less than one unit in the middle, and in the radius.
-            mid, rad, exp = mid >> shift, (rad >> shift) + 2, exp + shift
+            mid, rad, exp = mid >> shift, _rounded(rad, shift), exp + shift
         self.mid, self.rad, self.exp, self.bits = mid, rad, exp, bits
 
     def __add__(self, other: Any) -> Ball:
@@ -143,6 +142,11 @@ class Ball:
         return f"Ball(({self.mid} ± {self.rad}) * 2**{self.exp})"
 
 
+def _rounded(radius: int, shift: int) -> int:
+    """The radius in units of 2^shift around a middle that is rounded down to them: rounded up, and a unit for the middle."""
+    return 1 - (-radius >> shift)
+
+
 def _as_ball(value: Any, bits: int) -> Ball | None:
     """A number that is exactly an integer over a power of two."""
     if isinstance(value, int):
@@ -166,7 +170,7 @@ def _sum(m: int, r: int, e: int, n: int, s: int, f: int, bits: int) -> Ball:
         # What lies far below the last bit of the result goes into the radius, lest a wide gap cost its number of bits.
         drop = min(gap, gap + max(m.bit_length(), r.bit_length()) - bits - 2 * GUARD_BITS)
         if drop > 0:
-            n, s, f, gap = n >> drop, (s >> drop) + 2, f + drop, gap - drop
+            n, s, f, gap = n >> drop, _rounded(s, drop), f + drop, gap - drop
         m, r = m << gap, r << gap
     return Ball(m + n, r + s, f, bits)
 
@@ -182,7 +186,7 @@ def _quotient(one: Ball, other: Ball) -> Ball:
     rad = 1 if rest else 0
     if r or s:
         # |a/b − m/n| = |a n − m b| / |b n| ≤ (|n| r + |m| s) / (|n| (|n| − s))
-        rad += ((abs(n) * r + abs(m) * s) << shift) // (abs(n) * least) + 1
+        rad -= -((abs(n) * r + abs(m) * s) << shift) // (abs(n) * least)
     return Ball(quotient, rad, one.exp - other.exp - shift, bits)
 
 
@@ -216,8 +220,7 @@ class Balls:
         m, r = one.mid << one.exp - exp, one.rad << one.exp - exp
         n, s = other.mid << other.exp - exp, other.rad << other.exp - exp
         low, high = min(m - r, n - s), max(m + r, n + s)
-        mid = (low + high) >> 1
-        return Ball(mid, high - mid, exp, one.bits)
+        return Ball(low + high, high - low, exp - 1, one.bits)
 
     def middle(self, value: Ball) -> Ball:
         """Its middle, as an interval without width."""
@@ -248,7 +251,7 @@ class Balls:
         shift += (value.exp - shift) % 2
         root = math.isqrt(value.mid << shift)
         # |√a − √m| = |a − m| / (√a + √m) ≤ |a − m| / √m
-        return Ball(root, 1 + ((value.rad << shift) // root + 1 if value.rad else 0), (value.exp - shift) // 2, value.bits)
+        return Ball(root, 1 - (-(value.rad << shift) // root), (value.exp - shift) // 2, value.bits)
 
     def atan(self, value: Ball) -> Ball:
         """Arc tangent, which changes by no more than its argument does; of a large one through its reciprocal."""
@@ -292,7 +295,7 @@ def _leading_zeros(value: Ball) -> int:
 
 def _shifted(radius: int, places: int) -> int:
     """At least radius · 2^places."""
-    return radius << places if places >= 0 else (radius >> -places) + 1 if radius else 0
+    return radius << places if places >= 0 else -(-radius >> -places)
 
 
 def _shifted_down(value: int, places: int) -> int:
@@ -326,7 +329,7 @@ def _cos_sin(mid: int, exp: int, places: int) -> tuple[int, int, int]:
     # Each of order/2 terms is off by less than three units, as are x and the rest of the series, and the cosine by no more.
     error = (5 * order // 2 + 16) << halvings
     down = inner - places
-    return cosine >> down, sine >> down, (error >> down) + 2
+    return cosine >> down, sine >> down, _rounded(error, down)
 
 
 def _atan(x: int, places: int) -> tuple[int, int]:
@@ -350,7 +353,7 @@ def _atan(x: int, places: int) -> tuple[int, int]:
     # Each of order/2 terms is off by less than two units; x's own unit, of 2^−places, is as large in the arc tangent.
     error = ((order + 16) << halvings) + (1 << inner - places)
     down = inner - places
-    return (result << halvings) >> down, (error >> down) + 2
+    return (result << halvings) >> down, _rounded(error, down)
 
 
 @lru_cache(maxsize=64)

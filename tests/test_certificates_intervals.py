@@ -1,0 +1,366 @@
+"""Interval arithmetic, the heart of every proof, against exact rationals and mpmath with many more digits."""
+
+from __future__ import annotations
+
+import contextlib
+import itertools
+import math
+import random
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from spragsym.exact import intervals
+from spragsym.exact.intervals import Arithmetic, Ball, Balls
+from spragsym.exact.polynomials import Undecided
+
+ARITH = Balls()
+
+
+@pytest.fixture(params=["integers", "Arb"])
+def arith(request: pytest.FixtureRequest) -> Arithmetic:
+    """Both interval arithmetics."""
+    return ARITH if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
+
+
+def _fraction(value: mpmath.mpf) -> Fraction:
+    negative, mantissa, exponent, _ = value._mpf_
+    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def _mpf(value: Fraction) -> mpmath.mpf:
+    return mpmath.mpf(value.numerator) / value.denominator
+
+
+def _small_balls(bits: int) -> Iterator[Ball]:
+    """Every ball of a few bits, about: middles and radii where rounding down loses nothing, one unit, and nearly the next."""
+    for mid, rad, exp in itertools.product((-9, -7, 0, 1, 4, 7), (0, 1, 3), (-3, 0, 2)[:: 1 if bits < 9 else 2]):
+        yield Ball(mid, rad, exp, bits)
+
+
+def _holds(ball: Ball, value: Fraction) -> bool:
+    low, high = ARITH.ends(ball)
+    return low <= value <= high
+
+
+OPERATIONS: list[Callable[[Any, Any], Any]] = [
+    lambda a, b: a + b, lambda a, b: a - b, lambda a, b: a * b, lambda a, b: a / b,
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("operation", OPERATIONS, ids="+-*/")
+@pytest.mark.parametrize("bits", [2, 3, 60])
+def test_operations_enclose_every_corner(operation: Callable[[Any, Any], Any], bits: int) -> None:
+    """Of three bits nearly every result is rounded; the extremes of a monotonic operation lie at the ends."""
+    for one, other in itertools.product(_small_balls(bits), repeat=2):
+        try:
+            result = operation(one, other)
+        except Undecided:
+            low, high = ARITH.ends(other)
+            assert low <= 0 <= high
+            continue
+        for a, b in itertools.product(ARITH.ends(one), ARITH.ends(other)):
+            assert _holds(result, operation(a, b)), (one, other, result)
+        assert abs(result.mid) <= 1 << bits
+        assert result.rad.bit_length() <= intervals.RADIUS_BITS + 1
+
+
+@pytest.mark.parametrize("bits", [4, 20, 53])
+def test_rounding_takes_the_worst_middle_and_radius(bits: int) -> None:
+    """All ones beyond the last bit: the middle loses nearly a unit and the radius, which has its own, nearly another."""
+    for lost in (1, 5, 40):
+        mid, rad = (1 << bits + lost) - 1, (1 << lost) - 1
+        for sign in (1, -1):
+            for value in (mid - rad, mid + rad):
+                assert _holds(Ball(sign * mid, rad, 0, bits), Fraction(sign * value))
+    wide = (1 << intervals.RADIUS_BITS + 7) - 1
+    for end in (5 - wide, 5 + wide):
+        assert _holds(Ball(5, wide, 0, bits), Fraction(end))
+
+
+def test_far_apart_terms_go_into_the_radius() -> None:
+    for bits, gap, sign in itertools.product((8, 53), (20, 60, 200, 5000), (1, -1)):
+        large, small = Ball(5, 0, gap, bits), Ball(sign * 3, 1, 0, bits)
+        for result, turn in ((large + small, 1), (small - large, -1)):
+            for end in ARITH.ends(small):
+                assert _holds(result, turn * Fraction(5) * 2**gap + end)
+            assert result.mid.bit_length() + result.rad.bit_length() < 200
+    tiny = Ball(3, 0, -5000, 53)
+    assert ARITH.ends(tiny + Ball(0, 0, 0, 53)) == ARITH.ends(Ball(0, 0, 9, 53) + tiny) == ARITH.ends(tiny)
+
+
+@pytest.mark.parametrize("bits", [5, 53, 300])
+def test_rationals_and_unions_are_enclosed(bits: int) -> None:
+    values = [Fraction(n, d) for n in (-10**30, -7, -1, 0, 1, 2, 10**30 + 1) for d in (1, 3, 8, 10**9 + 7, 2**400)]
+    with ARITH.precision(bits):
+        for one, other in itertools.combinations(values, 2):
+            assert _holds(ARITH.exact(one), one)
+            both = ARITH.between(min(one, other), max(one, other))
+            assert _holds(both, one)
+            assert _holds(both, other)
+        assert ARITH.ends(ARITH.exact(Fraction(3, 8))) == (Fraction(3, 8),) * 2
+
+
+def test_numbers_of_other_types_are_exact() -> None:
+    ball = Ball(3, 0, -2, 53)
+    for result, value in [
+        (1 - ball, 0.25), (ball - 1, -0.25), (2 * ball, 1.5), (ball * 0.5, 0.375), (3 / ball, 4), (ball / 3.0, 0.25),
+        (ball**3, 0.421875), (ball**0, 1), (0.5 + ball, 1.25), (-ball, -0.75), (ball**-1 * 3, 4),
+    ]:  # fmt: skip
+        assert _holds(result, Fraction(value))
+    for operation in OPERATIONS:
+        for pair in ((ball, "1"), ("1", ball)):
+            with pytest.raises(TypeError):
+                operation(*pair)
+    with pytest.raises(TypeError):
+        ball**0.5
+    assert repr(ball) == "Ball((3 ± 0) * 2**-2)"
+
+
+FUNCTIONS: dict[str, Callable[[Ball], Ball]] = {
+    "cos": lambda ball: ARITH.cos_sin(ball)[0],
+    "sin": lambda ball: ARITH.cos_sin(ball)[1],
+    "atan": ARITH.atan,
+    "sqrt": ARITH.sqrt,
+}
+
+
+@pytest.mark.parametrize("bits", [3, 24, 53, 128, 700])
+@pytest.mark.parametrize("name", ["cos", "sin", "atan", "sqrt"])
+def test_functions_enclose_and_are_sharp(name: str, bits: int) -> None:
+    """Against mpmath with far more digits; a wide ball at both ends, a point with hardly more than its last bits lost."""
+    rng = np.random.default_rng(bits)
+    context = mpmath.mp.clone()
+    context.prec = 2200 + 2 * bits  # cos 2^−1000 differs from 1 in bit 2001
+    half_pi = Fraction(math.pi) / 2
+    near_pi = Fraction(math.nextafter(math.pi, 0))
+    values = [Fraction(1), Fraction(1, 3), half_pi, 2 * half_pi, near_pi, Fraction(5, 2), Fraction(1, 2**1000)]
+    values += [Fraction(float(value)) for value in np.concatenate([rng.uniform(0, 4, 8), 10.0 ** rng.uniform(-40, 5, 8)])]
+    for value, sign, width in itertools.product(values, (1, -1), (0, Fraction(1, 2**9), Fraction(1, 2**70))):
+        if sign < 0 and name == "sqrt":
+            continue
+        with ARITH.precision(bits):
+            ball = ARITH.between(sign * value * (1 - width), sign * value * (1 + width))
+        found = FUNCTIONS[name](ball)
+        low, high = (context.mpf(end.numerator) / end.denominator for end in ARITH.ends(found))
+        for end in ARITH.ends(ball):
+            exact = getattr(context, name)(context.mpf(end.numerator) / end.denominator)
+            assert low <= exact <= high, (value, sign, width)
+        if not ball.rad:
+            assert high - low <= abs(exact) * context.mpf(2) ** (5 - bits), (value, sign)
+
+
+def test_functions_at_zero_and_pi() -> None:
+    for exp in (-4, 0, 3):
+        cosine, sine = ARITH.cos_sin(Ball(0, 1, exp, 53))
+        assert _holds(cosine, Fraction(1))
+        assert _holds(sine, Fraction(0))
+        assert ARITH.ends(cosine)[0] <= Fraction(math.cos(min(2.0**exp, math.pi)) + 1e-9)
+    assert ARITH.ends(ARITH.atan(Ball(0, 1, 0, 53))) == (-1, 1)
+    assert ARITH.ends(ARITH.sqrt(Ball(0, 0, 0, 53))) == (0, 0)
+    for bits in (4, 53, 5000):
+        with ARITH.precision(bits):
+            low, high = (_exact_mpf(end, 6000) for end in ARITH.ends(ARITH.pi()))
+        assert low < _pi(6000) < high
+        assert high - low < mpmath.ldexp(1, 5 - bits)
+    for bad in (Ball(3, 4, 0, 53), Ball(-4, 0, 0, 53)):
+        with pytest.raises(Undecided, match="negative"):
+            ARITH.sqrt(bad)
+    assert _holds(ARITH.sqrt(Ball(4, 4, 0, 53)), Fraction(0))
+
+
+def _pi(bits: int) -> mpmath.mpf:
+    with mpmath.workprec(bits):
+        return +mpmath.pi
+
+
+def _exact_mpf(value: Fraction, bits: int) -> mpmath.mpf:
+    with mpmath.workprec(bits):
+        return mpmath.mpf(value.numerator) / value.denominator
+
+
+@pytest.mark.parametrize("divisor", [Ball(0, 0, 0, 53), Ball(3, 3, 0, 53), Ball(-3, 3, 0, 53), Ball(-1, 7, 5, 53)])
+def test_what_holds_0_has_no_sign_and_divides_nothing(divisor: Ball) -> None:
+    """An end on 0 is no sign."""
+    assert intervals.sign(ARITH, divisor) == 0
+    with pytest.raises(Undecided, match="holds 0"):
+        1 / divisor
+
+
+def test_signs_next_to_0() -> None:
+    assert [intervals.sign(ARITH, Ball(mid, 3, -9, 53)) for mid in (-4, -3, 3, 4)] == [-1, 0, 0, 1]
+    assert intervals.sign(ARITH, Ball(1, 0, -9999, 53)) == 1
+
+
+def test_numbers_for_mpmath_and_their_bounds() -> None:
+    many = Fraction((1 << 700) + 1, 1 << 900)
+    with mpmath.workdps(3):
+        number = intervals.as_mpf(many)
+    assert _fraction(number) == many
+    with pytest.raises(ValueError, match="1/3"):
+        intervals.as_mpf(Fraction(1, 3))
+    for bound in (many, Fraction(1, 3), Fraction(10**400, 7), Fraction(0), Fraction(2**31 + 1, 2**31)):
+        above = intervals.rounded_up(bound)
+        assert bound <= above <= bound * (1 + Fraction(1, 2**28))
+        assert above.numerator.bit_length() <= 32 or above.denominator == 1
+
+
+# ------------------------------------------------------------------------------------ bounds, in units of the last place
+
+
+def _units_off(value: int, true: Any, places: int) -> Any:
+    return abs(value - true * mpmath.mpf(2) ** places)
+
+
+#: Angles whose bits run out at once, all ones, next to multiples of π/2, tiny, large: (mid, exp).
+ANGLES = [
+    (1, 0), (-1, 0), (3, -1), ((1 << 60) - 1, -60), ((1 << 200) - 1, -200), (int(math.ldexp(math.pi, 50)), -51), (1, -9),
+    (int(math.ldexp(math.pi, 51)), -51), (7, 40), (-((1 << 33) - 1), -20), (1, -300), (5, 1), (884279719003555, -48),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("places", [0, 1, 2, 5, 30, 53, 64, 150, 1000])
+def test_cosine_and_sine_are_as_close_as_they_say(places: int) -> None:
+    """And say hardly more than the unit that rounding down takes: an error of the series that shows is a fault."""
+    with mpmath.workprec(2 * places + 500):
+        for mid, exp in ANGLES:
+            cosine, sine, error = intervals._cos_sin(mid, exp, places)
+            angle = mpmath.ldexp(mid, exp)
+            for value, true in ((cosine, mpmath.cos(angle)), (sine, mpmath.sin(angle))):
+                off = true * mpmath.mpf(2) ** places - value
+                assert -0.01 < off < 1.01, (mid, exp)  # rounded down, and what the guard bits leave
+                assert abs(off) <= error <= 2
+
+
+@pytest.mark.parametrize("places", [0, 1, 2, 5, 30, 53, 64, 150, 1000])
+def test_arc_tangents_are_as_close_as_they_say(places: int) -> None:
+    """Of an x that may be a unit larger, too."""
+    one = 1 << places
+    with mpmath.workprec(2 * places + 200):
+        for x in {0, 1, 2, -1, -2, one, one - 1, -one, one // 3, -(one // 3), one // 7 + 1, 2 * one - 1, math.isqrt(one)}:
+            value, error = intervals._atan(x, places)
+            for true in (mpmath.atan(mpmath.ldexp(x, -places)), mpmath.atan(mpmath.ldexp(x + 1, -places))):
+                assert _units_off(value, true, places) <= error <= 3, x
+
+
+def test_pi_and_its_parts_are_as_close_as_they_say() -> None:
+    with mpmath.workprec(3000):
+        for places in (*range(0, 64, 3), 500, 2500):
+            assert _units_off(intervals._pi_fixed(places), mpmath.pi, places) < 1.01
+            for n in (5, 239):
+                value = intervals._atan_of_reciprocal(n, places)
+                assert _units_off(value, mpmath.atan(mpmath.mpf(1) / n), places) <= 2 + places / 2
+
+
+def test_radii_are_no_unit_smaller_or_larger_than_they_must_be() -> None:
+    """A middle that loses nearly a unit, and a radius that is rounded up by nearly another."""
+    for shift, radius in itertools.product((1, 2, 9), (0, 1, 2, 3, 511, 512, 513)):
+        needed = math.ceil(Fraction(radius, 1 << shift)) + 1
+        assert intervals._rounded(radius, shift) == needed
+        assert intervals._shifted(radius, -shift) == needed - 1
+        assert intervals._shifted(radius, shift) == radius << shift
+        assert intervals._shifted_down(-radius, -shift) == -math.ceil(Fraction(radius, 1 << shift))
+
+
+@pytest.mark.parametrize("bits", [2, 3, 8, 24])
+def test_roots_and_quotients_hold_what_rounds_worst(bits: int) -> None:
+    """Numbers just below a square or a multiple: their roots and quotients have all ones in the bits that are cut off."""
+    middles = [n * n + d for n in (2, 3, 5, 8, 13, 100, 2**20, 2**40 + 1) for d in (-1, 0, 1)]
+    for mid, rad in itertools.product(middles, (0, 1, 2)):
+        root = ARITH.sqrt(Ball(mid, rad, 0, 200)), ARITH.sqrt(Ball(mid, rad, 0, bits))
+        for found in root:
+            low, high = ARITH.ends(found)
+            ends = ARITH.ends(Ball(mid, rad, 0, found.bits))
+            assert max(low, Fraction(0)) ** 2 <= ends[0] <= ends[1] <= high**2
+        for n, s in ((3, 0), (7, 1), (-11, 1), (2**30 + 1, 0), (4, 0)):
+            one, other = Ball(mid, rad, 0, bits), Ball(n, s, 0, bits)
+            found = one / other
+            low, high = ARITH.ends(found)
+            exact = [a / b for a, b in itertools.product(ARITH.ends(one), ARITH.ends(other))]
+            assert low <= min(exact) <= max(exact) <= high
+            spare = Fraction(4, 2**bits) * max(map(abs, exact))
+            assert high - low <= (max(exact) - min(exact)) * (1 + Fraction(s, abs(n) - s)) * Fraction(17, 16) + 2 * spare
+
+
+def test_a_union_is_no_wider_than_what_it_holds() -> None:
+    for low, high in itertools.combinations([Fraction(n, 8) for n in (-9, -8, -1, 0, 1, 2, 3, 8, 16, 40)], 2):
+        assert ARITH.ends(ARITH.between(low, high)) == (low, high)
+        assert ARITH.ends(ARITH.union(ARITH.exact(high), ARITH.exact(low))) == (low, high)
+
+
+# -------------------------------------------------------------------------- both arithmetics
+
+
+def test_a_sign_needs_room_beside_zero(arith: Arithmetic) -> None:
+    with arith.precision(53):
+        for low, high, sign in ((0, 1, 0), (-1, 0, 0), (0, 0, 0), (-1, 1, 0), (1, 2, 1), (-2, -1, -1), (1, 1, 1), (-1, -1, -1)):
+            assert intervals.sign(arith, arith.between(Fraction(low), Fraction(high))) == sign
+        assert intervals.sign(arith, arith.exact(Fraction(1, 10**60))) == 1
+        assert intervals.sign(arith, -arith.exact(Fraction(1, 10**60))) == -1
+
+
+def test_rationals_are_enclosed_as_closely_as_the_bits_allow(arith: Arithmetic) -> None:
+    rng = random.Random(6)
+    for bits in (24, 53, 300):
+        with arith.precision(bits):
+            for _ in range(50):
+                value = Fraction(rng.randint(-(10**9), 10**9), rng.randint(1, 10**9)) * Fraction(2) ** rng.randint(-90, 90)
+                low, high = arith.ends(arith.exact(value))
+                assert low <= value <= high
+                assert high - low <= abs(value) * Fraction(8, 2**bits)
+            low, high = arith.ends(arith.exact(Fraction(1, 3)))
+            assert high - low > Fraction(1, 2 ** (bits + 8))
+
+
+_REFERENCES = {"cos": mpmath.cos, "sin": mpmath.sin, "sqrt": mpmath.sqrt, "atan": mpmath.atan}
+
+
+@pytest.mark.parametrize("name", _REFERENCES)
+def test_functions_enclose_the_truth_and_little_else(name: str, arith: Arithmetic) -> None:
+    """At points, and over intervals a little wider, against 60 digits more."""
+    rng = random.Random(8)
+    for bits in (20, 53, 200):
+        for _ in range(20):
+            value = rng.randint(1, 2**18) * Fraction(2) ** rng.randint(-50, -16) * (1 if name == "sqrt" else rng.choice([-1, 1]))
+            for width in (Fraction(0), abs(value) / 128):
+                with arith.precision(bits):
+                    given = arith.between(value, value + width)
+                    ends = arith.ends(_function(arith, name, given))
+                with mpmath.workprec(bits + 200):
+                    low, high = map(_mpf, ends)
+                    truths = [_REFERENCES[name](_mpf(value + width * k / 4)) for k in range(5)]
+                    assert low <= min(truths)
+                    assert max(truths) <= high
+                    slope = 1 / mpmath.sqrt(_mpf(abs(value))) if name == "sqrt" else 1
+                    slope = 1 / _mpf(value) ** 2 if name == "atan" and abs(value) >= 2 else slope
+                    span = 2.04 * _mpf(width) * slope  # twice what the function may change by
+                    size = max(map(abs, truths)) + (1 if name in ("cos", "sin") else 0)
+                    assert high - low <= span + size * mpmath.ldexp(1, 3 - bits)
+
+
+def _function(arith: Arithmetic, name: str, value: Any) -> Any:
+    if name in ("cos", "sin"):
+        return arith.cos_sin(value)[name == "sin"]
+    return arith.sqrt(value) if name == "sqrt" else arith.atan(value)
+
+
+def test_precision_is_that_asked_for_and_then_as_before(arith: Arithmetic) -> None:
+    def width() -> Fraction:
+        low, high = arith.ends(arith.exact(Fraction(1, 3)))
+        return high - low
+
+    before, digits = width(), mpmath.mp.prec
+    with arith.precision(80):
+        eighty = width()
+        with contextlib.suppress(KeyError), arith.precision(30):
+            thirty = width()
+            raise KeyError
+        assert width() == eighty
+    assert Fraction(1, 2**36) < thirty < Fraction(1, 2**26)
+    assert Fraction(1, 2**86) < eighty < Fraction(1, 2**76)
+    assert width() == before
+    assert mpmath.mp.prec == digits

@@ -14,6 +14,7 @@ import spragsym as ss
 from benchmarks.validate_folds import count_map_mismatches, random_fixed
 from benchmarks.validate_paths import check, random_path
 from spragsym.catastrophe import fold_curves
+from spragsym.catastrophe.fixed import Fixed
 from spragsym.exact import polynomials
 from spragsym.parameters import NAMES
 
@@ -166,9 +167,9 @@ def test_isolas_are_closed_and_births_and_deaths_joined(monkeypatch: pytest.Monk
     monkeypatch.setattr(fold_curves, "positive_roots", roots)
     monkeypatch.setattr(fold_curves, "_ends", lambda theta, fixed: (theta - 0.7, 1.0 + 0 * theta, np.inf))
     with np.errstate(all="ignore"):
-        strands = fold_curves._trace(np.linspace(0.1, 1.3, 40), (1.0, 1.0, 1.0, 1.0))
-        whole = fold_curves._trace(np.linspace(0.1, 1.3, 40)[:20], (1.0, 1.0, 1.0, 1.0))
-        closed = fold_curves._trace(np.linspace(0.1, 1.9, 50), (1.0, 1.0, 1.0, 1.0))
+        strands = fold_curves._trace(np.linspace(0.1, 1.3, 40), Fixed(1.0, 1.0, 1.0, 1.0))
+        whole = fold_curves._trace(np.linspace(0.1, 1.3, 40)[:20], Fixed(1.0, 1.0, 1.0, 1.0))
+        closed = fold_curves._trace(np.linspace(0.1, 1.9, 50), Fixed(1.0, 1.0, 1.0, 1.0))
     assert [strand.theta.size > 5 for strand in strands] == [True, True]
     assert len(whole) == 1  # before the line enters, the circle's two open ends are one curve
     loops = [s for s in closed if s.theta[0] == s.theta[-1] and s.theta0[0] == s.theta0[-1]]

@@ -10,16 +10,13 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from ..generated import stability as _stability
 from ..parameters import FloatArray
-
-#: κ, α, σ, β.
-Fixed: TypeAlias = tuple[float, float, float, float]
+from .fixed import Fixed
 
 #: Flutter needs π/2 < θ < π. How close to both ends the sampled θ come.
 _NEAREST = 1e-9

@@ -18,9 +18,7 @@ from scipy.optimize import brentq
 
 from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray
-
-#: κ, α, σ, β.
-Fixed: TypeAlias = tuple[float, float, float, float]
+from .fixed import Fixed
 
 #: Values of θ on which curves are looked for before their shape says where more are needed.
 _COARSE = 512
@@ -57,12 +55,12 @@ def _ends(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, FloatArray, floa
     The other end is v = ∞ (θ₀ = π); for α = 0, where θ₀ and π − θ₀ are folds together, only θ₀ ≤ π/2 is followed, up to v = 1.
     """
     e0, e1, e2, ec = _conic(theta, fixed)
-    return (e0, e0 + e1 + e2, 1.0) if fixed[1] == 0 else (e0 + ec, e0 - ec, np.inf)
+    return (e0, e0 + e1 + e2, 1.0) if fixed.alpha == 0 else (e0 + ec, e0 - ec, np.inf)
 
 
 def indicator(theta: FloatArray, fixed: Fixed) -> FloatArray:
     """A number that changes sign where two roots meet."""
-    if fixed[1] == 0:
+    if fixed.alpha == 0:
         e0, e1, e2, _ = _conic(theta, fixed)
         return (4 * e0 * e2 - e1 * e1) / (4 * np.abs(e0 * e2) + e1 * e1)
     return discriminant(quartics(theta, fixed))[0]
@@ -82,7 +80,7 @@ def discriminant(coefficients: FloatArray) -> tuple[FloatArray, NDArray[np.int64
 
 def positive_roots(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, NDArray[np.int64]]:
     """Roots 0 < v < ∞ (v < 1 for α = 0) at each θ, ascending, NaN beyond their number; and that number."""
-    if fixed[1] == 0:
+    if fixed.alpha == 0:
         e0, e1, e2, _ = _conic(theta, fixed)
         large = -0.5 * (e1 + np.copysign(np.sqrt(e1 * e1 - 4 * e0 * e2), e1))
         sines = np.stack([large / e2, e0 / large], axis=-1)
@@ -138,7 +136,7 @@ def strands(fixed: Fixed, n: int) -> list[Strand]:
         found = _trace(_refined(coarse, fixed, n), fixed)
         parts = [part for strand in found for part in _one_sign(strand, fixed, 1.0)]
         mirrored = [_mirrored(part) for strand in found for part in _one_sign(strand, fixed, -1.0)]
-        if fixed[1] == 0:
+        if fixed.alpha == 0:
             parts += [Strand(part.theta, np.pi - part.theta0, part.mu0) for part in parts]
             mirrored += [Strand(part.theta, np.pi - part.theta0, part.mu0) for part in mirrored]
         return _joined(parts, mirrored)

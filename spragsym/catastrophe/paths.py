@@ -19,7 +19,7 @@ from ..generated import stability as _stability
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_numbers
 from ..statics.slots import COLUMNS, Slots, empty
 from ..statics.solver import Equilibria, Stability, equilibria
-from .points import Turn, turns
+from .fold_points import Turn, turns
 
 
 @dataclass(frozen=True)

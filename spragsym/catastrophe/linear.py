@@ -49,8 +49,8 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         (K11, K12), (K21, K22) = _stability.stiffness(c0, s0, 1.0, p.mu0, p.alpha, p.sigma, p.beta, 1)
         _, determinant, _ = _stability.invariants(K11, K12, K21, K22)
         e0, e1, e2 = _linear.pole_quadratic(p.mu0, p.alpha, p.sigma, p.beta)
-        # Factors of the discriminant, each by roots, so that none of them leaves the range of float64.
-        middle = 2 * np.sqrt(e0) * np.sqrt(e2)
+        # Factors of the discriminant.
+        middle = _twice_the_mean(e0, e2)
         large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
         # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°, where both are for μ₀ = 0 as well.
         poles = np.stack([np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)], axis=-1)
@@ -71,13 +71,20 @@ def linear_critical_friction(p: Parameters) -> Any:
 
     Notes
     -----
-    Source: article, Section 3; μ_cr² = 4 α (α + σ)(1 + β)(1 + β + σ)/σ².
+    Source: article, Section 3; μ_cr² = 4 α (α + σ)(1 + β)(1 + β + σ)/σ², where the quadratic of the poles has a double root.
+    Infinite only where it is beyond float64.
 
     Examples
     --------
     >>> print(round(linear_critical_friction(Parameters.article()), 6))
     0.574073
     """
-
-    value = np.sqrt(_linear.critical_friction_squared(p.alpha, p.sigma, p.beta))
+    e0, e1, e2 = _linear.pole_quadratic(1.0, p.alpha, p.sigma, p.beta)  # e1 is in proportion to μ₀
+    with np.errstate(over="ignore"):
+        value = _twice_the_mean(e0, e2) / -e1
     return float(value) if np.ndim(value) == 0 else value
+
+
+def _twice_the_mean(e0: Any, e2: Any) -> Any:
+    """2 √(e0 e2), by a root of each, so that it does not leave the range of float64: the −e1 at which the two poles are one."""
+    return 2 * np.sqrt(e0) * np.sqrt(e2)

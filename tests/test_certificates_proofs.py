@@ -14,8 +14,8 @@ import pytest
 import spragsym as ss
 from benchmarks.arb import Arb
 from spragsym.catastrophe import cusp_proofs, fold_proofs
-from spragsym.catastrophe.enclosures import Point
-from spragsym.exact import charts, escalation
+from spragsym.catastrophe.enclosures import Angles, Point, in_contact
+from spragsym.exact import charts, escalation, polynomials
 from spragsym.exact.intervals import Arithmetic, Balls
 from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
@@ -99,6 +99,37 @@ def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
             assert low <= _fraction(min(turns))
             assert _fraction(max(turns)) <= high
             assert high - low < 0.05
+
+
+def test_what_vanishes_exactly_is_zero_and_what_may_is_undecided(arith: Arithmetic) -> None:
+    asked: list[bool] = []
+
+    def vanishes(answer: bool) -> bool:
+        asked.append(answer)
+        return answer
+
+    with arith.precision(60):
+        wide = arith.between(Fraction(-1), Fraction(1))
+        for value, expected in ((arith.exact(Fraction(1, 3)), 1), (arith.exact(Fraction(-1, 3)), -1)):
+            assert escalation.sign_or_zero(arith, value, "x", lambda: vanishes(True)) == expected
+        assert not asked  # a sign that is there needs no algebra
+        assert escalation.sign_or_zero(arith, wide, "x", lambda: vanishes(True)) == 0
+        with pytest.raises(Undecided, match="what it is"):
+            escalation.sign_or_zero(arith, wide, "what it is", lambda: vanishes(False))
+
+
+@pytest.mark.parametrize("size", [Fraction(1), Fraction(-1000), Fraction(1, 1000)])
+def test_floats_of_intervals_up_to_fifteen_digits(size: Fraction, arith: Arithmetic) -> None:
+    """As wide as 10⁻¹⁵ of what is larger, the number or 1; no wider."""
+    unit = max(Fraction(1), abs(size)) / 10**15
+    with arith.precision(200):
+        for share in (Fraction(1, 1000), Fraction(1, 2), Fraction(99, 100)):
+            held = arith.between(size - share * unit, size + share * unit)
+            (value,), error = escalation.as_floats(arith, [held])
+            assert value == float(size)
+            assert float(share) * 1e-15 <= error <= float(share) * 1e-15 * (1 + 1e-9) + 1.3e-16
+        with pytest.raises(Undecided, match="wider than a float"):
+            escalation.as_floats(arith, [arith.exact(size), arith.between(size - unit * 101 / 100, size + unit * 101 / 100)])
 
 
 # ---------------------------------------------------------------------------------------------- folds and cusps
@@ -237,3 +268,45 @@ def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -
         for (low, high), root in zip(found, roots, strict=True):
             assert low <= root <= high
             assert high - low < 1e-40
+
+
+@pytest.mark.parametrize("place", [Fraction(1, 3), Fraction(7, 2), Fraction(13, 11), Fraction(11, 13), Fraction(1)])
+def test_a_root_knows_whose_it_is(place: Fraction) -> None:
+    """Inside of the first chart, beyond it, and at its end, where each counts once."""
+    polynomial = (-2 * place, 2 - place, Fraction(1))  # (t − place)(t + 2)
+    (root,) = charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True)
+    assert root.is_of((-place, Fraction(1)))
+    assert not root.is_of((Fraction(2), Fraction(1)))
+    assert not root.is_of((-1 / place - 5, Fraction(1)))
+    with Balls().precision(100):
+        low, high = Balls().ends(root.interval(Balls()))
+    assert low <= place <= high
+    assert high - low < Fraction(1, 2**70)
+
+
+@pytest.mark.parametrize("polynomial", [(), (Fraction(3),), (Fraction(0), Fraction(1)), (Fraction(1), Fraction(1))])
+def test_no_positive_root_is_none(polynomial: tuple[Fraction, ...]) -> None:
+    """A constant has none at all, and 0 is not positive."""
+    assert charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 60, positive=True) == []
+
+
+def test_contact_needs_a_length_and_a_depth(arith: Arithmetic) -> None:
+    """By the forces: y = 0 where σ (s₀ − s) = κ, contact for larger s; L < 0 for a spring that points down."""
+    beta, sigma, kappa = Fraction(1, 2), Fraction(2), Fraction(1, 5)
+    c, c0, s0 = Fraction(4, 5), Fraction(4, 5), Fraction(3, 5)
+
+    def found(s: Fraction) -> list[Point]:
+        values = tuple(map(arith.exact, (kappa, Fraction(1), sigma, beta)))
+        return list(in_contact(arith, Angles(*map(arith.exact, (c, s, c0, s0))), arith.exact(Fraction(1, 3)), values))
+
+    with arith.precision(100):
+        (point,) = found(Fraction(3, 5))
+        L = (sigma * Fraction(3, 5) + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * Fraction(3, 5))
+        for value, expected in ((point.L, L), (point.x, c0 - L * c), (point.y, s0 - L * Fraction(3, 5))):
+            low, high = arith.ends(value)
+            assert low <= expected <= high
+            assert high - low < Fraction(1, 2**90)
+        assert found(Fraction(3, 5) - Fraction(101, 1000)) == []  # y > 0
+        assert found(-Fraction(3, 5)) == []  # L < 0 and y < 0
+        with pytest.raises(Undecided, match="y = 0"):
+            found(s0 - kappa / sigma)

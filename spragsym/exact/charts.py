@@ -36,12 +36,18 @@ _BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
 def roots_on_the_line(
     polynomial: tuple[Any, ...], signs: Sign, number: Callable[[Fraction], Any], bits: int, *, positive: bool = False
 ) -> list[Root]:
-    """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of ``real_roots``."""
+    """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of ``real_roots``.
+
+    Of exact coefficients the positive ones only: an end of a chart may be a root there, where intervals are undecided.
+    """
+    while positive and polynomial and isinstance(polynomial[0], Fraction) and polynomial[0] == 0:
+        polynomial = polynomial[1:]  # the root 0
     found: list[Root] = []
     if len(polynomial) <= 1:
         return found
     for chart, limit, backward in ((polynomial, _BETWEEN, False), (tuple(reversed(polynomial)), 1 / _BETWEEN, True)):
         for low, high in real_roots(chart, _BELOW if positive else -limit, limit, signs, number, bits):
-            if high > 0 or not positive:
+            at_the_end = backward and low == limit  # which the first chart has
+            if not at_the_end and (high > 0 or not positive):
                 found.append(Root(low, high, backward))
     return found

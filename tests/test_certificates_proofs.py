@@ -206,6 +206,30 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str, arith: Arithmetic) -> 
     assert total >= 2
 
 
+@pytest.mark.parametrize("vary", NAMES)
+def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str) -> None:
+    """Against the equilibria on both sides of it."""
+    place, arith, seen = NAMES.index(vary), Balls(), set()
+    rng = np.random.default_rng([8, place])
+    for values in _rationals(70 + place, 10):
+        angle_and_friction = [Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)]
+        exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
+        with arith.precision(300):
+            found = list(fold_proofs.folds(arith, vary, exact, 300))
+        for fold in found:
+            value, theta = (float(sum(arith.ends(one)) / 2) for one in (fold.point.parameters[place], fold.point.theta))
+            if not 1e-3 < value < (3 if vary == "theta0" else 1e3):
+                continue
+            fixed = {name: float(one) for name, one in exact.items()}
+            beside = ss.equilibria(ss.Parameters(**fixed | {vary: np.array([value * (1 - 1e-7), value * (1 + 1e-7)])}))
+            assert fold.kind == "fold"
+            assert (int(beside.count[1]) - int(beside.count[0])) / 2 == fold.side
+            alone = beside.theta[int(fold.side > 0) ^ 1, 0]
+            assert fold.upper == (alone < theta)
+            seen.add((fold.side, fold.upper))
+    assert len(seen) > 1
+
+
 @pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
 def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
     """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""

@@ -194,25 +194,23 @@ def _with_multiplicity(
     return found
 
 
-def _classified(
-    arith: Arithmetic, vary: str, point: Point, angles: Angles, direction: _Direction, *, across: bool = True
-) -> Fold:
+def _classified(arith: Arithmetic, vary: str, point: Point, angles: Angles, direction: _Direction) -> Fold:
     """The kind of a fold, from signs of the derivatives of f by θ and by the parameter λ that varies.
 
     The multiplicity of its root is the number of times that f = 0 and f′ = 0 meet there. Once: then f_λ f″ ≠ 0, a fold.
     More often: f_λ = 0 ("touch": two equilibria meet, and their number is the same on both sides) or f″ = 0. With f″ = 0 it is 2
     where f_λ ≠ 0 ("cusp": three meet in one, and one is on both sides), since f‴ ≠ 0 for a quartic in t with a negative root;
-    3 is a pitchfork. ``across`` says that f_λ = 0 only if f_{sin θ₀} is, which fails at θ₀ = π/2 where f knows sin θ₀ alone.
+    3 is a pitchfork.
     """
     trig = kernel.f_coefficients(angles.c0, angles.s0, *point.parameters[1:], 1)
-    if direction.flat and direction.multiplicity == 2 and across:
+    if direction.flat and direction.multiplicity == 2:
         return Fold(point, "cusp", 0, False)
     slope, cross = _catastrophe.unfolding(*angles, *point.parameters[1:])[NAMES.index(vary)]
-    if direction.flat and across:
+    if direction.flat:
         third = decided(arith, kernel.f_third(angles.c, angles.s, *trig), "f‴ on a pitchfork")
         return Fold(point, "pitchfork", -third * decided(arith, cross, "f′ by the parameter on a pitchfork"), False)
-    curvature = decided(arith, kernel.f_curvature(angles.c, angles.s, *trig), "f″ on a fold") if not direction.flat else 0
-    if direction.multiplicity > 1 or not across:
+    curvature = decided(arith, kernel.f_curvature(angles.c, angles.s, *trig), "f″ on a fold")
+    if direction.multiplicity > 1:
         return Fold(point, "touch", 0, curvature > 0)
     return Fold(point, "fold", -curvature * decided(arith, slope, "f by the parameter on a fold"), curvature > 0)
 
@@ -244,15 +242,16 @@ def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -
         s0 = sine(c, s, values)
         if direction.sign_of(arith, s0, lambda c, s: sine(c, s, given), "sin θ₀ = 0 on a fold") <= 0:
             continue
-        upright = False
         if alpha:
             cosines = [_catastrophe.fold_angles(c, s, *values)[1]]
         else:
+            # With sin θ₀ = 1, B = 1 + β: f = f′ = 0 gives μ₀ s² c = B (1 − s³) + κ, so that c > 0 where μ₀ > 0, and
+            # μ₀ s (κ/σ − (1 − s)) = −c (B (1 − s) + κ) < 0: not in contact. For μ₀ = 0 f = σ c (B s − B − κ)
+            # is 0 at c = 0 only, where f′ = σ κ.
             gap = 1 - s0 * s0
-            side = direction.sign_of(arith, gap, lambda c, s: 1 - sine(c, s, given), "sin θ₀ = 1 on a fold")
-            upright = side == 0
-            cosines = [] if side < 0 else [arith.exact(Fraction(0))] if upright else [arith.sqrt(gap), -arith.sqrt(gap)]
+            inside = direction.sign_of(arith, gap, lambda c, s: 1 - sine(c, s, given), "sin θ₀ = 1 on a fold") > 0
+            cosines = [arith.sqrt(gap), -arith.sqrt(gap)] if inside else []
         for c0 in cosines:
             angles = Angles(c, s, c0, s0)
             for point in in_contact(arith, angles, values[0], values[1:]):
-                yield _classified(arith, "theta0", point, angles, direction, across=not upright)
+                yield _classified(arith, "theta0", point, angles, direction)

@@ -334,3 +334,87 @@ def test_contact_needs_a_length_and_a_depth(arith: Arithmetic) -> None:
         assert found(-Fraction(3, 5)) == []  # L < 0 and y < 0
         with pytest.raises(Undecided, match="y = 0"):
             found(s0 - kappa / sigma)
+
+
+# -------------------------------------------------------------------------------------------- folds at coincidences
+
+
+def test_multiplicities_of_exact_roots() -> None:
+    """Of t (t − 1/2)(t − 2)² (t − 3)³ (t − 4)⁴, where the curvature vanishes at 2 and 4; 0 is not positive."""
+    arith, one = Balls(), (Fraction(1),)
+
+    def product(*roots: Fraction) -> tuple[Fraction, ...]:
+        result = one
+        for root in roots:
+            result = tuple(a - root * b for a, b in zip((Fraction(0), *result), (*result, Fraction(0)), strict=True))
+        return result
+
+    half, two, three, four = Fraction(1, 2), Fraction(2), Fraction(3), Fraction(4)
+    polynomial = product(Fraction(0), half, *[two] * 2, *[three] * 3, *[four] * 4)
+    for curvature in ([product(two, four, Fraction(7))], [product(two, three, four), product(Fraction(5), four, two)]):
+        with arith.precision(200):
+            found = fold_proofs._with_multiplicity(arith, polynomial, curvature, 192)
+            rows = sorted((float(arith.ends(one.t)[0]), one.multiplicity, one.flat) for one in found)
+            widths = [high - low for low, high in (arith.ends(one.t) for one in found)]
+        assert [row[1:] for row in rows] == [(1, False), (2, True), (3, False), (3, True)]
+        assert [row[0] for row in rows] == pytest.approx([0.5, 2, 3, 4])
+        assert max(widths) < Fraction(1, 2**150)
+
+
+@pytest.mark.parametrize("vary", NAMES)
+def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str) -> None:
+    values = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
+    arith = Balls()
+    with arith.precision(300):
+        cusps = list(cusp_proofs.cusps(arith, values, 300))
+        for point in cusps:
+            _, friction = (sum(arith.ends(one)) / 2 for one in point.parameters[:2])
+            c, s = arith.cos_sin(point.theta / 2)
+            t = s / c
+            exact = dict(zip(NAMES, (Fraction(1), friction, *values), strict=True))
+            at = [polynomials.evaluate(tuple(map(arith.exact, one)), t) for one in fold_proofs._curvature(vary, exact)]
+            sizes = [abs(float(sum(arith.ends(one)) / 2)) for one in at]
+            if vary in ("alpha", "beta"):  # μ₀ (3 s² − 2) and s c, times (1 + t²)²
+                c, s = arith.cos_sin(point.theta)
+                for one, other in zip(at, (arith.exact(friction) * (3 * s * s - 2), s * c), strict=True):
+                    low, high = arith.ends(one - other * (1 + t * t) ** 2)
+                    assert -1e-60 < low <= 0 <= high < 1e-60
+            else:
+                assert sizes[0] < 1e-60
+                moved = exact | {"mu0": friction + Fraction(1, 100)}
+                (other,) = fold_proofs._curvature(vary, moved)
+                assert abs(float(sum(arith.ends(polynomials.evaluate(tuple(map(arith.exact, other)), t))))) > 1e-4
+
+
+def test_kinds_of_double_roots() -> None:
+    """Where f″ = 0 it is a cusp. Otherwise a touch, with the third state on the side that a fold at that point has it."""
+    arith = Balls()
+    exact = dict(zip(NAMES, map(Fraction, (1.2, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
+    with arith.precision(300):
+        uppers = set()
+        for fold in (fold for vary in ("theta0", "mu0") for fold in fold_proofs.folds(arith, vary, exact, 300)):
+            angles = Angles(*arith.cos_sin(fold.point.theta), *arith.cos_sin(fold.point.parameters[0]))
+            for flat in (False, True):
+                direction = fold_proofs._Direction(angles.s / (1 + angles.c), 2, flat)
+                found = fold_proofs._classified(arith, "theta0", fold.point, angles, direction)
+                assert (found.kind, found.side, found.upper) == (("cusp", 0, False) if flat else ("touch", 0, fold.upper))
+            uppers.add(fold.upper)
+    assert uppers == {False, True}
+
+
+def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
+    """α = 0, sin θ = 4/5 and sin θ₀ = 1, with μ₀ and σ from f = f′ = 0 by hand: y > 0 there, and no sign stays open."""
+    s, c, kappa, arith = Fraction(4, 5), Fraction(3, 5), Fraction(1, 10), Balls()
+    mu0 = (1 - s**3 + kappa) / (s * s * c)
+    sigma = mu0 * kappa * s / (s * c - (1 + kappa) * c + mu0 * s * (1 - s))
+    a, b, d, m = sigma, -sigma * (1 + kappa), mu0 * (sigma - kappa), mu0 * sigma
+    assert a * s * c + b * c + d * s - m * s * s == 0
+    assert a * (c * c - s * s) - b * s + d * c - 2 * m * s * c == 0
+    assert sigma * (1 - s) > kappa
+    exact = {"mu0": mu0, "kappa": kappa, "alpha": Fraction(0), "sigma": sigma, "beta": Fraction(0)}
+    with arith.precision(300):
+        found = [sum(arith.ends(fold.point.parameters[0])) / 2 for fold in fold_proofs.folds(arith, "theta0", exact, 300)]
+    assert all(abs(float(angle) - math.pi / 2) > 1e-6 for angle in found)
+    grid = np.linspace(1e-3, math.pi - 1e-3, 3001)
+    fixed = {name: float(value) for name, value in exact.items()}
+    assert len(found) == _scanned("theta0", fixed, grid).size

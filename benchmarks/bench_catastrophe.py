@@ -19,10 +19,11 @@ from scipy.optimize import fsolve
 
 import spragsym as ss
 from spragsym.catastrophe import fold_curves
+from spragsym.catastrophe.fixed import Fixed
 from spragsym.generated.equilibrium import f, f_coefficients, f_slope
 
 BASE = ss.Parameters.article()
-_FIXED = (0.007, 0.007, 0.1, 0.0)
+_FIXED = Fixed(0.007, 0.007, 0.1, 0.0)
 
 
 def main() -> None:

@@ -19,8 +19,10 @@ from typing import Any, TypeAlias
 
 import mpmath
 
-from .catastrophe import proofs
+from .catastrophe import cusp_proofs
+from .catastrophe.enclosures import Point
 from .errors import ParameterError, ParameterTypeError
+from .exact.escalation import with_enough_bits
 from .exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
 from .exact.polynomials import Undecided
 from .parameters import RANGES, Range
@@ -246,17 +248,17 @@ def cusps(
     chosen = arith or arithmetic()
 
     def attempt(bits: int) -> list[PreciseCusp]:
-        return [_cusp(chosen, point, digits) for point in proofs.cusps(chosen, exact, bits)]
+        return [_cusp(chosen, point, digits) for point in cusp_proofs.cusps(chosen, exact, bits)]
 
-    found = proofs.with_enough_bits(chosen, digits, attempt, "cusps")
+    found = with_enough_bits(chosen, digits, attempt, "cusps")
     ordered = tuple(sorted(found, key=lambda one: (one.mu0, one.theta0)))
     if exact[1] == 1 + exact[3]:
         return CuspProof(ordered, (), (), 0)
-    polynomial, sines, count = proofs.cusp_sines(*exact, bits=64)
+    polynomial, sines, count = cusp_proofs.cusp_sines(*exact, bits=64)
     return CuspProof(ordered, polynomial, tuple(sines), count)
 
 
-def _cusp(arith: Arithmetic, point: proofs.Point, digits: int) -> PreciseCusp:
+def _cusp(arith: Arithmetic, point: Point, digits: int) -> PreciseCusp:
     middles, radius = [], Fraction(0)
     for interval in (*point.parameters[:2], point.theta, point.L, point.x, point.y):
         low, high = arith.ends(interval)
@@ -267,4 +269,4 @@ def _cusp(arith: Arithmetic, point: proofs.Point, digits: int) -> PreciseCusp:
         radius = max(radius, half)
         middles.append(as_mpf(middle))
     theta0, mu0, theta, L, x, y = middles
-    return PreciseCusp(theta0, mu0, theta, L, x, y, as_mpf(radius), proofs.is_versal(arith, point))
+    return PreciseCusp(theta0, mu0, theta, L, x, y, as_mpf(radius), cusp_proofs.is_versal(arith, point))

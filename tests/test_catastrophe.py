@@ -14,6 +14,7 @@ import spragsym as ss
 from benchmarks.validate_folds import count_map_mismatches, random_fixed
 from benchmarks.validate_paths import check, random_path
 from spragsym.catastrophe import fold_curves
+from spragsym.catastrophe.fixed import Fixed
 from spragsym.exact import polynomials
 from spragsym.parameters import NAMES
 
@@ -166,9 +167,9 @@ def test_isolas_are_closed_and_births_and_deaths_joined(monkeypatch: pytest.Monk
     monkeypatch.setattr(fold_curves, "positive_roots", roots)
     monkeypatch.setattr(fold_curves, "_ends", lambda theta, fixed: (theta - 0.7, 1.0 + 0 * theta, np.inf))
     with np.errstate(all="ignore"):
-        strands = fold_curves._trace(np.linspace(0.1, 1.3, 40), (1.0, 1.0, 1.0, 1.0))
-        whole = fold_curves._trace(np.linspace(0.1, 1.3, 40)[:20], (1.0, 1.0, 1.0, 1.0))
-        closed = fold_curves._trace(np.linspace(0.1, 1.9, 50), (1.0, 1.0, 1.0, 1.0))
+        strands = fold_curves._trace(np.linspace(0.1, 1.3, 40), Fixed(1.0, 1.0, 1.0, 1.0))
+        whole = fold_curves._trace(np.linspace(0.1, 1.3, 40)[:20], Fixed(1.0, 1.0, 1.0, 1.0))
+        closed = fold_curves._trace(np.linspace(0.1, 1.9, 50), Fixed(1.0, 1.0, 1.0, 1.0))
     assert [strand.theta.size > 5 for strand in strands] == [True, True]
     assert len(whole) == 1  # before the line enters, the circle's two open ends are one curve
     loops = [s for s in closed if s.theta[0] == s.theta[-1] and s.theta0[0] == s.theta0[-1]]
@@ -346,6 +347,14 @@ def test_paths_are_continuous_between_jumps() -> None:
             for jump in path.jumps:
                 below, above = _counts(p.replace(theta0=np.array([jump.value - 1e-7, jump.value + 1e-7])))
                 assert {int(below), int(above)} == {1, 3}
+
+
+@pytest.mark.parametrize(("vary", "values"), [("mu0", [1.0, 1e200]), ("theta0", [1.0, 2.0])])
+def test_a_path_through_a_value_without_an_answer_says_why(vary: str, values: list[float]) -> None:
+    """Springs of length 10³⁹⁹, which no float is: the reason is that, and not the folds."""
+    p = ss.Parameters(theta0=1.0, mu0=1e200, kappa=1e200, alpha=1.0, sigma=1.0, beta=1.0)
+    with pytest.raises(ss.ConvergenceError, match=r"log10 L = 399.* is beyond float64"):
+        ss.quasi_static_path(p, vary, values)
 
 
 def test_a_choice_after_the_jump_is_taken() -> None:
@@ -537,6 +546,18 @@ def test_linear_model_is_a_linear_solve_and_its_poles_are_singular() -> None:
             c, s = math.cos(pole), math.sin(pole)
             K = np.array([[sigma * c * c + alpha, sigma * s * c + 1.001 * critical], [sigma * s * c, sigma * s * s + beta + 1]])
             assert abs(np.linalg.det(K)) < 1e-9 * np.abs(K).max() ** 2
+
+
+@pytest.mark.parametrize(
+    ("alpha", "sigma", "beta"),
+    [(0.0, 1e-200, 0.0), (1e-200, 1e-200, 0.5), (3.0, 1e-100, 1e160), (1e-300, 1e-10, 2.0), (0.007, 0.1, 0.0)],
+)
+def test_the_critical_friction_is_right_where_squares_leave_float64(alpha: float, sigma: float, beta: float) -> None:
+    with mpmath.workdps(40):
+        a, s, B = mpmath.mpf(alpha), mpmath.mpf(sigma), 1 + mpmath.mpf(beta)
+        expected = mpmath.sqrt(4 * a * (a + s) * B * (B + s)) / s
+    found = ss.linear_critical_friction(ss.Parameters(kappa=0.1, alpha=alpha, sigma=sigma, beta=beta))
+    assert found == pytest.approx(float(expected), rel=1e-15, abs=0)
 
 
 @pytest.mark.parametrize("alpha", [0.0, 1e-320, 1e-12, 0.3])

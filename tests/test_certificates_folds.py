@@ -11,15 +11,17 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.catastrophe import fold_curves, proofs
+from spragsym.catastrophe import fold_curves, fold_proofs
+from spragsym.catastrophe.fixed import Fixed
 from spragsym.exact import intervals
 from spragsym.generated import catastrophe as generated
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
-SETS = [
+SETS = list(map(Fixed._make, [
     (0.007, 0.007, 0.1, 0.0), (0.007, 0.007, 1.0, 0.0), (0.007, 0.0, 0.1, 0.0), (0.05, 0.3, 2.0, 0.2), (0.002, 0.05, 0.5, 1.0),
     (0.01, 0.0, 1.5, 0.3), (0.3, 0.1, 3.0, 0.0), (0.5499, 0.8771, 0.022509, 4.455), (0.02, 1.0, 0.4, 0.0),
-]  # fmt: skip
+    (0.195, 0.5261, 0.8677, 0.0), (0.006083, 0.0, 0.006177, 19.34), (0.07477, 0.37, 1.612, 0.0), (0.0397, 2.121, 0.1677, 0.0),
+]))  # fmt: skip
 
 
 @pytest.fixture(autouse=True)
@@ -29,16 +31,16 @@ def _quiet() -> object:
 
 
 @pytest.fixture(scope="module", params=SETS, ids=str)
-def fixed(request: pytest.FixtureRequest) -> tuple[float, float, float, float]:
+def fixed(request: pytest.FixtureRequest) -> Fixed:
     return request.param
 
 
 @functools.cache
-def _strands(fixed: tuple[float, float, float, float]) -> list[fold_curves.Strand]:
+def _strands(fixed: Fixed) -> list[fold_curves.Strand]:
     return fold_curves.strands(fixed, 1200)
 
 
-def test_every_point_is_a_fold(fixed: tuple[float, float, float, float]) -> None:
+def test_every_point_is_a_fold(fixed: Fixed) -> None:
     kappa, alpha, sigma, beta = fixed
     for strand in _strands(fixed):
         assert strand.theta.shape == strand.theta0.shape == strand.mu0.shape
@@ -55,7 +57,7 @@ def test_every_point_is_a_fold(fixed: tuple[float, float, float, float]) -> None
         assert (np.abs(a * (c * c - s * s) - b * s + d * c - 2 * m * s * c)[inside] < 1e-7 * size[inside]).all()
 
 
-def _crossings(strands: list[fold_curves.Strand], mu0: float, fixed: tuple[float, float, float, float]) -> list[float]:
+def _crossings(strands: list[fold_curves.Strand], mu0: float, fixed: Fixed) -> list[float]:
     """Angles θ₀ at which the curves pass a friction coefficient, in contact with L > 0."""
     kappa, _, sigma, beta = fixed
     found = []
@@ -69,20 +71,21 @@ def _crossings(strands: list[fold_curves.Strand], mu0: float, fixed: tuple[float
     return sorted(found)
 
 
-def test_no_curve_is_missed_or_twice(fixed: tuple[float, float, float, float]) -> None:
+def test_no_curve_is_missed_or_twice(fixed: Fixed) -> None:
     """Between the points of the curves, all folds in θ₀ that Sturm's count proves at some friction are crossed, and no others."""
     arith, strands = intervals.arithmetic(), _strands(fixed)
     for mu0 in ("0.0511", "0.3217", "0.777", "1.913"):
         exact = dict(zip(("kappa", "alpha", "sigma", "beta"), map(Fraction, fixed), strict=True)) | {"mu0": Fraction(mu0)}
         with arith.precision(256):
-            angles = [sum(map(float, arith.ends(point.parameters[0]))) / 2 for point in proofs.folds(arith, "theta0", exact, 256)]
+            points = [fold.point for fold in fold_proofs.folds(arith, "theta0", exact, 256)]
+            angles = [sum(map(float, arith.ends(point.parameters[0]))) / 2 for point in points]
         proved = sorted(angle for angle in angles if 0 < angle < math.pi)
         crossed = _crossings(strands, float(mu0), fixed)
         assert len(crossed) == len(proved)
         np.testing.assert_allclose(crossed, proved, atol=5e-3)
 
 
-def test_curves_end_where_they_must_and_step_smoothly(fixed: tuple[float, float, float, float]) -> None:
+def test_curves_end_where_they_must_and_step_smoothly(fixed: Fixed) -> None:
     """At θ₀ = 0 or π, at μ₀ = 0, far up, or nowhere; and no step is long."""
     for strand in _strands(fixed):
         closed = abs(strand.theta0[0] - strand.theta0[-1]) < 1e-9 and abs(strand.mu0[0] - strand.mu0[-1]) < 1e-9

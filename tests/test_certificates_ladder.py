@@ -14,7 +14,7 @@ import pytest
 import spragsym as ss
 from benchmarks import reference
 from benchmarks.families import FAMILIES
-from spragsym.catastrophe import proofs
+from spragsym.catastrophe import fold_proofs
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.parameters import NAMES
@@ -126,7 +126,7 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
     with arith.precision(600):
         points = [
             [_middle(arith, value) for value in (point.parameters[0], point.theta, point.L, point.x, point.y)]
-            for point in (fold.point for fold in proofs.folds(arith, "theta0", fixed, 600))
+            for point in (fold.point for fold in fold_proofs.folds(arith, "theta0", fixed, 600))
         ]
     assert len(points) == 2
     for theta0, *true in points:
@@ -168,7 +168,7 @@ def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int, arith: A
     """10^−power beside both folds: counts on either side, no fold, and the digits asked for."""
     fixed = {name: Fraction(value) for name, value in zip(NAMES[1:], (0.5, 2**-7, 2**-7, 0.125, 0.0), strict=True)}
     with arith.precision(600):
-        folds = sorted(_middle(arith, fold.point.parameters[0]) for fold in proofs.folds(arith, "theta0", fixed, 600))
+        folds = sorted(_middle(arith, fold.point.parameters[0]) for fold in fold_proofs.folds(arith, "theta0", fixed, 600))
     assert len(folds) == 2
     for fold, side in zip(folds, (1, -1), strict=True):
         outside, inside = fold + side * Fraction(1, 10**power), fold - side * Fraction(1, 10**power)

@@ -12,9 +12,11 @@ import pytest
 
 import spragsym as ss
 from benchmarks import reference
-from spragsym.catastrophe import proofs
+from spragsym.catastrophe import cusp_proofs
+from spragsym.catastrophe.enclosures import Point
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
+from spragsym.exact.polynomials import Undecided
 from spragsym.statics import ladder
 
 
@@ -181,7 +183,7 @@ def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith
     """One interval of a cusp at a time blurred, by nearly as much as three digits allow, and by a little more."""
     exact = (Fraction(1, 5), Fraction(3, 2), Fraction(9, 10), Fraction(1, 2))
     with arith.precision(200), mpmath.workdps(40):
-        for point in itertools.islice(proofs.cusps(arith, exact, 200), 3):
+        for point in itertools.islice(cusp_proofs.cusps(arith, exact, 200), 3):
             fields = [*point.parameters[:2], point.theta, point.L, point.x, point.y]
             for place, value in enumerate(fields):
                 middles = [sum(arith.ends(field)) / 2 for field in fields]
@@ -189,9 +191,9 @@ def test_the_radius_is_that_of_the_widest_number_and_too_wide_is_undecided(arith
                 for share, allowed in ((Fraction(99, 100), min(sizes[place:]) / 1000), (Fraction(101, 100), sizes[place] / 1000)):
                     blurred = [*fields]
                     blurred[place] = value + arith.between(-share * allowed, share * allowed)
-                    wide = proofs.Point((*blurred[:2], *point.parameters[2:]), *blurred[2:])
+                    wide = Point((*blurred[:2], *point.parameters[2:]), *blurred[2:])
                     if share > 1:
-                        with pytest.raises(proofs.Undecided):
+                        with pytest.raises(Undecided):
                             ss.precise._cusp(arith, wide, 3)
                         continue
                     cusp = ss.precise._cusp(arith, wide, 3)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import math
 from collections.abc import Iterator
 from fractions import Fraction
@@ -13,23 +12,29 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.catastrophe import proofs
-from spragsym.exact import intervals
-from spragsym.exact.intervals import Arithmetic
+from benchmarks.arb import Arb
+from spragsym.catastrophe import cusp_proofs, fold_proofs
+from spragsym.catastrophe.enclosures import Angles, Point, in_contact
+from spragsym.exact import charts, escalation, polynomials
+from spragsym.exact.intervals import Arithmetic, Balls
+from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
 
-ARITHMETICS = ["mpmath", *(["python-flint"] if importlib.util.find_spec("flint") else [])]
 
-
-@pytest.fixture(params=ARITHMETICS)
+@pytest.fixture(params=[Balls, Arb])
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """Both interval arithmetics."""
-    return intervals.arithmetic(request.param)
+    """The package's interval arithmetic, and Arb."""
+    found: Arithmetic = request.param()
+    return found
 
 
 def _fraction(value: mpmath.mpf) -> Fraction:
     negative, mantissa, exponent, _ = value._mpf_
     return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
+
+
+def _mpf(value: Fraction) -> mpmath.mpf:
+    return mpmath.mpf(value.numerator) / value.denominator
 
 
 # ------------------------------------------------------------------------------------------- proofs: the means
@@ -41,15 +46,15 @@ def test_bits_are_doubled_until_every_sign_is_decided(arith: Arithmetic) -> None
     def attempt(bits: int) -> Fraction:
         tried.append(bits)
         low, high = arith.ends(arith.exact(Fraction(1, 3)))
-        assert mpmath.ldexp(1, -bits - 8) < high - low < mpmath.ldexp(1, 3 - bits)  # the precision is that of the attempt
+        assert Fraction(1, 2 ** (bits + 8)) < high - low < Fraction(8, 2**bits)  # the precision is that of the attempt
         if bits < 1000:
-            raise (proofs.Undecided if bits < 400 else ZeroDivisionError)("not yet")
+            raise (Undecided if bits < 400 else ZeroDivisionError)("not yet")
         return Fraction(bits)
 
-    assert proofs.with_enough_bits(arith, 10, attempt, "this") == 1536
+    assert escalation.with_enough_bits(arith, 10, attempt, "this") == 1536
     assert tried == [192, 384, 768, 1536]
     tried.clear()
-    assert proofs.with_enough_bits(arith, 300, attempt, "this") == 1116
+    assert escalation.with_enough_bits(arith, 300, attempt, "this") == 1116
     assert tried == [int(3.4 * 300) + 96]
 
 
@@ -58,51 +63,73 @@ def test_bits_end_with_a_reason(arith: Arithmetic) -> None:
 
     def attempt(bits: int) -> None:
         tried.append(bits)
-        raise proofs.Undecided("a wall")
+        raise Undecided("a wall")
 
     with pytest.raises(ss.ConvergenceError, match=r"^folds: 6144 bits do not decide it \(a wall\)"):
-        proofs.with_enough_bits(arith, 10, attempt, "folds")
+        escalation.with_enough_bits(arith, 10, attempt, "folds")
     assert tried == [192 * 2**k for k in range(6)]
 
 
 def test_a_sign_that_must_be_there(arith: Arithmetic) -> None:
     with arith.precision(60):
-        assert proofs.decided(arith, arith.exact(Fraction(1, 9)), "x") == 1
-        assert proofs.decided(arith, arith.exact(Fraction(-1, 9)), "x") == -1
-        with pytest.raises(proofs.Undecided, match="what it is"):
-            proofs.decided(arith, arith.between(mpmath.mpf(0), mpmath.mpf(1)), "what it is")
+        assert escalation.decided(arith, arith.exact(Fraction(1, 9)), "x") == 1
+        assert escalation.decided(arith, arith.exact(Fraction(-1, 9)), "x") == -1
+        with pytest.raises(Undecided, match="what it is"):
+            escalation.decided(arith, arith.between(Fraction(0), Fraction(1)), "what it is")
 
 
 def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
     with arith.precision(80), mpmath.workprec(200):
         for k in range(-23, 25):
             true = mpmath.pi * k / 24
-            cosine, sine = (arith.between(value - mpmath.ldexp(1, -60), value + mpmath.ldexp(1, -60))
+            cosine, sine = (arith.between(_fraction(value) - Fraction(1, 2**60), _fraction(value) + Fraction(1, 2**60))
                             for value in (mpmath.cos(true), mpmath.sin(true)))  # fmt: skip
             if k == 24:
-                with pytest.raises(proofs.Undecided, match="0 or π"):
-                    proofs.angle(arith, cosine, sine)
+                with pytest.raises(Undecided, match="0 or π"):
+                    escalation.angle(arith, cosine, sine)
                 continue
-            low, high = arith.ends(proofs.angle(arith, cosine, sine))
-            assert low <= true <= high
+            low, high = arith.ends(escalation.angle(arith, cosine, sine))
+            assert low <= _fraction(true) <= high
             assert high - low < 1e-15
         for side in (-1, 1):  # a cosine of either sign
             turns = [side * (mpmath.pi / 2 + mpmath.mpf(k) / 100) for k in (-3, 0, 1)]
             cosines, sines = ([function(turn) for turn in turns] for function in (mpmath.cos, mpmath.sin))
-            held = arith.between(min(cosines), max(cosines)), arith.between(min(sines), max(sines))
-            low, high = arith.ends(proofs.angle(arith, *held))
-            assert low <= min(turns)
-            assert max(turns) <= high
+            held = [arith.between(_fraction(min(values)), _fraction(max(values))) for values in (cosines, sines)]
+            low, high = arith.ends(escalation.angle(arith, *held))
+            assert low <= _fraction(min(turns))
+            assert _fraction(max(turns)) <= high
             assert high - low < 0.05
 
 
-def test_rationals_become_numbers() -> None:
-    for value in (Fraction(1, 3), Fraction(-7, 2**900), Fraction(3**200, 2**5), Fraction(0), Fraction(2**500 + 1, 3**10)):
-        found = _fraction(proofs._number(value))
-        if value.denominator & (value.denominator - 1) == 0:
-            assert found == value
-        else:
-            assert abs(found - value) < abs(value) * Fraction(1, 2**63)
+def test_what_vanishes_exactly_is_zero_and_what_may_is_undecided(arith: Arithmetic) -> None:
+    asked: list[bool] = []
+
+    def vanishes(answer: bool) -> bool:
+        asked.append(answer)
+        return answer
+
+    with arith.precision(60):
+        wide = arith.between(Fraction(-1), Fraction(1))
+        for value, expected in ((arith.exact(Fraction(1, 3)), 1), (arith.exact(Fraction(-1, 3)), -1)):
+            assert escalation.sign_or_zero(arith, value, "x", lambda: vanishes(True)) == expected
+        assert not asked  # a sign that is there needs no algebra
+        assert escalation.sign_or_zero(arith, wide, "x", lambda: vanishes(True)) == 0
+        with pytest.raises(Undecided, match="what it is"):
+            escalation.sign_or_zero(arith, wide, "what it is", lambda: vanishes(False))
+
+
+@pytest.mark.parametrize("size", [Fraction(1), Fraction(-1000), Fraction(1, 1000)])
+def test_floats_of_intervals_up_to_fifteen_digits(size: Fraction, arith: Arithmetic) -> None:
+    """As wide as 10⁻¹⁵ of what is larger, the number or 1; no wider."""
+    unit = max(Fraction(1), abs(size)) / 10**15
+    with arith.precision(200):
+        for share in (Fraction(1, 1000), Fraction(1, 2), Fraction(99, 100)):
+            held = arith.between(size - share * unit, size + share * unit)
+            (value,), error = escalation.as_floats(arith, [held])
+            assert value == float(size)
+            assert float(share) * 1e-15 <= error <= float(share) * 1e-15 * (1 + 1e-9) + 1.3e-16
+        with pytest.raises(Undecided, match="wider than a float"):
+            escalation.as_floats(arith, [arith.exact(size), arith.between(size - unit * 101 / 100, size + unit * 101 / 100)])
 
 
 # ---------------------------------------------------------------------------------------------- folds and cusps
@@ -117,17 +144,17 @@ def _f(theta: mpmath.mpf, values: list[mpmath.mpf]) -> mpmath.mpf:
 
 
 def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
-    low, high = arith.ends(value)
-    return (low + high) / 2
+    return _mpf(sum(arith.ends(value)) / 2)
 
 
-def _check(arith: Arithmetic, point: proofs.Point, orders: int, digits: int) -> None:
+def _check(arith: Arithmetic, point: Point, orders: int, digits: int) -> None:
     """f and its derivatives vanish there to so many digits, the state is that of the geometry, and it is in contact."""
-    values = [_middle(arith, value) for value in point.parameters]
-    theta, L, x, y = (_middle(arith, value) for value in (point.theta, point.L, point.x, point.y))
+    with mpmath.workprec(1000):
+        values = [_middle(arith, value) for value in point.parameters]
+        theta, L, x, y = (_middle(arith, value) for value in (point.theta, point.L, point.x, point.y))
     for value in (*point.parameters, point.theta, point.L, point.x, point.y):
         low, high = arith.ends(value)
-        assert high - low <= mpmath.mpf(10) ** -digits * max(1, abs(low))
+        assert high - low <= max(1, abs(low)) / Fraction(10) ** digits
     with mpmath.workdps(digits + 20):
         for order in range(orders):
             size = 1 + sum(map(abs, values[1:]))
@@ -163,7 +190,7 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str, arith: Arithmetic) -> 
         angle_and_friction = [Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)]
         exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
         with arith.precision(300):
-            points = list(proofs.folds(arith, vary, exact, 300))
+            points = [fold.point for fold in fold_proofs.folds(arith, vary, exact, 300)]
             for point in points:
                 _check(arith, point, 2, 30)
                 for name, value in zip(NAMES, point.parameters, strict=True):
@@ -179,13 +206,37 @@ def test_folds_are_enclosed_and_none_is_missed(vary: str, arith: Arithmetic) -> 
     assert total >= 2
 
 
+@pytest.mark.parametrize("vary", NAMES)
+def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str) -> None:
+    """Against the equilibria on both sides of it."""
+    place, arith, seen = NAMES.index(vary), Balls(), set()
+    rng = np.random.default_rng([8, place])
+    for values in _rationals(70 + place, 10):
+        angle_and_friction = [Fraction(int(rng.integers(40, 130)), 100), Fraction(int(rng.integers(2, 15)), 10)]
+        exact = dict(zip(NAMES, [*angle_and_friction, *values], strict=True))
+        with arith.precision(300):
+            found = list(fold_proofs.folds(arith, vary, exact, 300))
+        for fold in found:
+            value, theta = (float(sum(arith.ends(one)) / 2) for one in (fold.point.parameters[place], fold.point.theta))
+            if not 1e-3 < value < (3 if vary == "theta0" else 1e3):
+                continue
+            fixed = {name: float(one) for name, one in exact.items()}
+            beside = ss.equilibria(ss.Parameters(**fixed | {vary: np.array([value * (1 - 1e-7), value * (1 + 1e-7)])}))
+            assert fold.kind == "fold"
+            assert (int(beside.count[1]) - int(beside.count[0])) / 2 == fold.side
+            alone = beside.theta[int(fold.side > 0) ^ 1, 0]
+            assert fold.upper == (alone < theta)
+            seen.add((fold.side, fold.upper))
+    assert len(seen) > 1
+
+
 @pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
 def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
     """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""
     stiffness, beta, *_ = [*map(Fraction, alpha.split()), Fraction(0)]
     exact = (Fraction(7, 1000), stiffness, Fraction(1, 10), beta)
     with arith.precision(300):
-        points = list(proofs.cusps(arith, exact, 300))
+        points = list(cusp_proofs.cusps(arith, exact, 300))
         assert len(points) >= {"0.007": 4, "0": 2}.get(alpha, 1)
         seen = []
         for point in points:
@@ -196,18 +247,18 @@ def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
             gaps = [max(map(abs, np.subtract(other, (-c, s, -c0, s0, -mu0)))) for other in seen]
             assert sum(gap < 1e-14 for gap in gaps) == 1
         if alpha != "0":
-            assert all(proofs.is_versal(arith, point) for point in points)
+            assert all(cusp_proofs.is_versal(arith, point) for point in points)
 
 
 def test_sines_of_cusps_are_all_real_roots_inside() -> None:
-    """One at sin θ = 1, where κ (α + σ) = (1 + β)(α + 2 σ) − α σ, does not count."""
+    """One at sin θ = 1, where κ (α + σ) = (1 + β)(α + 2 σ) − α σ, counts."""
     at_one = [Fraction(4, 3), Fraction(1, 2), Fraction(1), Fraction(0)]
-    assert sum(proofs.cusp_sines(*at_one, bits=50)[0]) == 0
+    assert sum(cusp_proofs.cusp_sines(*at_one, bits=50)[0]) == 0
     for kappa, alpha, sigma, beta in [*_rationals(7, 8), at_one]:
-        polynomial, roots, count = proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
+        polynomial, roots, count = cusp_proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
         assert len(roots) == count
         found = np.roots([float(value) for value in polynomial[::-1]])
-        real = np.sort(found[(abs(found.imag) < 1e-9) & (abs(found.real) < 1 - 1e-9)].real)
+        real = np.sort(found[(abs(found.imag) < 1e-9) & (abs(found.real) < 1 + 1e-9)].real)
         assert count == real.size
         for (low, high), value in zip(roots, real, strict=True):
             assert high - low <= Fraction(1, 2**50)
@@ -217,13 +268,13 @@ def test_sines_of_cusps_are_all_real_roots_inside() -> None:
 def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:
     exact = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
     with arith.precision(200):
-        point = next(proofs.cusps(arith, exact, 200))
-        assert proofs.is_versal(arith, point)
+        point = next(cusp_proofs.cusps(arith, exact, 200))
+        assert cusp_proofs.is_versal(arith, point)
         theta0, mu0, *rest = point.parameters
-        wide = arith.between(mpmath.mpf(-2), mpmath.mpf(2))
-        blurred = proofs.Point((theta0, mu0, *rest), point.theta + wide, point.L, point.x, point.y)
-        assert not proofs.is_versal(arith, blurred)
-        assert not proofs.is_versal(arith, proofs.Point((theta0 + wide, mu0, *rest), point.theta, point.L, point.x, point.y))
+        wide = arith.between(Fraction(-2), Fraction(2))
+        blurred = Point((theta0, mu0, *rest), point.theta + wide, point.L, point.x, point.y)
+        assert not cusp_proofs.is_versal(arith, blurred)
+        assert not cusp_proofs.is_versal(arith, Point((theta0 + wide, mu0, *rest), point.theta, point.L, point.x, point.y))
 
 
 def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -> None:
@@ -233,8 +284,137 @@ def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -
     for root in roots:
         polynomial = [a - root * b for a, b in zip([Fraction(0), *polynomial], [*polynomial, Fraction(0)], strict=True)]
     with arith.precision(300):
-        found = sorted(arith.ends(root) for root in proofs._interval_roots(arith, tuple(map(arith.exact, polynomial)), 300))
+        found = sorted(
+            arith.ends(root.interval(arith))
+            for root in charts.roots_on_the_line(tuple(map(arith.exact, polynomial)), arith.sign, arith.exact, 150)
+        )
         assert len(found) == len(roots)
         for (low, high), root in zip(found, roots, strict=True):
-            assert low <= mpmath.mpf(root.numerator) / root.denominator <= high
+            assert low <= root <= high
             assert high - low < 1e-40
+
+
+@pytest.mark.parametrize("place", [Fraction(1, 3), Fraction(7, 2), Fraction(13, 11), Fraction(11, 13), Fraction(1)])
+def test_a_root_knows_whose_it_is(place: Fraction) -> None:
+    """Inside of the first chart, beyond it, and at its end, where each counts once."""
+    polynomial = (-2 * place, 2 - place, Fraction(1))  # (t − place)(t + 2)
+    (root,) = charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True)
+    assert root.is_of((-place, Fraction(1)))
+    assert not root.is_of((Fraction(2), Fraction(1)))
+    assert not root.is_of((-1 / place - 5, Fraction(1)))
+    with Balls().precision(100):
+        low, high = Balls().ends(root.interval(Balls()))
+    assert low <= place <= high
+    assert high - low < Fraction(1, 2**70)
+
+
+@pytest.mark.parametrize("polynomial", [(), (Fraction(3),), (Fraction(0), Fraction(1)), (Fraction(1), Fraction(1))])
+def test_no_positive_root_is_none(polynomial: tuple[Fraction, ...]) -> None:
+    """A constant has none at all, and 0 is not positive."""
+    assert charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 60, positive=True) == []
+
+
+def test_contact_needs_a_length_and_a_depth(arith: Arithmetic) -> None:
+    """By the forces: y = 0 where σ (s₀ − s) = κ, contact for larger s; L < 0 for a spring that points down."""
+    beta, sigma, kappa = Fraction(1, 2), Fraction(2), Fraction(1, 5)
+    c, c0, s0 = Fraction(4, 5), Fraction(4, 5), Fraction(3, 5)
+
+    def found(s: Fraction) -> list[Point]:
+        values = tuple(map(arith.exact, (kappa, Fraction(1), sigma, beta)))
+        return list(in_contact(arith, Angles(*map(arith.exact, (c, s, c0, s0))), arith.exact(Fraction(1, 3)), values))
+
+    with arith.precision(100):
+        (point,) = found(Fraction(3, 5))
+        L = (sigma * Fraction(3, 5) + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * Fraction(3, 5))
+        for value, expected in ((point.L, L), (point.x, c0 - L * c), (point.y, s0 - L * Fraction(3, 5))):
+            low, high = arith.ends(value)
+            assert low <= expected <= high
+            assert high - low < Fraction(1, 2**90)
+        assert found(Fraction(3, 5) - Fraction(101, 1000)) == []  # y > 0
+        assert found(-Fraction(3, 5)) == []  # L < 0 and y < 0
+        with pytest.raises(Undecided, match="y = 0"):
+            found(s0 - kappa / sigma)
+
+
+# -------------------------------------------------------------------------------------------- folds at coincidences
+
+
+def test_multiplicities_of_exact_roots() -> None:
+    """Of t (t − 1/2)(t − 2)² (t − 3)³ (t − 4)⁴, where the curvature vanishes at 2 and 4; 0 is not positive."""
+    arith, one = Balls(), (Fraction(1),)
+
+    def product(*roots: Fraction) -> tuple[Fraction, ...]:
+        result = one
+        for root in roots:
+            result = tuple(a - root * b for a, b in zip((Fraction(0), *result), (*result, Fraction(0)), strict=True))
+        return result
+
+    half, two, three, four = Fraction(1, 2), Fraction(2), Fraction(3), Fraction(4)
+    polynomial = product(Fraction(0), half, *[two] * 2, *[three] * 3, *[four] * 4)
+    for curvature in ([product(two, four, Fraction(7))], [product(two, three, four), product(Fraction(5), four, two)]):
+        with arith.precision(200):
+            found = fold_proofs._with_multiplicity(arith, polynomial, curvature, 192)
+            rows = sorted((float(arith.ends(one.t)[0]), one.multiplicity, one.flat) for one in found)
+            widths = [high - low for low, high in (arith.ends(one.t) for one in found)]
+        assert [row[1:] for row in rows] == [(1, False), (2, True), (3, False), (3, True)]
+        assert [row[0] for row in rows] == pytest.approx([0.5, 2, 3, 4])
+        assert max(widths) < Fraction(1, 2**150)
+
+
+@pytest.mark.parametrize("vary", NAMES)
+def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str) -> None:
+    values = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
+    arith = Balls()
+    with arith.precision(300):
+        cusps = list(cusp_proofs.cusps(arith, values, 300))
+        for point in cusps:
+            _, friction = (sum(arith.ends(one)) / 2 for one in point.parameters[:2])
+            c, s = arith.cos_sin(point.theta / 2)
+            t = s / c
+            exact = dict(zip(NAMES, (Fraction(1), friction, *values), strict=True))
+            at = [polynomials.evaluate(tuple(map(arith.exact, one)), t) for one in fold_proofs._curvature(vary, exact)]
+            sizes = [abs(float(sum(arith.ends(one)) / 2)) for one in at]
+            if vary in ("alpha", "beta"):  # μ₀ (3 s² − 2) and s c, times (1 + t²)²
+                c, s = arith.cos_sin(point.theta)
+                for one, other in zip(at, (arith.exact(friction) * (3 * s * s - 2), s * c), strict=True):
+                    low, high = arith.ends(one - other * (1 + t * t) ** 2)
+                    assert -1e-60 < low <= 0 <= high < 1e-60
+            else:
+                assert sizes[0] < 1e-60
+                moved = exact | {"mu0": friction + Fraction(1, 100)}
+                (other,) = fold_proofs._curvature(vary, moved)
+                assert abs(float(sum(arith.ends(polynomials.evaluate(tuple(map(arith.exact, other)), t))))) > 1e-4
+
+
+def test_kinds_of_double_roots() -> None:
+    """Where f″ = 0 it is a cusp. Otherwise a touch, with the third state on the side that a fold at that point has it."""
+    arith = Balls()
+    exact = dict(zip(NAMES, map(Fraction, (1.2, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
+    with arith.precision(300):
+        uppers = set()
+        for fold in (fold for vary in ("theta0", "mu0") for fold in fold_proofs.folds(arith, vary, exact, 300)):
+            angles = Angles(*arith.cos_sin(fold.point.theta), *arith.cos_sin(fold.point.parameters[0]))
+            for flat in (False, True):
+                direction = fold_proofs._Direction(angles.s / (1 + angles.c), 2, flat)
+                found = fold_proofs._classified(arith, "theta0", fold.point, angles, direction)
+                assert (found.kind, found.side, found.upper) == (("cusp", 0, False) if flat else ("touch", 0, fold.upper))
+            uppers.add(fold.upper)
+    assert uppers == {False, True}
+
+
+def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
+    """α = 0, sin θ = 4/5 and sin θ₀ = 1, with μ₀ and σ from f = f′ = 0 by hand: y > 0 there, and no sign stays open."""
+    s, c, kappa, arith = Fraction(4, 5), Fraction(3, 5), Fraction(1, 10), Balls()
+    mu0 = (1 - s**3 + kappa) / (s * s * c)
+    sigma = mu0 * kappa * s / (s * c - (1 + kappa) * c + mu0 * s * (1 - s))
+    a, b, d, m = sigma, -sigma * (1 + kappa), mu0 * (sigma - kappa), mu0 * sigma
+    assert a * s * c + b * c + d * s - m * s * s == 0
+    assert a * (c * c - s * s) - b * s + d * c - 2 * m * s * c == 0
+    assert sigma * (1 - s) > kappa
+    exact = {"mu0": mu0, "kappa": kappa, "alpha": Fraction(0), "sigma": sigma, "beta": Fraction(0)}
+    with arith.precision(300):
+        found = [sum(arith.ends(fold.point.parameters[0])) / 2 for fold in fold_proofs.folds(arith, "theta0", exact, 300)]
+    assert all(abs(float(angle) - math.pi / 2) > 1e-6 for angle in found)
+    grid = np.linspace(1e-3, math.pi - 1e-3, 3001)
+    fixed = {name: float(value) for name, value in exact.items()}
+    assert len(found) == _scanned("theta0", fixed, grid).size

@@ -19,8 +19,9 @@ import spragsym as ss
 from benchmarks.families import cusp_wedge
 from benchmarks.validate_precise import points, worst_shares
 from spragsym import precise
-from spragsym.catastrophe import proofs
+from spragsym.catastrophe import cusp_proofs
 from spragsym.cli import cli as command_line
+from spragsym.exact import escalation
 from spragsym.exact.intervals import Balls
 from spragsym.statics import compiled, ladder
 
@@ -98,10 +99,10 @@ def test_the_first_try_has_enough_bits(dps: int) -> None:
 
     def attempt(bits: int) -> list[precise.PreciseCusp]:
         tries.append(bits)
-        return [precise._cusp(ARITH, point, dps) for point in proofs.cusps(ARITH, exact, bits)]
+        return [precise._cusp(ARITH, point, dps) for point in cusp_proofs.cusps(ARITH, exact, bits)]
 
-    assert len(proofs.with_enough_bits(ARITH, dps, attempt, "cusps")) == 4
-    assert tries == [max(proofs.FIRST_BITS, int(3.4 * dps) + 96)]
+    assert len(escalation.with_enough_bits(ARITH, dps, attempt, "cusps")) == 4
+    assert tries == [max(escalation.FIRST_BITS, int(3.4 * dps) + 96)]
 
 
 @pytest.mark.parametrize("degrees", ["0", 0.0, "-1", "180", 180, Fraction(180), "181", "360"])

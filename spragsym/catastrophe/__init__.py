@@ -1,24 +1,14 @@
 """Where states meet, vanish and jump: the surface, folds, cusps, flutter, and paths over them, all without a guess."""
 
+from .bifurcation_sets import BifurcationSet, FoldCurve, bifurcation_set
+from .criteria import critical_friction, critical_value
+from .cusp_points import Cusps, cusps
+from .equilibrium_surface import Surface, surface
 from .flutter_points import FlutterBoundary, FlutterOnsets, flutter_boundary, flutter_onsets
+from .fold_points import Folds, folds
+from .linear import LinearSprag, linear_critical_friction, linear_sprag
 from .paths import Jump, Path, quasi_static_path
-from .points import (
-    BifurcationSet,
-    Cusps,
-    FoldCurve,
-    Folds,
-    LinearSprag,
-    Surface,
-    bifurcation_set,
-    critical_friction,
-    critical_value,
-    cusps,
-    folds,
-    linear_critical_friction,
-    linear_sprag,
-    sliding_friction,
-    surface,
-)
+from .sliding import sliding_friction
 
 __all__ = [
     "BifurcationSet",

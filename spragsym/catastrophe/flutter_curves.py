@@ -10,16 +10,15 @@ from __future__ import annotations
 import itertools
 from collections import deque
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from ..exact.polynomials import evaluate
 from ..generated import stability as _stability
 from ..parameters import FloatArray
-
-#: κ, α, σ, β.
-Fixed: TypeAlias = tuple[float, float, float, float]
+from .companion import by_power, eigenvalues, polished
+from .fixed import Fixed
 
 #: Flutter needs π/2 < θ < π. How close to both ends the sampled θ come.
 _NEAREST = 1e-9
@@ -87,27 +86,11 @@ def _columns(theta: FloatArray, fixed: Fixed) -> list[_Column]:
 
 def positive_roots(coefficients: FloatArray) -> FloatArray:
     """Positive roots of each polynomial, lowest power first, to rounding; NaN for the others."""
-    degree = coefficients.shape[-1] - 1
-    companion = np.zeros((*coefficients.shape[:-1], degree, degree))
-    companion[..., range(1, degree), range(degree - 1)] = 1.0
-    companion[..., :, -1] = -coefficients[..., :-1] / coefficients[..., -1:]
-    companion[~np.isfinite(companion).all(axis=(-1, -2))] = 0.0
-    roots = np.linalg.eigvals(companion)
+    roots = eigenvalues(coefficients)
     # LAPACK gives the complex ones in pairs, and those that are real with the imaginary part 0.
-    real = np.sort(np.where((roots.imag == 0) & (roots.real > 0), roots.real, np.nan), axis=-1)
-    for _ in range(3):
-        step = _value(coefficients, real) / _value(coefficients[..., 1:] * np.arange(1, degree + 1), real)
-        gap = np.fmin(np.diff(real, axis=-1, append=np.inf), np.diff(real, axis=-1, prepend=0.0))
-        real = np.where(np.abs(step) < 0.5 * gap, real - step, real)
-    residual = np.abs(_value(coefficients, real)) / _value(np.abs(coefficients), real)
+    real = polished(coefficients, np.sort(np.where((roots.imag == 0) & (roots.real > 0), roots.real, np.nan), axis=-1))
+    residual = np.abs(evaluate(by_power(coefficients), real)) / evaluate(by_power(np.abs(coefficients)), real)
     return np.where(residual < _RESIDUAL, real, np.nan)
-
-
-def _value(coefficients: FloatArray, at: FloatArray) -> FloatArray:
-    value = np.zeros_like(at)
-    for power in range(coefficients.shape[-1] - 1, -1, -1):
-        value = value * at + coefficients[..., power, None]
-    return value
 
 
 def _settled(one: _Column, other: _Column) -> bool:

@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
+from ..exact.escalation import as_floats, with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..generated import stability as _stability
+from ..generated.kernel import direction
 from ..parameters import FloatArray, Parameters
 from ..statics import kernel
-from . import proofs
+from .fixed import FIXED, Fixed
 from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
-
-_FIXED = ("kappa", "alpha", "sigma", "beta")
 
 
 @dataclass(frozen=True)
@@ -78,7 +78,7 @@ def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> Flutter
     >>> print(np.degrees(found.theta0).round(6), found.side)
     [135.389588 166.068824] [ 1 -1]
     """
-    mu0, *fixed = p.scalars("mu0", *_FIXED)
+    mu0, *fixed = p.scalars("mu0", *FIXED)
     rows = []
     if mu0 > 0:
         elimination = Elimination(*map(Fraction, (mu0, *fixed)))
@@ -87,7 +87,7 @@ def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> Flutter
         def attempt(bits: int) -> list[tuple[float, ...]]:
             return [_row(arith, onset) for onset in onsets(arith, elimination, bits)]
 
-        rows = sorted(proofs.with_enough_bits(arith, 20, attempt, "flutter_onsets"))
+        rows = sorted(with_enough_bits(arith, 20, attempt, "flutter_onsets"))
     theta0, theta, L, x, y, branch, count, side, error = np.array(rows, dtype=float).reshape(-1, 9).T
     return FlutterOnsets(
         theta0, np.full(theta0.size, mu0), theta, L, x, y,
@@ -97,7 +97,7 @@ def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> Flutter
 
 def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:
     """Middles as floats, rank, number and side, and the largest error, the rounding to float included."""
-    values, error = proofs.as_floats(arith, (onset.theta0, onset.theta, onset.L, onset.x, onset.y))
+    values, error = as_floats(arith, (onset.theta0, onset.theta, onset.L, onset.x, onset.y))
     return (*values, onset.branch, onset.count, onset.side, error)
 
 
@@ -152,10 +152,10 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     """
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
         raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
-    fixed = p.scalars(*_FIXED)
+    fixed = Fixed(*p.scalars(*FIXED))
     kappa, alpha, sigma, beta = fixed
     found = []
-    for number, points in enumerate(curves(fixed, int(n))):  # type: ignore[arg-type]
+    for number, points in enumerate(curves(fixed, int(n))):
         theta, theta0 = points
         c, s = np.cos(theta), np.sin(theta)
         with np.errstate(all="ignore"):
@@ -170,7 +170,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
 
 
 def _rank(
-    fixed: tuple[float, ...], theta0: FloatArray, mu0: FloatArray, theta: FloatArray
+    fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Rank of each point among the equilibria there, and their number.
 
@@ -182,6 +182,6 @@ def _rank(
         p1, q1, p2, q2 = kernel.factors(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
         pairs = kernel.root_pair(p1, q1), kernel.root_pair(p2, q2)
         t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
-        _, _, y = kernel.state((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t), c0, s0, kappa, sigma, beta, 1)
+        _, _, y = kernel.state(*direction(t), c0, s0, kappa, sigma, beta, 1)
         t = np.sort(np.where((t > 0) & (y < 0), t, np.nan), axis=0)
         return np.argmin(np.nan_to_num(np.abs(2 * np.arctan(t) - theta), nan=np.inf), axis=0), np.isfinite(t).sum(axis=0)

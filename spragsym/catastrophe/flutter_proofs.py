@@ -22,11 +22,12 @@ from typing import Any
 
 from ..exact import polynomials
 from ..exact.descartes import Root, real_roots
+from ..exact.escalation import angle, decided, sign_or_zero
+from ..exact.half_angle import on_circle
 from ..exact.intervals import Arithmetic, Interval, sign
 from ..exact.polynomials import Undecided
 from ..generated import stability as _stability
 from ..statics import kernel
-from .proofs import angle, decided
 
 #: Degrees in cos θ, sin θ of the resultant and of L = X/Y over one denominator; half of the degrees in v.
 _DEGREE, _DEGREE_OF_LENGTH = 8, 4
@@ -102,7 +103,7 @@ class Elimination:
         """A polynomial of that degree in cos θ and sin θ, as one in v."""
 
         def in_v(v: Fraction) -> Fraction:
-            return function(*on_circle(v)) * (1 + v * v) ** degree
+            return function(*direction(v)) * (1 + v * v) ** degree
 
         # A multiple of it in integers: values over their common denominator, Lagrange's polynomials times (2 degree)!
         values = {v: in_v(v) for v in map(Fraction, range(-degree, degree + 1))}
@@ -133,10 +134,10 @@ class Elimination:
         return multiplicity
 
 
-def on_circle(v: Any) -> tuple[Any, Any]:
-    """cos θ and sin θ at v = tan((θ − π/2)/2)."""
-    scale = 1 + v * v
-    return -2 * v / scale, (1 - v) * (1 + v) / scale
+def direction(v: Any) -> tuple[Any, Any]:
+    """cos θ and sin θ at v = tan((θ − π/2)/2): θ is a quarter turn more than the angle whose half has the tangent v."""
+    c, s, _ = on_circle(v)
+    return -s, c
 
 
 def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[Onset]:
@@ -144,18 +145,12 @@ def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[O
     values = tuple(map(arith.exact, elimination.values))
     for root in elimination.roots(bits - 32):
         v = arith.between(*root)
-        c, s = on_circle(v)
+        c, s = direction(v)
         lengths = _lengths(arith, elimination, root, c, s, values)
         for L in lengths:
             yield from _at_length(arith, elimination, root, v, c, s, L, values, alone=len(lengths) == 1)
 
 
-def _sign(arith: Arithmetic, value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
-    """The sign of an interval; 0 only where that is proved."""
-    result = sign(arith, value)
-    if result == 0 and not vanishes():
-        raise Undecided(what)
-    return result
 
 
 def _lengths(
@@ -163,7 +158,7 @@ def _lengths(
 ) -> list[Interval]:
     """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
     X, Y = elimination.length(c, s, values)
-    if _sign(arith, Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
+    if sign_or_zero(arith, Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
         L = X / Y
         return [L] if decided(arith, L, "L = 0") > 0 else []
     mu0, _, alpha, sigma, beta = values
@@ -188,7 +183,7 @@ def _at_length(
         return u1 * Y + w1 * X
 
     degree, stationary = elimination.degree_of_length, False
-    if _sign(arith, s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, degree + 1)) <= 0:
+    if sign_or_zero(arith, s0, "sin θ₀ = 0", lambda: elimination.vanishes(root, sine, degree + 1)) <= 0:
         return
     if elimination.alpha:
         cosines = [(u2 + w2 * L) / alpha]
@@ -197,7 +192,7 @@ def _at_length(
         def gap(c: Any, s: Any, X: Any, Y: Any) -> Any:
             return Y * Y - sine(c, s, X, Y) ** 2
 
-        above = _sign(arith, 1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (degree + 1)))
+        above = sign_or_zero(arith, 1 - s0 * s0, "sin θ₀ = 1", lambda: elimination.vanishes(root, gap, 2 * (degree + 1)))
         width = arith.sqrt(1 - s0 * s0) if above > 0 else arith.exact(Fraction(0))
         cosines = {1: [width, -width], 0: [width], -1: []}[above]
         stationary = above == 0

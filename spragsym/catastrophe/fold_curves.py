@@ -18,9 +18,8 @@ from scipy.optimize import brentq
 
 from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray
-
-#: κ, α, σ, β.
-Fixed: TypeAlias = tuple[float, float, float, float]
+from .companion import eigenvalues, polished
+from .fixed import Fixed
 
 #: Values of θ on which curves are looked for before their shape says where more are needed.
 _COARSE = 512
@@ -56,16 +55,24 @@ def _ends(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, FloatArray, floa
 
     The other end is v = ∞ (θ₀ = π); for α = 0, where θ₀ and π − θ₀ are folds together, only θ₀ ≤ π/2 is followed, up to v = 1.
     """
-    e0, e1, e2, ec = _conic(theta, fixed)
-    return (e0, e0 + e1 + e2, 1.0) if fixed[1] == 0 else (e0 + ec, e0 - ec, np.inf)
+    if fixed.alpha == 0:
+        e0, e1, e2, _ = _conic(theta, fixed)
+        return e0, e0 + e1 + e2, 1.0
+    coefficients = quartics(theta, fixed)
+    return coefficients[..., 0], coefficients[..., 4], np.inf
 
 
 def indicator(theta: FloatArray, fixed: Fixed) -> FloatArray:
     """A number that changes sign where two roots meet."""
-    if fixed[1] == 0:
+    if fixed.alpha == 0:
         e0, e1, e2, _ = _conic(theta, fixed)
-        return (4 * e0 * e2 - e1 * e1) / (4 * np.abs(e0 * e2) + e1 * e1)
+        return -_discriminant_in_sine(e0, e1, e2) / (4 * np.abs(e0 * e2) + e1 * e1)
     return discriminant(quartics(theta, fixed))[0]
+
+
+def _discriminant_in_sine(e0: FloatArray, e1: FloatArray, e2: FloatArray) -> FloatArray:
+    """That of e0 + e1 sin θ₀ + e2 sin² θ₀, which the conic is for α = 0."""
+    return e1 * e1 - 4 * e0 * e2
 
 
 def discriminant(coefficients: FloatArray) -> tuple[FloatArray, NDArray[np.int64]]:
@@ -82,40 +89,21 @@ def discriminant(coefficients: FloatArray) -> tuple[FloatArray, NDArray[np.int64
 
 def positive_roots(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, NDArray[np.int64]]:
     """Roots 0 < v < ∞ (v < 1 for α = 0) at each θ, ascending, NaN beyond their number; and that number."""
-    if fixed[1] == 0:
+    if fixed.alpha == 0:
         e0, e1, e2, _ = _conic(theta, fixed)
-        large = -0.5 * (e1 + np.copysign(np.sqrt(e1 * e1 - 4 * e0 * e2), e1))
+        large = -0.5 * (e1 + np.copysign(np.sqrt(_discriminant_in_sine(e0, e1, e2)), e1))
         sines = np.stack([large / e2, e0 / large], axis=-1)
         values = np.sort(np.where((sines > 0) & (sines < 1), np.tan(0.5 * np.arcsin(sines)), np.nan), axis=-1)
         return values, np.count_nonzero(values > 0, axis=-1)
     coefficients = quartics(theta, fixed)
     _, real = discriminant(coefficients)
-    companion = np.zeros((*theta.shape, 4, 4))
-    companion[..., [1, 2, 3], [0, 1, 2]] = 1.0
-    companion[..., :, 3] = -coefficients[..., :4] / coefficients[..., 4:]
-    roots = np.linalg.eigvals(companion)
+    roots = eigenvalues(coefficients)
     # As many as are real by the discriminant, those closest to the real axis.
     order = np.argsort(np.abs(roots.imag) / (1e-300 + np.abs(roots)), axis=-1)
     values = np.take_along_axis(roots.real, order, axis=-1)
     values[(np.arange(4) >= real[..., None]) | ~(values > 0)] = np.nan
-    values = _newton(coefficients, np.sort(values, axis=-1))
+    values = polished(coefficients, np.sort(values, axis=-1))
     return values, np.count_nonzero(values > 0, axis=-1)
-
-
-def _newton(coefficients: FloatArray, roots: FloatArray) -> FloatArray:
-    """Two Newton steps on every root, none longer than half the way to its neighbour."""
-    for _ in range(2):
-        value, slope = np.zeros_like(roots), np.zeros_like(roots)
-        for power in range(4, -1, -1):
-            slope = slope * roots + value
-            value = value * roots + coefficients[..., power, None]
-        step = value / slope
-        gap = np.full(roots.shape, np.inf)
-        gap[..., 1:] = np.diff(roots, axis=-1)
-        gap[..., :-1] = np.fmin(gap[..., :-1], np.diff(roots, axis=-1))
-        gap = np.fmin(gap, np.abs(roots))
-        roots = np.where(np.abs(step) < 0.5 * gap, roots - step, roots)
-    return roots
 
 
 def friction(theta: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
@@ -138,7 +126,7 @@ def strands(fixed: Fixed, n: int) -> list[Strand]:
         found = _trace(_refined(coarse, fixed, n), fixed)
         parts = [part for strand in found for part in _one_sign(strand, fixed, 1.0)]
         mirrored = [_mirrored(part) for strand in found for part in _one_sign(strand, fixed, -1.0)]
-        if fixed[1] == 0:
+        if fixed.alpha == 0:
             parts += [Strand(part.theta, np.pi - part.theta0, part.mu0) for part in parts]
             mirrored += [Strand(part.theta, np.pi - part.theta0, part.mu0) for part in mirrored]
         return _joined(parts, mirrored)

@@ -19,7 +19,7 @@ from ..generated import stability as _stability
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_numbers
 from ..statics.slots import COLUMNS, Slots, empty
 from ..statics.solver import Equilibria, Stability, equilibria
-from .points import Turn, turns
+from .fold_points import Turn, turns
 
 
 @dataclass(frozen=True)
@@ -87,7 +87,7 @@ def quasi_static_path(
     ParameterError
         For values that do not go one way, or out of range, or a ``start`` that has no equilibrium.
     ConvergenceError
-        Where :func:`spragsym.folds` can't tell folds apart.
+        Where :func:`spragsym.folds` can't tell folds apart, or :func:`spragsym.equilibria` leaves a value undecided.
 
     Notes
     -----
@@ -145,7 +145,7 @@ class _Way:
     def __init__(self, p: Parameters, vary: str, along: FloatArray) -> None:
         self.p, self.vary, self.along = p, vary, along
         self.forward = -1 if along[0] > along[-1] else 1
-        self.eq = equilibria(p.replace(**{vary: along}))
+        self.eq = equilibria(p.replace(**{vary: along})).decided()
         self.turns = turns(p, vary)[:: self.forward]
         self.at = np.array([turn.values[NAMES.index(vary)] for turn in self.turns])
         changes = np.cumsum([0, *(2 * self.side(turn) for turn in self.turns)])
@@ -241,7 +241,7 @@ def _pass(way: _Way, place: _Place, choose: Choice | None) -> tuple[_Place, Jump
     if not isinstance(rank, Turn):
         return _Place(beyond, rank), None
     value = float(way.at[place.region])
-    eq = equilibria(way.p.replace(**{way.vary: value}))
+    eq = equilibria(way.p.replace(**{way.vary: value})).decided()
     state, code = way.state(eq, (), value, _Place(beyond, 0))
     theta0, mu0, theta, x, y, error = (rank.values[j] for j in (0, 1, 6, 8, 9, 10))
     if choose is not None:

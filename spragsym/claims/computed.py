@@ -13,10 +13,9 @@ import mpmath
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
+from .. import catastrophe, precise
 from .. import generated as _generated
-from .. import precise
 from ..catastrophe import flutter_points as flutter
-from ..catastrophe import points as catastrophe
 from ..catastrophe.paths import Jump, quasi_static_path
 from ..dynamics.regimes import Regime
 from ..dynamics.trajectory import simulate

@@ -71,8 +71,8 @@ def _or(value: float | None, word: str) -> float | str:
 def _summary(values: dict[str, float]) -> dict[str, Any]:
     import numpy as np
 
+    from .. import catastrophe
     from ..catastrophe import flutter_points as flutter
-    from ..catastrophe import points as catastrophe
 
     p = build(None, **values)
     found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), flutter.flutter_onsets(p)

@@ -13,9 +13,11 @@ from typing import Any, TypeAlias
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..catastrophe.bifurcation_sets import bifurcation_set
 from ..catastrophe.flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
+from ..catastrophe.fold_points import folds
+from ..catastrophe.linear import linear_sprag
 from ..catastrophe.paths import Path, quasi_static_path
-from ..catastrophe.points import bifurcation_set, folds, linear_sprag
 from ..dynamics.trajectory import simulate
 from ..generated import motion
 from ..parameters import FloatArray, Parameters

@@ -12,8 +12,8 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..catastrophe.flutter_points import flutter_onsets
+from ..catastrophe.fold_points import Folds, folds
 from ..catastrophe.paths import Path
-from ..catastrophe.points import Folds, folds
 from ..parameters import RANGES, FloatArray, Parameters
 from ..statics.solver import Equilibria, Stability, equilibria
 from .style import BLACK, LINES, Table, own_axes, styled

@@ -9,7 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
-from ..catastrophe.points import bifurcation_set, critical_friction, critical_value, folds
+from ..catastrophe import bifurcation_set, critical_friction, critical_value, folds
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps.many import Workers, rms_sweep, sensitivity

@@ -10,7 +10,7 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from numpy.typing import NDArray
 
-from ..catastrophe.points import surface
+from ..catastrophe.equilibrium_surface import surface
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
 from ..parameters import FloatArray, Parameters

@@ -1,0 +1,84 @@
+"""Every fold curve in the plane of θ₀ and μ₀ with the cusps on them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..display import Result
+from ..errors import ParameterError
+from ..parameters import FloatArray, Parameters
+from ..statics import kernel
+from . import fold_curves
+from .cusp_points import Cusps, cusps
+from .fixed import FIXED, Fixed
+
+
+@dataclass(frozen=True)
+class FoldCurve(Result):
+    """One curve of folds, points in order along it."""
+
+    theta0: FloatArray
+    mu0: FloatArray
+    theta: FloatArray
+    x: FloatArray
+    y: FloatArray
+
+
+@dataclass(frozen=True)
+class BifurcationSet(Result):
+    """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them."""
+
+    curves: tuple[FoldCurve, ...]
+    cusps: Cusps
+
+    def __len__(self) -> int:
+        return len(self.curves)
+
+
+def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = False) -> BifurcationSet:
+    """Every fold curve in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0: where the number of equilibria changes.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars κ, α, σ, β; ``theta0`` and ``mu0`` are spanned and not used.
+    n : int
+        About how many directions θ to solve at, 600 or more; they gather where curves are long.
+    negative_friction : bool
+        Also list the mirror images (θ, θ₀, μ₀) → (π − θ, π − θ₀, −μ₀).
+
+    Returns
+    -------
+    BifurcationSet
+        Curves with their ends at θ₀ = 0 or π, at μ₀ = 0, or closed; cusps of the same region.
+
+    Notes
+    -----
+    Source: f = f′ = 0; see :mod:`spragsym.catastrophe.fold_curves`. Points satisfy it to rounding.
+
+    Examples
+    --------
+    >>> found = bifurcation_set(Parameters.article())
+    >>> len(found), round(float(found.cusps.mu0[0]), 12)
+    (2, 0.200931781805)
+    """
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
+        raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
+    fixed = Fixed(*p.scalars(*FIXED))
+    curves = []
+    for strand in fold_curves.strands(fixed, int(n)):
+        c, s = np.cos(strand.theta), np.sin(strand.theta)
+        _, x, y = kernel.state(c, s, np.cos(strand.theta0), np.sin(strand.theta0), fixed.kappa, fixed.sigma, fixed.beta, 1)
+        # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
+        if y[y.size // 2] < 0:
+            curves.append(FoldCurve(strand.theta0, strand.mu0, strand.theta, x, y))
+    found = cusps(p)
+    ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & ((found.mu0 >= 0) | negative_friction)
+    if negative_friction:
+        curves += [
+            FoldCurve(math.pi - curve.theta0, -curve.mu0, math.pi - curve.theta, -curve.x, curve.y) for curve in list(curves)
+        ]
+    return BifurcationSet(tuple(curves), found.select(ahead))

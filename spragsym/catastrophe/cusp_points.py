@@ -1,0 +1,70 @@
+"""All cusps, proved complete."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..exact.escalation import with_enough_bits
+from ..exact.intervals import Arithmetic, arithmetic
+from ..parameters import FloatArray, Parameters
+from . import cusp_proofs
+from .fixed import FIXED
+
+
+@dataclass(frozen=True)
+class Cusps(Result):
+    """Points at which two folds meet, sorted by ``mu0``; ``error`` bounds |error| / max(1, |value|) of all six numbers."""
+
+    theta0: FloatArray
+    mu0: FloatArray
+    theta: FloatArray
+    L: FloatArray
+    x: FloatArray
+    y: FloatArray
+    error: FloatArray
+
+    def select(self, which: NDArray[np.bool_]) -> Cusps:
+        """Some of them."""
+        return Cusps(*(getattr(self, name)[which] for name in ("theta0", "mu0", "theta", "L", "x", "y", "error")))
+
+    def __len__(self) -> int:
+        return int(self.theta0.size)
+
+
+def cusps(p: Parameters, *, arith: Arithmetic | None = None) -> Cusps:
+    """All cusps in contact with L > 0, θ₀ in (−π, π] and μ₀ of either sign: proved complete.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars κ, α, σ, β, taken as the exact rationals that the floats are; ``theta0`` and ``mu0`` are not used.
+
+    Returns
+    -------
+    Cusps
+        Empty where there is none.
+
+    Notes
+    -----
+    Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ (a cubic for α = 0); its roots are isolated exactly.
+
+    Examples
+    --------
+    >>> found = cusps(Parameters.article())
+    >>> print(np.degrees(found.theta0[2]), found.mu0[2])
+    68.02095850774431 0.20093178180509003
+    """
+    exact = tuple(map(Fraction, p.scalars(*FIXED)))
+    arith = arith or arithmetic()
+
+    def attempt(bits: int) -> list[tuple[float, ...]]:
+        return [point.row(arith) for point in cusp_proofs.cusps(arith, exact, bits)]
+
+    rows = with_enough_bits(arith, 20, attempt, "cusps")
+    rows = sorted(((row[0], row[1], *row[6:]) for row in rows), key=lambda row: (row[1], row))
+    return Cusps(*np.array(rows, dtype=float).reshape(-1, 7).T.copy())

@@ -1,0 +1,18 @@
+"""The parameters that stay where θ₀ and μ₀ are spanned."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Fixed(NamedTuple):
+    """κ, α, σ and β."""
+
+    kappa: float
+    alpha: float
+    sigma: float
+    beta: float
+
+
+#: Their names.
+FIXED = Fixed._fields

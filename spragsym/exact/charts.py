@@ -1,0 +1,53 @@
+"""Real roots on the whole line, or of its positive half: those up to about 1 in size, and beyond as reciprocals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from .intervals import Arithmetic, Interval
+from .polynomials import Polynomial, Sign, has_root, real_roots
+
+
+@dataclass(frozen=True)
+class Root:
+    """A real root of a polynomial in (low, high], or of the reversed polynomial: then it is the reciprocal."""
+
+    low: Fraction
+    high: Fraction
+    backward: bool = False
+
+    def interval(self, arith: Arithmetic) -> Interval:
+        """Around the root."""
+        value = arith.between(self.low, self.high)
+        return 1 / value if self.backward else value
+
+    def is_of(self, polynomial: Polynomial) -> bool:
+        """Whether it is one of a divisor of its polynomial."""
+        return has_root(tuple(reversed(polynomial)) if self.backward else polynomial, self.low, self.high)
+
+
+#: Ends of the two charts: no round numbers, where Sturm functions of symmetric parameters vanish.
+_BELOW, _BETWEEN = Fraction(-1, 7), Fraction(13, 11)
+
+
+def roots_on_the_line(
+    polynomial: tuple[Any, ...], signs: Sign, number: Callable[[Fraction], Any], bits: int, *, positive: bool = False
+) -> list[Root]:
+    """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of ``real_roots``.
+
+    Of exact coefficients the positive ones only: an end of a chart may be a root there, where intervals are undecided.
+    """
+    while positive and polynomial and isinstance(polynomial[0], Fraction) and polynomial[0] == 0:
+        polynomial = polynomial[1:]  # the root 0
+    found: list[Root] = []
+    if len(polynomial) <= 1:
+        return found
+    for chart, limit, backward in ((polynomial, _BETWEEN, False), (tuple(reversed(polynomial)), 1 / _BETWEEN, True)):
+        for low, high in real_roots(chart, _BELOW if positive else -limit, limit, signs, number, bits):
+            at_the_end = backward and low == limit  # which the first chart has
+            if not at_the_end and (high > 0 or not positive):
+                found.append(Root(low, high, backward))
+    return found

@@ -1,0 +1,78 @@
+"""Bits are added until every sign that an answer needs is decided; what an interval is then, as a float or an angle."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from typing import TypeVar
+
+from ..errors import ConvergenceError
+from .intervals import Arithmetic, Interval, sign
+from .polynomials import Undecided
+
+#: Bits of the first try and of the last.
+FIRST_BITS, MAXIMUM_BITS = 192, 6144
+#: What an interval may be off by when it becomes a float.
+_LARGEST_ERROR = Fraction(1, 10**15)
+
+T = TypeVar("T")
+
+
+def with_enough_bits(arith: Arithmetic, digits: int, attempt: Callable[[int], T], what: str) -> T:
+    """Run ``attempt(bits)`` with more and more bits until every sign that it needs is decided."""
+    bits = max(FIRST_BITS, int(3.4 * digits) + 96)
+    while True:
+        with arith.precision(bits):
+            try:
+                return attempt(bits)
+            except (Undecided, ZeroDivisionError) as reason:
+                if bits >= MAXIMUM_BITS:
+                    raise ConvergenceError(
+                        f"{what}: {bits} bits do not decide it ({reason}); the parameters are degenerate, "
+                        "change one of them a little"
+                    ) from None
+        bits *= 2
+
+
+def decided(arith: Arithmetic, value: Interval, what: str) -> int:
+    """The sign of an interval that must have one."""
+    result = sign(arith, value)
+    if result == 0:
+        raise Undecided(what)
+    return result
+
+
+def sign_or_zero(arith: Arithmetic, value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
+    """The sign of an interval; 0 only where ``vanishes``, asked for one that holds 0, says that the number in it is 0 exactly."""
+    result = sign(arith, value)
+    if result == 0 and not vanishes():
+        raise Undecided(what)
+    return result
+
+
+def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[float], float]:
+    """The middles of intervals as floats, infinite beyond float64, and a bound on |error| / max(1, |value|) of all of them."""
+    values, worst = [], Fraction(0)
+    for low, high in map(arith.ends, intervals):
+        middle = (low + high) / 2
+        worst = max(worst, (high - low) / 2 / max(Fraction(1), abs(middle)))
+        try:
+            values.append(float(middle))
+        except OverflowError:
+            values.append(math.inf if middle > 0 else -math.inf)
+    if worst > _LARGEST_ERROR:
+        raise Undecided("an interval wider than a float may be off")
+    # Half a unit in the last place of a float, and what is lost in this sum.
+    return values, float(worst) * (1 + 2.0**-40) + 1.2e-16
+
+
+def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:
+    """The angle in (−π, π] with that cosine and sine, from the half that the arc tangent is good at."""
+    low, high = arith.ends(cosine)
+    if low > 0:
+        return arith.atan(sine / cosine)
+    side = decided(arith, sine, "an angle of 0 or π")
+    if high < 0:
+        return arith.atan(sine / cosine) + side * arith.pi()
+    return side * arith.pi() / 2 - arith.atan(cosine / sine)

@@ -1,0 +1,31 @@
+"""The half-angle map t = tan(θ/2), over rationals and intervals, and polynomials in cos θ and sin θ as polynomials in t."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+
+class OnCircle(NamedTuple):
+    """cos θ, sin θ and their denominator 1 + t² at t = tan(θ/2)."""
+
+    cosine: Any
+    sine: Any
+    scale: Any
+
+
+def on_circle(t: Any) -> OnCircle:
+    """The direction θ with tan(θ/2) = t, exactly for a rational t."""
+    scale = 1 + t * t
+    return OnCircle((1 - t) * (1 + t) / scale, 2 * t / scale, scale)
+
+
+def in_t(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction], Fraction]:
+    """(1 + t²)^degree times a function of that degree in cos θ and sin θ, which is a polynomial in t."""
+
+    def value(t: Fraction) -> Fraction:
+        c, s, scale = on_circle(t)
+        return Fraction(function(c, s) * scale**degree)
+
+    return value

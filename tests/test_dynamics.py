@@ -11,9 +11,10 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.motion import simulate as simulate_command
-from spragsym.dynamics import integrators
-from spragsym.dynamics import trajectory as dynamics
-from spragsym.dynamics.trajectory import Event, Trajectory, simulate
+from spragsym.dynamics import Event, Trajectory, integrators, simulate, with_scipy
+from spragsym.dynamics.lobatto import DEGREE, unit_points
+from spragsym.dynamics.problem import Mode, mode_beyond, prepare
+from spragsym.files import storage
 from spragsym.generated import stability
 from spragsym.statics.solver import equilibria
 
@@ -146,24 +147,24 @@ def test_short_flights_are_found_within_a_step() -> None:
 
 
 def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
-    problem = dynamics.prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, t_record=0.0, rtol=1e-9)
+    problem = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
 
     def dense(t: np.ndarray) -> np.ndarray:  # leaves the belt twice, and is back on it, rising, at both ends
         phase = 4 * np.pi * t
         return np.array([0 * t, 0.3 * np.sin(phase) - 0.2, 0 * t, 1.2 * np.pi * np.cos(phase)])
 
-    time, border = integrators._first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
-    assert integrators._after(border, (1, 1, 1)) == ((0, 1, 1), Event.CONTACT_LOST)
+    time, border = with_scipy.first_crossing(problem, Mode(1, 1, 1), dense, 0.0, 1.0)
+    assert mode_beyond(border, Mode(1, 1, 1)) == (Mode(0, 1, 1), Event.CONTACT_LOST)
     assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
 
 
 def test_a_flight_between_two_points_of_the_search_is_found() -> None:
-    problem = dynamics.prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, t_record=0.0, rtol=1e-9)
+    problem = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
 
     def dense(t: np.ndarray) -> np.ndarray:  # above the belt for 0.02, a sixth of the distance of the points
         return np.array([0 * t, 1e-4 - (t - 0.56) ** 2, 0 * t, -2 * (t - 0.56)])
 
-    time, _ = integrators._first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
+    time, _ = with_scipy.first_crossing(problem, Mode(1, 1, 1), dense, 0.0, 1.0)
     assert time == pytest.approx(0.55, abs=1e-9)
 
 
@@ -212,7 +213,7 @@ def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
 def test_a_motion_is_given_up_after_as_many_steps_as_asked(backend: str) -> None:
     with pytest.raises(ss.ConvergenceError, match=r"max_steps = 20 steps were made by t = .* smaller d"):
         simulate(BASE, **BELT, backend=backend, max_steps=20)
-    steps = (len(simulate(BASE, **BELT, t_end=50.0, backend=backend).t) - 1) // integrators.DEGREE
+    steps = (len(simulate(BASE, **BELT, t_end=50.0, backend=backend).t) - 1) // DEGREE
     simulate(BASE, **BELT, t_end=50.0, backend=backend, max_steps=steps + 1)
     for wrong, error in ((0, ss.ParameterError), (1.5, ss.ParameterTypeError), (True, ss.ParameterTypeError)):
         with pytest.raises(error, match="max_steps"):
@@ -233,7 +234,7 @@ def test_error_falls_with_the_tolerance_and_is_estimated(backend: str, base: dic
 
 def _wave(omega: float, centre: float, steps: int = 120, step: float = 0.9) -> Trajectory:
     """x = centre + cos(ω t), exactly."""
-    unit = (integrators.lobatto()[0] + 1) / 2
+    unit = unit_points()
     t = np.append((np.arange(steps)[:, None] + unit[:-1]).ravel(), steps) * step
     zero = np.zeros_like(t)
     x, vx = centre + np.cos(omega * t), -omega * np.sin(omega * t)
@@ -335,7 +336,7 @@ def test_scipy_is_the_fallback(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_the_gap_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     tr = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
-    monkeypatch.setattr(integrators, "GAP", 1e-10)
+    monkeypatch.setattr(with_scipy, "GAP", 1e-10)
     wide = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
     assert np.abs(tr.state[:, -1] - wide.state[:, -1]).max() < 1e-9
 
@@ -348,7 +349,7 @@ def test_files_hold_the_trajectory(tmp_path, base: dict[str, Trajectory]) -> Non
         np.testing.assert_array_equal(data.x, tr.x)
         np.testing.assert_array_equal(data.event, tr.events.which)
         assert data.x.units == "L_0"
-        assert data.attrs["generated_from"] == dynamics.storage.SOURCE_HASH
+        assert data.attrs["generated_from"] == storage.SOURCE_HASH
         assert data.attrs["theta0"] == float(BASE.theta0)
     tr.save(tmp_path / "run.csv")
     table = np.loadtxt(tmp_path / "run.csv", delimiter=",", skiprows=0, comments=["#", "t,"])

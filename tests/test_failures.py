@@ -19,11 +19,11 @@ import pytest
 
 import spragsym as ss
 from benchmarks import attack_sweeps as attack
-from spragsym.dynamics import trajectory as dynamics
+from spragsym.dynamics import integrators
 from spragsym.errors import DamageWarning, StoreError, SweepError
 from spragsym.files.journal import journal, path_of
 from spragsym.files.storage import read
-from spragsym.sweeps.many import rms_sweep
+from spragsym.sweeps import rms_sweep
 
 pytest.importorskip("xarray")
 P, SHORT = attack.P, attack.SHORT
@@ -49,14 +49,14 @@ def points_of(path: Path) -> list[list[Any]]:
 
 def failing_at(monkeypatch: pytest.MonkeyPatch, number: int, failure: Callable[[], object]) -> None:
     """Have the motion of one point run into a failure."""
-    course, called = dynamics.course, iter(range(10**6))
+    measure, called = integrators.measure, iter(range(10**6))
 
     def fails(*arguments: Any) -> Any:
         if next(called) == number:
             failure()
-        return course(*arguments)
+        return measure(*arguments)
 
-    monkeypatch.setattr(dynamics, "course", fails)
+    monkeypatch.setattr(integrators, "measure", fails)
 
 
 def raising(error: BaseException) -> Callable[[], object]:

@@ -13,12 +13,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym.dynamics import regimes
-from spragsym.dynamics import trajectory as dynamics
-from spragsym.dynamics.integrators import Course
+from spragsym.dynamics.classify import classify
+from spragsym.dynamics.course import Course, Flow
+from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion
-from spragsym.sweeps.many import basin, rms_sweep
+from spragsym.sweeps import basin, rms_sweep
 
 BELT = {"V": 0.5, "d": 10.0}
 SLOW = ss.Parameters.article(theta0=np.radians(42))
@@ -88,14 +88,14 @@ def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
 
 
 @pytest.fixture(scope="session")
-def problem() -> dynamics.Problem:
-    return dynamics.prepare(SLOW, **BELT, start=(0, 0, 0, 0), t_end=500.0, t_record=0.0, rtol=1e-10)
+def problem() -> Problem:
+    return prepare(SLOW, **BELT, start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
 
 
 PERIOD = 25.433
 
 
-def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, regimes.Flow]:
+def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, Flow]:
     """A motion whose largest x, after every PERIOD, follow s → s* + matrix (s − s*); and the flow it belongs to."""
     fixed = np.array([1.0, 0.2, 0.1])
 
@@ -120,10 +120,10 @@ def _turn(size: float, angle: float) -> np.ndarray:
     return turn
 
 
-def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: dynamics.Problem) -> None:
+def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: Problem) -> None:
     # After eight periods the motion is back within 1e-5 of its reach, and 1e-2 away from what it settles to.
     course, flow = _mapped(_turn(0.9995, np.pi / 4), np.array([0.01, 0.0, 0.0]), 20)
-    found = regimes.classify(course, problem, flow)
+    found = classify(course, problem, flow)
     assert np.abs(course.maxima[-1] - course.maxima[-9]).max() < 1e-4
     assert found.regime == Regime.APPROACHES_CYCLE
     assert found.period == pytest.approx(PERIOD)
@@ -132,25 +132,25 @@ def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: dynamics.Pro
 
 
 @pytest.mark.parametrize("count", [20, 21])
-def test_a_contraction_from_alternate_sides_is_not_a_doubled_period(problem: dynamics.Problem, count: int) -> None:
+def test_a_contraction_from_alternate_sides_is_not_a_doubled_period(problem: Problem, count: int) -> None:
     course, flow = _mapped(np.diag([0.2, -0.998, 0.1]), np.array([0.0, 0.08, 0.0]), count)
-    found = regimes.classify(course, problem, flow)
+    found = classify(course, problem, flow)
     assert (found.regime, found.period) == (Regime.APPROACHES_CYCLE, pytest.approx(PERIOD))
 
 
 @pytest.mark.parametrize("size", [1.0, 1.0005])
-def test_what_does_not_contract_is_not_settled_however_close(problem: dynamics.Problem, size: float) -> None:
+def test_what_does_not_contract_is_not_settled_however_close(problem: Problem, size: float) -> None:
     course, flow = _mapped(_turn(size, 1.0), np.array([1e-6, 0.0, 0.0]), 20)
-    assert regimes.classify(course, problem, flow).regime == Regime.UNSETTLED
+    assert classify(course, problem, flow).regime == Regime.UNSETTLED
 
 
-def test_settled_is_what_has_little_left(problem: dynamics.Problem) -> None:
+def test_settled_is_what_has_little_left(problem: Problem) -> None:
     course, flow = _mapped(_turn(0.7, 1.0), np.array([1e-2, 0.0, 0.0]), 20)
-    assert regimes.classify(course, problem, flow).regime == Regime.LIMIT_CYCLE
+    assert classify(course, problem, flow).regime == Regime.LIMIT_CYCLE
     # a hidden slow direction: successive states differ by 1e-6, and 1e-2 is left
     slow, flow = _mapped(np.diag([0.5, 1 - 2e-4, 0.3]), np.array([0.0, 0.01, 0.0]), 20)
     assert np.abs(np.diff(slow.maxima[-3:], axis=0)).max() < 3e-6
-    found = regimes.classify(slow, problem, flow)
+    found = classify(slow, problem, flow)
     assert found.regime == Regime.APPROACHES_CYCLE
     assert found.distance == pytest.approx(0.01, rel=0.02)  # over an extent of 1.01
 

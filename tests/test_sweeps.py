@@ -22,12 +22,11 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.motion import sweep as sweep_command
-from spragsym.dynamics.regimes import Regime
-from spragsym.dynamics.trajectory import Event, simulate
+from spragsym.dynamics import Event, Regime, simulate
 from spragsym.files import storage
 from spragsym.statics.solver import equilibria
-from spragsym.sweeps import many as sweeps
-from spragsym.sweeps.many import Sweep, basin, rms_sweep, sensitivity
+from spragsym.sweeps import Sweep, basin, rms_sweep, sensitivity
+from spragsym.sweeps.measure import REPORTED
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -36,7 +35,7 @@ SHORT = {"V": 0.5, "d": 10.0, "t_end": 60.0, "transient": 20.0}
 
 def assert_same(one: Sweep, other: Sweep) -> None:
     """To the last bit."""
-    for name in (*sweeps.REPORTED, "regime", "equilibrium", "reason"):
+    for name in (*REPORTED, "regime", "equilibrium", "reason"):
         np.testing.assert_array_equal(getattr(one, name), getattr(other, name), err_msg=name)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import json
+import signal
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.motion import simulate as simulate_command
-from spragsym.dynamics import Event, Trajectory, integrators, simulate, with_scipy
+from spragsym.dynamics import Event, Trajectory, integrators, simulate, with_heyoka, with_scipy
 from spragsym.dynamics.lobatto import DEGREE, unit_points
 from spragsym.dynamics.problem import Mode, mode_beyond, prepare
 from spragsym.files import storage
@@ -218,6 +219,43 @@ def test_a_motion_is_given_up_after_as_many_steps_as_asked(backend: str) -> None
     for wrong, error in ((0, ss.ParameterError), (1.5, ss.ParameterTypeError), (True, ss.ParameterTypeError)):
         with pytest.raises(error, match="max_steps"):
             simulate(BASE, **BELT, backend=backend, max_steps=wrong)
+
+
+def test_a_scale_that_heyoka_cannot_step_at_is_named_as_such() -> None:
+    pytest.importorskip("heyoka")
+    with pytest.raises(ss.ConvergenceError, match="left the range of numbers; give values of a more common size"):
+        simulate(BASE.replace(mu0=1e150), **BELT, backend="heyoka")
+
+
+@pytest.mark.usefixtures("ctrl_c")
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="timers are of POSIX")
+def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
+    """After 0.2 s of this process's own time: the ten million steps, a minute, are not walked to their end first."""
+    pytest.importorskip("heyoka")
+    p = ss.Parameters.article(theta0=np.radians(100), mu0=0.0)
+    rest = equilibria(p)
+    former = signal.signal(signal.SIGPROF, lambda number, frame: signal.raise_signal(signal.SIGINT))
+    simulate(p, **BELT, t_end=1.0, backend="heyoka")  # compiled before the clock runs
+    signal.setitimer(signal.ITIMER_PROF, 0.2)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            simulate(p, **BELT, x0=rest.x[0] + 1e-3, y0=rest.y[0], t_end=1e9, backend="heyoka")
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, former)
+    assert 0 < with_heyoka.compiled_for(1e-10, watch=False).solver.time < 1e6
+
+
+def test_chunks_of_steps_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("heyoka")
+    whole = simulate(BASE, **BELT, t_end=100.0, backend="heyoka")
+    problem = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=100.0, rtol=1e-10, t_record=30.0)
+    course = with_heyoka.watch(problem)
+    monkeypatch.setattr(with_heyoka, "CHUNK", 7)
+    pieces = simulate(BASE, **BELT, t_end=100.0, backend="heyoka")
+    np.testing.assert_array_equal(pieces.state, whole.state)
+    np.testing.assert_array_equal(pieces.events.t, whole.events.t)
+    np.testing.assert_array_equal(with_heyoka.watch(problem).maxima, course.maxima)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)

@@ -18,6 +18,7 @@ from spragsym.dynamics.course import Course, Flow
 from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion
+from spragsym.statics import solver
 from spragsym.sweeps import basin, rms_sweep
 
 BELT = {"V": 0.5, "d": 10.0}
@@ -185,6 +186,21 @@ def test_beside_an_equilibrium_that_repels_nothing_rests() -> None:
     # 4.9e-6 by the eigenvalues of the 4 x 4 linearization, in x the share of that mode
     early = rms_sweep(p, **BELT, x0=eq.x[2], y0=eq.y[2] + 1e-4, t_end=1e5, transient=9.99e4)
     assert beside[1].spread > 1.4 * early.spread
+
+
+def test_rest_where_the_equilibria_are_undecided_has_no_index(monkeypatch: pytest.MonkeyPatch) -> None:
+    p = ss.Parameters.article(theta0=np.radians(30))
+    eq = ss.equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0))))
+    start = {"x0": eq.x[0], "y0": eq.y[0], "t_end": 20.0, "transient": 10.0}
+    assert rms_sweep(p, **BELT, **start).equilibrium == 0
+
+    def undecided(p: ss.Parameters) -> SimpleNamespace:
+        empty = np.full((*p.shape, 3), np.nan)
+        return SimpleNamespace(x=empty, y=empty, undecided=np.ones(p.shape, dtype=bool))
+
+    monkeypatch.setattr(solver, "equilibria", undecided)
+    found = rms_sweep(p, **BELT, **start)
+    assert (found.regime, found.equilibrium) == (Regime.EQUILIBRIUM, -1)
 
 
 @needs_heyoka

@@ -12,7 +12,7 @@ from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .course import Course
 from .lobatto import unit_points
-from .problem import GAP, WIDTH, Event, Mode, Problem, acceleration, initial_mode, is_inside, too_many_steps
+from .problem import GAP, WIDTH, Event, Mode, Problem, acceleration, initial_mode, is_inside, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
@@ -114,10 +114,12 @@ class Compiled:
                 raise too_many_steps(problem, solver.time)
             result = solver.propagate_until(t, c_output=record, max_steps=min(CHUNK, problem.max_steps - steps))
             outcome, steps = result[0], steps + result[3]
-            if record:
+            if result[4] is not None:
                 pieces.append(_sampled(result[4]))
             if self.stray is not None:
                 raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
+        if outcome == hy.taylor_outcome.err_nf_state:
+            raise out_of_range()
         if outcome != hy.taylor_outcome.time_limit:
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
         if not is_inside(problem, Mode(*(int(value) for value in solver.pars[9:12])), solver.state):

@@ -10,7 +10,7 @@ import numpy as np
 from ..dynamics import integrators
 from ..dynamics.classify import classify
 from ..dynamics.course import Course
-from ..dynamics.problem import MAX_STEPS, Problem, check_start, constants_of
+from ..dynamics.problem import MAX_STEPS, Problem, check_start, constants_of, out_of_range
 from ..errors import ConvergenceError, ParameterError
 from ..files.journal import Record
 from ..parameters import NAMES
@@ -53,14 +53,10 @@ def measured(settings: Settings, point: tuple[float, ...]) -> Record:
     except ConvergenceError as error:
         return _no_result(error)
     except ArithmeticError:
-        return _no_result(_out_of_range())
+        return _no_result(out_of_range())
     if not np.isfinite(values[: len(AVERAGES)]).all():
-        return _no_result(_out_of_range())
+        return _no_result(out_of_range())
     return values, ""
-
-
-def _out_of_range() -> ConvergenceError:
-    return ConvergenceError("the motion left the range of numbers; give values of a more common size")
 
 
 def _no_result(error: Exception) -> Record:

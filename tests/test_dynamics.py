@@ -62,14 +62,14 @@ def test_events_lie_on_the_kinks_and_alternate(base: dict[str, Trajectory]) -> N
         np.testing.assert_allclose(tr(tr.events.t).T, tr.events.state, atol=1e-10)
 
 
-@pytest.mark.parametrize(("backend", "rtol"), [("scipy", 1e-12), ("heyoka", 1e-13)])
-def test_energy_is_kept_without_friction(backend: str, rtol: float) -> None:
+@pytest.mark.parametrize(("backend", "rtol", "t_end"), [("scipy", 1e-12, 2e3), ("heyoka", 1e-13, 1e4)])
+def test_energy_is_kept_without_friction(backend: str, rtol: float, t_end: float) -> None:
     if backend == "heyoka":
         pytest.importorskip("heyoka")
-    tr = simulate(BASE.replace(mu0=0.0), **BELT, x0=0.3, y0=0.2, t_end=1e4, rtol=rtol, backend=backend)
+    tr = simulate(BASE.replace(mu0=0.0), **BELT, x0=0.3, y0=0.2, t_end=t_end, rtol=rtol, backend=backend)
     energy = tr.energy()
-    assert len(tr.events) > 500  # many passages through contact and lift-off
-    assert np.abs(energy - energy[0]).max() < 10 * rtol
+    assert len(tr.events) > 0.1 * t_end  # many passages through contact and lift-off
+    assert np.abs(energy - energy[0]).max() < 1e-3 * rtol * t_end
 
 
 def test_energy_is_kept_in_each_regime() -> None:
@@ -189,24 +189,32 @@ def test_two_integrators_find_the_same_events_from_random_starts() -> None:
         np.testing.assert_allclose(one(np.arange(40.0)), other(np.arange(40.0)), atol=1e-8)
 
 
-@pytest.mark.parametrize("rtol", [1e-7, 1e-9, 1e-11, 1e-13])
-def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float) -> None:
-    # With d this large (10) is Coulomb's law but for a layer that Taylor series do not see beforehand.
+def _through_a_thin_layer(rtol: float, backend: str) -> np.ndarray:
+    """Where a motion ends; with d this large (10) is Coulomb's law but for a layer that Taylor series do not see beforehand."""
     p = ss.Parameters(theta0=0.6084, mu0=0.4082, kappa=0.0018, alpha=6.116, sigma=19.66, beta=6.016)
     start = {"x0": 0.126, "y0": 0.078, "vx0": -0.424, "vy0": 0.231, "t_end": 30.0}
-    reference = simulate(p, V=0.228, d=1679.0, **start, rtol=1e-13, backend="scipy")
-    for backend in [name for name in integrators.BACKENDS if importlib.util.find_spec(name)]:
-        tr = simulate(p, V=0.228, d=1679.0, **start, rtol=rtol, backend=backend)
-        assert np.abs(tr.state[:, -1] - reference.state[:, -1]).max() < 3000 * rtol
+    return simulate(p, V=0.228, d=1679.0, **start, rtol=rtol, backend=backend).state[:, -1]
+
+
+@pytest.fixture(scope="module")
+def through_a_thin_layer() -> np.ndarray:
+    return _through_a_thin_layer(1e-13, "scipy")
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("rtol", [1e-7, 1e-9, 1e-11, 1e-13])
+def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, through_a_thin_layer: np.ndarray) -> None:
+    if (backend, rtol) != ("scipy", 1e-13):  # that is the reference
+        assert np.abs(_through_a_thin_layer(rtol, backend) - through_a_thin_layer).max() < 3000 * rtol
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
     tr = simulate(
-        ss.Parameters.article(theta0=1.0), V=0.0, d=100.0, x0=0.05, t_end=3000.0, rtol=1e-8, backend=backend
+        ss.Parameters.article(theta0=1.0), V=0.0, d=100.0, x0=0.05, t_end=1000.0, rtol=1e-8, backend=backend
     )
-    assert np.abs(tr.after(2990.0).vx).max() < 1e-3
-    assert len(tr.events) < 2000
+    assert np.abs(tr.after(990.0).vx).max() < 1e-3
+    assert len(tr.events) < 667
     assert (np.diff(tr.events.t) > 0).all()
 
 
@@ -379,9 +387,10 @@ def test_the_gap_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     assert np.abs(tr.state[:, -1] - wide.state[:, -1]).max() < 1e-9
 
 
-def test_files_hold_the_trajectory(tmp_path, base: dict[str, Trajectory]) -> None:
+def test_files_hold_the_trajectory(tmp_path) -> None:
     xarray = pytest.importorskip("xarray")
-    tr = base["scipy"]
+    tr = simulate(BASE, **BELT, t_end=100.0)
+    assert len(tr.events) > 5
     tr.save(tmp_path / "run.nc")
     with xarray.open_dataset(tmp_path / "run.nc", engine="h5netcdf") as data:
         np.testing.assert_array_equal(data.x, tr.x)

@@ -210,7 +210,7 @@ integrators.measure = killed
 def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("heyoka")
     p, path = P.replace(theta0=np.radians(np.linspace(30.0, 60.0, 20))), tmp_path / "rms.csv"
-    options = {**SHORT, "backend": "heyoka"}
+    options, others = {**SHORT, "backend": "heyoka"}, attack.children(os.getpid())  # those of tests before
     (tmp_path / "heyoka.py").write_text(KILLED)
     with monkeypatch.context() as patch:
         patch.syspath_prepend(tmp_path)  # for the workers: this process has the other one
@@ -218,7 +218,7 @@ def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path
             rms_sweep(p, **options, workers=2, store=path)
     kept = len(points_of(path))
     assert 3 <= kept <= 6  # three of the one that was noticed, and up to three of the other
-    assert attack.children(os.getpid()) == []
+    assert set(attack.children(os.getpid())) <= set(others)
     computed = attack.Recorded()
     found = rms_sweep(p, **options, store=path, workers=computed)
     assert len(computed.answers) == 20 - kept

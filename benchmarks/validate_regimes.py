@@ -18,7 +18,8 @@ from spragsym.dynamics.regimes import ATTRACTOR, Outcome, Regime
 from spragsym.sweeps import Sweep, rms_sweep
 from spragsym.sweeps.measure import LIMITS
 
-EARLY, WINDOW = 2000.0, 500.0
+#: Where the first verdict is given, and the windows of the two: the late one is wide enough for decays that take a million.
+EARLY, WINDOW, LATE_WINDOW = 2000.0, 500.0, 4000.0
 
 #: Arrays of one length by the names of the arguments.
 Inputs: TypeAlias = dict[str, np.ndarray]
@@ -56,9 +57,9 @@ class Compared(NamedTuple):
 
 def compared(inputs: Inputs, late_end: float = 4e4) -> list[Compared]:
     """Every motion judged at EARLY, and those of which a limit is told judged again at ``late_end``."""
-    early = judged(inputs, EARLY)
+    early = judged(inputs, EARLY, WINDOW)
     told = np.flatnonzero(~np.isin(early.regime, (Regime.UNSETTLED, Regime.FAILED)))
-    late = judged({name: values[told] for name, values in inputs.items()}, late_end)
+    late = judged({name: values[told] for name, values in inputs.items()}, late_end, LATE_WINDOW)
     outcomes = dict(zip(told.tolist(), (outcome_of(late, k) for k in range(len(told))), strict=True))
     return [
         Compared({name: float(values[i]) for name, values in inputs.items()}, outcome_of(early, i), outcomes.get(i))
@@ -77,11 +78,11 @@ def random_motions(rng: np.random.Generator, count: int) -> Inputs:
     }  # fmt: skip
 
 
-def judged(inputs: Inputs, end: float) -> Sweep:
+def judged(inputs: Inputs, end: float, window: float) -> Sweep:
     """All motions, looked at over a window before ``end``."""
     parameters = {name: inputs[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")}
     rest = {name: values for name, values in inputs.items() if name not in parameters}
-    return rms_sweep(ss.Parameters(**parameters), **rest, t_end=end, transient=end - WINDOW)
+    return rms_sweep(ss.Parameters(**parameters), **rest, t_end=end, transient=end - window)
 
 
 def outcome_of(sweep: Sweep, i: int) -> Outcome:

@@ -167,6 +167,23 @@ def test_a_cycle_that_is_only_passed_is_not_approached() -> None:
     assert 0 < late.period < 30
 
 
+@needs_heyoka
+@pytest.mark.parametrize("t_end", [8000.0, 20_000.0])
+def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) -> None:
+    """Found by ``python -m benchmarks.validate_regimes 6000 1``: differences over too long a step called it unstable.
+
+    That it attracts is seen: from 2000 to 20000 what is left of the motion falls from 6e-3 to 1e-10.
+    """
+    p = ss.Parameters(
+        theta0=2.7812867375530876, mu0=0.4634621203921272, kappa=0.018390029572304515, alpha=0.007602201771049415,
+        sigma=0.26780681780715265, beta=0.0,
+    )  # fmt: skip
+    start = {"x0": 0.1009949493101665, "vx0": 0.1636269484446078, "vy0": 0.01329781021160948}
+    found = rms_sweep(p, 0.15216712083347134, 5.41751330401023, **start, t_end=t_end, transient=t_end - 500.0)
+    assert found.regime == Regime.LIMIT_CYCLE
+    assert found.period == pytest.approx(20.673374, abs=1e-5)
+
+
 # ------------------------------------------------------------------------------------------------------- rest
 
 

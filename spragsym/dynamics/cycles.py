@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -25,6 +25,9 @@ CLOSE = 0.05
 
 #: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
 NEUTRAL = 1e-4
+
+#: Differences of the return map are not taken over less than this, where the integrator's errors show.
+FINEST = 1e-6
 
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
@@ -61,6 +64,21 @@ class _Returns:
             back, width = (self(state - h)[0], 2 * self.step) if image is None else (image, self.step)
             columns.append((self(state + h)[0] - back) / width)
         return np.array(columns).T
+
+    def settled_slope(self, state: FloatArray) -> FloatArray:
+        """Central differences whose largest multiplier is that over a tenth of the step, which becomes smaller until it is.
+
+        Where the orbit grazes a kink the map has a term in the power 3/2 of the distance: over the usual step its largest
+        multiplier came out as 1.09 where it is 0.93.
+        """
+        slope, step = self.slope(state), self.step / 10
+        while step >= FINEST:
+            finer = replace(self, step=step).slope(state)
+            coarse, fine = (float(np.abs(np.linalg.eigvals(each)).max()) for each in (slope, finer))
+            if abs(coarse - fine) <= 0.1 * abs(1 - fine) + 1e-3:
+                break
+            slope, step = finer, step / 10
+        return slope
 
 
 @dataclass(frozen=True)
@@ -137,7 +155,7 @@ def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle |
         size = float(np.abs(step).max())
         missed = float(np.abs(image - state).max())
         if missed <= 10 * returns.step**2:
-            slope = returns.slope(state)
+            slope = returns.settled_slope(state)
             # What is missed counts many times over where a multiplier is near 1: once more, with the best slope.
             state = state + np.linalg.solve(np.eye(3) - slope, image - state)
             _, period, course = returns(state)

@@ -182,6 +182,7 @@ def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) ->
     found = rms_sweep(p, 0.15216712083347134, 5.41751330401023, **start, t_end=t_end, transient=t_end - 500.0)
     assert found.regime == Regime.LIMIT_CYCLE
     assert found.period == pytest.approx(20.673374, abs=1e-5)
+    assert found.rate == pytest.approx(np.log(3.15e-4 / 4.52e-8) / 8000, rel=0.01)  # what is left at 4000, and at 12000
 
 
 # ------------------------------------------------------------------------------------------------------- rest

@@ -75,7 +75,7 @@ class _Returns:
         while step >= FINEST:
             finer = replace(self, step=step).slope(state)
             coarse, fine = (float(np.abs(np.linalg.eigvals(each)).max()) for each in (slope, finer))
-            if abs(coarse - fine) <= 0.1 * abs(1 - fine) + 1e-3:
+            if abs(coarse - fine) <= 0.02 * abs(1 - fine) + 1e-4:
                 break
             slope, step = finer, step / 10
         return slope

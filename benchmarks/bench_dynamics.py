@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import inspect
 import math
-import multiprocessing
 import time
 from functools import partial
 from types import SimpleNamespace
@@ -18,9 +17,13 @@ import numpy as np
 from scipy.integrate import simpson, solve_ivp
 
 import spragsym as ss
-from spragsym.dynamics.trajectory import simulate
+from spragsym.dynamics import integrators, simulate
+from spragsym.dynamics.classify import classify
+from spragsym.dynamics.problem import Problem, prepare
+from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.generated import motion
-from spragsym.sweeps.many import rms_sweep
+from spragsym.sweeps import rms_sweep, sensitivity
+from spragsym.sweeps.workers import pool
 
 V, D = 0.5, 10.0  # the article states neither: our assumption
 ANGLES = np.radians(np.linspace(1.0, 179.0, 181))
@@ -109,8 +112,8 @@ def sweep_table() -> None:
     one, here = timed(lambda: sweep(ANGLES, 1e-10))
     theirs, there = timed(lambda: np.array([plain(a, rtol, method) for a in ANGLES]))
     two, here_two = timed(lambda: sweep(ANGLES, 1e-10, workers=2))
-    with multiprocessing.get_context("spawn").Pool(2) as pool:
-        _, there_two = timed(lambda: pool.map(partial(plain, rtol=rtol, method=method), ANGLES.tolist()))
+    with pool(2) as both:
+        _, there_two = timed(lambda: list(both(partial(plain, rtol=rtol, method=method), ANGLES.tolist())))
     print(f"\nAll 181 angles against `solve_ivp` {method} at {rtol:.0e}, which is as accurate:\n")
     print("| | time over ours |\n|---|---|")
     print(f"| one process each | {there / here:.0f} |")
@@ -127,9 +130,6 @@ def sweep_table() -> None:
 
 def overhead_table() -> None:
     """What a point of a sweep costs over the integration alone, and how much of it is the judgement of its limit."""
-    from spragsym.dynamics import integrators, regimes
-    from spragsym.dynamics import trajectory as dynamics
-
     def fastest(function: Any, times: int) -> float:
         function()
         seconds = []
@@ -140,8 +140,8 @@ def overhead_table() -> None:
             seconds.append(time.process_time() - begin)
         return min(seconds) / times * 1e6
 
-    def bare(problem: integrators.Problem) -> None:
-        compiled = integrators._compiled(problem.rtol, watch=False)
+    def bare(problem: Problem) -> None:
+        compiled = compiled_for(problem.rtol, watch=False)
         compiled.begin(problem)
         compiled.solver.propagate_until(problem.t_end)
 
@@ -151,12 +151,12 @@ def overhead_table() -> None:
     for t_end, times, many in ((10.0, 200, 200), (2000.0, 5, 5)):
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
-            problem = dynamics.prepare(p, V=V, d=D, start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
-            course, flow = dynamics.course(problem, "heyoka"), dynamics.flow(problem, "heyoka")
+            problem = prepare(p, V=V, d=D, start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
+            course, flow = integrators.measure(problem, "heyoka"), integrators.flow(problem, "heyoka")
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)
-            measured = fastest(lambda problem=problem: dynamics.course(problem, "heyoka"), times)
-            judged = fastest(lambda c=course, p=problem, f=flow: regimes.classify(c, p, f), times)
+            measured = fastest(lambda problem=problem: integrators.measure(problem, "heyoka"), times)
+            judged = fastest(lambda c=course, p=problem, f=flow: classify(c, p, f), times)
             whole = fastest(lambda p=p, options=options: rms_sweep(p, V, D, **options), 1) / many
             print(
                 f"| {degrees:g} | {t_end:g} | {alone:.0f} | {measured:.0f} | {judged:.0f} | {whole:.0f} | {whole / alone:.2f} |",
@@ -166,8 +166,6 @@ def overhead_table() -> None:
 
 def sensitivity_table() -> None:
     """Where the RMS jumps, for V and d over a decade each."""
-    from spragsym.sweeps.many import sensitivity
-
     print("\n## The jump of the RMS against V and d: θ₀ in degrees, RMS before → after\n")
     V_axis, d_axis = 0.5 * 10 ** np.linspace(-0.5, 0.5, 5), 10.0 * 10 ** np.linspace(-0.5, 0.5, 5)
     p = ss.Parameters.article(theta0=np.radians(np.arange(36.0, 60.1, 1.0)))

@@ -13,12 +13,13 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym.dynamics import regimes
-from spragsym.dynamics import trajectory as dynamics
-from spragsym.dynamics.integrators import Course
+from spragsym.dynamics.classify import classify
+from spragsym.dynamics.course import Course, Flow
+from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion
-from spragsym.sweeps.many import basin, rms_sweep
+from spragsym.statics import solver
+from spragsym.sweeps import basin, rms_sweep
 
 BELT = {"V": 0.5, "d": 10.0}
 SLOW = ss.Parameters.article(theta0=np.radians(42))
@@ -88,14 +89,14 @@ def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
 
 
 @pytest.fixture(scope="session")
-def problem() -> dynamics.Problem:
-    return dynamics.prepare(SLOW, **BELT, start=(0, 0, 0, 0), t_end=500.0, t_record=0.0, rtol=1e-10)
+def problem() -> Problem:
+    return prepare(SLOW, **BELT, start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
 
 
 PERIOD = 25.433
 
 
-def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, regimes.Flow]:
+def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, Flow]:
     """A motion whose largest x, after every PERIOD, follow s → s* + matrix (s − s*); and the flow it belongs to."""
     fixed = np.array([1.0, 0.2, 0.1])
 
@@ -120,10 +121,10 @@ def _turn(size: float, angle: float) -> np.ndarray:
     return turn
 
 
-def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: dynamics.Problem) -> None:
+def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: Problem) -> None:
     # After eight periods the motion is back within 1e-5 of its reach, and 1e-2 away from what it settles to.
     course, flow = _mapped(_turn(0.9995, np.pi / 4), np.array([0.01, 0.0, 0.0]), 20)
-    found = regimes.classify(course, problem, flow)
+    found = classify(course, problem, flow)
     assert np.abs(course.maxima[-1] - course.maxima[-9]).max() < 1e-4
     assert found.regime == Regime.APPROACHES_CYCLE
     assert found.period == pytest.approx(PERIOD)
@@ -132,25 +133,25 @@ def test_eight_turns_of_a_spiral_are_not_a_period_of_eight(problem: dynamics.Pro
 
 
 @pytest.mark.parametrize("count", [20, 21])
-def test_a_contraction_from_alternate_sides_is_not_a_doubled_period(problem: dynamics.Problem, count: int) -> None:
+def test_a_contraction_from_alternate_sides_is_not_a_doubled_period(problem: Problem, count: int) -> None:
     course, flow = _mapped(np.diag([0.2, -0.998, 0.1]), np.array([0.0, 0.08, 0.0]), count)
-    found = regimes.classify(course, problem, flow)
+    found = classify(course, problem, flow)
     assert (found.regime, found.period) == (Regime.APPROACHES_CYCLE, pytest.approx(PERIOD))
 
 
 @pytest.mark.parametrize("size", [1.0, 1.0005])
-def test_what_does_not_contract_is_not_settled_however_close(problem: dynamics.Problem, size: float) -> None:
+def test_what_does_not_contract_is_not_settled_however_close(problem: Problem, size: float) -> None:
     course, flow = _mapped(_turn(size, 1.0), np.array([1e-6, 0.0, 0.0]), 20)
-    assert regimes.classify(course, problem, flow).regime == Regime.UNSETTLED
+    assert classify(course, problem, flow).regime == Regime.UNSETTLED
 
 
-def test_settled_is_what_has_little_left(problem: dynamics.Problem) -> None:
+def test_settled_is_what_has_little_left(problem: Problem) -> None:
     course, flow = _mapped(_turn(0.7, 1.0), np.array([1e-2, 0.0, 0.0]), 20)
-    assert regimes.classify(course, problem, flow).regime == Regime.LIMIT_CYCLE
+    assert classify(course, problem, flow).regime == Regime.LIMIT_CYCLE
     # a hidden slow direction: successive states differ by 1e-6, and 1e-2 is left
     slow, flow = _mapped(np.diag([0.5, 1 - 2e-4, 0.3]), np.array([0.0, 0.01, 0.0]), 20)
     assert np.abs(np.diff(slow.maxima[-3:], axis=0)).max() < 3e-6
-    found = regimes.classify(slow, problem, flow)
+    found = classify(slow, problem, flow)
     assert found.regime == Regime.APPROACHES_CYCLE
     assert found.distance == pytest.approx(0.01, rel=0.02)  # over an extent of 1.01
 
@@ -164,6 +165,24 @@ def test_a_cycle_that_is_only_passed_is_not_approached() -> None:
     late = rms_sweep(p, **belt, t_end=4e4, transient=3.95e4)
     assert passing.regime == Regime.UNSETTLED
     assert 0 < late.period < 30
+
+
+@needs_heyoka
+@pytest.mark.parametrize("t_end", [8000.0, 20_000.0])
+def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) -> None:
+    """Found by ``python -m benchmarks.validate_regimes 6000 1``: differences over too long a step called it unstable.
+
+    That it attracts is seen: from 2000 to 20000 what is left of the motion falls from 6e-3 to 1e-10.
+    """
+    p = ss.Parameters(
+        theta0=2.7812867375530876, mu0=0.4634621203921272, kappa=0.018390029572304515, alpha=0.007602201771049415,
+        sigma=0.26780681780715265, beta=0.0,
+    )  # fmt: skip
+    start = {"x0": 0.1009949493101665, "vx0": 0.1636269484446078, "vy0": 0.01329781021160948}
+    found = rms_sweep(p, 0.15216712083347134, 5.41751330401023, **start, t_end=t_end, transient=t_end - 500.0)
+    assert found.regime == Regime.LIMIT_CYCLE
+    assert found.period == pytest.approx(20.673374, abs=1e-5)
+    assert found.rate == pytest.approx(np.log(3.15e-4 / 4.52e-8) / 8000, rel=0.01)  # what is left at 4000, and at 12000
 
 
 # ------------------------------------------------------------------------------------------------------- rest
@@ -185,6 +204,21 @@ def test_beside_an_equilibrium_that_repels_nothing_rests() -> None:
     # 4.9e-6 by the eigenvalues of the 4 x 4 linearization, in x the share of that mode
     early = rms_sweep(p, **BELT, x0=eq.x[2], y0=eq.y[2] + 1e-4, t_end=1e5, transient=9.99e4)
     assert beside[1].spread > 1.4 * early.spread
+
+
+def test_rest_where_the_equilibria_are_undecided_has_no_index(monkeypatch: pytest.MonkeyPatch) -> None:
+    p = ss.Parameters.article(theta0=np.radians(30))
+    eq = ss.equilibria(p.replace(mu0=0.5 * (1 - np.exp(-5.0))))
+    start = {"x0": eq.x[0], "y0": eq.y[0], "t_end": 20.0, "transient": 10.0}
+    assert rms_sweep(p, **BELT, **start).equilibrium == 0
+
+    def undecided(p: ss.Parameters) -> SimpleNamespace:
+        empty = np.full((*p.shape, 3), np.nan)
+        return SimpleNamespace(x=empty, y=empty, undecided=np.ones(p.shape, dtype=bool))
+
+    monkeypatch.setattr(solver, "equilibria", undecided)
+    found = rms_sweep(p, **BELT, **start)
+    assert (found.regime, found.equilibrium) == (Regime.EQUILIBRIUM, -1)
 
 
 @needs_heyoka

@@ -23,7 +23,7 @@ from ..generated import equilibrium as _equilibrium
 from ..generated import motion as _motion
 from ..parameters import NAMES, FloatArray, Parameters
 from ..statics.solver import Stability, equilibria
-from ..sweeps.many import sensitivity
+from ..sweeps import sensitivity
 from .rows import Found, Value
 
 #: Belt speed and steepness of the friction law; the article states neither.

@@ -74,7 +74,7 @@ def simulate(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    from ..dynamics.trajectory import Event
+    from ..dynamics import Event
     from ..dynamics.trajectory import simulate as integrate
     from ..files import storage
 
@@ -145,7 +145,7 @@ def sweep(
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
 
-    from ..sweeps.many import Regime, rms_sweep
+    from ..sweeps import Regime, rms_sweep
 
     start = {name: values.pop(name) for name in ("x0", "y0", "vx0", "vy0")}
     axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}

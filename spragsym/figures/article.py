@@ -22,7 +22,7 @@ from ..dynamics.trajectory import simulate
 from ..generated import motion
 from ..parameters import FloatArray, Parameters
 from ..statics.solver import Stability, equilibria
-from ..sweeps.many import Workers, rms_sweep
+from ..sweeps import Workers, rms_sweep
 from . import surfaces
 from .curves import LABELS, branches, draw_branches, draw_path, joined, mark_folds, passages, table_of
 from .hidden import Cover, cover_of, parts

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..catastrophe import bifurcation_set, critical_friction, critical_value, folds
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
-from ..sweeps.many import Workers, rms_sweep, sensitivity
+from ..sweeps import Workers, rms_sweep, sensitivity
 from .article import _BASE_TEXT, MU0_RANGE, D, V, _draw_bifurcation_set
 from .style import (
     BLACK,

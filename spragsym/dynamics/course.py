@@ -1,0 +1,85 @@
+"""What is measured of a motion while it runs, or from its samples afterwards."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..parameters import FloatArray
+from .lobatto import PiecewisePolynomial
+
+
+@dataclass(frozen=True)
+class Course:
+    """What is measured of a motion while it runs; none of its steps is kept.
+
+    Attributes
+    ----------
+    begin, end : float
+        Times between which it was measured.
+    first, last : ndarray, shape (4,)
+        x, y, x', y' at these.
+    maxima_t : ndarray, shape (k,)
+        Times at which x is largest: x' = 0 on the way down.
+    maxima : ndarray, shape (k, 4)
+        States there.
+    integrals : ndarray, shape (k + 1, 3)
+        From ``begin`` to these times, and last to ``end``: of u = x − x(begin), of u², and of y.
+    minima : ndarray, shape (l, 4)
+        States at which x is least.
+    events : ndarray of int, shape (4,)
+        How often each :class:`~spragsym.dynamics.problem.Event` happened.
+    """
+
+    begin: float
+    end: float
+    first: FloatArray
+    last: FloatArray
+    maxima_t: FloatArray
+    maxima: FloatArray
+    integrals: FloatArray
+    minima: FloatArray
+    events: NDArray[np.intp]
+
+    @property
+    def x_extrema(self) -> FloatArray:
+        """Values of x at its turning points and at both ends."""
+        return np.concatenate([[self.first[0], self.last[0]], self.maxima[:, 0], self.minima[:, 0]])
+
+    def moments(self, row: int = -1) -> tuple[float, float]:
+        """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
+        end = self.end if row == -1 else self.maxima_t[row]
+        shift, square, _ = (self.integrals[row] / (end - self.begin)).tolist()
+        return float(self.first[0]) + shift, math.sqrt(max(square - shift * shift, 0.0))
+
+
+#: Runs a motion on from a state for a while.
+Flow: TypeAlias = Callable[[FloatArray, float], Course]
+
+
+def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
+    """The course of a motion that is there by its samples, with how often each event happened."""
+    t, states = samples.t, samples.states
+
+    def integrands(state: FloatArray) -> FloatArray:
+        shift = state[0] - states[0, 0]
+        return np.array([shift, shift**2, state[1]])
+
+    lowest = samples.passages(states[2], lambda state: state[2])
+    highest = samples.passages(-states[2], lambda state: -state[2])
+    return Course(
+        float(t[0]), float(t[-1]), states[:, 0], states[:, -1], highest, samples(highest).T,
+        samples.integrals_to(np.append(highest, t[-1]), integrands), samples(lowest).T, events,
+    )  # fmt: skip
+
+
+def event_counts(samples: PiecewisePolynomial, V: float) -> NDArray[np.intp]:
+    """How often each kind of event happened, told by the samples alone: events are among them."""
+    _, y, vx, _ = samples.states
+    above, ahead = np.diff((y > 0).astype(int)), np.diff((vx > V).astype(int))
+    return np.array([np.count_nonzero(change == sign) for change in (above, ahead) for sign in (1, -1)])

@@ -1,0 +1,122 @@
+"""Rest: equilibria at μ(V), (10), linearized with the damping of the friction law, and motions that decay to them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..generated import motion
+from ..parameters import NAMES, FloatArray, Parameters
+from .course import Course
+from .problem import Event, Problem, acceleration, jacobian
+from .regimes import SETTLED, Outcome, Regime
+
+#: Fewest largest x in a window that a decay is read off.
+FEW = 8
+
+#: Real parts up to this are 0 but for rounding.
+ROUNDING = 1e-12
+
+#: Smallest decay of the squares over half a window that can be read off it.
+VISIBLE = 1e-3
+
+#: Newton's method has gone astray beyond this, in L_0.
+FAR = 1e6
+
+_FLOATS: Any = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
+
+
+@dataclass(frozen=True)
+class Rest:
+    """A steady-sliding equilibrium and its linearization with the damping of the friction law."""
+
+    state: FloatArray
+    values: NDArray[np.complex128]
+    vectors: NDArray[np.complex128]
+
+
+def rest_near(problem: Problem, x: float, y: float) -> Rest | None:
+    """The equilibrium in contact that Newton's method finds from x, y, at the friction μ(V); None where it finds none."""
+    constants = (*problem.constants, 1, 1)
+    for _ in range(30):
+        ax, ay = acceleration(x, y, 0.0, 0.0, *constants, xp=_FLOATS)
+        (xx, xy, xv, _), (yx, yy, _, _) = jacobian(x, y, 0.0, 0.0, *constants, xp=_FLOATS)
+        determinant = xx * yy - xy * yx
+        if determinant == 0:
+            return None
+        dx, dy = (xy * ay - yy * ax) / determinant, (yx * ax - xx * ay) / determinant
+        x, y = x + dx, y + dy
+        if not abs(x) + abs(y) < FAR:
+            return None
+        if abs(dx) + abs(dy) <= 1e-12:
+            break
+    else:
+        return None
+    if y > 0:
+        return None
+    linear = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], [xx, xy, xv, 0.0], [yx, yy, 0.0, 0.0]])
+    return Rest(np.array([x, y, 0.0, 0.0]), *np.linalg.eig(linear))
+
+
+def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+    """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y; −1 where there is none."""
+    from ..statics.solver import equilibria
+
+    x, y = np.asarray(x), np.asarray(y)
+    index = np.full(x.shape, -1, dtype=np.int8)
+    rows = np.isfinite(x)
+    if rows.any():
+        given = {name: np.broadcast_to(getattr(p, name), x.shape)[rows] for name in NAMES}
+        V, d = (np.broadcast_to(value, x.shape)[rows] for value in (V, d))
+        found = equilibria(Parameters(**{**given, "mu0": motion.friction(np.zeros_like(V), given["mu0"], V, d)}))
+        away = np.hypot(found.x - x[rows][:, None], found.y - y[rows][:, None])
+        away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
+        there = away.min(axis=-1) <= SETTLED * (1 + np.hypot(x[rows], y[rows]))
+        index[rows] = np.where(there, np.argmin(away, axis=-1), -1)
+    return index
+
+
+def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
+    """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
+    still = abs(course.last[0] - course.first[0]) <= 4 * tol and np.ptp(course.x_extrema) <= 4 * tol
+    # On a belt that stands still the law of friction is smooth where x' changes its sign.
+    kinks = course.events if problem.constants.V > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
+    decaying = len(course.maxima) >= FEW and not kinks.any()
+    if not (still or decaying):
+        return None
+    begun = course.moments()[0], float(course.integrals[-1, 2]) / (course.end - course.begin)
+    rest = rest_near(problem, *(course.last[:2].tolist() if still else begun))
+    if rest is None:
+        return None
+    x, y = rest.state[:2].tolist()
+    growth = float(rest.values.real.max())
+    late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
+    distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())
+    if still and distance <= tol and growth <= ROUNDING:
+        return Outcome(Regime.EQUILIBRIUM, rest_x=x, rest_y=y, rate=max(-growth, 0.0), distance=distance)
+    if decaying and growth < 0 and _decays(course, rest):
+        regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
+        return Outcome(regime, rest_x=x, rest_y=y, rate=-growth, distance=distance)
+    return None
+
+
+def _decays(course: Course, rest: Rest) -> bool:
+    """Whether the parts of the motion in the eigenvectors die out as their eigenvalues say, within a factor of two.
+
+    The squares of the two halves are compared under Hann windows, which hide unfinished beats.
+    """
+    modes = np.abs(np.linalg.solve(rest.vectors, (course.maxima - rest.state).T)) ** 2
+    share = (course.maxima_t - course.begin) / (course.end - course.begin)
+    if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
+        return False
+    hann = np.sin(2 * np.pi * share) ** 2
+    first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
+    expected = first * np.exp(rest.values.real * (course.end - course.begin))  # two times half the window
+    before, after, linear = first.sum(), second.sum(), expected.sum()
+    # A decay that the window does not show is none: the first of the three.
+    return bool(linear < before * (1 - VISIBLE) and after > 0 and 0.5 < np.log(after / before) / np.log(linear / before) < 2)

@@ -1,0 +1,143 @@
+"""SciPy's DOP853, restarted at every crossing into another mode of the field."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
+from .lobatto import unit_points
+from .problem import GAP, WIDTH, Mode, Problem, State, acceleration, initial_mode, mode_beyond, too_many_steps
+from .solution import Crossing, Solution, assembled
+
+# The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected,
+# whatever the size of the number: it must only be finite.
+_FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
+_FLOATS_FAR = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: 0.0)
+_ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
+
+#: Each step is searched for crossings on this many intervals, and between them at extrema.
+_SEARCH = np.linspace(0.0, 1.0, 9)
+
+
+def integrate(problem: Problem) -> Solution:
+    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    from scipy.integrate import DOP853
+
+    unit = unit_points()
+    mode, state, clock, first_step = initial_mode(problem), np.array(problem.start), 0.0, None
+    times: list[FloatArray] = []
+    states: list[FloatArray] = []
+    crossings: list[Crossing] = []
+    steps = 0
+
+    def keep(begin: float, end: float, dense: Callable[[Any], FloatArray]) -> None:
+        begin = max(begin, problem.t_record - clock)
+        if end > begin:
+            local = begin + unit * (end - begin)
+            local[-1] = end
+            times.append(clock + local)
+            states.append(dense(local))
+
+    while clock < problem.t_end:
+        # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
+        bound = problem.t_end - clock
+        solver = DOP853(
+            _field(problem, mode), 0.0, state, bound, rtol=problem.rtol, atol=problem.rtol * 1e-3,
+            first_step=None if first_step is None else min(first_step, bound),
+        )  # fmt: skip
+        crossing = None
+        while solver.status == "running" and crossing is None:
+            message = solver.step()
+            if solver.status == "failed":
+                raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message}; use a larger rtol")
+            steps += 1
+            if steps > problem.max_steps:
+                raise too_many_steps(problem, clock + solver.t)
+            dense, begin, end = solver.dense_output(), solver.t_old, solver.t
+            crossing = first_crossing(problem, mode, dense, begin, end)
+            keep(begin, end if crossing is None else crossing[0], dense)
+        if crossing is None:
+            break
+        end, row = crossing
+        first_step, state, clock = solver.step_size, dense(end), clock + end
+        mode, kind = mode_beyond(row, mode)
+        if kind is not None:
+            crossings.append(Crossing(clock, tuple(state.tolist()), kind))
+    return assembled(np.array(times), np.array(states), crossings, problem.t_record)
+
+
+def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], State]:
+    constants, xp = (*problem.constants, mode.contact, mode.side), _FLOATS if mode.near else _FLOATS_FAR
+
+    def field(_: float, state: FloatArray) -> State:
+        x, y, vx, vy = state.tolist()
+        return (vx, vy, *acceleration(x, y, vx, vy, *constants, xp=xp))
+
+    return field
+
+
+def _clearances(problem: Problem, mode: Mode, states: FloatArray) -> FloatArray:
+    """Distance from the three borders of a mode, negative beyond them, and its rate: shape (3, 2, …)."""
+    contact, side, near = mode
+    V, d = problem.constants[-2:]
+    _, y, vx, vy = states
+    x_accel, _ = acceleration(*states, *problem.constants, contact, side, xp=_ARRAYS)
+    inward, farther = -1 if contact else 1, -1 if near else 1
+    slip, rate = side * (V - vx), -side * x_accel
+    depth = d * slip - problem.reach - WIDTH * near
+    return np.array([[inward * y + GAP, inward * vy], [slip + GAP, rate], [farther * depth, farther * d * rate]])
+
+
+def first_crossing(
+    problem: Problem, mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
+) -> tuple[float, int] | None:
+    """When, within a step, the motion first leaves its mode, and through which border."""
+
+    def border(row: int, t: Any) -> FloatArray:
+        """Distance from one of the borders, and its rate."""
+        distance_and_rate: FloatArray = _clearances(problem, mode, dense(np.asarray(t)))[row]
+        return distance_and_rate
+
+    grid = begin + _SEARCH * (end - begin)
+    found = []
+    for row, (distance, rate) in enumerate(_clearances(problem, mode, dense(grid))):
+        at = partial(border, row)
+        bracket = _bracket(grid, distance, rate, at)
+        if bracket is not None:
+            found.append((_root(at, 0, *bracket), row))
+    return min(found, default=None)
+
+
+def _bracket(
+    grid: FloatArray, value: FloatArray, rate: FloatArray, both: Callable[[float], FloatArray]
+) -> tuple[float, float] | None:
+    """The first interval where ``value`` goes from not negative to negative, dips between points included."""
+    if value.min() > np.abs(rate).max() * (grid[1] - grid[0]):
+        return None
+    for i in range(len(grid) - 1):
+        if value[i + 1] < 0:
+            return float(grid[i]), float(grid[i + 1])
+        if rate[i] < 0 < rate[i + 1]:
+            lowest = _root(both, 1, float(grid[i]), float(grid[i + 1]))
+            if both(lowest)[0] < 0:
+                return float(grid[i]), lowest
+    return None
+
+
+def _root(border: Callable[[float], FloatArray], part: int, begin: float, end: float) -> float:
+    """Where the distance from a border (part 0) or its rate (part 1) changes sign."""
+    from scipy.optimize import brentq
+
+    def function(t: float) -> float:
+        return float(border(t)[part])
+
+    if function(begin) * function(end) > 0:
+        return begin  # the motion begins beyond the border, by rounding: it is left at once
+    return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))

@@ -1,0 +1,96 @@
+"""Sensitivity of the article's Figure 7b to V and d, which it does not state."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..display import Result
+from ..errors import ParameterError
+from ..parameters import FloatArray, Parameters, as_numbers
+from .many import rms_sweep
+from .result import Sweep
+
+
+@dataclass(frozen=True, eq=False)
+class Sensitivity(Result):
+    """Where the RMS of x jumps as θ₀ grows, for every V (first axis) with every d (second).
+
+    Attributes
+    ----------
+    V, d : ndarray
+        Belt speeds, steepnesses.
+    theta0 : ndarray, shape (len(V), len(d))
+        Where the RMS jumps, radians: the middle of an interval of half-width ``width``.
+    before, after : ndarray, of that shape
+        RMS on the two sides of the jump.
+    width : float
+        Half-width of the interval, radians.
+    sweep : Sweep
+        The sweep over θ₀ that the jump was looked for in, shape (len(V), len(d), number of angles).
+    """
+
+    V: FloatArray
+    d: FloatArray
+    theta0: FloatArray
+    before: FloatArray
+    after: FloatArray
+    width: float
+    sweep: Sweep
+
+
+def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, **options: Any) -> Sensitivity:
+    """What V and d, which the article does not state, do to the jump of its Figure 7b.
+
+    Parameters
+    ----------
+    p : Parameters
+        With ``theta0`` an ascending axis of at least two angles, and the rest scalars.
+    V, d : array_like, one axis each
+        Every V with every d.
+    refine : int
+        How often to halve the interval that holds the jump.
+    **options
+        As for :func:`rms_sweep`, but ``store``.
+
+    Returns
+    -------
+    Sensitivity
+
+    Notes
+    -----
+    The jump is where the RMS grows by the largest factor from one angle to the next; bisection keeps the half
+    with the larger one.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> from spragsym.sweeps import sensitivity
+    >>> p = ss.Parameters.article(theta0=np.radians([38, 42, 46]))
+    >>> table = sensitivity(p, V=[0.5], d=[10.0], refine=3)
+    >>> np.round(np.degrees(table.theta0), 1)
+    array([[41.3]])
+    """
+    p.require("theta0")
+    angles = p.theta0
+    if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
+        raise ParameterError("theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))")
+    speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
+    belt = (speeds[:, None, None], creeps[None, :, None])
+    sweep = rms_sweep(p, *belt, **options)
+    ratio = sweep.rms[..., 1:] / sweep.rms[..., :-1]
+    at = np.argmax(np.where(np.isnan(ratio), 0.0, ratio), axis=-1)[..., None]
+    low, high = angles[at], angles[at + 1]
+    before, after = (np.take_along_axis(sweep.rms, at + k, axis=-1) for k in (0, 1))
+    for _ in range(refine):
+        middle = (low + high) / 2
+        between = rms_sweep(p.replace(theta0=middle), *belt, **options).rms
+        upper = after * before > between**2
+        low, before = np.where(upper, middle, low), np.where(upper, between, before)
+        high, after = np.where(upper, high, middle), np.where(upper, after, between)
+    theta0, before, after = ((low + high)[..., 0] / 2, before[..., 0], after[..., 0])
+    return Sensitivity(speeds, creeps, theta0, before, after, float(np.max(high - low)) / 2, sweep)

@@ -1,0 +1,87 @@
+"""What is measured of one motion of a sweep, or why there is nothing to measure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..dynamics import integrators
+from ..dynamics.classify import classify
+from ..dynamics.course import Course
+from ..dynamics.problem import MAX_STEPS, Problem, check_start, constants_of, out_of_range
+from ..errors import ConvergenceError, ParameterError
+from ..files.journal import Record
+from ..parameters import NAMES
+
+#: What is measured of every motion after its transient.
+AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
+
+#: What is said of its limit, in the order of a record after those.
+LIMITS = ("period", "rate", "distance", "cycle_mean", "cycle_rms", "cycle_x", "cycle_y", "cycle_vy")
+
+#: Numbers that a file and a result hold.
+REPORTED = (*AVERAGES, *LIMITS)
+
+#: A record: these, then the code of the regime, and where the equilibrium is.
+MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
+
+INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What all motions of a sweep share."""
+
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+    max_steps: int = MAX_STEPS
+
+
+def measured(settings: Settings, point: tuple[float, ...]) -> Record:
+    """One record. What the motion itself makes impossible is its reason; whatever else goes wrong is raised."""
+    try:
+        problem = _problem(settings, point)
+    except ParameterError as error:  # arrays were validated before: what is left is a start at the anchor
+        return _no_result(error)
+    try:
+        with np.errstate(all="ignore"):  # numbers out of range are told by the result
+            values = _values(problem, settings.backend)
+    except ConvergenceError as error:
+        return _no_result(error)
+    except ArithmeticError:
+        return _no_result(out_of_range())
+    if not np.isfinite(values[: len(AVERAGES)]).all():
+        return _no_result(out_of_range())
+    return values, ""
+
+
+def _no_result(error: Exception) -> Record:
+    return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
+
+
+def _problem(settings: Settings, point: tuple[float, ...]) -> Problem:
+    """The motion of a point whose values were validated with the whole sweep's."""
+    *parameters, V, d, x0, y0, vx0, vy0 = point
+    check_start(parameters[0], x0, y0)
+    constants = constants_of(tuple(parameters), V, d)
+    return Problem(constants, (x0, y0, vx0, vy0), settings.t_end, settings.transient, settings.rtol, settings.max_steps)
+
+
+def _values(problem: Problem, backend: str) -> list[float]:
+    """The measured values of a motion, in the order of MEASURED."""
+    course = integrators.measure(problem, backend)
+    outcome = classify(course, problem, integrators.flow(problem, backend))
+    return [*_averages(course), *(float(getattr(outcome, name)) for name in MEASURED[len(AVERAGES) :])]
+
+
+def _averages(course: Course) -> list[float]:
+    """The measured values of what follows the transient, in the order of AVERAGES."""
+    mean, spread = course.moments()
+    amplitude = float(np.abs(course.x_extrema).max())
+    mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin)
+    lost, _, *reversals = course.events.tolist()
+    return [math.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)]

@@ -1,0 +1,166 @@
+"""The result of a sweep: made of the records of its motions, written to a file and loaded from it."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..dynamics import integrators
+from ..dynamics.lobatto import DEGREE
+from ..dynamics.regimes import Regime
+from ..dynamics.rest import index_of
+from ..errors import TargetError
+from ..files import storage
+from ..files.journal import Record
+from ..parameters import NAMES, FloatArray, Parameters, degrees
+from .measure import MEASURED, REPORTED, Settings
+
+
+@dataclass(frozen=True, eq=False)
+class Sweep(Result):
+    """Results of a sweep; every array has the common shape of the inputs. NaN where a motion failed.
+
+    Attributes
+    ----------
+    inputs : dict of str to ndarray
+        θ₀, μ₀, κ, α, σ, β, V, d, x0, y0, vx0, vy0 as they were given, which broadcast together.
+    rms, spread, amplitude, mean, mean_y : ndarray
+        Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
+        means of x and y.
+    contact_lost, slip_reversed : ndarray
+        How often, after the transient.
+    period, cycle_mean, cycle_rms : ndarray
+        Of the cycle that the motion is on or approaches: period, mean of x, and root mean square of x about zero, over
+        one whole period. NaN for no cycle. Unlike ``mean`` and ``rms`` they depend on no window.
+    cycle_x, cycle_y, cycle_vy : ndarray
+        State of that cycle where its x is largest.
+    rate, distance : ndarray
+        What a motion settles to or approaches, it nears as exp(−rate τ) in the long run; at ``t_end`` this is left of
+        the way, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.dynamics.regimes.Outcome`.
+    regime : ndarray of int8
+        Codes of :class:`Regime`.
+    equilibrium : ndarray of int8
+        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its index among ``equilibria(p)``; −1 otherwise.
+    reason : ndarray of str
+        Why a motion failed.
+    """
+
+    inputs: dict[str, FloatArray]
+    t_end: float
+    transient: float
+    rtol: float
+    backend: str
+    max_steps: int
+    rms: FloatArray
+    spread: FloatArray
+    amplitude: FloatArray
+    mean: FloatArray
+    mean_y: FloatArray
+    contact_lost: FloatArray
+    slip_reversed: FloatArray
+    period: FloatArray
+    rate: FloatArray
+    distance: FloatArray
+    cycle_mean: FloatArray
+    cycle_rms: FloatArray
+    cycle_x: FloatArray
+    cycle_y: FloatArray
+    cycle_vy: FloatArray
+    regime: NDArray[np.int8]
+    equilibrium: NDArray[np.int8]
+    reason: NDArray[np.str_]
+
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
+
+        An axis along which one input alone varies is named after it; others are ``axis_0``, ``axis_1``, …. θ₀ is there
+        in radians and, as ``theta0_deg``, in degrees.
+        """
+        dims = _dimensions(self.inputs, self.rms.shape)
+        # One number is kept as such, an axis as a coordinate, a table as a table of the full shape.
+        inputs = {
+            name: ((), float(values.flat[0])) if values.size == 1
+            else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
+            else (dims, np.broadcast_to(values, self.rms.shape).copy())
+            for name, values in self._inputs().items()
+        }  # fmt: skip
+        results = {name: (dims, getattr(self, name)) for name in (*REPORTED, "regime", "equilibrium")}
+        results["reason"] = (dims, self.reason.astype(object))
+        dataset = storage.xarray().Dataset(results, coords=inputs, attrs=self._attributes())
+        for name in dataset.variables:
+            dataset[name].attrs = storage.attributes(name)
+        dataset["regime"].attrs |= {
+            "flag_values": np.array(list(Regime), dtype=np.int8),
+            "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
+        }
+        return dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
+        storage.write(Path(path), self.to_dataset, self._columns, self._attributes())
+
+    def _columns(self) -> dict[str, NDArray[Any]]:
+        inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
+        return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
+
+    def _inputs(self) -> dict[str, FloatArray]:
+        """The inputs, θ₀ in degrees beside it in radians."""
+        theta0, *rest = self.inputs.items()
+        return dict([theta0, ("theta0_deg", np.vectorize(degrees, otypes=[np.float64])(theta0[1])), *rest])
+
+    def _attributes(self) -> dict[str, Any]:
+        settings = Settings(self.t_end, self.transient, self.rtol, self.backend, self.max_steps)
+        return {**storage.provenance(), **vars(settings), "fingerprint": fingerprint(self.inputs, settings)}
+
+
+def fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
+    """The fingerprint of a sweep: a hash of everything that decides the bits of its result."""
+    versions = {
+        "fields": MEASURED,
+        "integrator": integrators.version(settings.backend),
+        "degree": DEGREE,
+    }
+    return storage.fingerprint(inputs, {**vars(settings), **versions})
+
+
+def sweep_of(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
+    table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
+    measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
+    results: dict[str, Any] = {name: measured[name] for name in REPORTED}
+    regime = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
+    p = Parameters(**{name: inputs[name] for name in NAMES})
+    equilibrium = index_of(p, inputs["V"], inputs["d"], measured["rest_x"], measured["rest_y"])
+    reason = np.array([storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
+    return Sweep(inputs, **vars(settings), **results, regime=regime, equilibrium=equilibrium, reason=reason)
+
+
+def loaded(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
+    """The sweep that a file holds, if it is this one."""
+    columns, attributes = storage.read(path)
+    if attributes.get("fingerprint") != key:
+        raise TargetError(f"{path} exists and holds something else; remove it, or give another path")
+    kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
+    results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
+    return Sweep(inputs, **vars(settings), **results)
+
+
+def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:
+    """A name for every axis: the input that alone varies along it, and along no other axis."""
+
+    def axes(values: FloatArray) -> tuple[int, ...]:
+        lead = len(shape) - values.ndim
+        return tuple(lead + i for i, size in enumerate(values.shape) if size > 1)
+
+    along = {name: axes(values) for name, values in inputs.items()}
+    names = []
+    for axis in range(len(shape)):
+        candidates = [name for name, varied in along.items() if axis in varied]
+        alone = len(candidates) == 1 and along[candidates[0]] == (axis,)
+        names.append(candidates[0] if alone else f"axis_{axis}")
+    return tuple(names)

@@ -12,14 +12,15 @@ import inspect
 import math
 import time
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import mpmath
 import numpy as np
 import sympy as sp
 
-from derive.emit import python, statements
+from derive.emit import statements
+from derive.emit.targets.python import algebra
 from derive.kang_nam import catalogue as functions
 from derive.kang_nam import mechanics, stability
 from derive.kang_nam import nomenclature as nm
@@ -134,11 +135,14 @@ def _error(result: Any, exact: list[mpmath.mpf]) -> float:
 
 def _ours(subject: Subject) -> Outcome:
     modules = {module.name: module for module in functions.modules()}
-    wanted = [one for one in modules[subject.module].functions if one.name in (subject.function, subject.function.replace("jacobian", "rhs"))]
+    names = {subject.function, subject.function.replace("jacobian", "rhs")}
+    wanted = tuple(one for one in modules[subject.module].functions if one.name in names)
     begin = time.perf_counter()
-    operations = sum(statements.straight_line(one).operations for one in wanted)
-    lines = sum(python._function(one).count("\n") for one in wanted)
+    algebra.render(replace(modules[subject.module], functions=wanted), header="")
     seconds = time.perf_counter() - begin
+    operations = sum(statements.straight_line(one).operations for one in wanted)
+    generated = importlib.import_module(f"spragsym.generated.{subject.module}")
+    lines = sum(len(inspect.getsource(inspect.unwrap(getattr(generated, one.name))).splitlines()) for one in wanted)
     return Outcome("ours", seconds, subject.ours, f"{operations} operations, {lines} lines with docs")
 
 

@@ -15,6 +15,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 from .. import generated as _generated
 from .. import precise
+from ..assumed import MU0_RANGE, D, V
 from ..catastrophe import flutter_points as flutter
 from ..catastrophe import points as catastrophe
 from ..catastrophe.paths import Jump, quasi_static_path
@@ -27,10 +28,8 @@ from ..statics.solver import Stability, equilibria
 from ..sweeps.many import sensitivity
 from .rows import Found, Value
 
-#: Belt speed and steepness of the friction law; the article states neither.
-V, D = 0.5, 10.0
-#: Frictions of Figures 11 to 14; the article's range is unknown.
-MU0_MAX = 1.0
+#: Largest friction of Figures 11 to 14.
+MU0_MAX = MU0_RANGE[1]
 
 _article = Parameters.article
 #: θ₀ of grids, degrees.

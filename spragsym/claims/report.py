@@ -8,11 +8,12 @@ from collections import Counter
 from importlib import resources
 from typing import Any
 
+from ..assumed import D, V
 from .rows import recorded
 
 #: What the article leaves open and we had to choose.
 ASSUMPTIONS = (
-    "Belt speed V = 0.5 and steepness d = 10 of the friction law (10), for Figures 3 and 7. The article states neither; "
+    f"Belt speed V = {V} and steepness d = {D:g} of the friction law (10), for Figures 3 and 7. The article states neither; "
     "the figure `sensitivity` shows a decade of each.",
     "The motion of Figure 7 starts at rest. The article states x = y = 0 and no speed.",
     "The root mean square of Figure 7b is of x about zero, over 1500 < τ < 2000. The article states neither.",

@@ -120,21 +120,22 @@ def _anchor(id: str) -> str:
 
 
 def _misprints(rows: list[dict[str, str]]) -> list[str]:
+    page = resources.files("spragsym.generated").joinpath("LEDGER.md").read_text(encoding="utf-8")
     lines = ["## Misprints and approximations", ""]
     for row in rows:
         if row["status"] == "misprint":
-            lines += [f"### {row['where']} ({row['id']})", "", *_side_by_side(row), ""]
+            lines += [f"### {row['where']} ({row['id']})", "", *_side_by_side(row["id"], page), ""]
             lines += [f"Cause: {row['cause']}. Consequence: {row['consequence']}.", ""]
         elif row["status"] == "approximation":
-            lines += [f"### {row['where']} ({row['id']}): an approximation", "", *_side_by_side(row), ""]
+            lines += [f"### {row['where']} ({row['id']}): an approximation", "", *_side_by_side(row["id"], page), ""]
             lines += [f"It is what the derivation gives in the limit {row['limit']}.", ""]
     return lines[:-1]
 
 
-def _side_by_side(row: dict[str, str]) -> list[str]:
-    """What is printed above what is derived, in the same arrangement."""
-    both = [rf"&\text{{{name}:}} && {row[name]}" for name in ("printed", "derived")]
-    return ["```math", r"\begin{aligned}", both[0] + r" \\", both[1], r"\end{aligned}", "```"]
+def _side_by_side(id: str, page: str) -> list[str]:
+    """What is printed above what is derived, as the ledger's page shows the row."""
+    section = page.partition(f"\n### {id}\n")[2]
+    return section[section.index("```math") :].partition("\n```\n")[0].splitlines() + ["```"]
 
 
 def _read_only() -> list[str]:

@@ -501,7 +501,7 @@ def test_nothing_has_drifted() -> None:
             "claim-mu-cr: mu_cr = 0.574073166069, not 0.574073166169",
         ),
         ({"values": {"0.58 - mu_cr": 0.00592683393142}}, "claim-mu-cr: mu_cr = 0.574073166069, not None"),
-        ({"id": "claim-other"}, "claim-other: is in the record, but is computed no more"),
+        ({"id": "claim-other"}, "claim-other: is in the record, but is no longer computed"),
     ],
 )
 def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:

@@ -169,6 +169,13 @@ def test_command_line_page(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(DOCS / "command_line.md"))[command], run(command, tmp_path))
 
 
+def test_the_reference_has_every_public_name() -> None:
+    """By itself, as a module, or among the errors, which come with theirs."""
+    page = (DOCS / "api.md").read_text(encoding="utf-8")
+    shown = set(re.findall(r"spragsym\.(\w+)", page)) | set(vars(spragsym.errors)) | {"__version__"}
+    assert set(spragsym.__all__) - shown == set()
+
+
 def test_pages_that_are_linked_exist() -> None:
     for page in DOCS.glob("*.md"):
         for link in re.findall(r"\]\(([\w./-]+\.md)\)", page.read_text(encoding="utf-8")):

@@ -114,7 +114,7 @@ def test_leaders_are_seen(sheets: dict[str, Sheet], name: str) -> None:
 
 
 def test_figure_9_shows_where_the_flutter_is(sheets: dict[str, Sheet]) -> None:
-    """In the outer axes three curves lie upon each other there: brackets mark it in both, and the inset has its labels."""
+    """In the outer axes three curves coincide there: brackets mark it in both, and the inset has its labels."""
     figure = sheets["9"]
     ax = figure.axes[0]
     (inset,) = ax.child_axes

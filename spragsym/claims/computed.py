@@ -1,4 +1,4 @@
-"""What decides each statement: computations that return whether it holds, and the values behind it."""
+"""The computation that decides each statement: it returns whether the statement holds, and the values behind it."""
 
 from __future__ import annotations
 

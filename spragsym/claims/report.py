@@ -1,4 +1,4 @@
-"""The referee's page, docs/reproduction.md: from the committed records alone, so that it is the same everywhere."""
+"""The referee's page, docs/reproduction.md, made from the committed records alone: every machine writes the same page."""
 
 from __future__ import annotations
 
@@ -135,7 +135,7 @@ def _misprints(rows: list[dict[str, str]]) -> list[str]:
 def _side_by_side(id: str, page: str) -> list[str]:
     """What is printed above what is derived, as the ledger's page shows the row."""
     section = page.partition(f"\n### {id}\n")[2]
-    return section[section.index("```math") :].partition("\n```\n")[0].splitlines() + ["```"]
+    return [*section[section.index("```math") :].partition("\n```\n")[0].splitlines(), "```"]
 
 
 def _read_only() -> list[str]:

@@ -109,7 +109,7 @@ def figure_9() -> Sheet:
         write_along(inset, rf"$\alpha = {text}$", *place, color=color, fontsize=7)
     figure.caption += (
         f" The inset magnifies small deformation. At α = 0.7 the state flutters between the onsets, {low:.1f}° and {high:.1f}°, "
-        "which the brackets mark: at the scale of the outer axes the three curves lie upon each other there."
+        "which the brackets mark: at the scale of the outer axes the three curves coincide there."
     )
     return figure
 
@@ -154,7 +154,7 @@ def _point_at(ax: Axes, text: str, target: tuple[float, float], place: tuple[flo
 
 
 def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
-    """Axes within others that show small deformation only, where the curves of the outer ones lie upon each other."""
+    """Axes within others that show small deformation only, where the curves of the outer ones coincide."""
     inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
     for value, color in zip(values, _FAMILY_COLORS, strict=True):
         draw_branches(branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0)

@@ -272,7 +272,7 @@ def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, worke
 
 
 def _centres(top: float, step: float) -> FloatArray:
-    """Middles of equal cells that fill the range from 0, the last one perhaps in part."""
+    """Middles of equal cells from 0 on; the last cell may reach beyond ``top``."""
     return step * np.arange(0.5, round(top / step), dtype=np.float64)
 
 

@@ -17,7 +17,7 @@ from .style import BLACK, VERMILION, Sheet, Table
 
 _SHEET_COLORS = {Stability.STABLE: "#b3d9f0", Stability.DIVERGENT: "#f7b78f", Stability.FLUTTER: "#96dcc0"}
 
-#: How a line looks where a sheet stands before it, whatever its own pattern is.
+#: How the parts of a line look that a sheet hides.
 BEHIND: dict[str, Any] = {"linewidth": 0.6, "linestyle": (0, (3.0, 2.2))}
 
 

@@ -71,7 +71,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
     found = surface(p, theta, theta0[:, None])
     width = mu0[1] - mu0[0]
     shown = np.clip(found.mu0, mu0[0] - 0.1 * width, mu0[1] + 0.1 * width)
-    # What is out of sight counts the less the farther it is.
+    # Outside the shown range points are sparser, the farther away the sparser.
     weight = 0.25 / (1 + ((found.mu0 - shown) / width) ** 2)[:, 1:]
     steps = np.hypot(np.diff(shown, axis=1) / width, weight * np.diff(found.x, axis=1))
     length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)

@@ -92,7 +92,7 @@ def both_ways(p: Parameters, vary: str, values: FloatArray) -> tuple[Path, Path]
 
 
 def _draw_both_ways(ax: Axes, up: Path, back: Path, rising: tuple[float, ...], falling: tuple[float, ...]) -> None:
-    """The way up as a thin line upon the broad one of the way back: both are seen where they share a curve."""
+    """Draw the way back as a broad line and the way up as a thin one on it: both are seen where they coincide."""
     draw_path(back, ax=ax, color=BLUE, arrows=falling, linewidth=3.2, alpha=0.45, zorder=2.1)
     draw_path(up, ax=ax, color=VERMILION, arrows=rising)
 

@@ -68,7 +68,8 @@ def _header() -> str:
             continue
     return (
         "# Performance\n\n"
-        "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n\n"
+        "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n"
+        "`python -m benchmarks.bench_before REV` times the solvers beside those of another commit.\n\n"
         f"{datetime.date.today().isoformat()}; {_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}; "
         f"{', '.join(versions)}.\n"
     )

@@ -1,4 +1,4 @@
-"""``python -m benchmarks [--write FILE] [NAME ...]``: run the benchmarks and print, or write, one report of tables."""
+"""``python -m benchmarks [--write FILE] [--quick] [NAME ...]``: run the benchmarks and print, or write, one report of tables."""
 
 from __future__ import annotations
 
@@ -23,7 +23,9 @@ _SECTIONS = {
     "codegen": ("bench_codegen", "Generated code against other generators"),
     "scale": ("bench_scale", "How cost grows, and start-up"),
 }
-_VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "numba", "python-flint", "heyoka", "symforce", "wrenfold", "casadi")
+#: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to measure.
+_QUICK = {"equilibria": "20000", "accuracy": "10", "counts": "1000", "c": "10000", "scale": "4"}
+_VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "python-flint", "heyoka", "symforce", "wrenfold", "casadi")
 
 
 def main() -> int:
@@ -31,6 +33,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks")
     parser.add_argument("names", nargs="*", help="which; all by default")
     parser.add_argument("--write", type=Path, help="file for the report")
+    parser.add_argument("--quick", action="store_true", help="few points, to see that all runs; the figures mean nothing")
     options = parser.parse_args()
     failed = 0
     parts = [_header()]
@@ -40,7 +43,9 @@ def main() -> int:
         module, title = _SECTIONS[name]
         print(f"# {title}", flush=True)
         # A process of its own for each, so that none meets what another imported, compiled or allocated.
-        run = subprocess.run([sys.executable, "-m", f"benchmarks.{module}"], stdout=subprocess.PIPE, text=True, check=False)
+        size = [_QUICK[name]] if options.quick and name in _QUICK else []
+        command = [sys.executable, "-m", f"benchmarks.{module}", *size]
+        run = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
         print(run.stdout, flush=True)
         failed += run.returncode != 0
         parts.append(f"## {title}\n\n`python -m benchmarks.{module}`\n\n{_demoted(run.stdout)}\n")
@@ -63,7 +68,8 @@ def _header() -> str:
             continue
     return (
         "# Performance\n\n"
-        "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n\n"
+        "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n"
+        "`python -m benchmarks.bench_before REV` times the solvers beside those of another commit.\n\n"
         f"{datetime.date.today().isoformat()}; {_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}; "
         f"{', '.join(versions)}.\n"
     )

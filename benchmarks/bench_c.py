@@ -13,18 +13,19 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import ctypes
 import shutil
-import time
 from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 
 import spragsym as ss
-from benchmarks import c_target
-from benchmarks.bench_equilibria import _with_backend, eigvals
+from benchmarks import c_target, rivals
 from benchmarks.families import FAMILIES, random
+from benchmarks.timing import best_in_turn, on_backend
+from spragsym.statics import compiled
 
 _REPEATS = 7
+_EIGVALS = "numpy.linalg.eigvals, batched, L-quartic, roots only"
 _BUILDS = (("-O2", ("-O2",)), ("-O3 -march=native …", c_target.FAST))
 
 
@@ -45,15 +46,11 @@ def speed(n: int) -> None:
             library = c_target.build(compiler, flags)
             for way, batch in (("one point a call", False), ("batch", True)):
                 works[f"C, {way}, {compiler} {title}"] = partial(c_target.solve, library, rows, out, batch=batch)
-    works["numba, 1 thread"] = partial(_with_backend, "numba", 1, p)
-    works["NumPy"] = partial(_with_backend, "numpy", 1, p)
-    works["numpy.linalg.eigvals, batched, L-quartic, roots only"] = partial(eigvals, p)
-    taken = dict.fromkeys(works, np.inf)
-    for _ in range(_REPEATS):  # in turn, so that other load on the machine meets all alike
-        for title, work in works.items():
-            begin = time.perf_counter()
-            work()
-            taken[title] = min(taken[title], time.perf_counter() - begin)
+    if compiled.available():
+        works["compiled, 1 thread"] = partial(on_backend, "compiled", 1, ss.equilibria, p)
+    works["NumPy"] = partial(on_backend, "numpy", 1, ss.equilibria, p)
+    works[_EIGVALS] = partial(rivals.eigvals, p)
+    taken = best_in_turn(works, _REPEATS)
     fastest = min(taken.values())
     print(
         f"{n:,} random points in contact, one thread, best of {_REPEATS} in turn, from the parameters to states, stability and "
@@ -61,16 +58,16 @@ def speed(n: int) -> None:
         f"`{' '.join(c_target.FAST)}`.\n"
     )
     print("| method | ns a point | times eigvals | time over the fastest |\n|---|---|---|---|")
-    reference = taken["numpy.linalg.eigvals, batched, L-quartic, roots only"]
+    reference = taken[_EIGVALS]
     for title, seconds in taken.items():
         print(f"| {title} | {1e9 * seconds / n:,.0f} | {reference / seconds:.1f} | {seconds / fastest:.2f} |")
 
 
 def trust(n: int) -> None:
-    """What the batch vouches for in each family, against the Python path with its ladder."""
+    """What the batch vouches for in each family, against NumPy with its ladder."""
     library = c_target.build(c_target.compiler() or "cc", c_target.FAST)
     print(
-        f"{n:,} points of each family against the Python path with its ladder: the share that is vouched for; among these wrong "
+        f"{n:,} points of each family against NumPy with its ladder: the share that is vouched for; among these wrong "
         "counts or kinds, the largest error over max(1, |value|), and the largest over both error bounds together.\n"
     )
     print("| family | regime | vouched for | wrong | largest error | largest / bounds |\n|---|---|---|---|---|---|")
@@ -81,7 +78,8 @@ def trust(n: int) -> None:
 
 
 def _compare(library: ctypes.CDLL, p: ss.Parameters, contact: bool) -> str:
-    eq, out = ss.equilibria(p, contact=contact), c_target.room(p.shape[0])
+    eq = on_backend("numpy", 1, partial(ss.equilibria, contact=contact), p)
+    out = c_target.room(p.shape[0])
     c_target.solve(library, c_target.table(p), out, contact)
     found = out.equilibria[:, : eq.theta.shape[1]]
     vouched = out.status == 0

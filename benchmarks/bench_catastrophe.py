@@ -11,13 +11,12 @@ os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import math
-import time
-from collections.abc import Callable
 
 import numpy as np
 from scipy.optimize import fsolve
 
 import spragsym as ss
+from benchmarks.timing import best
 from spragsym.catastrophe import fold_curves
 from spragsym.catastrophe.fixed import Fixed
 from spragsym.generated.equilibrium import f, f_coefficients, f_slope
@@ -31,13 +30,13 @@ def main() -> None:
     points = sum(curve.theta.size for curve in ss.bifurcation_set(BASE, n=5000).curves)
     found = continuation()
     rows: list[tuple[str, int, float]] = [
-        ("ours: all fold curves", points, _best(lambda: fold_curves.strands(_FIXED, 5000))),
-        ("ours: fold curves and cusps, proved", points, _best(lambda: ss.bifurcation_set(BASE, n=5000))),
-        ("ours: all folds at one friction, proved", 2, _best(lambda: ss.folds(BASE))),
-        ("ours: all cusps, proved", 4, _best(lambda: ss.cusps(BASE))),
-        ("ours: flutter boundary (sigma = 1)", 2000, _best(lambda: ss.flutter_boundary(ss.Parameters.article(sigma=1.0)))),
-        ("ours: the complete set", points, _best(_everything)),
-        ("SciPy: fsolve along one fold curve from a given fold", len(found), _best(continuation, 3)),
+        ("ours: all fold curves", points, best(lambda: fold_curves.strands(_FIXED, 5000))),
+        ("ours: fold curves and cusps, proved", points, best(lambda: ss.bifurcation_set(BASE, n=5000))),
+        ("ours: all folds at one friction, proved", 2, best(lambda: ss.folds(BASE))),
+        ("ours: all cusps, proved", 4, best(lambda: ss.cusps(BASE))),
+        ("ours: flutter boundary (sigma = 1)", 2000, best(lambda: ss.flutter_boundary(ss.Parameters.article(sigma=1.0)))),
+        ("ours: the complete set", points, best(_everything)),
+        ("SciPy: fsolve along one fold curve from a given fold", len(found), best(continuation, 3)),
     ]
     print("| what | points | ms | µs a point |")
     print("|---|---|---|---|")
@@ -53,24 +52,14 @@ def _everything() -> None:
     ss.critical_friction(p)
 
 
-def _best(work: Callable[[], object], repeats: int = 5) -> float:
-    work()
-    best = math.inf
-    for _ in range(repeats):
-        begin = time.perf_counter()
-        work()
-        best = min(best, time.perf_counter() - begin)
-    return best
-
-
 def continuation(steps: int = 1000, step: float = 0.01) -> list[tuple[float, float, float]]:
     """Pseudo-arclength on f = f′ = 0 in (θ, θ₀, μ₀) from the left fold at μ₀ = 0.5, through the cusp."""
     kappa, alpha, sigma, beta = _FIXED
 
     def residual(z: np.ndarray) -> tuple[float, float]:
-        trig = f_coefficients(math.cos(z[1]), math.sin(z[1]), z[2], kappa, alpha, sigma, beta, 1)
+        abdm = f_coefficients(math.cos(z[1]), math.sin(z[1]), z[2], kappa, alpha, sigma, beta, 1)
         c, s = math.cos(z[0]), math.sin(z[0])
-        return f(c, s, *trig), f_slope(c, s, *trig)
+        return f(c, s, *abdm), f_slope(c, s, *abdm)
 
     point = np.array([0.9776286848725, math.radians(44.5593177025653), 0.5])
     tangent = np.array([0.3, 0.6, -0.7])

@@ -20,7 +20,7 @@ import numpy as np
 import sympy as sp
 
 from derive.emit import statements
-from derive.emit.targets.python import algebra as python
+from derive.emit.targets.python import algebra
 from derive.kang_nam import catalogue as functions
 from derive.kang_nam import mechanics, stability
 from derive.kang_nam import nomenclature as nm
@@ -135,11 +135,13 @@ def _error(result: Any, exact: list[mpmath.mpf]) -> float:
 
 def _ours(subject: Subject) -> Outcome:
     modules = {module.name: module for module in functions.modules()}
-    wanted = [one for one in modules[subject.module].functions if one.name in (subject.function, subject.function.replace("jacobian", "rhs"))]
+    names = {subject.function, subject.function.replace("jacobian", "rhs")}
+    wanted = tuple(one for one in modules[subject.module].functions if one.name in names)
     begin = time.perf_counter()
-    operations = sum(statements.straight_line(one).operations for one in wanted)
-    lines = sum(python.definition(one, nm.quantities()).count("\n") for one in wanted)
+    texts = [algebra.definition(one, nm.quantities()) for one in wanted]
     seconds = time.perf_counter() - begin
+    operations = sum(statements.straight_line(one).operations for one in wanted)
+    lines = sum(text.count("\n") for text in texts)
     return Outcome("ours", seconds, subject.ours, f"{operations} operations, {lines} lines with docs")
 
 

@@ -5,17 +5,16 @@
 
 from __future__ import annotations
 
-import math
 import statistics
-import subprocess
 import sys
-import time
+from functools import partial
 
 import numpy as np
 
 import spragsym as ss
-from benchmarks.bench_equilibria import _with_backend
 from benchmarks.families import random
+from benchmarks.timing import best, in_process, on_backend, seconds
+from spragsym.statics import compiled
 
 _POINT = "import resource, numpy as np, spragsym as ss; rng = np.random.default_rng(0); n = {n}\n"
 _MEMORY = _POINT + (
@@ -32,19 +31,21 @@ _MEMORY = _POINT + (
 def main(largest: int = 8) -> None:
     """Print the tables."""
     print("Whole results (states, stability, error bounds), random θ₀ and μ₀ at the article's other values.\n")
-    print("| points | NumPy, ns a point | numba 1 thread | numba 2 threads | peak memory beyond input, MB | of that results, MB |")
-    print("|---|---|---|---|---|---|")
-    _child(_MEMORY.format(n=30_000, backend="numba", threads=1))  # compile once
+    ways = [("numpy", 1), *([("compiled", 1), ("compiled", 2)] if compiled.available() else [])]
+    titles = [f"{backend}, {threads} thread{'s' * (threads > 1)}" for backend, threads in ways]
+    print(f"| points | {' | '.join(titles)} | peak memory beyond input, MB | of that results, MB |")
+    print("|---|" + "---|" * (len(ways) + 2))
     for power in range(2, largest + 1):
         n = 10**power
-        cells = []
-        for backend, threads in (("numpy", 1), ("numba", 1), ("numba", 2)):
+        cells, memory = [], "- | -"
+        for backend, threads in ways:
             if n < 10**6:
-                cells.append(_small(n, backend, threads))
+                p = random(np.random.default_rng(0), n)
+                cells.append(best(partial(on_backend, backend, threads, ss.equilibria, p)) / n)
             else:
-                seconds, peak, results = map(float, _child(_MEMORY.format(n=n, backend=backend, threads=threads)).split())
-                cells.append(seconds / n)
-        memory = f"{peak:,.0f} | {results:,.0f}" if n >= 10**6 else "- | -"
+                spent, peak, results = map(float, in_process(_MEMORY.format(n=n, backend=backend, threads=threads)).split())
+                cells.append(spent / n)
+                memory = f"{peak:,.0f} | {results:,.0f}"
         print(f"| 10^{power} |" + "".join(f" {1e9 * cell:,.0f} |" for cell in cells) + f" {memory} |", flush=True)
 
     print("\nShare of points that leave float64, against the relative distance to the left fold at μ₀ = 0.5:\n")
@@ -54,9 +55,9 @@ def main(largest: int = 8) -> None:
     rng = np.random.default_rng(51)
     for power in range(-1, -16, -2):
         off = 10.0**power * rng.uniform(0.5, 1.5, 400) * rng.choice([-1, 1], 400)
-        begin = time.perf_counter()
-        eq = ss.equilibria(ss.Parameters.article(theta0=fold * (1 + off)))
-        print(f"| 1e{power} | {eq.escalated.mean():.0%} | {1e6 * (time.perf_counter() - begin) / 400:,.1f} |")
+        p = ss.Parameters.article(theta0=fold * (1 + off))
+        spent = seconds(partial(ss.equilibria, p))
+        print(f"| 1e{power} | {ss.equilibria(p).escalated.mean():.0%} | {1e6 * spent / 400:,.1f} |")
 
     print("\nStart-up, median of 7 processes:\n")
     print("| what | ms | times `import numpy` |")
@@ -69,34 +70,17 @@ def main(largest: int = 8) -> None:
         ("first folds and cusps", "import spragsym as ss; p = ss.Parameters.article(); ss.folds(p); ss.cusps(p)"),
         ("`spragsym equilibria --theta0 49`", "from spragsym.cli import main; main(['equilibria', '--theta0', '49'])"),
     ):
-        seconds = _startup(code)
-        print(f"| {title} | {1e3 * seconds:.0f} | {seconds / numpy:.2f} |")
-
-
-def _small(n: int, backend: str, threads: int) -> float:
-    p = random(np.random.default_rng(0), n)
-    _with_backend(backend, threads, p)
-    best = math.inf
-    for _ in range(5):
-        begin = time.perf_counter()
-        _with_backend(backend, threads, p)
-        best = min(best, time.perf_counter() - begin)
-    return best / n
-
-
-def _child(code: str) -> str:
-    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+        spent = _startup(code)
+        print(f"| {title} | {1e3 * spent:.0f} | {spent / numpy:.2f} |")
 
 
 def _startup(code: str) -> float:
     """Time of a process that runs ``code``, less that of an empty one."""
 
-    def once(text: str) -> float:
-        begin = time.perf_counter()
-        subprocess.run([sys.executable, "-c", text], check=True, capture_output=True)
-        return time.perf_counter() - begin
+    def median(text: str) -> float:
+        return statistics.median(seconds(partial(in_process, text)) for _ in range(7))
 
-    return statistics.median(once(code) for _ in range(7)) - statistics.median(once("pass") for _ in range(7))
+    return median(code) - median("pass")
 
 
 if __name__ == "__main__":

@@ -73,7 +73,7 @@ def table(p: ss.Parameters) -> NDArray[np.float64]:
 
 
 def room(points: int) -> Solved:
-    """Arrays for the results of so many points."""
+    """Arrays for the results of this many points."""
     return Solved(np.zeros((points, 4), EQUILIBRIUM), np.zeros(points, np.intc), np.zeros(points, np.intc))
 
 
@@ -84,9 +84,9 @@ def solve(library: ctypes.CDLL, rows: NDArray[np.float64], out: Solved, contact:
     function(ctypes.c_size_t(len(rows)), rows.ctypes.data_as(ctypes.c_void_p), ctypes.c_int(contact), *pointers)
 
 
-def batch(library: ctypes.CDLL, out: Solved, p: ss.Parameters) -> Solved:
+def in_contact(library: ctypes.CDLL, out: Solved, p: ss.Parameters, batch: bool = True) -> Solved:
     """All points in contact into the first rows of ``out``, from parameters as Python has them."""
     rows = table(p)
     some = Solved(*(part[: len(rows)] for part in (out.equilibria, out.count, out.status)))
-    solve(library, rows, some)
+    solve(library, rows, some, batch=batch)
     return some

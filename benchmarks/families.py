@@ -10,8 +10,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.rivals import companion_roots, real_parts
 from spragsym import Parameters
-from spragsym.generated import catastrophe
+from spragsym.generated import catastrophe, equilibrium
 
 Array = NDArray[np.float64]
 
@@ -51,13 +52,8 @@ def _folds(rng: np.random.Generator, n: int) -> tuple[Array, Array, tuple[Array,
         theta = np.pi * rng.random(4 * n)
         c, s = np.cos(theta), np.sin(theta)
         coefficients = np.stack(catastrophe.fold_quartic(c, s, kappa, alpha, sigma, beta), axis=-1)
-        companion = np.zeros((4 * n, 4, 4))
-        companion[:, [1, 2, 3], [0, 1, 2]] = 1.0
-        companion[:, :, 3] = -coefficients[:, :4] / coefficients[:, 4:]
-        good = np.isfinite(companion).all(axis=(1, 2))
-        roots = np.full((4 * n, 4), np.nan + 0j)
-        roots[good] = np.linalg.eigvals(companion[good])
-        mu0 = np.where((np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 1e-3) & (roots.real < 1e3), roots.real, np.nan)
+        roots, real = real_parts(companion_roots(coefficients))
+        mu0 = np.where(real & (roots > 1e-3) & (roots < 1e3), roots, np.nan)
         mu0 = np.take_along_axis(mu0, rng.integers(0, 4, (4 * n, 1)), axis=1)[:, 0]
         s0, c0 = catastrophe.fold_angles(c, s, mu0, kappa, alpha, sigma, beta)
         theta0 = np.arctan2(s0, c0)
@@ -114,12 +110,16 @@ def false_double_root(rng: np.random.Generator, n: int) -> Parameters:
     kappa, alpha, sigma, beta = _stiffnesses(rng, n)
     alpha = alpha * 0.5 * (1 + beta) / (alpha + 1)
     theta0 = np.pi * rng.random(n)
-    B, p, q = beta + 1, alpha + sigma, beta + 1 + sigma
     s0, c0 = np.sin(theta0), np.cos(theta0)
-    a, b = sigma * (B - alpha), -p * (B * s0 + kappa)
+
+    def at(mu0: float) -> tuple[Array, ...]:
+        return equilibrium.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1)
+
+    a, b, d, m = at(0.0)
     s = -b / a
-    # Both mirror images are roots where d = m s as well: solve for the friction.
-    mu0 = q * alpha * c0 / (sigma * s - sigma * s0 + kappa)
+    # Both mirror images are roots where d = m s as well, which is linear in the friction.
+    _, _, d_at_1, m_at_1 = at(1.0)
+    mu0 = (m * s - d) / (d_at_1 - d - (m_at_1 - m) * s)
     mu0 = np.where((s < 1) & (mu0 > 0), mu0, rng.random(n))
     return Parameters(theta0, mu0 * (1 + rng.choice([-1.0, 1.0], n) * _log(rng, n, -15, -3)), kappa, alpha, sigma, beta)
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-#: Rows that a table shows; of a longer one its first and last.
+#: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
 
 #: Angles among the names that do not begin with ``theta``.
@@ -46,7 +46,7 @@ class Result(Shown):
 
 
 def tables(thing: Any) -> Iterator[Table]:
-    """What there is to show of a dataclass: one table of its columns, and one of each part."""
+    """The tables of a dataclass: one of its columns, and one of each part that has columns itself."""
     name = type(thing).__name__
     if name == "Equilibria":
         yield _equilibria(thing)
@@ -99,7 +99,7 @@ def _equilibria(eq: Any) -> Table:
 
 
 def _trajectory(tr: Any) -> Table:
-    """The reach of the motion, not its samples."""
+    """First, smallest, largest and last value of each coordinate, in place of all samples."""
     rows = [
         (key, *(_cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
         for key, values in ((key, getattr(tr, key)) for key in ("x", "y", "vx", "vy"))
@@ -122,7 +122,7 @@ def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...]) -> 
 
 
 def _sequence(key: str, things: Sequence[Any], vary: str) -> Iterator[Table]:
-    """Parts of one kind: a row each, of curves their extents; ``vary`` is the name of what they call ``value``."""
+    """A row for each of several parts of one kind, arrays by their extremes; the field ``value`` is headed ``vary``."""
     if not things:
         yield Table(f"{key}: none")
         return
@@ -134,7 +134,7 @@ def _sequence(key: str, things: Sequence[Any], vary: str) -> Iterator[Table]:
 
 
 def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
-    """Arrays by their ends in size."""
+    """The fields, each array by its smallest and its largest value."""
     out: dict[str, Any] = {}
     for key, value in values.items():
         if isinstance(value, np.ndarray) and value.ndim:
@@ -157,7 +157,7 @@ def _parts(key: str, found: Iterator[Table]) -> Iterator[Table]:
 
 
 def _fields(thing: Any) -> dict[str, Any]:
-    """Fields by name, a mapping of arrays in the place of its own, in the shape of the rest."""
+    """Fields by name; in place of a mapping of arrays its items, broadcast to one shape."""
     out: dict[str, Any] = {}
     for field in fields(thing):
         value = getattr(thing, field.name)
@@ -197,7 +197,7 @@ def _pairs(single: Mapping[str, Any]) -> tuple[tuple[str, ...], tuple[tuple[str,
 
 
 def _shown(count: int) -> tuple[list[int], int | None]:
-    """Rows to show, and before which of them rows are left out."""
+    """Rows to show, and the place among them where others are left out, if any are."""
     if count <= ROWS:
         return list(range(count)), None
     half = ROWS // 2

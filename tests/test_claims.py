@@ -25,7 +25,7 @@ from spragsym.claims import Status
 from spragsym.claims.report import page
 from spragsym.cli import cli
 from spragsym.cli.check import check as check_command
-from spragsym.dynamics.trajectory import simulate
+from spragsym.dynamics import simulate
 
 ROOT = Path(__file__).parents[1]
 BASE = {"mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
@@ -501,7 +501,7 @@ def test_nothing_has_drifted() -> None:
             "claim-mu-cr: mu_cr = 0.574073166069, not 0.574073166169",
         ),
         ({"values": {"0.58 - mu_cr": 0.00592683393142}}, "claim-mu-cr: mu_cr = 0.574073166069, not None"),
-        ({"id": "claim-other"}, "claim-other: is in the record, but is computed no more"),
+        ({"id": "claim-other"}, "claim-other: is in the record, but is no longer computed"),
     ],
 )
 def test_a_drift_is_seen(change: dict[str, Any], line: str) -> None:

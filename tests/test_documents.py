@@ -169,6 +169,13 @@ def test_command_line_page(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(DOCS / "command_line.md"))[command], run(command, tmp_path))
 
 
+def test_the_reference_has_every_public_name() -> None:
+    """By itself, as a module, or among the errors, which come with theirs."""
+    page = (DOCS / "api.md").read_text(encoding="utf-8")
+    shown = set(re.findall(r"spragsym\.(\w+)", page)) | set(vars(spragsym.errors)) | {"__version__"}
+    assert set(spragsym.__all__) - shown == set()
+
+
 def test_pages_that_are_linked_exist() -> None:
     for page in DOCS.glob("*.md"):
         for link in re.findall(r"\]\(([\w./-]+\.md)\)", page.read_text(encoding="utf-8")):
@@ -197,3 +204,44 @@ def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert len(list((tmp_path / "html/_images").glob("*.png"))) >= 2
     assert "Sheet size" not in (tmp_path / "html/tutorial.html").read_text(encoding="utf-8")
+
+
+# --------------------------------------------------------------------------------------------------- the benchmarks
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in (ROOT / "benchmarks").glob("*.py") if path.stem != "__main__"))
+def test_every_benchmark_can_be_imported(name: str) -> None:
+    """None stands on a name that is gone; those that need an extra are left out without it."""
+    try:
+        importlib.import_module(f"benchmarks.{name}")
+    except ModuleNotFoundError as error:
+        if (error.name or "").partition(".")[0] in ("spragsym", "benchmarks", "derive"):
+            raise
+        pytest.skip(f"{error.name} is not installed")
+
+
+def test_the_performance_page_is_written(tmp_path: Path) -> None:
+    """With few points, and every solver in its columns."""
+    page = tmp_path / "performance.md"
+    run(f"cd {ROOT} && python -m benchmarks --quick accuracy --write {page}", tmp_path)
+    text = page.read_text(encoding="utf-8")
+    assert text.startswith("# Performance\n")
+    rows = [line.split("|")[1:-1] for line in text.splitlines() if line.startswith("|")]
+    assert len(rows) == 8
+    assert len({len(row) for row in rows}) == 1
+    places = [place for place, title in enumerate(rows[0]) if "ours" in title]
+    assert len(places) >= 2
+    for row in rows[2:]:
+        for place in places:
+            wrong, error = row[place].split(",")
+            assert int(wrong) == 0, row
+            assert float(error) < 1e-12, row
+
+
+def test_a_commit_before_can_be_compared_with(tmp_path: Path) -> None:
+    """Against itself: the same answers, and a time for each solver."""
+    if not (ROOT / ".git").exists():
+        pytest.skip("not a clone")
+    text = run(f"cd {ROOT} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
+    assert re.search(r"^\| numpy \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE)
+    assert re.search(r"^\| numpy \| 0 \| 0 \| 0\.0e\+00 \|", text, re.MULTILINE)

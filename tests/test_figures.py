@@ -26,7 +26,21 @@ from scipy.integrate import solve_ivp  # noqa: E402
 import spragsym as ss  # noqa: E402
 from spragsym.cli import main  # noqa: E402
 from spragsym.cli.figures import figures as command  # noqa: E402
-from spragsym.figures import FIGURES, Sheet, article, bifurcation_figure, curves, extras, hidden, plot_equilibria, surfaces, write  # noqa: E402
+from spragsym.figures import (  # noqa: E402
+    FIGURES,
+    Sheet,
+    bifurcation_figure,
+    curves,
+    extras,
+    figure_3,
+    figure_11,
+    figure_14,
+    hidden,
+    plot_equilibria,
+    space,
+    surfaces,
+    write,
+)
 from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402
 
 P = ss.Parameters.article()
@@ -100,7 +114,7 @@ def test_leaders_are_seen(sheets: dict[str, Sheet], name: str) -> None:
 
 
 def test_figure_9_shows_where_the_flutter_is(sheets: dict[str, Sheet]) -> None:
-    """In the outer axes three curves lie upon each other there: brackets mark it in both, and the inset has its labels."""
+    """In the outer axes three curves coincide there: brackets mark it in both, and the inset has its labels."""
     figure = sheets["9"]
     ax = figure.axes[0]
     (inset,) = ax.child_axes
@@ -124,7 +138,7 @@ def test_figure_9_shows_where_the_flutter_is(sheets: dict[str, Sheet]) -> None:
 
 def test_settings_stay_as_they_were() -> None:
     before = dict(matplotlib.rcParams)
-    figure = article.figure_3()
+    figure = figure_3()
     curves.draw_branches(curves.branches(P), ax=figure.axes[0])
     assert dict(matplotlib.rcParams) == before
 
@@ -278,18 +292,18 @@ def _crosses_a_sheet(p: ss.Parameters, ax: Any, place: np.ndarray[Any, Any]) -> 
     return bool(turned.size)
 
 
-@pytest.mark.parametrize("draw", [article.figure_11, article.figure_14])
+@pytest.mark.parametrize("draw", [figure_11, figure_14])
 def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
     """Against the surface itself, along the line of sight from each piece to the eye: no mesh takes part in it."""
     ax = draw().axes[0]
-    p = P if draw is article.figure_11 else P.replace(sigma=1.0)
+    p = P if draw is figure_11 else P.replace(sigma=1.0)
     wrong = looked_at = 0
     seen = set()
     for line in ax.get_lines():
         if line.get_marker() != "None":
             continue
         points = np.column_stack(line.get_data_3d())
-        hidden = line.get_linewidth() == article._BEHIND["linewidth"]
+        hidden = line.get_linewidth() == space.BEHIND["linewidth"]
         for share in (0.3, 0.5, 0.7):
             crossed = _crosses_a_sheet(p, ax, points[int(share * (len(points) - 1))])
             looked_at += 1
@@ -335,7 +349,7 @@ def test_a_surface_is_drawn_whatever_the_memory_held(monkeypatch: pytest.MonkeyP
             return np.full(shape, np.finfo(float).max if dtype is float else 0, dtype)
 
     monkeypatch.setattr(art3d, "np", Dirty())
-    figure = article.figure_11(detail=0.2)
+    figure = figure_11(detail=0.2)
     assert figure.axes[0].get_xlim() == pytest.approx((0, 180))
 
 
@@ -437,7 +451,7 @@ def test_bifurcation_figure_for_any_parameters() -> None:
 @pytest.mark.parametrize("kind", ["pdf", "png", "svg"])
 def test_files_have_the_same_bytes_every_time(tmp_path: Path, kind: str) -> None:
     for folder in ("one", "two"):
-        paths = write(article.figure_11(detail=0.2), tmp_path / folder, "figure_11", [kind])
+        paths = write(figure_11(detail=0.2), tmp_path / folder, "figure_11", [kind])
         assert [path.name for path in paths[:2]] == [f"figure_11.{kind}", "figure_11.txt"]
     for path in (tmp_path / "one").iterdir():
         assert path.read_bytes() == (tmp_path / "two" / path.name).read_bytes(), path.name

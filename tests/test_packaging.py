@@ -6,6 +6,7 @@ import importlib.util
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -13,6 +14,7 @@ import tarfile
 import tomllib
 import venv
 import zipfile
+from importlib.machinery import EXTENSION_SUFFIXES
 from pathlib import Path
 
 import pytest
@@ -63,6 +65,13 @@ def test_version_stands_in_one_place() -> None:
         if re.search(rf"\b{re.escape(spragsym.__version__)}\b", path.read_text(encoding="utf-8"))
     ]
     assert holders == ["_version.py"]
+
+
+def test_the_versions_that_are_promised_are_those_that_are_allowed() -> None:
+    project = PROJECT["project"]
+    named = [match[1] for line in project["classifiers"] if (match := re.search(r"Python :: (3\.\d+)$", line))]
+    assert project["requires-python"] == f">={named[0]}"
+    assert f"{sys.version_info[0]}.{sys.version_info[1]}" in named or sys.version_info[:2] > (3, 13)
 
 
 def test_constraints_pin_what_the_extras_name() -> None:
@@ -139,6 +148,77 @@ def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Pat
     assert not any("__pycache__" in name for name in names)
 
 
+# ------------------------------------------------------------------------------------------------- with a compiler
+
+COMPILER = next(filter(shutil.which, ("cc", "gcc", "clang")), None)
+needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+
+
+def extensions(wheel: Path) -> list[str]:
+    """Extension modules in a wheel, with their folders."""
+    with zipfile.ZipFile(wheel) as archive:
+        return [name for name in archive.namelist() if name.endswith(tuple(EXTENSION_SUFFIXES))]
+
+
+def wheel_by(compiler: str, sdist: Path, out: Path) -> Path:
+    """What pip makes of the source distribution where ``CC`` is that compiler."""
+    done = subprocess.run(
+        [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "--no-index", "-w", out, sdist],
+        env=os.environ | {"CC": compiler}, capture_output=True, text=True, timeout=300,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    (wheel,) = out.glob("*.whl")
+    return wheel
+
+
+@needs_compiler
+def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path]) -> None:
+    assert extensions(archives[0]) == [f"spragsym/statics/_compiled{sysconfig.get_config_var('EXT_SUFFIX')}"]
+    assert not archives[0].name.endswith("-none-any.whl")
+
+
+def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], tmp_path: Path) -> None:
+    """The source distribution installs, solves, and says what is missing."""
+    wheel = wheel_by("/bin/false", archives[1], tmp_path)
+    assert extensions(wheel) == []
+    interpreter = environment(tmp_path / "env", wheel)
+    done = call(interpreter, "-c", (
+        "import numpy as np, spragsym as ss\n"
+        "p = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))\n"
+        "assert ss.equilibria(p).count.tolist() == ss.count(p).tolist() == [3, 1]\n"
+        "ss.set_backend('compiled')\n"
+    ))  # fmt: skip
+    assert "BackendError" in done.stderr, done.stderr
+    assert "install spragsym again, with a compiler" in done.stderr
+
+
+_DIGEST = """
+import hashlib, numpy as np, spragsym as ss
+rng = np.random.default_rng(5)
+p = ss.Parameters(np.pi * rng.uniform(1e-6, 1, 20000), 2 * rng.random(20000), *10 ** rng.uniform(-3, 1, (4, 20000)))
+ss.set_backend("compiled")
+for contact in (True, False):
+    eq = ss.equilibria(p, contact=contact)
+    for name in ("count", "theta", "L", "x", "y", "error", "stability"):
+        print(contact, name, hashlib.sha256(np.ascontiguousarray(getattr(eq, name)).tobytes()).hexdigest())
+print(hashlib.sha256(ss.count(p).tobytes()).hexdigest())
+"""
+
+
+@needs_compiler
+@pytest.mark.skipif(shutil.which("clang") is None or shutil.which("gcc") is None, reason="clang and gcc are not both here")
+def test_gcc_and_clang_give_the_same_bits(archives: tuple[Path, Path], tmp_path: Path) -> None:
+    digests = []
+    for compiler in ("gcc", "clang"):
+        wheel = wheel_by(compiler, archives[1], tmp_path / compiler)
+        assert len(extensions(wheel)) == 1, compiler
+        done = call(environment(tmp_path / f"env_{compiler}", wheel), "-c", _DIGEST)
+        assert done.returncode == 0, done.stderr
+        digests.append(done.stdout)
+    assert digests[0] == digests[1]
+    assert digests[0].count("\n") == 15
+
+
 # ------------------------------------------------------------------------------------------- an empty environment
 
 
@@ -173,7 +253,7 @@ def call(python: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
 def test_runtime_without_extras(python: Path) -> None:
     program = (
         "import sys, numpy as np, spragsym as ss\n"
-        "assert not {'sympy', 'matplotlib', 'numba', 'flint', 'heyoka'} & set(sys.modules)\n"
+        "assert not {'sympy', 'matplotlib', 'flint', 'heyoka'} & set(sys.modules)\n"
         "turn = ss.folds(ss.Parameters.article()).theta0[0]\n"
         "p = ss.Parameters.article(theta0=[*np.radians([30.0, 49.0]), turn])\n"
         "eq = ss.equilibria(p)\n"

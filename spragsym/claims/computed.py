@@ -1,4 +1,4 @@
-"""What decides each statement: computations that return whether it holds, and the values behind it."""
+"""The computation that decides each statement: it returns whether the statement holds, and the values behind it."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from scipy.optimize import brentq, minimize_scalar
 
 from .. import catastrophe, precise
 from .. import generated as _generated
+from ..assumed import MU0_RANGE, D, V
 from ..catastrophe import flutter_points as flutter
 from ..catastrophe.paths import Jump, quasi_static_path
+from ..dynamics import simulate
 from ..dynamics.regimes import Regime
-from ..dynamics.trajectory import simulate
 from ..generated import equilibrium as _equilibrium
 from ..generated import motion as _motion
 from ..parameters import NAMES, FloatArray, Parameters
@@ -26,10 +27,8 @@ from ..statics.solver import Stability, equilibria
 from ..sweeps import sensitivity
 from .rows import Found, Value
 
-#: Belt speed and steepness of the friction law; the article states neither.
-V, D = 0.5, 10.0
-#: Frictions of Figures 11 to 14; the article's range is unknown.
-MU0_MAX = 1.0
+#: Largest friction of Figures 11 to 14.
+MU0_MAX = MU0_RANGE[1]
 
 _article = Parameters.article
 #: θ₀ of grids, degrees.

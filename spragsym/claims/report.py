@@ -1,4 +1,4 @@
-"""The referee's page, docs/reproduction.md: from the committed records alone, so that it is the same everywhere."""
+"""The referee's page, docs/reproduction.md, made from the committed records alone: every machine writes the same page."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ from collections import Counter
 from importlib import resources
 from typing import Any
 
+from ..assumed import D, V
 from .rows import recorded
 
 #: What the article leaves open and we had to choose.
 ASSUMPTIONS = (
-    "Belt speed V = 0.5 and steepness d = 10 of the friction law (10), for Figures 3 and 7. The article states neither; "
+    f"Belt speed V = {V} and steepness d = {D:g} of the friction law (10), for Figures 3 and 7. The article states neither; "
     "the figure `sensitivity` shows a decade of each.",
     "The motion of Figure 7 starts at rest. The article states x = y = 0 and no speed.",
     "The root mean square of Figure 7b is of x about zero, over 1500 < τ < 2000. The article states neither.",
@@ -119,21 +120,22 @@ def _anchor(id: str) -> str:
 
 
 def _misprints(rows: list[dict[str, str]]) -> list[str]:
+    page = resources.files("spragsym.generated").joinpath("LEDGER.md").read_text(encoding="utf-8")
     lines = ["## Misprints and approximations", ""]
     for row in rows:
         if row["status"] == "misprint":
-            lines += [f"### {row['where']} ({row['id']})", "", *_side_by_side(row), ""]
+            lines += [f"### {row['where']} ({row['id']})", "", *_side_by_side(row["id"], page), ""]
             lines += [f"Cause: {row['cause']}. Consequence: {row['consequence']}.", ""]
         elif row["status"] == "approximation":
-            lines += [f"### {row['where']} ({row['id']}): an approximation", "", *_side_by_side(row), ""]
+            lines += [f"### {row['where']} ({row['id']}): an approximation", "", *_side_by_side(row["id"], page), ""]
             lines += [f"It is what the derivation gives in the limit {row['limit']}.", ""]
     return lines[:-1]
 
 
-def _side_by_side(row: dict[str, str]) -> list[str]:
-    """What is printed above what is derived, in the same arrangement."""
-    both = [rf"&\text{{{name}:}} && {row[name]}" for name in ("printed", "derived")]
-    return ["```math", r"\begin{aligned}", both[0] + r" \\", both[1], r"\end{aligned}", "```"]
+def _side_by_side(id: str, page: str) -> list[str]:
+    """What is printed above what is derived, as the ledger's page shows the row."""
+    section = page.partition(f"\n### {id}\n")[2]
+    return [*section[section.index("```math") :].partition("\n```\n")[0].splitlines(), "```"]
 
 
 def _read_only() -> list[str]:

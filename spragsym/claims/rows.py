@@ -28,7 +28,7 @@ class Status(StrEnum):
 
 @dataclass(frozen=True)
 class Found:
-    """What a computation came to: whether the row's outcome holds, and the values behind it."""
+    """The result of a computation: whether the row's outcome holds, and the values behind it."""
 
     holds: bool
     values: dict[str, Value]
@@ -72,7 +72,7 @@ class Row:
 
 def run(statements: Sequence[Statement]) -> list[Row]:
     """Compute every row; nothing is read from the record."""
-    return [_row(statement) for statement in (statements)]
+    return [_row(statement) for statement in statements]
 
 
 def recorded() -> list[dict[str, Any]]:
@@ -87,7 +87,7 @@ def drifted(rows: Sequence[Row], record: Sequence[dict[str, Any]]) -> list[str]:
     before = {row["id"]: row for row in record}
     now = {row.id: row.as_dict() for row in rows}
     lines = [f"{id}: is not in the record" for id in now if id not in before]
-    lines += [f"{id}: is in the record, but is computed no more" for id in before if id not in now]
+    lines += [f"{id}: is in the record, but is no longer computed" for id in before if id not in now]
     for id in now.keys() & before.keys():
         lines += [f"{id}: {line}" for line in _differences(now[id], before[id])]
     return sorted(lines)
@@ -137,7 +137,7 @@ def _differences(now: dict[str, Any], before: dict[str, Any]) -> list[str]:
 
 
 def _close(one: Any, other: Any, digits: int) -> bool:
-    """Equal, or for floats within a unit of the last recorded digit, relative to 1 for what is smaller."""
+    """Whether values are equal; floats may differ by a unit of the last recorded digit, those below 1 by that unit of 1."""
     if isinstance(one, list) and isinstance(other, list):
         return len(one) == len(other) and all(_close(a, b, digits) for a, b in zip(one, other, strict=True))
     if isinstance(one, float) and isinstance(other, float):

@@ -117,7 +117,7 @@ def _run(arguments: list[str], debug: bool) -> int:
     except (click.Abort, KeyboardInterrupt) as stop:
         return _report("; ".join(["interrupted", *map(str, stop.args)]), 130, debug)
     except BrokenPipeError:
-        return 0  # whoever read our output, head for one, has seen enough
+        return 0  # the reader, such as head, has closed the pipe: no error
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
         return error.exit_code
@@ -152,7 +152,7 @@ def _invoke(arguments: list[str]) -> int:
 
 
 def _message(error: click.ClickException, arguments: list[str]) -> str:
-    """What click says, with the option that was meant."""
+    """The message of click; for an unknown option, with the one that was probably meant."""
     if not isinstance(error, click.NoSuchOption) or error.ctx is None:
         return error.format_message()
     # Of -theta0 click sees only -t.
@@ -165,7 +165,7 @@ def _message(error: click.ClickException, arguments: list[str]) -> str:
 
 
 def _of_the_system(error: OSError) -> str:
-    """What the machine refuses: of a file, or of the output, which has no name."""
+    """The message for an error of the operating system: it names the file, or says that the output failed."""
     if not error.strerror:
         return str(error)
     if error.filename is None:

@@ -25,8 +25,8 @@ from .targets import force, refuse
 def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: float) -> None:
     """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
 
-    Of an onset, branch counts the equilibria from below in theta, and side is 1 where the state flutters at larger theta0, -1
-    where it does at smaller theta0.
+    For a flutter onset, branch is the rank of the equilibrium by theta, from 0, and side says where it flutters: 1 at larger
+    theta0, -1 at smaller theta0.
 
     \b
     Examples:

@@ -33,7 +33,7 @@ _CLAIM_STYLES = {
 def check(json_output: bool, claims: bool, report: Path | None, force: bool) -> None:
     """Hold every printed equation of the article against the derivation, or every statement against computation.
 
-    Recomputes every row; nothing is read from a file but the committed records, to see that no row has changed.
+    Every row is recomputed. The committed record is read only to see whether a row has changed.
 
     \b
     Examples:

@@ -39,7 +39,7 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
 
 
 def _rows(theta0_deg: float, values: dict[str, float]) -> tuple[list[dict[str, Any]], dict[str, str]]:
-    """One row for each equilibrium, and why there is none in contact or in lift-off where that can't be told."""
+    """A row for each equilibrium; and, by state, why the equilibria in contact or in lift-off can't be told."""
     import numpy as np
 
     from ..errors import ConvergenceError
@@ -54,7 +54,7 @@ def _rows(theta0_deg: float, values: dict[str, float]) -> tuple[list[dict[str, A
         except ConvergenceError as reason:
             reasons[state] = str(reason)
             continue
-        with np.errstate(all="ignore"):  # of numbers near the largest that there are
+        with np.errstate(all="ignore"):  # parameters near the largest floats overflow
             eigenvalues = eq.eigenvalues
         for slot in range(int(eq.count)):
             rows.append({

@@ -101,7 +101,7 @@ def _options(function: Callable[..., Any]) -> set[str]:
 
 @contextmanager
 def _processes(workers: int) -> Iterator[int | Map]:
-    """1, or the map of one pool for all figures: a process takes a second to begin."""
+    """1, or the map of a pool that all figures share, since a process takes a second to start."""
     count = os.cpu_count() or 1 if workers == -1 else workers
     if count == 1:
         yield 1
@@ -112,7 +112,7 @@ def _processes(workers: int) -> Iterator[int | Map]:
 
 @contextmanager
 def _bar(total: int, quiet: bool) -> Iterator[Callable[[str], None]]:
-    """A progress bar on stderr; the function it gives is called as each figure is begun."""
+    """A progress bar on stderr; it yields a function to be called with each figure's name before that is drawn."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 

@@ -75,7 +75,7 @@ def simulate(
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     from ..dynamics import Event
-    from ..dynamics.trajectory import simulate as integrate
+    from ..dynamics import simulate as integrate
     from ..files import storage
 
     p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})

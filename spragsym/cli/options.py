@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import click
 import numpy as np
 
+from ..assumed import D, V
 from ..errors import ParameterError
 from ..generated.quantities import QUANTITIES
 from ..parameters import (
@@ -34,8 +35,8 @@ _SPEED = Range(0.0, remedy=RANGES["mu0"].remedy)
 _CREEP = Range(0.0, open_low=True, remedy="without it there is no friction")
 #: Flags, name, default, range and meaning of what the article does not state.
 BELT = (
-    ("--creep", "-d", "d", 10.0, _CREEP, "Steepness d of the friction law. Our assumption."),
-    ("--speed", "-V", "V", 0.5, _SPEED, "Belt speed V. Our assumption."),
+    ("--creep", "-d", "d", D, _CREEP, "Steepness d of the friction law. Our assumption."),
+    ("--speed", "-V", "V", V, _SPEED, "Belt speed V. Our assumption."),
 )
 
 
@@ -130,11 +131,11 @@ def belt(function: F) -> F:
 
 
 def window(function: F) -> F:
-    """``--t-end --transient``: how long, and from when on a motion is measured."""
+    """``--t-end --transient``: until when a motion is integrated, and from when on it is measured."""
     text = "What to leave out of RMS, amplitude and period. Default: three quarters of --t-end."
     function = click.option("--transient", type=Number(NOT_NEGATIVE), callback=_after_t_end, help=text)(function)
     text = "Until when, in sqrt(m/k_c)."
-    # Eager: its value is there when that of --transient is looked at.
+    # Eager options are read first: --transient is checked against this one.
     return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, is_eager=True, help=text)(function)
 
 

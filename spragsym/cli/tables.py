@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
-#: Columns where no terminal says how many: no line is broken.
+#: Width of the output in a pipe: so wide that no line is broken.
 PLAIN_WIDTH = 1000
-#: Columns that a table of numbers fits into, where no wider terminal is at hand.
+#: Width that a table of numbers fits into, unless the terminal is wider.
 WIDTH = 80
 #: Digits of a number in a table: as many as fit.
 MOST_DIGITS, LEAST_DIGITS = 12, 5
@@ -22,7 +22,7 @@ MOST_DIGITS, LEAST_DIGITS = 12, 5
 def show(thing: RenderableType, whole: bool = False) -> None:
     """Print a table or a styled text on stdout, in a pipe without styles and without blanks at the ends of lines.
 
-    What is ``whole`` is not fitted into a narrow terminal, which then breaks the lines itself.
+    If ``whole``, it is not squeezed into a narrow terminal, which then breaks the lines itself.
     """
     import click
     from rich.console import Console
@@ -42,7 +42,7 @@ def show(thing: RenderableType, whole: bool = False) -> None:
 
 
 def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]], empty: str = "none") -> None:
-    """Print a table with a title, or the title and a word where it has no rows.
+    """Print a table under a title; without rows, the title and the word ``empty``.
 
     Floats get as many digits as the line has room for, up to twelve; ``--json`` gives them all.
     """
@@ -77,7 +77,7 @@ def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> list[lis
 
 
 def print_json(thing: Any) -> None:
-    """Print JSON, in which a number that is none, or too large to be one, is null."""
+    """Print JSON; NaN and infinities, which JSON does not have, become null."""
     import click
 
     # Where the stream can't write Greek letters, JSON has an escape for them.

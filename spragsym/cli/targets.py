@@ -1,4 +1,4 @@
-"""One rule for every command that writes: no file is overwritten without ``--force``, and that is said before the work."""
+"""One rule for every command that writes: no file is overwritten without ``--force``; the refusal comes before any work."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def holds(path: Path, text: str) -> bool:
 
 @contextmanager
 def set_aside(path: Path) -> Iterator[None]:
-    """Take a file out of the way, and bring it back if the body fails without a new one."""
+    """Move a file away, and move it back if the body has not written a new one."""
     if not path.is_file():
         yield
         return

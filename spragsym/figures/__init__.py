@@ -16,21 +16,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from .article import (  # fmt: skip
-    figure_3,
-    figure_4,
-    figure_5,
-    figure_6,
-    figure_7,
-    figure_8,
-    figure_9,
-    figure_10,
-    figure_11,
-    figure_12,
-    figure_13,
-    figure_14,
-)
+from .bifurcation_sets import figure_11, figure_12, figure_14
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
+from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
 from .extras import (  # fmt: skip
     bifurcation_figure,
     figure_cusp_friction,
@@ -39,7 +27,9 @@ from .extras import (  # fmt: skip
     figure_sensitivity,
 )
 from .files import FORMATS, write
+from .motions import figure_3, figure_7
 from .style import Sheet
+from .trajectories import figure_6, figure_13
 
 #: Name → the function that draws it: the article's numbers first.
 FIGURES: dict[str, Callable[..., Sheet]] = {

@@ -20,7 +20,7 @@ from .style import BLACK, LINES, Table, own_axes, styled
 
 #: Names of axes.
 LABELS = {"x": r"$x_{\mathrm{eq}}$", "y": r"$y_{\mathrm{eq}}$", "theta": r"$\theta$ (deg)", "L": r"$L$"}
-#: Names of axes that stand for themselves: with the unit, since no caption says it.
+#: Labels of axes in drawings without a caption: with the unit.
 _WITH_UNITS = {
     "theta0": r"$\theta_0$ (deg)",
     "mu0": r"$\mu_0$ (dimensionless)",
@@ -110,7 +110,7 @@ def _cuts(p: Parameters, vary: str, low: float, high: float, turns: Folds | None
 def _pieces(
     vary: str, values: FloatArray, eq: Equilibria, rank: int, turns: Folds | None, ends: tuple[float, float]
 ) -> list[Branch]:
-    """One rank between two cuts, with the exact fold at an end where it has one, by stability."""
+    """Equilibria of one rank between two cuts, split by stability and extended to the exact fold at an end that is one."""
     there = np.flatnonzero(eq.count > rank)
     states = {name: getattr(eq, name)[there, rank] for name in _STATE}
     codes, along = eq.stability[there, rank], values[there]
@@ -128,7 +128,7 @@ def _pieces(
 
 
 def _to_fold(piece: Branch, eq: Equilibria, at: int, rank: int, turns: Folds, end: float) -> Branch:
-    """The piece led up to the fold at its first or last point, if it is one of the pair that meets there."""
+    """The piece extended to the fold at its first or last point, if its equilibrium is one of the two that meet there."""
     (here,) = np.nonzero(getattr(turns, turns.vary) == end)
     if not here.size or eq.count[at] < 2:
         return piece

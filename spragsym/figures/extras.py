@@ -9,11 +9,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
+from ..assumed import MU0_RANGE, D, V
 from ..catastrophe import bifurcation_set, critical_friction, critical_value, folds
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
-from .article import _BASE_TEXT, MU0_RANGE, D, V, _draw_bifurcation_set
+from .bifurcation_sets import draw_bifurcation_set
+from .captions import BASE_TEXT
 from .style import (
     BLACK,
     BLUE,
@@ -53,7 +55,7 @@ def bifurcation_figure(p: Parameters) -> Sheet:
     lowest = float(critical_friction(p.replace(theta0=None, mu0=None)))
     mu0 = None if p.mu0 is None else float(p.mu0)
     finite = [value for value in (lowest, mu0) if value is not None and np.isfinite(value)]
-    table = _draw_bifurcation_set(ax, p.replace(mu0=None), (0.0, max(1.0, 2.0 * max(finite, default=0.5))))
+    table = draw_bifurcation_set(ax, p.replace(mu0=None), (0.0, max(1.0, 2.0 * max(finite, default=0.5))))
     if mu0 is not None:
         ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     kappa, alpha, sigma, beta = p.scalars("kappa", "alpha", "sigma", "beta")
@@ -75,7 +77,7 @@ def figure_cusp_friction(*, n: int = 41) -> Sheet:
     return figure.describe(
         f"""Friction at the cusp, μ_cusp, over (a) β, (b) α, (c) σ, (d) κ, the other
         parameters
-        at {_BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_cusp lies below
+        at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_cusp lies below
         it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
         not. The number is the critical value. Where the curve of (d) ends there is no cusp beyond.""",
         **tables,
@@ -181,7 +183,7 @@ def figure_false_double_root() -> Sheet:
         write_along(axes[0], f"no fold\n{angle:.2f}°", angle - 2, 2e-5, color=BLUE, ha="right")
     axes[0].set(ylabel="smallest relative\ndistance of two roots", ylim=(1e-6, 3))
     return figure.describe(
-        f"""Smallest distance of two roots, relative to their size, at μ₀ = 0.5, {_BASE_TEXT}, of (a) the
+        f"""Smallest distance of two roots, relative to their size, at μ₀ = 0.5, {BASE_TEXT}, of (a) the
         quartic in L, the article's Equation (21), (b) the quartic in t = tan(θ/2). Both have a double
         root at the two folds; that in L has another where two different equilibria share the length
         σ/(σ + α), and where x and y can't be recovered from it.""",
@@ -227,7 +229,7 @@ def figure_rms_map(*, step_deg: float = 2.0, step_mu0: float = 0.04, levels: int
     share = 2**levels
     return figure.describe(
         f"""Root mean square of x, about zero, over 1500 < τ < 2000, of the motion from rest at x = y = 0, over
-        inclination and friction; orange: the bifurcation set, the dot is the cusp. Here {_BASE_TEXT}; V = {V} and d =
+        inclination and friction; orange: the bifurcation set, the dot is the cusp. Here {BASE_TEXT}; V = {V} and d =
         {D:g} are our assumption. One motion for each cell, at its centre: cells of {step_deg:g}° by {step_mu0:g}, divided
         down to {step_deg / share:g}° by {step_mu0 / share:g} where the RMS steps. In both bright regions the motion ends in a
         large cycle, in which it is above the belt most of the time. Region I begins before the fold: the motion overshoots the
@@ -270,7 +272,7 @@ def _divided(p: Parameters, step_deg: float, step_mu0: float, levels: int, worke
 
 
 def _centres(top: float, step: float) -> FloatArray:
-    """Middles of equal cells that fill the range from 0, the last one perhaps in part."""
+    """Middles of equal cells from 0 on; the last cell may reach beyond ``top``."""
     return step * np.arange(0.5, round(top / step), dtype=np.float64)
 
 
@@ -309,7 +311,7 @@ def figure_sensitivity(*, step_deg: float = 1.0, workers: Workers = 1) -> Sheet:
     tables["c"] = _draw_jumps(axes[2], jumps.V, jumps.d, np.degrees(jumps.theta0))
     axes[2].axhline(float(np.degrees(folds(p).theta0[0])), color=GREY, linewidth=0.7, linestyle=":")
     return figure.describe(
-        f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {_BASE_TEXT}. Root mean square of x
+        f"""Sensitivity of Figure 7b to belt speed and steepness, μ₀ = 0.5, {BASE_TEXT}. Root mean square of x
         over 1500 < τ < 2000 from rest at x = y = 0, (a) for three V at d = {D:g}, (b) for three d at V =
         {V}; (c) the θ₀ at which it steps most, to {np.degrees(jumps.width):.2g}°, over V for three
         d. Dotted: the fold, which does not depend on them. V = {V} and d = {D:g} are our assumption of what

@@ -22,14 +22,14 @@ _THETA0, _MU0, _X, _SLOPE, _DISCRIMINANT = range(5)
 
 
 @dataclass(frozen=True)
-class Sheet:
+class SurfaceSheet:
     """Polygons of one stability, each an array of (θ₀ in degrees, μ₀, x)."""
 
     stability: Stability
     polygons: list[FloatArray]
 
 
-def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int = 90) -> list[Sheet]:
+def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: int = 90) -> list[SurfaceSheet]:
     """The surface over the given θ₀ and between two frictions, cut along folds and flutter onsets.
 
     Each θ₀ has its own directions, from one end of the arc in contact to the other, where μ₀ is infinite. So
@@ -44,7 +44,7 @@ def sheets(p: Parameters, mu0: tuple[float, float], theta0_deg: FloatArray, n: i
         Stability.DIVERGENT: _clip(polygons, _SLOPE, 0.0, keep_above=False),
         Stability.FLUTTER: _clip(standing, _DISCRIMINANT, 0.0, keep_above=False),
     }
-    return [Sheet(kind, [polygon[:, :3] for polygon in part]) for kind, part in parts.items() if part]
+    return [SurfaceSheet(kind, [polygon[:, :3] for polygon in part]) for kind, part in parts.items() if part]
 
 
 def _mesh(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, float]) -> FloatArray:
@@ -71,7 +71,7 @@ def _directions(p: Parameters, theta0: FloatArray, n: int, mu0: tuple[float, flo
     found = surface(p, theta, theta0[:, None])
     width = mu0[1] - mu0[0]
     shown = np.clip(found.mu0, mu0[0] - 0.1 * width, mu0[1] + 0.1 * width)
-    # What is out of sight counts the less the farther it is.
+    # Outside the shown range points are sparser, the farther away the sparser.
     weight = 0.25 / (1 + ((found.mu0 - shown) / width) ** 2)[:, 1:]
     steps = np.hypot(np.diff(shown, axis=1) / width, weight * np.diff(found.x, axis=1))
     length = np.concatenate([np.zeros((theta0.size, 1)), np.cumsum(steps, axis=1)], axis=1)

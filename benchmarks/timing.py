@@ -1,0 +1,51 @@
+"""How the benchmarks measure time: the best of several turns, and processes of their own for what happens once."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Mapping
+from typing import TypeVar
+
+import numpy as np
+
+import spragsym as ss
+
+T = TypeVar("T")
+
+
+def seconds(work: Callable[[], object]) -> float:
+    """Time of one call."""
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin
+
+
+def best(work: Callable[[], object], repeats: int = 5) -> float:
+    """The shortest of several calls, which other load on the machine disturbs least; the first call is not counted."""
+    work()
+    return min(seconds(work) for _ in range(repeats))
+
+
+def best_in_turn(works: Mapping[str, Callable[[], object]], repeats: int = 7) -> dict[str, float]:
+    """The shortest call of each; all take turns, so that other load on the machine meets all alike."""
+    taken = dict.fromkeys(works, np.inf)
+    for _ in range(repeats):
+        for name, work in works.items():
+            taken[name] = min(taken[name], seconds(work))
+    return taken
+
+
+def on_backend(name: str, threads: int, work: Callable[[ss.Parameters], T], p: ss.Parameters) -> T:
+    """``work(p)`` with a backend, which is set back to the default afterwards."""
+    ss.set_backend(name, threads)
+    try:
+        return work(p)
+    finally:
+        ss.set_backend("auto")
+
+
+def in_process(code: str) -> str:
+    """What a new interpreter prints that runs ``code``."""
+    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout

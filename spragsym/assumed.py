@@ -1,0 +1,8 @@
+"""What the article does not state and its figures and claims need: our assumptions, in one place."""
+
+from __future__ import annotations
+
+#: Belt speed and steepness of the friction law.
+V, D = 0.5, 10.0
+#: Frictions of Figures 11 to 14.
+MU0_RANGE = (0.0, 1.0)

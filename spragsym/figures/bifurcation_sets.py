@@ -1,0 +1,157 @@
+"""The article's Figures 11, 12 and 14: the surface of equilibria, and its shadow, the bifurcation set."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..assumed import MU0_RANGE
+from ..catastrophe import bifurcation_set
+from ..catastrophe.flutter_points import FlutterBoundary, flutter_boundary
+from ..parameters import FloatArray, Parameters
+from ..statics.solver import Stability, equilibria
+from . import surfaces
+from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
+from .curves import passages
+from .hidden import Cover
+from .space import draw_line, draw_surface, space_axes
+from .style import BLACK, DOUBLE, GREEN, GREY, LINES, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
+from .trajectories import both_ways, table_of_path
+
+_VIOLET = "#5b2a86"
+
+
+@styled
+def figure_11(*, detail: float = 1.0) -> Sheet:
+    """The equilibrium surface with its folds, its cusp and the paths a–a′ and b–b′."""
+    figure = Sheet(figsize=(4.6, 3.5))
+    ax = space_axes(figure, (0.0, 0.02, 0.97, 0.98), 1.02)
+    p = Parameters.article()
+    cover, folded = draw_surface(ax, p, detail)
+    tables = {"a": folded}
+    for (name, angle), color in zip(PATHS_DEG.items(), (BLACK, _VIOLET), strict=True):
+        up, _ = both_ways(p.replace(theta0=np.radians(angle)), "mu0", np.linspace(*MU0_RANGE, 201))
+        pieces = passages(up)
+        for mu0, x in pieces:
+            draw_line(ax, cover, np.full(mu0.size, angle), mu0, x, color=color, linewidth=1.5, zorder=4)
+        for (mu0, x), (_, landed) in itertools.pairwise(pieces):
+            ends = np.array([angle, angle]), np.array([mu0[-1], mu0[-1]]), np.array([x[-1], landed[0]])
+            draw_line(ax, cover, *ends, color=color, linewidth=1.2, linestyle=":", zorder=4)
+        for (mu0, x), mark, at in ((pieces[0], "", 0), (pieces[-1], "′", -1)):
+            ax.text(
+                angle,
+                mu0[at] + (-0.06 if at == 0 else 0.05),
+                x[at] + 0.12,
+                f"$\\mathit{{{name}}}${mark}",
+                color=color,
+                zorder=6,
+            )
+        tables[f"a_path_{name}"] = table_of_path(up, "mu0")
+    return figure.describe(
+        f"""Figure 11. Surface of equilibria in contact over inclination and friction, {BASE_TEXT}. Blue
+        sheets are stable, orange ones divergent; orange lines are the folds, the dot is the cusp. Lines with a
+        dotted jump are the paths a–a′ (θ₀ = 60°, black) and b–b′ (θ₀ = 40°, violet) with μ₀ rising.
+        {HIDDEN_TEXT} x over L₀. {RANGE_TEXT}""",
+        **tables,
+    )
+
+
+@styled
+def figure_12() -> Sheet:
+    """The bifurcation set."""
+    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    p = Parameters.article()
+    table = draw_bifurcation_set(ax, p)
+    label_regions(ax, p, [(20, 0.3), (155, 0.25)], (98, 0.6))
+    for name, angle in PATHS_DEG.items():
+        ax.axvline(angle, color=GREY, linewidth=0.6, linestyle=":")
+        write_along(ax, f"$\\mathit{{{name}}}$–$\\mathit{{{name}}}$′", angle + 1.5, 0.93, color=GREY)
+    return figure.describe(
+        f"""Figure 12. Bifurcation set over inclination and friction, {BASE_TEXT}: three equilibria in
+        contact
+        in the shaded regions, one elsewhere; the dot is the cusp. Dotted: the paths of Figure 13.
+        {RANGE_TEXT}""",
+        a=table,
+    )
+
+
+@styled
+def figure_14(*, detail: float = 1.0) -> Sheet:
+    """Surface and bifurcation set at σ = 1, with flutter."""
+    figure = Sheet(figsize=(DOUBLE, 3.3))
+    space, plane = space_axes(figure, (0.02, 0.0, 0.56, 1.0), 0.95), figure.add_axes((0.64, 0.16, 0.345, 0.74))
+    p = Parameters.article(sigma=1.0)
+    onsets = flutter_boundary(p)
+    cover, folded = draw_surface(space, p, detail)
+    tables = {"a": folded, "a_flutter": draw_flutter(space, onsets, MU0_RANGE, cover)}
+    tables["b"] = draw_bifurcation_set(plane, p)
+    tables["b_flutter"] = draw_flutter(plane, onsets, MU0_RANGE)
+    label_regions(plane, p, [(40, 0.13), (150, 0.13)], (98, 0.75))
+    for x in (6, 157):
+        write_along(plane, "flutter", x, 0.85, color=GREEN)
+    figure.text(0.02, 0.95, "(a)", va="center")
+    plane.set_title("(b)", loc="left")
+    return figure.describe(
+        f"""Figure 14. Equilibria in contact at σ = 1, κ = 0.007, α = 0.007, β = 0. (a) Surface over
+        inclination and friction: blue sheets are stable, orange divergent, green flutter; orange lines are folds,
+        green ones onsets of flutter, the dot is the cusp. {HIDDEN_TEXT} (b) Bifurcation set: three equilibria in the
+        shaded regions, one elsewhere; dash-dotted, onsets of flutter on the sheet of largest θ. x over
+        L₀. {RANGE_TEXT}""",
+        **tables,
+    )
+
+
+def draw_bifurcation_set(ax: Axes, p: Parameters, mu0: tuple[float, float] = MU0_RANGE) -> Table:
+    """Fold curves over (θ₀, μ₀), what lies between them shaded, cusps marked."""
+    found = bifurcation_set(p)
+    columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": []}
+    angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)
+    count = equilibria(p.replace(theta0=angles, mu0=frictions[:, None])).count
+    if (count == 3).any():
+        ax.contourf(np.degrees(angles), frictions, count, levels=[2, 4], colors=["#f7dfd0"], zorder=0)
+    for number, curve in enumerate(found.curves):
+        ax.plot(np.degrees(curve.theta0), curve.mu0, color=VERMILION)
+        for name, values in zip(columns, (np.full(curve.mu0.size, number), np.degrees(curve.theta0), curve.mu0), strict=True):
+            columns[name].append(values)
+    ax.plot(
+        np.degrees(found.cusps.theta0),
+        found.cusps.mu0,
+        linestyle="none",
+        marker="o",
+        markersize=3.6,
+        color=BLACK,
+        zorder=4,
+    )
+    angle_axis(ax)
+    ax.set(ylabel=r"$\mu_0$", ylim=mu0)
+    return {name: np.concatenate([[], *values]) for name, values in columns.items()}
+
+
+def label_regions(ax: Axes, p: Parameters, three: list[tuple[float, float]], one: tuple[float, float]) -> None:
+    """The number of equilibria in each region, and the cusp's coordinates beside it."""
+    for place in three:
+        write_along(ax, "3", *place, ha="center", fontsize=10)
+    write_along(ax, "1", *one, ha="center", fontsize=10)
+    cusp = bifurcation_set(p).cusps
+    theta0, mu0 = float(np.degrees(cusp.theta0[0])), float(cusp.mu0[0])
+    write_along(ax, f"cusp\n{theta0:.2f}°\n{mu0:.4f}", theta0 + 3, mu0 + 0.09, linespacing=0.95)
+
+
+def draw_flutter(ax: Any, found: FlutterBoundary, mu0: tuple[float, float], cover: Cover | None = None) -> Table:
+    """Onsets of flutter over (θ₀, μ₀), or with a cover on the surface."""
+    style: dict[str, Any] = {"color": GREEN, "linewidth": 1.2, "linestyle": LINES[Stability.FLUTTER], "zorder": 3}
+    for number in np.unique(found.curve):
+        part = found.curve == number
+        friction, angle, x = surfaces.inside(found.mu0[part], *mu0, np.degrees(found.theta0[part]), found.x[part])
+        if cover is None:
+            ax.plot(angle, friction, **style)
+        else:
+            draw_line(ax, cover, angle, friction, x, **style)
+    shown = (found.mu0 >= mu0[0]) & (found.mu0 <= mu0[1])
+    return {
+        "curve": found.curve[shown], "theta0_deg": np.degrees(found.theta0[shown]), "mu0": found.mu0[shown],
+        "x": found.x[shown],
+    }  # fmt: skip

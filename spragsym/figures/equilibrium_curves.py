@@ -1,0 +1,176 @@
+"""The article's Figures 4, 5 and 8 to 10: curves of equilibria over the inclination."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, TypeAlias
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..catastrophe import folds
+from ..catastrophe.flutter_points import flutter_onsets
+from ..parameters import Parameters
+from .captions import BASE_TEXT, LETTERS, LINES_TEXT, RANGE_TEXT
+from .curves import LABELS, branches, draw_branches, joined, mark_folds, table_of
+from .linear import draw_linear
+from .style import BLACK, BLUE, DOUBLE, GREY, SINGLE, VERMILION, Sheet, Table, angle_axis, panels, styled, write_along
+
+
+@styled
+def figure_4() -> Sheet:
+    """Equilibria in contact and in lift-off."""
+    figure, axes = panels(2, 2, DOUBLE, 4.4)
+    p = Parameters.article()
+    contact, lifted = branches(p), branches(p, contact=False)
+    for ax, curves, name in zip(axes.flat, (contact, contact, lifted, lifted), "xyxy", strict=True):
+        draw_branches(curves, name, ax=ax)
+        angle_axis(ax)
+        ax.set_ylabel(LABELS[name])
+    for ax, name in zip(axes[0], "xy", strict=True):
+        mark_folds(folds(p), name, ax=ax)
+    for ax, name in zip(axes.flat, ("contact", "contact", "lift-off", "lift-off"), strict=True):
+        ax.set_title(name, loc="right", color=GREY)
+    for text, x, y in (("stable", 62, 1.2), ("divergent", 27, 0.88), ("stable", 6, 0.25)):
+        write_along(axes[0, 0], text, x, y)
+    for text, x, y in (("divergent", 158, -0.95), ("stable", 153, -1.65)):
+        write_along(axes[0, 0], text, x, y, ha="right")
+    for text, x, y in (("stable", 90, -0.011), ("divergent", 27, -0.055)):
+        write_along(axes[0, 1], text, x, y)
+    write_along(axes[1, 0], "divergent", 98, 0.5)
+    return figure.describe(
+        f"""Figure 4. Equilibria over the inclination at μ₀ = 0.5, {BASE_TEXT}: in contact (a) x, (b) y, and
+        in lift-off (c) x, (d) y. {LINES_TEXT} Displacements over L₀. {RANGE_TEXT}""",
+        a=table_of(contact), b=table_of(contact), c=table_of(lifted), d=table_of(lifted),
+    )  # fmt: skip
+
+
+@styled
+def figure_5() -> Sheet:
+    """The linear model against the nonlinear one, below and above the linear model's critical friction."""
+    figure, axes = panels(2, 2, DOUBLE, 4.4)
+    limits = {
+        ("x", 0.5): (-2.2, 3.2),
+        ("y", 0.5): (-0.1, 0.01),
+        ("x", 0.7): (-2.2, 3.2),
+        ("y", 0.7): (-0.23, 0.08),
+    }
+    tables: dict[str, Table] = {}
+    for row, mu0 in enumerate((0.5, 0.7)):
+        p = Parameters.article(mu0=mu0)
+        curves = branches(p)
+        for ax, name, letter in zip(axes[row], "xy", "abcd"[2 * row : 2 * row + 2], strict=True):
+            linear = draw_linear(ax, p, name)
+            draw_branches(curves, name, ax=ax)
+            mark_folds(folds(p), name, ax=ax)
+            angle_axis(ax)
+            ax.set(ylabel=LABELS[name], ylim=limits[name, mu0])
+            ax.set_title(rf"$\mu_0 = {mu0}$", loc="right", color=GREY)
+            tables[letter] = table_of(curves)
+            tables[f"{letter}_linear"] = linear
+    for ax in axes[:, 0]:
+        write_along(ax, "nonlinear", 30, 1.85)
+    write_along(axes[0, 0], "linear", 86, 2.3, color=BLUE)
+    write_along(axes[1, 0], "linear", 92, 2.3, color=BLUE)
+    return figure.describe(
+        f"""Figure 5. Equilibria in contact (black) and those of the linear sprag model, whose spring keeps
+        its
+        angle (blue), over the inclination: (a) x and (b) y at μ₀ = 0.5, (c) x and (d) y at μ₀ = 0.7;
+        {BASE_TEXT}. Dotted lines are the poles of the linear model. {LINES_TEXT} Displacements over L₀;
+        {RANGE_TEXT.lower()}""",
+        **tables,
+    )
+
+#: Where a direct label stands, and the point of the curve that a thin line leads to.
+_Label: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
+
+_FAMILY_COLORS = (BLUE, VERMILION, BLACK)
+
+
+@styled
+def figure_8() -> Sheet:
+    """Equilibrium curves for β = 0, 1 and 2."""
+    labels = [((78, 1.5), (52, 1.16)), ((95, 1.0), (67, 0.61)), ((108, 0.55), (80, 0.195))]
+    return _family(8, "beta", (0.0, 1.0, 2.0), labels)[0]
+
+
+@styled
+def figure_9() -> Sheet:
+    """Equilibrium curves for α = 0.007, 0.07 and 0.7."""
+    values = (0.007, 0.07, 0.7)
+    labels = [((70, 1.4), (49, 1.22)), ((100, 0.7), (78, 0.06)), ((40, -0.27), (82, -0.01))]
+    figure, ax = _family(9, "alpha", values, labels)
+    onsets = np.degrees(flutter_onsets(Parameters.article(alpha=values[-1])).theta0)
+    low, high = float(onsets.min()), float(onsets.max())
+    _bracket(ax, "flutter", low, high, -0.14)
+    inset = _magnified(ax, "alpha", values)
+    _bracket(inset, "flutter", low, high, -0.002, fontsize=7)
+    for text, place, color in zip(("0.007", "0.07", "0.7"), ((134, 0.055), (47, 0.06), (40, 0.012)), _FAMILY_COLORS, strict=True):
+        write_along(inset, rf"$\alpha = {text}$", *place, color=color, fontsize=7)
+    figure.caption += (
+        f" The inset magnifies small deformation. At α = 0.7 the state flutters between the onsets, {low:.1f}° and {high:.1f}°, "
+        "which the brackets mark: at the scale of the outer axes the three curves coincide there."
+    )
+    return figure
+
+
+@styled
+def figure_10() -> Sheet:
+    """Equilibrium curves for σ = 0.01, 0.1 and 1."""
+    labels = [((110, 0.95), (100, 0.38)), ((33, 0.8), (47, 1.27)), ((70, 1.5), (52, 1.2))]
+    figure, ax = _family(10, "sigma", (0.01, 0.1, 1.0), labels)
+    for place in ((30, 1.95), (152, -0.2)):
+        write_along(ax, "flutter", *place)
+    return figure
+
+
+def _family(number: int, name: str, values: tuple[float, ...], labels: Sequence[_Label]) -> tuple[Sheet, Axes]:
+    """Equilibrium curves in contact for three values of a parameter, labelled at the given places."""
+    figure, ((ax,),) = panels(1, 1, SINGLE, 2.9)
+    tables = []
+    for value, color, (place, target) in zip(values, _FAMILY_COLORS, labels, strict=True):
+        p = Parameters.article(**{name: value})
+        curves = branches(p)
+        draw_branches(curves, ax=ax, color=color)
+        mark_folds(folds(p), ax=ax, color=color)
+        _point_at(ax, rf"$\{name} = {value:g}$", target, place, color)
+        tables.append(table_of(curves, **{name: value}))
+    angle_axis(ax)
+    ax.set(ylabel=LABELS["x"], ylim=(-2.2, 2.4))
+    others = ", ".join(part for part in f"μ₀ = 0.5, {BASE_TEXT}".split(", ") if not part.startswith(LETTERS[name]))
+    sheet = figure.describe(
+        f"""Figure {number}. Equilibria in contact over the inclination for {LETTERS[name]} = {
+            ", ".join(f"{value:g}" for value in values)
+        }; {others}. {LINES_TEXT} x over L₀. {RANGE_TEXT}""",
+        a=joined(tables),
+    )
+    return sheet, ax
+
+
+def _point_at(ax: Axes, text: str, target: tuple[float, float], place: tuple[float, float], color: str = BLACK) -> None:
+    """A label with a thin line from it to a point of a curve; the line starts beside the text or above it."""
+    leader = {"arrowstyle": "-", "linewidth": 0.5, "color": color, "shrinkA": 1, "shrinkB": 2}
+    ax.annotate(text, target, place, color=color, fontsize=8, va="center", arrowprops=leader)
+
+
+def _magnified(ax: Axes, name: str, values: tuple[float, ...]) -> Axes:
+    """Axes within others that show small deformation only, where the curves of the outer ones coincide."""
+    inset = ax.inset_axes((0.2, 0.13, 0.5, 0.26))
+    for value, color in zip(values, _FAMILY_COLORS, strict=True):
+        draw_branches(branches(Parameters.article(**{name: value})), ax=inset, color=color, linewidth=1.0)
+    angle_axis(inset, step=60)
+    inset.set(ylabel=LABELS["x"], ylim=(-0.02, 0.068))
+    inset.set_yticks((0.0, 0.03, 0.06))
+    inset.tick_params(labelsize=7)
+    for label in (inset.xaxis.label, inset.yaxis.label):
+        label.set_fontsize(7)
+    inset.xaxis.labelpad = inset.yaxis.labelpad = 1.0
+    return inset
+
+
+def _bracket(ax: Axes, text: str, low: float, high: float, level: float, **options: Any) -> None:
+    """A bracket below a curve from one θ₀ in degrees to another, with a word beneath."""
+    ax.annotate("", (low, level), (high, level), arrowprops={"arrowstyle": "|-|, widthA=0.2, widthB=0.2", "linewidth": 0.7,
+                                                             "shrinkA": 0, "shrinkB": 0})  # fmt: skip
+    ax.annotate(text, ((low + high) / 2, level), (0, -3), textcoords="offset points", ha="center", va="top",
+                **({"fontsize": 8} | options))  # fmt: skip

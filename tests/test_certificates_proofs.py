@@ -389,7 +389,7 @@ def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str) -> None:
 def test_kinds_of_double_roots() -> None:
     """Where f″ = 0 it is a cusp. Otherwise a touch, with the third state on the side that a fold at that point has it."""
     arith = Balls()
-    exact = dict(zip(NAMES, map(Fraction, (1.2, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
+    exact = dict(zip(NAMES, map(Fraction, (1.1, 0.5, 0.007, 0.007, 0.1, 0.0)), strict=True))
     with arith.precision(300):
         uppers = set()
         for fold in (fold for vary in ("theta0", "mu0") for fold in fold_proofs.folds(arith, vary, exact, 300)):

@@ -322,7 +322,7 @@ def test_arc_tangents_of_large_numbers() -> None:
             ends = [mpmath.atan(_mpf(end)) for end in ARITH.ends(ball)]
             assert low <= ends[0] <= ends[1] <= high
             if abs(mid) > 3:
-                assert high - low <= ends[1] - ends[0] + mpmath.ldexp(1, -49)
+                assert high - low <= ends[1] - ends[0] + mpmath.ldexp(1, -48)
     for mid in (5, -5):
         for rad in (5, 6):
             low, high = ARITH.ends(ARITH.atan(Ball(mid, rad, 0, 53)))

@@ -255,7 +255,7 @@ class Balls:
     def atan(self, value: Ball) -> Ball:
         """Arc tangent, which changes by no more than its argument does; of a large one through its reciprocal."""
         if value.mid.bit_length() + value.exp > 1 and abs(value.mid) > value.rad:
-            half = self._pi(value.bits) / 2
+            half = self._pi(value.bits) * 0.5
             return (half if value.mid > 0 else -half) - self.atan(1 / value)
         if not value.mid:
             return value

@@ -72,6 +72,8 @@ def test_operations_enclose_every_corner(operation: Callable[[Any, Any], Any], b
 @pytest.mark.parametrize("bits", [4, 20, 53])
 def test_rounding_takes_the_worst_middle_and_radius(bits: int) -> None:
     """All ones beyond the last bit: the middle loses nearly a unit and the radius, which has its own, nearly another."""
+    full = Ball((1 << bits) - 1, 0, 0, bits)
+    assert (full.mid, full.rad) == ((1 << bits) - 1, 0)  # nothing to round
     for lost in (1, 5, 40):
         mid, rad = (1 << bits + lost) - 1, (1 << lost) - 1
         for sign in (1, -1):
@@ -84,11 +86,20 @@ def test_rounding_takes_the_worst_middle_and_radius(bits: int) -> None:
 
 def test_far_apart_terms_go_into_the_radius() -> None:
     for bits, gap, sign in itertools.product((8, 53), (20, 60, 200, 5000), (1, -1)):
-        large, small = Ball(5, 0, gap, bits), Ball(sign * 3, 1, 0, bits)
-        for result, turn in ((large + small, 1), (small - large, -1)):
-            for end in ARITH.ends(small):
-                assert _holds(result, turn * Fraction(5) * 2**gap + end)
-            assert result.mid.bit_length() + result.rad.bit_length() < 200
+        for exp in (0, -7, 6):
+            large, small = Ball(5, 0, gap + exp, bits), Ball(sign * 3, 1, exp, bits)
+            for result, turn in ((large + small, 1), (small - large, -1)):
+                for end in ARITH.ends(small):
+                    assert _holds(result, turn * Fraction(5) * Fraction(2) ** (gap + exp) + end)
+                assert result.mid.bit_length() + result.rad.bit_length() < 200
+    huge = Ball(1, 0, 1 << 62, 53) - Ball(1, 0, 0, 53)
+    assert huge.mid.bit_length() + huge.exp >= 1 << 62
+    for bits, gap in itertools.product((8, 53), range(1, 140)):
+        assert (Ball(1, 0, gap, bits) + Ball(1, 0, 0, bits)).rad <= (0 if gap < bits else 1 if gap <= bits + 32 else 2)
+    for bits, far in itertools.product((5, 53, 300), (0, 1, 20, 31)):
+        one, other = Ball(1, 0, bits + far, bits), Ball((1 << bits) - 1, 0, far, bits)  # all but one bit cancels
+        assert ARITH.ends(one - other) == ARITH.ends(Ball(1, 0, far, bits)) == (2**far, 2**far)
+        assert ARITH.ends(other - one) == (-(2**far), -(2**far))
     tiny = Ball(3, 0, -5000, 53)
     assert ARITH.ends(tiny + Ball(0, 0, 0, 53)) == ARITH.ends(Ball(0, 0, 9, 53) + tiny) == ARITH.ends(tiny)
 
@@ -109,9 +120,12 @@ def test_numbers_of_other_types_are_exact() -> None:
     ball = Ball(3, 0, -2, 53)
     for result, value in [
         (1 - ball, 0.25), (ball - 1, -0.25), (2 * ball, 1.5), (ball * 0.5, 0.375), (3 / ball, 4), (ball / 3.0, 0.25),
-        (ball**3, 0.421875), (ball**0, 1), (0.5 + ball, 1.25), (-ball, -0.75), (ball**-1 * 3, 4),
+        (ball**3, 0.421875), (ball**0, 1), (0.5 + ball, 1.25), (-ball, -0.75), (ball**-1 * 3, 4), (ball**-2 * 9, 16),
+        (ball**2, 0.5625), (ball**6, 0.75**6), (ball - 0.5, 0.25), (+ball, 0.75),
     ]:  # fmt: skip
         assert _holds(result, Fraction(value))
+        if result.rad:
+            assert value in (4, 0.25, 16)  # quotients by 3; all else is exact
     for operation in OPERATIONS:
         for pair in ((ball, "1"), ("1", ball)):
             with pytest.raises(TypeError):
@@ -286,10 +300,42 @@ def test_roots_and_quotients_hold_what_rounds_worst(bits: int) -> None:
             assert high - low <= (max(exact) - min(exact)) * (1 + Fraction(s, abs(n) - s)) * Fraction(17, 16) + 2 * spare
 
 
+@pytest.mark.parametrize("name", ["cos", "sin", "atan"])
+def test_bounds_hold_without_guard_bits(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Guard bits hide an error that is left out: without them it shows in the last place."""
+    monkeypatch.setattr(intervals, "GUARD_BITS", 0)
+    with mpmath.workprec(400):
+        for bits, mid, rad in itertools.product((3, 7, 12, 30), (-125, -77, -3, 1, 2, 9, 99, 127), (0, 1)):
+            for exp in (-40, -9, -7, -6):
+                ball = Ball(mid, rad, exp, bits)
+                low, high = map(_mpf, ARITH.ends(FUNCTIONS[name](ball)))
+                for end in map(_mpf, ARITH.ends(ball)):
+                    assert low <= getattr(mpmath, name)(end) <= high
+
+
+def test_arc_tangents_of_large_numbers() -> None:
+    """As sharp as the reciprocal, unless 0 is held."""
+    with mpmath.workprec(400):
+        for mid, rad, exp in itertools.product((1, -1, 3, 2**52 - 1, 1 - 2**52), (0, 1), (2, 5, 20)):
+            ball = Ball(mid, rad, exp, 53)
+            low, high = map(_mpf, ARITH.ends(ARITH.atan(ball)))
+            ends = [mpmath.atan(_mpf(end)) for end in ARITH.ends(ball)]
+            assert low <= ends[0] <= ends[1] <= high
+            if abs(mid) > 3:
+                assert high - low <= ends[1] - ends[0] + mpmath.ldexp(1, -48)
+    for mid in (5, -5):
+        for rad in (5, 6):
+            low, high = ARITH.ends(ARITH.atan(Ball(mid, rad, 0, 53)))
+            assert low <= Fraction(math.atan(mid - rad)) <= Fraction(math.atan(mid + rad)) <= high
+
+
 def test_a_union_is_no_wider_than_what_it_holds() -> None:
     for low, high in itertools.combinations([Fraction(n, 8) for n in (-9, -8, -1, 0, 1, 2, 3, 8, 16, 40)], 2):
         assert ARITH.ends(ARITH.between(low, high)) == (low, high)
         assert ARITH.ends(ARITH.union(ARITH.exact(high), ARITH.exact(low))) == (low, high)
+    for one, other in itertools.product(_small_balls(53), repeat=2):
+        ends = (*ARITH.ends(one), *ARITH.ends(other))
+        assert ARITH.ends(ARITH.union(one, other)) == (min(ends), max(ends))
 
 
 # -------------------------------------------------------------------------- both arithmetics
@@ -354,6 +400,7 @@ def test_precision_is_that_asked_for_and_then_as_before(arith: Arithmetic) -> No
         return high - low
 
     before, digits = width(), mpmath.mp.prec
+    assert ARITH.exact(Fraction(1, 3)).bits == ARITH.pi().bits == 53
     with arith.precision(80):
         eighty = width()
         with contextlib.suppress(KeyError), arith.precision(30):

@@ -168,7 +168,7 @@ def _sum(m: int, r: int, e: int, n: int, s: int, f: int, bits: int) -> Ball:
         if not (n or s):
             return Ball(m, r, e, bits)
         # What lies far below the last bit of the result goes into the radius, lest a wide gap cost its number of bits.
-        drop = min(gap, gap + max(m.bit_length(), r.bit_length()) - bits - 2 * GUARD_BITS)
+        drop = gap - bits - 2 * GUARD_BITS
         if drop > 0:
             n, s, f, gap = n >> drop, _rounded(s, drop), f + drop, gap - drop
         m, r = m << gap, r << gap
@@ -180,14 +180,13 @@ def _quotient(one: Ball, other: Ball) -> Ball:
     least = abs(n) - s
     if least <= 0:
         raise Undecided("an interval that holds 0 divides")
-    bits = max(one.bits, other.bits)
-    shift = max(0, bits + GUARD_BITS + n.bit_length() - m.bit_length())
+    shift = max(0, one.bits + n.bit_length() - m.bit_length())
     quotient, rest = divmod(m << shift, n)
     rad = 1 if rest else 0
     if r or s:
         # |a/b − m/n| = |a n − m b| / |b n| ≤ (|n| r + |m| s) / (|n| (|n| − s))
         rad -= -((abs(n) * r + abs(m) * s) << shift) // (abs(n) * least)
-    return Ball(quotient, rad, one.exp - other.exp - shift, bits)
+    return Ball(quotient, rad, one.exp - other.exp - shift, one.bits)
 
 
 class Balls:
@@ -207,7 +206,7 @@ class Balls:
         numerator, denominator, bits = value.numerator, value.denominator, _BITS.get()
         if denominator & (denominator - 1) == 0:
             return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
-        shift = max(0, bits + 2 + denominator.bit_length() - numerator.bit_length())
+        shift = max(0, bits + denominator.bit_length() - numerator.bit_length())
         return Ball((numerator << shift) // denominator, 1, -shift, bits)
 
     def between(self, low: Fraction, high: Fraction) -> Ball:
@@ -247,7 +246,7 @@ class Balls:
             raise Undecided("the square root of an interval that holds negative numbers")
         if not value.mid:
             return value
-        shift = max(0, 2 * (value.bits + GUARD_BITS) - value.mid.bit_length())
+        shift = max(0, 2 * value.bits - value.mid.bit_length())
         shift += (value.exp - shift) % 2
         root = math.isqrt(value.mid << shift)
         # |√a − √m| = |a − m| / (√a + √m) ≤ |a − m| / √m
@@ -256,7 +255,7 @@ class Balls:
     def atan(self, value: Ball) -> Ball:
         """Arc tangent, which changes by no more than its argument does; of a large one through its reciprocal."""
         if value.mid.bit_length() + value.exp > 1 and abs(value.mid) > value.rad:
-            half = self._pi(value.bits) / 2
+            half = self._pi(value.bits) * 0.5
             return (half if value.mid > 0 else -half) - self.atan(1 / value)
         if not value.mid:
             return value

@@ -114,7 +114,8 @@ def test_each_rule_of_following() -> None:
         (x + z, x + z, 4, True), (x * y, x * y, 9, False), (2 * x, 2 * x, 3, False), (-x, x, 3, False), (3 * x, 3 * x, 4, False),
         (x / 3, x / 3, 5, False), (x / 4, x / 4, 3, False), (x * y * 2, 2 * x * y, 9, False), (z * x, x * z, 5, True),
         (x**2, x**2, 7, False), (z**2, z**2, 3, True), (1 / x, 1 / x, 4, False), (sp.Abs(z, evaluate=False), z, 1, True),
-        (sp.Integer(-3), 3, 0, True), (sp.Rational(1, 3), sp.Rational(1, 3), 1, False), (sp.Rational(3, 4), sp.Rational(3, 4), 0, False),
+        (sp.Integer(-3), 3, 0, True), (sp.Rational(1, 3), sp.Rational(1, 3), 1, False),
+        (sp.Rational(3, 4), sp.Rational(3, 4), 0, False),
     ):  # fmt: skip
         value = bounds._follow(expression, known)
         assert sp.simplify(value.size - size) == 0
@@ -133,9 +134,9 @@ def test_sizes_that_do_not_cover_are_refused() -> None:
         bounds._covers(2 * x, x + y)
     sure, open_ = Counted(x), Counted(x, 0, True)
     bounds._same_sizes((sure, sure, sure, sure), (sure, sure))
-    for coefficients, emitted in (
+    for coefficients, given in (
         ((sure, open_, sure, sure), (sure, sure)), ((sure, sure, sure, open_), (sure, sure)),
         ((sure, sure, sure, sure), (Counted(y), sure)), ((sure, sure, sure, sure), (sure, Counted(2 * x))),
     ):  # fmt: skip
         with pytest.raises(ArithmeticError):
-            bounds._same_sizes(coefficients, emitted)
+            bounds._same_sizes(coefficients, given)

@@ -13,8 +13,8 @@ import pytest
 import spragsym as ss
 from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym.parameters import NAMES
 from spragsym.generated import kernel
+from spragsym.parameters import NAMES
 from spragsym.statics import block, ladder, slots, solver
 
 
@@ -84,15 +84,15 @@ GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsid
 
 
 def _settled(
-    monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T, roots: Any = slice(None)
+    monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
 ) -> tuple[bool, slots.Slots]:
     """What a block makes of three roots whose middle one has changed; of the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
-    given = {name: np.repeat(np.array(values)[roots], 2) for name, values in columns.items()}
+    given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
     out = slots.Slots(3, 3 if contact else 4)
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))
-    times = np.repeat(np.array(t)[roots, None], 2, axis=1)
+    times = np.repeat(np.array(t)[:, None], 2, axis=1)
     settled = block._some(times, point, kernel.Balance(*[np.ones(2)] * 7), out, np.array([2, 1]), np.float64(2.0**-53))
     out.clear()
     assert settled[0] == settled[1]

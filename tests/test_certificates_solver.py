@@ -249,6 +249,50 @@ def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None
             np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
 
 
+def test_blocks_of_lift_off_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    p = _points(4)
+    whole = ss.equilibria(p, contact=False)
+    monkeypatch.setattr(solver, "BLOCK", 7)
+    pieces = ss.equilibria(p, contact=False)
+    for name in ("theta", "L", "count", "stability", "error", "escalated"):
+        np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
+
+
+@pytest.mark.parametrize(("dtype", "u"), [(np.float64, 2.0**-53), (np.longdouble, np.finfo(np.longdouble).eps / 2)])
+def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyPatch, dtype: Any, u: float) -> None:
+    asked = []
+    for name in ("discriminant", "one_positive", "at_root"):
+        plain = getattr(kernel, name)
+        monkeypatch.setattr(block.kernel, name, lambda *given, plain=plain: (asked.append(given[-1]), plain(*given))[1])
+    point = kernel.Point(*(np.full(3, value, dtype=dtype) for value in (0.8, 0.6, 1.0, 0.1, 0.1, 0.1, 0.1)), 1)
+    with np.errstate(all="ignore"):
+        block.solve(point, 3, slots.Slots(3, 3), 0, dtype)
+    assert len(asked) >= 3
+    assert all(type(value) is dtype and value == u for value in asked)
+
+
+@pytest.mark.parametrize("value", [-1.0, 0.0, 1.0])
+def test_a_discriminant_within_its_error_counts_for_nothing(monkeypatch: pytest.MonkeyPatch, value: float) -> None:
+    """The second factor is then looked at: its roots, complex here, settle nothing."""
+    p = ss.Parameters.article(theta0=[1.2, 2.0], mu0=0.3)
+    assert not ss.equilibria(p, contact=False).escalated.any()
+    monkeypatch.setattr(kernel, "discriminant", lambda line, u: kernel.Discriminant(value + 0 * line.b, 1 + 0 * line.b))
+    assert ss.equilibria(p, contact=False).escalated.all()
+
+
+def test_one_positive_root_settles_a_point_whatever_the_discriminant() -> None:
+    """Four real roots in t, of which Descartes' rule says that one is positive."""
+    rng = np.random.default_rng(57)
+    values = 10.0 ** rng.uniform(-2, 1.5, (5, 40000))
+    p = ss.Parameters(rng.uniform(0.01, 3.13, 40000), *values)
+    line = kernel.balance(kernel.Point(np.cos(p.theta0), np.sin(p.theta0), *values, 1))
+    some = np.flatnonzero((kernel.discriminant(line, 2.0**-53).value < -1e-6) & kernel.one_positive(line, 2.0**-53))
+    assert some.size > 20
+    few = ss.equilibria(ss.Parameters(p.theta0[some], *values[:, some]))
+    assert few.escalated.mean() < 0.05
+    assert (few.count == 1).all()
+
+
 def test_eigenvalues_are_those_of_the_stiffness() -> None:
     for contact in (True, False):
         p = _points(6)

@@ -226,7 +226,7 @@ def balance(point: Point) -> Balance:
     a_size, d_size = f_magnitudes(
         point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar
     )
-    scale = maximum(maximum(absolute(a), absolute(b)), maximum(absolute(d), absolute(m)))
+    scale = maximum(maximum(absolute(a), absolute(b)), maximum(absolute(d), m))  # m = μ₀ σ n̄ is not negative
     over = 1.0 / scale
     return Balance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,8 +13,9 @@ import pytest
 import spragsym as ss
 from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
+from spragsym.generated import kernel
 from spragsym.parameters import NAMES
-from spragsym.statics import kernel, ladder, solver
+from spragsym.statics import block, ladder, slots, solver
 
 
 @pytest.fixture(autouse=True)
@@ -43,8 +45,9 @@ def test_counts_codes_and_bounds_over_every_family() -> None:
         used = np.arange(eq.theta.shape[1]) < eq.count[:, None]
         assert (np.isfinite(eq.error) == used).all()
         assert ((eq.stability > 0) == used).all()
-        assert np.nanmax(eq.error) <= solver.TOLERANCE
-        assert 0 < eq.escalated.mean() < 0.35
+        assert np.nanmax(eq.error) <= block.TOLERANCE
+        assert eq.escalated.mean() < 0.35
+        assert eq.escalated.any() or not contact
         for row in range(0, eq.count.size, 7):
             point = [float(value[row]) for value in p.broadcast(*NAMES)]
             states = ladder.equilibria(*point, contact=contact).states
@@ -75,62 +78,143 @@ def test_every_rung_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     assert (np.abs(both[0] - both[1]) <= 4 * np.nan_to_num(found[0].error + found[1].error)).all()
 
 
-def _roots(**changes: Any) -> list[solver.Root]:
-    """Three roots of one point, all equilibria; changes are of the middle one."""
-    columns = []
-    for k, t in enumerate((0.5, 1.0, 2.0)):
-        given = dict(t=t, L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsider=False, code=1 + (k == 1))
-        columns.append(given | (changes if k == 1 else {}))
-    return [solver.Root(**{name: np.array([value]) for name, value in column.items()}) for column in columns]
+#: tan(θ/2) of three roots of one point, and what is there: all are equilibria.
+T = (0.5, 1.0, 2.0)
+GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsider=False, known=True)
 
 
-def _settled(roots: list[solver.Root], wanted: bool = True, contact: bool = True) -> tuple[bool, solver._Slots]:
-    out = solver._Slots(1, 4)
-    return bool(solver._fill(out, np.array([0]), roots, np.array([wanted]), contact, np.float64(2.0**-53))[0]), out
+def _settled(
+    monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
+) -> tuple[bool, slots.Slots]:
+    """What a block makes of three roots whose middle one has changed; of the second of two points."""
+    columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
+    given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
+    monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
+    out = slots.Slots(3, 3 if contact else 4)
+    point = kernel.Point(*[np.ones(2)] * 7, float(contact))
+    times = np.repeat(np.array(t)[:, None], 2, axis=1)
+    settled = block._some(times, point, kernel.Balance(*[np.ones(2)] * 7), out, np.array([2, 1]), np.float64(2.0**-53))
+    out.clear()
+    assert settled[0] == settled[1]
+    return bool(settled[1]), out
 
 
-def test_three_certain_equilibria_are_settled_in_order() -> None:
-    settled, out = _settled(_roots())
+def test_three_certain_equilibria_are_settled_in_order(monkeypatch: pytest.MonkeyPatch) -> None:
+    settled, out = _settled(monkeypatch, {})
     assert settled
-    assert out.count[0] == 3
-    np.testing.assert_allclose(out.theta[0, :3], 2 * np.arctan([0.5, 1.0, 2.0]))
-    assert out.stability[0].tolist() == [1, 2, 1, 0]
-    assert out.error[0, :3].tolist() == [1e-15] * 3
+    assert out.count.tolist() == [0, 3, 3]
+    np.testing.assert_allclose(out.padded("theta")[1], 2 * np.arctan(T))
+    assert out.padded("stability").tolist() == [[0, 0, 0], [1, 2, 1], [1, 2, 1]]
+    assert out.padded("error")[1].tolist() == [1e-15] * 3
+    assert np.isnan(out.padded("error")[0]).all()
 
 
 @pytest.mark.parametrize(
     "changes",
     [
         {"member": False},  # neither equilibrium nor certainly none
-        {"code": 0}, {"error": 1.1e-12}, {"error": np.nan}, {"radius": np.nan}, {"radius": 0.7},
+        {"known": False}, {"error": 1.1e-12}, {"error": np.nan}, {"radius": np.inf}, {"radius": 0.7},
         {"member": False, "outsider": True},  # two equilibria in contact can't be
-        {"t": 0.5}, {"t": np.nan},
     ],
     ids=str,
 )  # fmt: skip
-def test_one_missing_certificate_settles_nothing(changes: dict[str, Any]) -> None:
-    settled, out = _settled(_roots(**changes))
+def test_one_missing_certificate_settles_nothing(monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any]) -> None:
+    settled, out = _settled(monkeypatch, changes)
     assert not settled
-    assert out.count[0] == 0
+    assert out.count.tolist() == [0, 0, 0]
 
 
-def test_roots_that_are_none_leave_their_slots() -> None:
-    settled, out = _settled(_roots(member=False, outsider=True), contact=False)
-    assert settled
-    assert out.count[0] == 2
-    np.testing.assert_allclose(out.theta[0, :2], 2 * np.arctan([0.5, 2.0]))
-    assert np.isnan(out.theta[0, 2:]).all()
-    assert not _settled(_roots(), wanted=False)[0]
-    first, *rest = _roots()
-    backward = [first._replace(t=np.array([-0.5])), *rest]
-    assert not _settled(backward)[0]  # in contact no equilibrium has sin θ < 0
-    assert _settled(backward, contact=False)[0]
+def test_an_error_at_the_tolerance_is_within_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert _settled(monkeypatch, {"error": 1e-12})[0]
+    assert block._rounding(np.float64(2.0**-53)) == 0
+    assert block._rounding(np.longdouble(2.0**-64)) >= 2.0**-53
 
 
-def test_ascending_sorts_and_spreads_what_is_no_number() -> None:
-    for order in itertools.permutations((3.0, -1.0, 2.0, 0.5)):
-        assert [float(value[0]) for value in solver._ascending([np.array([value]) for value in order])] == [-1.0, 0.5, 2.0, 3.0]
-    assert all(np.isnan(value[0]) for value in solver._ascending([np.array([value]) for value in (1.0, np.nan, 2.0)]))
+@pytest.mark.parametrize("t", [(0.5, 0.5, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)])
+def test_roots_that_may_be_one_or_lie_below_0_settle_nothing_in_contact(monkeypatch: pytest.MonkeyPatch, t: Any) -> None:
+    assert not _settled(monkeypatch, {}, t=t)[0]
+    assert _settled(monkeypatch, {}, contact=False, t=t)[0] == (t[0] <= 0)
+
+
+def test_roots_that_are_none_leave_their_slots(monkeypatch: pytest.MonkeyPatch) -> None:
+    for change in ({"member": False, "outsider": True}, {"member": False, "outsider": True, "known": False, "error": 1.0}):
+        settled, out = _settled(monkeypatch, change, contact=False)
+        assert settled
+        assert out.count.tolist() == [0, 2, 2]
+        np.testing.assert_allclose(out.padded("theta")[1, :2], 2 * np.arctan([0.5, 2.0]))
+        assert np.isnan(out.padded("theta")[1, 2:]).all()
+        assert out.padded("stability")[1].tolist() == [1, 1, 0, 0]
+
+
+def test_one_root_a_point(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In contact: settled where it is an equilibrium for certain, and t > 0."""
+    for t, changes, wanted in (
+        (1.0, {}, True), (1.0, {"member": False}, False), (1.0, {"known": False}, False), (1.0, {"error": 2e-12}, False),
+        (0.0, {}, False), (-1.0, {}, False), (np.nan, {}, False), (1.0, {"error": 1e-12}, True),
+    ):  # fmt: skip
+        given = {name: np.array([changes.get(name, value)] * 2) for name, value in GOOD.items()} | {"code": np.ones(2)}
+        monkeypatch.setattr(block.kernel, "at_root", lambda *_, given=given: kernel.Root(**given))
+        out = slots.Slots(5, 3)
+        line = kernel.Balance(*[np.ones(2)] * 7)
+        settled = block._one_each(np.array([t, t]), kernel.Point(*[np.ones(2)] * 8), line, out, 2, np.float64(2.0**-53))
+        assert settled.tolist() == [wanted] * 2
+        assert out.count.tolist() == [0, 0, wanted, wanted, 0]
+        if wanted:
+            np.testing.assert_allclose(out.first["theta"][2:4], math.pi / 2)
+
+
+def test_members_move_to_the_front_whichever_they_are() -> None:
+    rng = np.random.default_rng(56)
+    for candidates, room in ((3, 3), (3, 4), (2, 4), (4, 4)):
+        members = np.array(list(itertools.product([False, True], repeat=candidates))).T
+        columns = {name: rng.integers(1, 9, members.shape) for name in slots.COLUMNS}
+        count, packed = slots.gathered(members, columns, room)
+        assert count.tolist() == members.sum(axis=0).tolist()
+        for name in slots.COLUMNS:
+            for point in range(members.shape[1]):
+                kept = columns[name][members[:, point], point]
+                assert packed[name][: kept.size, point].tolist() == kept.tolist()
+                rest = packed[name][kept.size :, point]
+                assert (rest == 0).all() if name == "stability" else np.isnan(rest).all()
+
+
+def test_slots_hold_what_was_put_last() -> None:
+    out = slots.Slots(3, 3)
+    for theta in (1.0, 2.0):
+        columns = slots.empty(3, 2)
+        columns["theta"][:2] = theta
+        columns["stability"][:2] = 1
+        out.put(np.array([2, 0]), np.array([2, 0]), columns)
+    out.clear()
+    assert out.count.tolist() == [0, 0, 2]
+    assert out.padded("theta")[2, :2].tolist() == [2.0, 2.0]
+    assert np.isnan(out.first["theta"][:2]).all()
+    assert out.padded("stability").dtype == np.int8
+    assert out.padded("stability")[2].tolist() == [1, 1, 0]
+    assert out.first["stability"][:2].tolist() == [0, 0]
+
+
+def test_count_counts() -> None:
+    p = _points(40)
+    np.testing.assert_array_equal(ss.count(p), ss.equilibria(p).count)
+    assert ss.count(p).dtype == np.int8
+    one = ss.Parameters.article(theta0=[[0.5], [0.8]], mu0=[0.3, 1.0, 1.3])
+    assert ss.count(one).shape == (2, 3)
+
+
+def test_points_without_an_answer_are_marked_with_their_reason(monkeypatch: pytest.MonkeyPatch) -> None:
+    p = ss.Parameters(1.0, [0.5, 1e200, 0.7], [0.3, 1e200, 0.3], 1.0, 1.0, 1.0)
+    eq = ss.equilibria(p)
+    assert eq.undecided.tolist() == [False, True, False]
+    assert eq.escalated.tolist() == [False, True, False]
+    assert eq.count.tolist() == [1, 0, 1]
+    assert "beyond float64" in eq.reason(1)
+    assert eq.reason(0) == ""
+    assert np.isnan(eq.theta[1]).all()
+    assert not eq.fold.any()
+    with pytest.raises(ss.ConvergenceError, match="beyond float64"):
+        eq.decided()
+    assert ss.equilibria(p.replace(mu0=0.5, kappa=0.3)).decided().count == 1
 
 
 def test_no_point_sees_another() -> None:
@@ -165,6 +249,50 @@ def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None
             np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
 
 
+def test_blocks_of_lift_off_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    p = _points(4)
+    whole = ss.equilibria(p, contact=False)
+    monkeypatch.setattr(solver, "BLOCK", 7)
+    pieces = ss.equilibria(p, contact=False)
+    for name in ("theta", "L", "count", "stability", "error", "escalated"):
+        np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
+
+
+@pytest.mark.parametrize(("dtype", "u"), [(np.float64, 2.0**-53), (np.longdouble, np.finfo(np.longdouble).eps / 2)])
+def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyPatch, dtype: Any, u: float) -> None:
+    asked = []
+    for name in ("discriminant", "one_positive", "at_root"):
+        plain = getattr(kernel, name)
+        monkeypatch.setattr(block.kernel, name, lambda *given, plain=plain: (asked.append(given[-1]), plain(*given))[1])
+    point = kernel.Point(*(np.full(3, value, dtype=dtype) for value in (0.8, 0.6, 1.0, 0.1, 0.1, 0.1, 0.1)), 1)
+    with np.errstate(all="ignore"):
+        block.solve(point, 3, slots.Slots(3, 3), 0, dtype)
+    assert len(asked) >= 3
+    assert all(type(value) is dtype and value == u for value in asked)
+
+
+@pytest.mark.parametrize("value", [-1.0, 0.0, 1.0])
+def test_a_discriminant_within_its_error_counts_for_nothing(monkeypatch: pytest.MonkeyPatch, value: float) -> None:
+    """The second factor is then looked at: its roots, complex here, settle nothing."""
+    p = ss.Parameters.article(theta0=[1.2, 2.0], mu0=0.3)
+    assert not ss.equilibria(p, contact=False).escalated.any()
+    monkeypatch.setattr(kernel, "discriminant", lambda line, u: kernel.Discriminant(value + 0 * line.b, 1 + 0 * line.b))
+    assert ss.equilibria(p, contact=False).escalated.all()
+
+
+def test_one_positive_root_settles_a_point_whatever_the_discriminant() -> None:
+    """Four real roots in t, of which Descartes' rule says that one is positive."""
+    rng = np.random.default_rng(57)
+    values = 10.0 ** rng.uniform(-2, 1.5, (5, 40000))
+    p = ss.Parameters(rng.uniform(0.01, 3.13, 40000), *values)
+    line = kernel.balance(kernel.Point(np.cos(p.theta0), np.sin(p.theta0), *values, 1))
+    some = np.flatnonzero((kernel.discriminant(line, 2.0**-53).value < -1e-6) & kernel.one_positive(line, 2.0**-53))
+    assert some.size > 20
+    few = ss.equilibria(ss.Parameters(p.theta0[some], *values[:, some]))
+    assert few.escalated.mean() < 0.05
+    assert (few.count == 1).all()
+
+
 def test_eigenvalues_are_those_of_the_stiffness() -> None:
     for contact in (True, False):
         p = _points(6)
@@ -186,7 +314,6 @@ def test_eigenvalues_are_those_of_the_stiffness() -> None:
 def test_what_is_not_normal_goes_to_more_digits() -> None:
     p = ss.Parameters(1.0, [0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
     assert ss.equilibria(p).escalated.tolist() == [False, True]
-    assert not kernel.normal(*(np.float64(value) for value in (1.0, 1e-260, 0.3, 0.2, 0.1, 0.0)))
 
 
 def test_a_length_beyond_float64_is_said() -> None:

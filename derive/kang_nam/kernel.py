@@ -236,7 +236,7 @@ def balance(point: Point) -> Balance:
     a_size, d_size = f_magnitudes(
         point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar
     )
-    scale = maximum(maximum(absolute(a), absolute(b)), maximum(absolute(d), absolute(m)))
+    scale = maximum(maximum(absolute(a), absolute(b)), maximum(absolute(d), m))  # m = μ₀ σ n̄ is not negative
     over = 1.0 / scale
     return Balance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
 
@@ -480,7 +480,7 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     y_error = (1.01 * point.sigma * radius * swing + rounding * y_size) * over
     turn = 1.01 * radius * (s_size + radius)
     x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding
-    state_error = x_error / maximum(minimum(L, absolute(x)), 1.0)
+    state_error = maximum(L_error, x_error) / maximum(minimum(L, absolute(x)), 1.0)
     error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
     beyond = (1.0 - 2.0 * point.nbar) * y  # positive on the side of the belt that n̄ says
     member = (L > L_error) & (beyond > y_error)
@@ -499,13 +499,15 @@ def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Poi
     (K11, K12), (K21, K22) = stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar)
     trace, determinant, flutter = invariants(K11, K12, K21, K22)
     pull = point.sigma / absolute(L)
+    # With N = α + β + n̄ + 2 σ the terms of the discriminant add up to (N + 2 pull)² + 4 pull (μ₀ n̄ + pull), those of the trace to
+    # N + 2 pull.
     size = point.alpha + point.beta + point.nbar + 2.0 * point.sigma + 3.0 * pull
     margin = COUNT_K * uncertainty * size
     saddle = slope < 0.0
     fluttering = flutter < 0.0
     code = where(saddle, 2.0, where(fluttering, 3.0, where(trace > 0.0, 1.0, 2.0)))
     # Far from a vanishing discriminant, and from a vanishing trace where that decides.
-    far = absolute(flutter) > margin * (size + 2.0 * point.mu0 * point.nbar)
+    far = absolute(flutter) > margin * (size + 1.5 * point.mu0 * point.nbar)
     return Kind(code, saddle | (far & (fluttering | (absolute(trace) > margin))))
 
 

@@ -47,7 +47,7 @@ def main() -> int:
 
 def _inside(name: str, jobs: int, only: list[str], again: bool) -> int:
     subject = SUBJECTS[name]
-    if "first" in subject:
+    if "in_c" in subject:
         from . import c99
 
         return c99.run(subject, _results(name, only), only)

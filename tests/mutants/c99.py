@@ -40,13 +40,11 @@ _FUNCTION = re.compile(r"^(?:INLINE|static|spragsym_status)\s[^;{}]*?(\w+)\([^;{
 SECONDS = 20
 
 
-def mutants(text: str, first: str, last: str) -> Iterator[tuple[str, int, str]]:
-    """Key, line and text of every fault in the functions from the first to the last."""
+def mutants(text: str, functions: list[str]) -> Iterator[tuple[str, int, str]]:
+    """Key, line and text of every fault in the named functions."""
     seen: Counter[str] = Counter()
-    inside = False
     for function in _FUNCTION.finditer(text):
-        inside = inside or function[1] == first
-        for token in _TOKEN.finditer(text, function.start(), function.end()) if inside else ():
+        for token in _TOKEN.finditer(text, function.start(), function.end()) if function[1] in functions else ():
             if text.rfind("/*", 0, token.start()) > text.rfind("*/", 0, token.start()):
                 continue
             number = re.fullmatch(r"[\d.]+", token[0]) and float(token[0])
@@ -58,7 +56,6 @@ def mutants(text: str, first: str, last: str) -> Iterator[tuple[str, int, str]]:
                 seen[key] += 1
                 name = key if seen[key] == 1 else f"{key} #{seen[key]}"
                 yield name, text.count("\n", 0, start) + 1, text[: token.start()] + other + text[token.end() :]
-        inside = inside and function[1] != last
 
 
 def run(subject: dict[str, Any], results: Path, only: list[str]) -> int:
@@ -72,7 +69,7 @@ def run(subject: dict[str, Any], results: Path, only: list[str]) -> int:
     judge.answered = judge.count(text)
     print(f"C: {judge.answered} of {2 * len(judge.rows)} points answered by the sound build", flush=True)
     with results.open("a", encoding="utf-8") as out:
-        for key, line, changed in mutants(text, subject["first"], subject["last"]):
+        for key, line, changed in mutants(text, subject["in_c"]):
             if key in known or (only and key not in only):
                 continue
             begun = time.monotonic()

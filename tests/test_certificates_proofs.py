@@ -10,6 +10,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 
 import spragsym as ss
 from benchmarks.arb import Arb
@@ -159,6 +160,10 @@ def _check(arith: Arithmetic, point: Point, orders: int, digits: int) -> None:
         for order in range(orders):
             size = 1 + sum(map(abs, values[1:]))
             assert abs(mpmath.diff(lambda t: _f(t, values), theta, order)) < mpmath.mpf(10) ** -(digits - 8) * size
+        _, _, kappa, _, sigma, beta = values
+        moment = sigma * mpmath.sin(theta) + (beta + 1) * mpmath.sin(values[0]) + kappa  # F_y = 0
+        tolerance = mpmath.mpf(10) ** -(digits - 4) * (1 + L) * (1 + abs(beta) + abs(sigma))
+        assert abs((beta + 1 + sigma) * L * mpmath.sin(theta) - moment) < tolerance
         assert abs(mpmath.cos(values[0]) - L * mpmath.cos(theta) - x) < mpmath.mpf(10) ** -(digits - 4) * (1 + L)
         assert abs(mpmath.sin(values[0]) - L * mpmath.sin(theta) - y) < mpmath.mpf(10) ** -(digits - 4) * (1 + L)
     assert L > 0
@@ -265,6 +270,23 @@ def test_sines_of_cusps_are_all_real_roots_inside() -> None:
             assert abs(float(low) - value) < 1e-5
 
 
+@pytest.mark.parametrize(
+    "values", ["4/3 1/2 1 0", "1/2 4 4 0", "7/1000 7/1000 1/10 0", "1 1 1/2 1", "2 3 5 1/3", "1/2 0 1/4 0", "2 0 4 1"]
+)
+def test_sines_of_cusps_at_both_ends(values: str) -> None:
+    """At sin θ = 1 and −1 as well, where α > 0 (the first two: there the polynomial is 0); against SymPy's count."""
+    kappa, alpha, sigma, beta = map(Fraction, values.split())
+    polynomial, roots, count = cusp_proofs.cusp_sines(kappa, alpha, sigma, beta, bits=50)
+    coefficients = [sp.Rational(value.numerator, value.denominator) for value in reversed(polynomial)]
+    exact = sp.Poly(coefficients, sp.Symbol("s")).sqf_part()
+    at_ends = [exact.eval(end) == 0 for end in (-1, 1)]
+    inside = exact.count_roots(-1, 1) - (0 if alpha else sum(at_ends))
+    assert count == len(roots) == inside
+    ends = [end for end, there in zip((-1, 1), at_ends, strict=True) if there and alpha]
+    assert [low for low, high in roots if low == high and abs(low) == 1] == ends
+    assert roots == sorted(roots)
+
+
 def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:
     exact = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
     with arith.precision(200):
@@ -308,10 +330,11 @@ def test_a_root_knows_whose_it_is(place: Fraction) -> None:
     assert high - low < Fraction(1, 2**70)
 
 
-@pytest.mark.parametrize("polynomial", [(), (Fraction(3),), (Fraction(0), Fraction(1)), (Fraction(1), Fraction(1))])
-def test_no_positive_root_is_none(polynomial: tuple[Fraction, ...]) -> None:
+@pytest.mark.parametrize("polynomial", ["", "3", "0 1", "1 1", "1/10 1", "10 1"])
+def test_no_positive_root_is_none(polynomial: str) -> None:
     """A constant has none at all, and 0 is not positive."""
-    assert charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 60, positive=True) == []
+    exact = tuple(map(Fraction, polynomial.split()))
+    assert charts.roots_on_the_line(exact, polynomials.exact_sign, Fraction, 60, positive=True) == []
 
 
 def test_contact_needs_a_length_and_a_depth(arith: Arithmetic) -> None:

@@ -18,12 +18,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 from ..exact import polynomials
 from ..exact.descartes import Root, real_roots
 from ..exact.escalation import angle, decided, sign_or_zero
-from ..exact.half_angle import on_circle
+from ..exact.half_angle import in_t, on_circle
 from ..exact.intervals import Arithmetic, Interval, sign
 from ..exact.polynomials import Undecided
 from ..generated import stability as _stability
@@ -101,10 +101,7 @@ class Elimination:
 
     def polynomial(self, function: Callable[[Fraction, Fraction], Fraction], degree: int) -> tuple[int, ...]:
         """A polynomial of that degree in cos θ and sin θ, as one in v."""
-
-        def in_v(v: Fraction) -> Fraction:
-            return function(*direction(v)) * (1 + v * v) ** degree
-
+        in_v = in_t(lambda c, s: function(-s, c), degree)  # as in direction()
         # A multiple of it in integers: values over their common denominator, Lagrange's polynomials times (2 degree)!
         values = {v: in_v(v) for v in map(Fraction, range(-degree, degree + 1))}
         common = math.lcm(*(value.denominator for value in values.values()))
@@ -143,20 +140,37 @@ def direction(v: Any) -> tuple[Any, Any]:
 def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[Onset]:
     """Every onset with 0 < θ₀ < π, in contact."""
     values = tuple(map(arith.exact, elimination.values))
+<<<<<<< HEAD
     for root in elimination.roots(bits - 32):
         v = arith.between(*root)
         c, s = direction(v)
         lengths = _lengths(arith, elimination, root, c, s, values)
+=======
+    for root in elimination.roots:
+        narrow = descartes.refine(elimination.simple, root, bits - 32)
+        v = arith.between(narrow.low, narrow.high)
+        spring = _Spring(root, v, *direction(v))
+        lengths = _lengths(arith, elimination, spring, values)
+>>>>>>> catastrophe
         for L in lengths:
-            yield from _at_length(arith, elimination, root, v, c, s, L, values, alone=len(lengths) == 1)
+            yield from _at_length(arith, elimination, spring, L, values, alone=len(lengths) == 1)
 
 
+<<<<<<< HEAD
+=======
+class _Spring(NamedTuple):
+    """A direction of the spring: a root of the polynomial, v around it, cos θ and sin θ."""
+
+    root: Root
+    v: Interval
+    c: Interval
+    s: Interval
+>>>>>>> catastrophe
 
 
-def _lengths(
-    arith: Arithmetic, elimination: Elimination, root: Root, c: Interval, s: Interval, values: tuple[Interval, ...]
-) -> list[Interval]:
+def _lengths(arith: Arithmetic, elimination: Elimination, spring: _Spring, values: tuple[Interval, ...]) -> list[Interval]:
     """The lengths L > 0 at which the two conditions hold together: one, but where they are the same quadratic."""
+    root, _, c, s = spring
     X, Y = elimination.length(c, s, values)
     if sign_or_zero(arith, Y, "Y = 0", lambda: elimination.vanishes(root, lambda c, s, X, Y: Y, elimination.degree_of_length)):
         L = X / Y
@@ -170,10 +184,10 @@ def _lengths(
 
 
 def _at_length(
-    arith: Arithmetic, elimination: Elimination, root: Root, v: Interval, c: Interval, s: Interval, L: Interval,
-    values: tuple[Interval, ...], *, alone: bool,
-) -> Iterator[Onset]:  # fmt: skip
+    arith: Arithmetic, elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], *, alone: bool
+) -> Iterator[Onset]:
     """The onsets with that spring length: the θ₀ in (0, π) that the balances give, if in contact."""
+    root, v, c, s = spring
     mu0, kappa, alpha, sigma, beta = values
     u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
     s0 = u1 + w1 * L

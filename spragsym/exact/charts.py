@@ -17,7 +17,7 @@ class Root:
 
     low: Fraction
     high: Fraction
-    backward: bool = False
+    backward: bool
 
     def interval(self, arith: Arithmetic) -> Interval:
         """Around the root."""
@@ -40,10 +40,10 @@ def roots_on_the_line(
 
     Of exact coefficients the positive ones only: an end of a chart may be a root there, where intervals are undecided.
     """
-    while positive and polynomial and isinstance(polynomial[0], Fraction) and polynomial[0] == 0:
+    while positive and polynomial and polynomial[0] == 0:
         polynomial = polynomial[1:]  # the root 0
     found: list[Root] = []
-    if len(polynomial) <= 1:
+    if not polynomial:
         return found
     for chart, limit, backward in ((polynomial, _BETWEEN, False), (tuple(reversed(polynomial)), 1 / _BETWEEN, True)):
         for low, high in real_roots(chart, _BELOW if positive else -limit, limit, signs, number, bits):

@@ -140,24 +140,13 @@ def direction(v: Any) -> tuple[Any, Any]:
 def onsets(arith: Arithmetic, elimination: Elimination, bits: int) -> Iterator[Onset]:
     """Every onset with 0 < θ₀ < π, in contact."""
     values = tuple(map(arith.exact, elimination.values))
-<<<<<<< HEAD
     for root in elimination.roots(bits - 32):
-        v = arith.between(*root)
-        c, s = direction(v)
-        lengths = _lengths(arith, elimination, root, c, s, values)
-=======
-    for root in elimination.roots:
-        narrow = descartes.refine(elimination.simple, root, bits - 32)
-        v = arith.between(narrow.low, narrow.high)
-        spring = _Spring(root, v, *direction(v))
+        spring = _Spring(root, arith.between(*root), *direction(arith.between(*root)))
         lengths = _lengths(arith, elimination, spring, values)
->>>>>>> catastrophe
         for L in lengths:
             yield from _at_length(arith, elimination, spring, L, values, alone=len(lengths) == 1)
 
 
-<<<<<<< HEAD
-=======
 class _Spring(NamedTuple):
     """A direction of the spring: a root of the polynomial, v around it, cos θ and sin θ."""
 
@@ -165,7 +154,6 @@ class _Spring(NamedTuple):
     v: Interval
     c: Interval
     s: Interval
->>>>>>> catastrophe
 
 
 def _lengths(arith: Arithmetic, elimination: Elimination, spring: _Spring, values: tuple[Interval, ...]) -> list[Interval]:

@@ -243,6 +243,22 @@ def test_refinement_doubles_the_digits() -> None:
     assert len(calls) < 70
 
 
+def test_refinement_of_intervals_doubles_the_digits(arith: Arithmetic) -> None:
+    """x² − 2 with interval coefficients to 1000 bits: bisection would ask for a thousand numbers."""
+    asked = []
+
+    def number(value: Fraction) -> Any:
+        asked.append(value)
+        return arith.exact(value)
+
+    with arith.precision(2200):
+        square = tuple(arith.exact(Fraction(value)) for value in (-2, 0, 1))
+        [(low, high)] = polynomials.real_roots(square, Fraction(-1, 7), Fraction(13, 7), arith.sign, number, 1000)
+    assert low**2 < 2 < high**2
+    assert high - low <= Fraction(1, 2**1000)
+    assert len(asked) < 60
+
+
 def test_common_factors_are_exact_also_where_a_prime_divides_the_leading_coefficient() -> None:
     shared, prime = _with_roots(Fraction(1, 3), Fraction(2, 5)), polynomials._PRIME
     one, other = (polynomials.primitive(_product(shared, factor)) for factor in ((1, 1, prime), (5, 7, prime)))

@@ -367,7 +367,7 @@ def _atan_of_reciprocal(n: int, places: int) -> int:
     power = (1 << places) // n
     result, order = power, 1
     while power:
-        power = -(abs(power) // (n * n)) if power > 0 else abs(power) // (n * n)
+        power = -(power // (n * n))
         order += 2
         result += power // order
     return result

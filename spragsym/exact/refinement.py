@@ -53,7 +53,7 @@ def refine(
         wanted = lacking(n, k)
         if wanted <= 0 and open_ends:
             return Cell(n, n + 1, k, above)
-        j = min(j, max(wanted, 1)) if open_ends else 1
+        j = min(j, wanted) if open_ends else 1
         guess = (n << j) + (1 if j == 1 else min(max(share(low, high, j), 1), (1 << j) - 1))
         middle = value(guess, k + j)
         side = sign(middle) * above

@@ -657,6 +657,13 @@ def test_single_needs_a_certificate_and_ordinary_numbers() -> None:
         assert not kernel.single(FINE._replace(**change), u)
 
 
+def test_single_takes_no_discriminant_that_is_only_as_large_as_its_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kernel, "one_positive", lambda *_: False)
+    for value, said in ((-2.0, False), (0.0, False), (1.0, False), (1.1, True)):
+        monkeypatch.setattr(kernel, "discriminant", lambda *_, value=value: kernel.Discriminant(value, 1.0))
+        assert bool(kernel.single(FINE, 2.0**-53)) == said
+
+
 # ------------------------------------------------------------------------------- each term of a state's bounds, alone
 
 

@@ -762,6 +762,18 @@ def test_a_root_is_a_member_or_an_outsider_exactly_where_its_errors_leave_no_dou
             assert not good.outsider or which == "L"
 
 
+def test_where_the_sine_is_stationary_its_second_order_counts() -> None:
+    """At θ = π/2, y moves by σ radius²/(2 q), towards positive values: less than that below 0 is no contact for certain."""
+    radius, sigma, beta = 9e-4, 30.0, 0.1
+    t, line = _forced(math.pi / 2, radius)
+    q = sigma + beta + 1
+    for share, member in ((0.9, False), (2.3, True)):
+        point = Point(0.1, 1.0, 0.5, share * sigma * radius**2 / 2, 0.3, sigma, beta, 1.0)
+        root = kernel.at_root(t, point, line, 0.0)
+        assert root.y == pytest.approx(-share * sigma * radius**2 / (2 * q), rel=1e-6)
+        assert bool(root.member) == member
+
+
 def test_a_length_that_may_be_negative_is_no_member() -> None:
     """Where y leaves no doubt: β = 0, so that L = (σ s + κ)/(σ s) with sin θ < 0 and y > 0 as long as κ < σ (sin θ₀ − s)."""
     theta, sigma = -1.0, 5.0

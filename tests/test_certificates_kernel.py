@@ -550,6 +550,12 @@ def test_root_pairs() -> None:
     assert kernel.root_pair(np.float64(2.0), np.float64(5.0))[2] == -4.0
 
 
+def test_apart_takes_no_more_room_than_it_needs() -> None:
+    """Next to t = 0, where θ = 2 t; and intervals that touch are not apart."""
+    assert kernel.apart(0.0, 0.099, 0.1, 0.098)
+    assert not kernel.apart(0.0, 1.0, 1.0, 0.0)
+
+
 def test_apart_means_apart() -> None:
     """Intervals around 2 atan t, whose gap is about the sum of their radii, for t of any size and sign."""
     rng = np.random.default_rng(14)
@@ -943,7 +949,7 @@ def test_the_slope_has_the_roundings_of_each_coefficient(name: str) -> None:
 STIFFNESSES = {
     "mu0": (1e6, 1.0, 1.0, 1.0, 1.0), "alpha": (0.0, 1e3, 1e-3, 0.0, 1.0), "sigma": (0.0, 0.0, 1e3, 0.0, 1e3),
     "beta": (0.0, 0.0, 1e-3, 1e3, 1.0), "pull": (0.0, 0.0, 1.0, 0.0, 1e-6), "nbar": (0.0, 0.0, 1e-6, 0.0, 1.0),
-    "pull and mu0": (1e4, 0.0, 1.0, 0.0, 1e-4), "all": (1.0, 1.0, 1.0, 1.0, 1.0),
+    "pull and mu0": (1e6, 0.0, 1.0, 0.0, 1e-4), "all": (1.0, 1.0, 1.0, 1.0, 1.0),
 }  # fmt: skip
 
 

@@ -550,6 +550,12 @@ def test_root_pairs() -> None:
     assert kernel.root_pair(np.float64(2.0), np.float64(5.0))[2] == -4.0
 
 
+def test_apart_takes_no_more_room_than_it_needs() -> None:
+    """Next to t = 0, where θ = 2 t; and intervals that touch are not apart."""
+    assert kernel.apart(0.0, 0.099, 0.1, 0.098)
+    assert not kernel.apart(0.0, 1.0, 1.0, 0.0)
+
+
 def test_apart_means_apart() -> None:
     """Intervals around 2 atan t, whose gap is about the sum of their radii, for t of any size and sign."""
     rng = np.random.default_rng(14)
@@ -657,6 +663,13 @@ def test_single_needs_a_certificate_and_ordinary_numbers() -> None:
         assert not kernel.single(FINE._replace(**change), u)
 
 
+def test_single_takes_no_discriminant_that_is_only_as_large_as_its_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(kernel, "one_positive", lambda *_: False)
+    for value, said in ((-2.0, False), (0.0, False), (1.0, False), (1.1, True)):
+        monkeypatch.setattr(kernel, "discriminant", lambda *_, value=value: kernel.Discriminant(value, 1.0))
+        assert bool(kernel.single(FINE, 2.0**-53)) == said
+
+
 # ------------------------------------------------------------------------------- each term of a state's bounds, alone
 
 
@@ -753,6 +766,18 @@ def test_a_root_is_a_member_or_an_outsider_exactly_where_its_errors_leave_no_dou
             if which == "y":
                 assert bool(good.member) == sure
             assert not good.outsider or which == "L"
+
+
+def test_where_the_sine_is_stationary_its_second_order_counts() -> None:
+    """At θ = π/2, y moves by σ radius²/(2 q), towards positive values: less than that below 0 is no contact for certain."""
+    radius, sigma, beta = 9e-4, 30.0, 0.1
+    t, line = _forced(math.pi / 2, radius)
+    q = sigma + beta + 1
+    for share, member in ((0.9, False), (2.3, True)):
+        point = Point(0.1, 1.0, 0.5, share * sigma * radius**2 / 2, 0.3, sigma, beta, 1.0)
+        root = kernel.at_root(t, point, line, 0.0)
+        assert root.y == pytest.approx(-share * sigma * radius**2 / (2 * q), rel=1e-6)
+        assert bool(root.member) == member
 
 
 def test_a_length_that_may_be_negative_is_no_member() -> None:
@@ -924,7 +949,7 @@ def test_the_slope_has_the_roundings_of_each_coefficient(name: str) -> None:
 STIFFNESSES = {
     "mu0": (1e6, 1.0, 1.0, 1.0, 1.0), "alpha": (0.0, 1e3, 1e-3, 0.0, 1.0), "sigma": (0.0, 0.0, 1e3, 0.0, 1e3),
     "beta": (0.0, 0.0, 1e-3, 1e3, 1.0), "pull": (0.0, 0.0, 1.0, 0.0, 1e-6), "nbar": (0.0, 0.0, 1e-6, 0.0, 1.0),
-    "pull and mu0": (1e4, 0.0, 1.0, 0.0, 1e-4), "all": (1.0, 1.0, 1.0, 1.0, 1.0),
+    "pull and mu0": (1e6, 0.0, 1.0, 0.0, 1e-4), "all": (1.0, 1.0, 1.0, 1.0, 1.0),
 }  # fmt: skip
 
 

@@ -114,6 +114,7 @@ def test_three_certain_equilibria_are_settled_in_order(monkeypatch: pytest.Monke
     [
         {"member": False},  # neither equilibrium nor certainly none
         {"known": False}, {"error": 1.1e-12}, {"error": np.nan}, {"radius": np.inf}, {"radius": 0.7},
+        {"radius": 0.45},  # reaches the third root, not the first
         {"member": False, "outsider": True},  # two equilibria in contact can't be
     ],
     ids=str,
@@ -127,10 +128,14 @@ def test_one_missing_certificate_settles_nothing(monkeypatch: pytest.MonkeyPatch
 def test_an_error_at_the_tolerance_is_within_it(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _settled(monkeypatch, {"error": 1e-12})[0]
     assert block._rounding(np.float64(2.0**-53)) == 0
-    assert block._rounding(np.longdouble(2.0**-64)) >= 2.0**-53
+    # Where a wider type is rounded to float64 half a unit in the last place is left for it.
+    wide = np.longdouble(2.0**-64)
+    assert block._rounding(wide) >= 2.0**-53
+    for error, sure in ((1e-12, False), (1e-12 - 1.1e-16, False), (1e-12 - 1.3e-16, True)):
+        assert bool(block._sure(kernel.Root(**GOOD | {"error": error, "code": 1.0}), wide)) == sure
 
 
-@pytest.mark.parametrize("t", [(0.5, 0.5, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)])
+@pytest.mark.parametrize("t", [(0.5, 0.5, 2.0), (0.5, 2.0, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)])
 def test_roots_that_may_be_one_or_lie_below_0_settle_nothing_in_contact(monkeypatch: pytest.MonkeyPatch, t: Any) -> None:
     assert not _settled(monkeypatch, {}, t=t)[0]
     assert _settled(monkeypatch, {}, contact=False, t=t)[0] == (t[0] <= 0)

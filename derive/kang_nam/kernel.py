@@ -271,7 +271,7 @@ def discriminant(line: Balance, u: Real) -> Discriminant:
     """
     r0, r1, r2 = resolvent(line.a, line.b, line.d, line.m)
     it = depressed(r0, r1, r2)
-    size = depressed_size(line.a_size, absolute(line.b), line.d_size, absolute(line.m))
+    size = depressed_size(line.a_size, absolute(line.b), line.d_size, line.m)
     P_bound = absolute(it.P) + COUNT_P * u * size.P
     Q_bound = absolute(it.Q) + COUNT_Q * u * size.Q
     from_P = P_bound * P_bound * size.P * (3.0 * COUNT_P + 4.0)
@@ -455,13 +455,12 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     c_size = absolute(at.cosine)
     s_size = absolute(at.sine)
     b_size = absolute(line.b)
-    m_size = absolute(line.m)
-    f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size)
+    f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -line.m)
     value = absolute(f(at.cosine, at.sine, line.a, line.b, line.d, line.m)) + COUNT_F * u * f_size
     slope = f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m)
-    slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * m_size * s_size) * c_size
+    slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * line.m * s_size) * c_size
     steepness = absolute(slope) - COUNT_SLOPE * u * slope_size
-    bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size
+    bend = 2.0 * (line.a_size + line.m) + b_size + line.d_size
     newton = value / steepness
     h = newton * bend / steepness
     proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point)

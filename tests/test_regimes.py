@@ -271,7 +271,7 @@ def test_lift_off_is_for_good_in_a_well_of_the_energy() -> None:
 @needs_heyoka
 def test_what_is_said_of_random_motions_holds_later() -> None:
     """Of thousands: ``python -m benchmarks.validate_regimes``."""
-    found = validate_regimes.compared(validate_regimes.random_motions(np.random.default_rng(7), 60), late_end=8000.0)
+    found = validate_regimes.compared(validate_regimes.random_motions(np.random.default_rng(3), 60), late_end=8000.0)
     told = [one for one in found if one.late is not None]
     assert len(told) >= 3
     assert all(one.holds for one in told)

@@ -20,6 +20,7 @@ _SECTIONS = {
     "catastrophe": ("bench_catastrophe", "The bifurcation set"),
     "folds": ("validate_folds", "The bifurcation set against maps of counts"),
     "dynamics": ("bench_dynamics", "Motion in time"),
+    "regimes": ("validate_regimes", "What motions come to, judged early and late"),
     "codegen": ("bench_codegen", "Generated code against other generators"),
     "scale": ("bench_scale", "How cost grows, and start-up"),
 }

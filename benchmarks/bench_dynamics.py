@@ -1,7 +1,7 @@
 """Motion in time, side by side: accuracy against tolerance, and a sweep against SciPy in a loop.
 
 Prints Markdown tables of errors and ratios: absolute times depend on the machine and its load, ratios hardly
-do. Run ``python benchmarks/bench_dynamics.py``; it takes a few minutes, nearly all of them in SciPy.
+do. Run ``python -m benchmarks.bench_dynamics``; it takes a few minutes, nearly all of them in SciPy.
 """
 
 from __future__ import annotations
@@ -112,8 +112,10 @@ def sweep_table() -> None:
     one, here = timed(lambda: sweep(ANGLES, 1e-10))
     theirs, there = timed(lambda: np.array([plain(a, rtol, method) for a in ANGLES]))
     two, here_two = timed(lambda: sweep(ANGLES, 1e-10, workers=2))
+    from benchmarks.bench_dynamics import plain as by_name  # in a worker process __main__ is another module
+
     with pool(2) as both:
-        _, there_two = timed(lambda: list(both(partial(plain, rtol=rtol, method=method), ANGLES.tolist())))
+        _, there_two = timed(lambda: list(both(partial(by_name, rtol=rtol, method=method), ANGLES.tolist())))
     print(f"\nAll 181 angles against `solve_ivp` {method} at {rtol:.0e}, which is as accurate:\n")
     print("| | time over ours |\n|---|---|")
     print(f"| one process each | {there / here:.0f} |")

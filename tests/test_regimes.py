@@ -13,6 +13,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from benchmarks import validate_regimes
 from spragsym.dynamics.classify import classify
 from spragsym.dynamics.course import Course, Flow
 from spragsym.dynamics.problem import Problem, prepare
@@ -262,6 +263,18 @@ def test_lift_off_is_for_good_in_a_well_of_the_energy() -> None:
     pushed = rms_sweep(p, **BELT, **start, vx0=0.2, t_end=3.0, transient=1.0)
     assert pushed.regime == Regime.UNSETTLED
     assert rms_sweep(p, **BELT, **start, vx0=0.2, t_end=500.0, transient=1.0).contact_lost > 0
+
+
+# ---------------------------------------------------------------------------------------- what is said holds later
+
+
+@needs_heyoka
+def test_what_is_said_of_random_motions_holds_later() -> None:
+    """Of thousands: ``python -m benchmarks.validate_regimes``."""
+    found = validate_regimes.compared(validate_regimes.random_motions(np.random.default_rng(3), 60), late_end=8000.0)
+    told = [one for one in found if one.late is not None]
+    assert len(told) >= 3
+    assert all(one.holds for one in told)
 
 
 # ------------------------------------------------------------------------------------------------- one for all

@@ -69,6 +69,7 @@ test: $(TEST)
 
 lint: $(TEST)
 	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
 # The tests again, with the lines and branches of spragsym that they reach.

@@ -82,7 +82,12 @@ def damaged(rng: np.random.Generator, data: bytes) -> tuple[str, bytes]:
         return kind, b"".join([*lines[:i], lines[i][: len(lines[i]) // 2], *lines[i + 1 :]])
     if kind == "another's":
         return kind, b"".join([*lines[:i], b'[6, [], ""]\n', *lines[i:]])
-    new = {"cut": data[:at], "lost": data[:at] + data[end:], "added": data[:end] + data[at:], "zeros": data[:at] + bytes(end - at) + data[end:]}
+    new = {
+        "cut": data[:at],
+        "lost": data[:at] + data[end:],
+        "added": data[:end] + data[at:],
+        "zeros": data[:at] + bytes(end - at) + data[end:],
+    }
     return kind, new[kind]
 
 

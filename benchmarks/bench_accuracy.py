@@ -36,7 +36,9 @@ def main(n: int = 300) -> None:
         methods["ours, compiled"] = partial(_ours, "compiled")
     if compiler := c_target.compiler():
         methods["ours, C, where it vouches"] = partial(_in_c, c_target.build(compiler, c_target.FAST))
-    print(f"{n} points of each family: wrong counts, and the largest error of (L, x, y) over max(1, |value|) where counts agree.\n")
+    print(
+        f"{n} points of each family: wrong counts, and the largest error of (L, x, y) over max(1, |value|) where counts agree.\n"
+    )
     print("| family |" + "".join(f" {name} |" for name in methods))
     print("|---|" + "---|" * len(methods))
     for family in _HARD:

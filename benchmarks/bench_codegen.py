@@ -127,7 +127,10 @@ def _flat(result: Any) -> list[float]:
 
 def _error(result: Any, exact: list[mpmath.mpf]) -> float:
     size = max(map(abs, exact))
-    return max(float(abs(value - true) / max(abs(true), mpmath.mpf(2) ** -20 * size)) for value, true in zip(_flat(result), exact, strict=True))
+    return max(
+        float(abs(value - true) / max(abs(true), mpmath.mpf(2) ** -20 * size))
+        for value, true in zip(_flat(result), exact, strict=True)
+    )
 
 
 # -------------------------------------------------------------------------------------------------- generators
@@ -208,7 +211,12 @@ def _casadi(subject: Subject) -> Outcome:
     translated = sp.lambdify(subject.arguments, [_plain(e) for e in subject.expressions], [table])(*symbols)
     function = casadi.Function("subject", symbols, [casadi.vertcat(*translated)])
     seconds = time.perf_counter() - begin
-    return Outcome("CasADi (virtual machine)", seconds, lambda *values: np.array(function(*values)), f"{function.n_instructions()} instructions")
+    return Outcome(
+        "CasADi (virtual machine)",
+        seconds,
+        lambda *values: np.array(function(*values)),
+        f"{function.n_instructions()} instructions",
+    )
 
 
 def _plain(expression: sp.Expr) -> sp.Expr:

@@ -132,6 +132,7 @@ def sweep_table() -> None:
 
 def overhead_table() -> None:
     """What a point of a sweep costs over the integration alone, and how much of it is the judgement of its limit."""
+
     def fastest(function: Any, times: int) -> float:
         function()
         seconds = []

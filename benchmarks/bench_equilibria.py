@@ -134,7 +134,9 @@ def first_calls(n: int) -> None:
         if backend == "compiled" and not compiled.available():
             print("| compiled: not built | | | | | |")
             break
-        touched = {name: _median(_FIRST.format(n=n, backend=backend, threads=threads, touch=code)) for name, code in _TOUCH.items()}
+        touched = {
+            name: _median(_FIRST.format(n=n, backend=backend, threads=threads, touch=code)) for name, code in _TOUCH.items()
+        }
         for call, title in enumerate(("first", "second")):
             cells = (touched["x"][call, 0], touched["x"][call, 1], touched["all"][call, 1])
             print(f"| {backend} | {threads} | {title} |" + "".join(f" {1e9 * cell / n:,.0f} |" for cell in cells), flush=True)

@@ -103,9 +103,7 @@ def states_from_roots(p: ss.Parameters) -> list[Array]:
     return states_from_lengths(p, lambda quartics: np.array([np.roots(row[::-1]) for row in quartics]))
 
 
-def states_from_lengths(
-    p: ss.Parameters, solve: Callable[[Array], NDArray[np.complex128]] = companion_roots
-) -> list[Array]:
+def states_from_lengths(p: ss.Parameters, solve: Callable[[Array], NDArray[np.complex128]] = companion_roots) -> list[Array]:
     """Roots of the published quartic, states by solving (16), those with L > 0 and y < 0: (L, x, y) of each."""
     theta0, mu0, kappa, alpha, sigma, beta = p.broadcast(*NAMES)
     c0, s0 = np.cos(theta0), np.sin(theta0)

@@ -12,6 +12,7 @@ import sympy as sp
 #: Pairs of symbols, each for the cosine and the sine of one angle.
 Circles = tuple[tuple[sp.Symbol, sp.Symbol], ...]
 
+
 def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
     """Normal form of a polynomial modulo cos² = 1 − sin² on each unit circle."""
     polynomial = sp.expand(polynomial)
@@ -43,14 +44,10 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
 
 
 def _is_transcendental(node: sp.Basic) -> bool:
-    return isinstance(node, sp.exp | sp.Abs | sp.sign | sp.Piecewise) or (
-        isinstance(node, sp.Pow) and not node.exp.is_Integer
-    )
+    return isinstance(node, sp.exp | sp.Abs | sp.sign | sp.Piecewise) or (isinstance(node, sp.Pow) and not node.exp.is_Integer)
 
 
-def manifestly_positive(
-    polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], strict_symbols: tuple[sp.Symbol, ...]
-) -> bool:
+def manifestly_positive(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], strict_symbols: tuple[sp.Symbol, ...]) -> bool:
     """Whether a polynomial is positive for all ``symbols`` ≥ 0 of which the ``strict_symbols`` are > 0.
 
     No coefficient is negative, and one term holds none but strict symbols. Sufficient, not necessary.

@@ -35,8 +35,7 @@ class MissingExtraError(SpragsymError, ImportError):
 
     def __init__(self, feature: str, module: str, extra: str) -> None:
         super().__init__(
-            f"{feature} needs {module}, which is not installed; install the extra that brings it: "
-            f"pip install 'spragsym[{extra}]'"
+            f"{feature} needs {module}, which is not installed; install the extra that brings it: pip install 'spragsym[{extra}]'"
         )
 
 

@@ -27,9 +27,7 @@ from spragsym.statics import kernel, ladder
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "emit" / "targets" / "c99" / "tests" / "driver.c"
 HEADER = (SOURCES / "spragsym.h").read_text(encoding="utf-8")
-COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)] or [
-    name for name in ("cc",) if shutil.which(name)
-]
+COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)] or [name for name in ("cc",) if shutil.which(name)]
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE = range(4)
 LIFTOFF, CONTACT = 0, 1
@@ -48,9 +46,7 @@ pytestmark = pytest.mark.skipif(not COMPILERS, reason="no C compiler on this mac
 #: Generated functions in the header: name, arguments, number of results.
 ALGEBRA = {
     match[1]: (len(match[2].split(",")), int(match[3] or 1))
-    for match in re.finditer(
-        r"spragsym_status spragsym_(\w+)\((double [^)]*?),\s+double (?:\*result|result\[(\d+)\])\)", HEADER
-    )
+    for match in re.finditer(r"spragsym_status spragsym_(\w+)\((double [^)]*?),\s+double (?:\*result|result\[(\d+)\])\)", HEADER)
 }
 
 
@@ -107,9 +103,7 @@ def compile_driver(folder: Path, compiler: str, *flags: str) -> Path:
 @pytest.fixture(scope="module")
 def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
     folder = tmp_path_factory.mktemp("c99")
-    return ctypes.CDLL(
-        str(compile_driver(folder, COMPILERS[0], "-O2", "-ffp-contract=off", "-shared", "-fPIC"))
-    )
+    return ctypes.CDLL(str(compile_driver(folder, COMPILERS[0], "-O2", "-ffp-contract=off", "-shared", "-fPIC")))
 
 
 def compile_inside(folder: Path, text: str) -> Any:
@@ -130,12 +124,8 @@ def solve(library: ctypes.CDLL, points: Any, regime: int) -> list[tuple[int, lis
     points = np.ascontiguousarray(points, dtype=float)
     found = (Equilibrium * (4 * len(points)))()
     counts, status = np.zeros(len(points), np.intc), np.full(len(points), -1, np.intc)
-    library.equilibria(
-        ctypes.c_long(len(points)), _pointer(points), regime, found, _pointer(counts), _pointer(status)
-    )
-    return [
-        (int(s), list(found[4 * i : 4 * i + n])) for i, (s, n) in enumerate(zip(status, counts, strict=True))
-    ]
+    library.equilibria(ctypes.c_long(len(points)), _pointer(points), regime, found, _pointer(counts), _pointer(status))
+    return [(int(s), list(found[4 * i : 4 * i + n])) for i, (s, n) in enumerate(zip(status, counts, strict=True))]
 
 
 # -------------------------------------------------------------------------------------------------- reference
@@ -225,9 +215,7 @@ def _random(rng: np.random.Generator, count: int, **fixed: Any) -> Any:
         "sigma": _decades(rng, -3, 1, count),
         "beta": _decades(rng, -4, 1, count),
     }
-    return np.column_stack(
-        [np.broadcast_to(fixed.get(name, value), (count,)) for name, value in columns.items()]
-    )
+    return np.column_stack([np.broadcast_to(fixed.get(name, value), (count,)) for name, value in columns.items()])
 
 
 def _false_double_root() -> float:
@@ -243,9 +231,7 @@ def _false_double_root() -> float:
 
 
 def _around(theta0: float) -> Any:
-    return np.array(
-        [(theta0 * (1 + sign * distance), *BASE[1:]) for distance in DISTANCES for sign in (-1, 1)]
-    )
+    return np.array([(theta0 * (1 + sign * distance), *BASE[1:]) for distance in DISTANCES for sign in (-1, 1)])
 
 
 def _flutter_onsets() -> Any:
@@ -285,9 +271,7 @@ def adversarial() -> dict[str, Any]:
         "theta0 = 90 degrees": _random(rng, n, theta0=math.pi / 2),
         "theta0 near its ends": _random(rng, n, theta0=ends),
         "small kappa": _random(rng, n, kappa=_decades(rng, -16, -6, n)),
-        "small kappa and theta0": _random(
-            rng, n, kappa=_decades(rng, -16, -6, n), theta0=_decades(rng, -14, -3, n)
-        ),
+        "small kappa and theta0": _random(rng, n, kappa=_decades(rng, -16, -6, n), theta0=_decades(rng, -14, -3, n)),
         "beta = 0": _random(rng, n, beta=0.0),
         "alpha = 1 + beta": _random(rng, n, beta=beta, alpha=1 + beta),
         "alpha = 0": _random(rng, n, alpha=0.0),
@@ -297,9 +281,7 @@ def adversarial() -> dict[str, Any]:
 
 def nonsense() -> Any:
     """Points of which many are refused."""
-    return np.random.default_rng(7).choice(
-        [0.0, -1.0, 1.0, 3.0, math.nan, math.inf, 1e300, 1e-300, 5e-324], (500, 6)
-    )
+    return np.random.default_rng(7).choice([0.0, -1.0, 1.0, 3.0, math.nan, math.inf, 1e300, 1e-300, 5e-324], (500, 6))
 
 
 # ------------------------------------------------------------------------------------------------------ tests
@@ -345,9 +327,7 @@ int run(size_t points, const spragsym_parameters *given, size_t *numbers) {{
 def test_sanitizers(tmp_path: Path) -> None:
     """No undefined behaviour, no access out of bounds, over the adversarial set and over nonsense."""
     compiler = COMPILERS[0]
-    program = compile_driver(
-        tmp_path, compiler, "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"
-    )
+    program = compile_driver(tmp_path, compiler, "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
     points = np.concatenate([*adversarial().values(), nonsense()])
     assert len(points) <= BATCH
     done = subprocess.run([program], input=points.tobytes(), capture_output=True, timeout=60)
@@ -359,13 +339,9 @@ def test_algebra_is_that_of_python(library: ctypes.CDLL, name: str) -> None:
     """Operation for operation; only exp may differ in its last digit."""
     module = next(module for module in (equilibrium, stability, motion) if name in module.__all__)
     count, results = ALGEBRA[name]
-    arguments = np.random.default_rng(3).uniform(0.1, 1.5, (500, count)) * np.random.default_rng(4).choice(
-        [-1, 1], (500, count)
-    )
+    arguments = np.random.default_rng(3).uniform(0.1, 1.5, (500, count)) * np.random.default_rng(4).choice([-1, 1], (500, count))
     ours, status = np.empty((500, results)), np.full(500, -1, np.intc)
-    getattr(library, f"call_{name}")(
-        ctypes.c_long(500), _pointer(arguments), _pointer(ours), _pointer(status)
-    )
+    getattr(library, f"call_{name}")(ctypes.c_long(500), _pointer(arguments), _pointer(ours), _pointer(status))
     assert not status.any()
     theirs = np.column_stack([np.ravel(value) for value in _leaves(getattr(module, name)(*arguments.T))])
     if module is motion or name == "damping":
@@ -399,10 +375,7 @@ def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: i
         if len(ours) == len(theirs):
             for one, row in zip(ours, theirs, strict=True):
                 values = (one.theta, one.L, one.x, one.y)
-                off = max(
-                    abs(value - exact) / max(1, abs(exact))
-                    for value, exact in zip(values, row[:4], strict=True)
-                )
+                off = max(abs(value - exact) / max(1, abs(exact)) for value, exact in zip(values, row[:4], strict=True))
                 assert off <= one.error, (point, one.theta)
     # Close to a fold or to flutter nothing can be vouched for; elsewhere nearly everything is.
     assert vouched >= (0.35 if regime == CONTACT and re.search("fold|flutter", kind) else 0.95) * len(points)
@@ -510,7 +483,8 @@ def test_cosine_and_sine_are_those_of_python(tmp_path: Path) -> None:
     """Bit for bit those of the compiled solver, whose accuracy is tested there."""
     rng = np.random.default_rng(11)
     run = compile_inside(
-        tmp_path, "void run(double x, double *out);\nvoid run(double x, double *out) {\n"
+        tmp_path,
+        "void run(double x, double *out);\nvoid run(double x, double *out) {\n"
         "    const Direction at = cosine_and_sine(x);\n"
         "    out[0] = at.cosine;\n    out[1] = at.sine;\n}\n",
     )
@@ -565,12 +539,7 @@ def test_random_points_are_vouched_for(library: ctypes.CDLL) -> None:
     solved = solve(library, points, CONTACT)
     assert sum(status != OK for status, _ in solved) < 100
     assert {len(found) for status, found in solved if status == OK} == {1, 3}
-    assert all(
-        math.isfinite(value)
-        for _, found in solved
-        for one in found
-        for value in (one.theta, one.L, one.x, one.y)
-    )
+    assert all(math.isfinite(value) for _, found in solved for one in found for value in (one.theta, one.L, one.x, one.y))
 
 
 @pytest.mark.parametrize(
@@ -615,9 +584,7 @@ def test_null_and_nonsense_are_refused(library: ctypes.CDLL) -> None:
 # ------------------------------------------------------------------------------------------------------- step
 
 
-def _steps(
-    library: ctypes.CDLL, h: float, count: int, V: float = 0.5, d: float = 10.0, start: Any = (0, 0, 0, 0)
-) -> Any:
+def _steps(library: ctypes.CDLL, h: float, count: int, V: float = 0.5, d: float = 10.0, start: Any = (0, 0, 0, 0)) -> Any:
     state = np.array(start, dtype=float)
     numbers = (ctypes.c_double(V), ctypes.c_double(d), ctypes.c_double(h))
     status = library.steps(_pointer(np.array(BASE)), *numbers, ctypes.c_long(count), _pointer(state))
@@ -644,9 +611,7 @@ def _motion(V: float, d: float, start: Any, end: float) -> tuple[Any, list[int]]
     while time < end:
         for event, direction in ((belt, 1 if nbar else -1), (speed, side)):
             event.terminal, event.direction = True, direction  # type: ignore[attr-defined]
-        run = solve_ivp(
-            rate, (time, end), state, method="DOP853", rtol=1e-13, atol=1e-14, events=(belt, speed)
-        )
+        run = solve_ivp(rate, (time, end), state, method="DOP853", rtol=1e-13, atol=1e-14, events=(belt, speed))
         time, state = run.t[-1], run.y[:, -1]
         if run.status == 1:
             kink = 0 if run.t_events[0].size else 1
@@ -655,12 +620,8 @@ def _motion(V: float, d: float, start: Any, end: float) -> tuple[Any, list[int]]
     return state, met
 
 
-@pytest.mark.parametrize(
-    ("V", "start", "kinks"), [(0.2, (0, 0, 0, 0), [4, 0]), (0.1, (0, -0.01, 0.3, 0), [4, 2])]
-)
-def test_step_is_of_fourth_order_across_the_kinks(
-    library: ctypes.CDLL, V: float, start: Any, kinks: list[int]
-) -> None:
+@pytest.mark.parametrize(("V", "start", "kinks"), [(0.2, (0, 0, 0, 0), [4, 0]), (0.1, (0, -0.01, 0.3, 0), [4, 2])])
+def test_step_is_of_fourth_order_across_the_kinks(library: ctypes.CDLL, V: float, start: Any, kinks: list[int]) -> None:
     """The orbits leave the belt and come back, or overtake it; the first starts on a kink."""
     exact, met = _motion(V, 10.0, start, 60.0)
     assert met == kinks

@@ -140,9 +140,7 @@ def test_interpolation_uses_the_smallest_nodes() -> None:
 
 
 def _blurred(arith: Arithmetic, polynomial: tuple[Fraction, ...], share: Fraction) -> tuple[Any, ...]:
-    return tuple(
-        arith.between(value - abs(value) * share, value + abs(value) * share) for value in polynomial
-    )
+    return tuple(arith.between(value - abs(value) * share, value + abs(value) * share) for value in polynomial)
 
 
 def test_interval_coefficients_decide_or_say_that_they_cannot(arith: Arithmetic) -> None:

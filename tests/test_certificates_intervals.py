@@ -106,7 +106,7 @@ def test_far_apart_terms_go_into_the_radius() -> None:
 
 @pytest.mark.parametrize("bits", [5, 53, 300])
 def test_rationals_and_unions_are_enclosed(bits: int) -> None:
-    values = [Fraction(n, d) for n in (-10**30, -7, -1, 0, 1, 2, 10**30 + 1) for d in (1, 3, 8, 10**9 + 7, 2**400)]
+    values = [Fraction(n, d) for n in (-(10**30), -7, -1, 0, 1, 2, 10**30 + 1) for d in (1, 3, 8, 10**9 + 7, 2**400)]
     with ARITH.precision(bits):
         for one, other in itertools.combinations(values, 2):
             assert _holds(ARITH.exact(one), one)

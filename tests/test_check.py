@@ -329,9 +329,7 @@ _RELATIONS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("id", "change"), [(id, change) for id, changes in _RELATIONS.items() for change in changes]
-)
+@pytest.mark.parametrize(("id", "change"), [(id, change) for id, changes in _RELATIONS.items() for change in changes])
 def test_changed_relations_are_caught(id: str, change: article.Expression) -> None:
     assert check_with(id, change).status == check.FAILED
 

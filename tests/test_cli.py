@@ -108,9 +108,7 @@ def test_check_prints_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
 
 
-def test_check_fails_where_a_row_is_not_as_recorded(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_check_fails_where_a_row_is_not_as_recorded(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("sympy")
     from spragsym.derive.kang_nam import check as derivation
 

@@ -21,9 +21,7 @@ from spragsym.statics.solver import equilibria
 
 BACKENDS = [
     "scipy",
-    pytest.param(
-        "heyoka", marks=pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="no heyoka")
-    ),
+    pytest.param("heyoka", marks=pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="no heyoka")),
 ]
 BASE = ss.Parameters.article(theta0=np.radians(49))
 BELT = {"V": 0.5, "d": 10.0}
@@ -96,9 +94,7 @@ STABLE = [(30.0, 0), (30.0, 2), (49.0, 0), (100.0, 0), (170.0, 2)]
 @pytest.mark.parametrize(("theta0_deg", "slot"), STABLE)
 @pytest.mark.parametrize("mode", [0, 1])
 @pytest.mark.parametrize("d", [4.0, 40.0])
-def test_small_oscillations_follow_the_linearization(
-    theta0_deg: float, slot: int, mode: int, d: float
-) -> None:
+def test_small_oscillations_follow_the_linearization(theta0_deg: float, slot: int, mode: int, d: float) -> None:
     V, size, t_end = 0.5, 1e-7, 1000.0
     p = ss.Parameters.article(theta0=np.radians(theta0_deg))
     mu = 0.5 * (1 - np.exp(-d * V))
@@ -117,9 +113,7 @@ def test_small_oscillations_follow_the_linearization(
         frequencies = np.sort(np.abs(eq.eigenvalues[slot].imag))
         assert value.imag == pytest.approx(frequencies[2 * mode], rel=1e-7)
     start = np.array([x, y, 0, 0]) + size * vector.real
-    tr = simulate(
-        p, V=V, d=d, **dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True)), t_end=t_end, rtol=1e-13
-    )
+    tr = simulate(p, V=V, d=d, **dict(zip(("x0", "y0", "vx0", "vy0"), start, strict=True)), t_end=t_end, rtol=1e-13)
     linear = size * (vector[:, None] * np.exp(value * tr.t)).real
     deviation = tr.state - np.array([x, y, 0, 0])[:, None] - linear
     # Quadratic terms are 1e-7 of the linear ones, and add up over hundreds of periods.
@@ -173,17 +167,10 @@ def test_two_integrators_find_the_same_events_from_random_starts() -> None:
     pytest.importorskip("heyoka")
     rng = np.random.default_rng(5)
     for _ in range(15):
-        p = ss.Parameters.article(
-            theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5)
-        )
-        start = dict(
-            zip(("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True)
-        )
+        p = ss.Parameters.article(theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5))
+        start = dict(zip(("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True))
         belt = {"V": rng.uniform(0.02, 0.5), "d": rng.uniform(1, 30)}
-        one, other = (
-            simulate(p, **belt, **start, t_end=40.0, rtol=1e-12, backend=name)
-            for name in integrators.BACKENDS
-        )
+        one, other = (simulate(p, **belt, **start, t_end=40.0, rtol=1e-12, backend=name) for name in integrators.BACKENDS)
         assert one.events.which.tolist() == other.events.which.tolist()
         np.testing.assert_allclose(one.events.t, other.events.t, atol=1e-8)
         np.testing.assert_allclose(one(np.arange(40.0)), other(np.arange(40.0)), atol=1e-8)
@@ -210,9 +197,7 @@ def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, 
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_a_stopped_belt_ends_in_rest_and_not_in_chatter(backend: str) -> None:
-    tr = simulate(
-        ss.Parameters.article(theta0=1.0), V=0.0, d=100.0, x0=0.05, t_end=1000.0, rtol=1e-8, backend=backend
-    )
+    tr = simulate(ss.Parameters.article(theta0=1.0), V=0.0, d=100.0, x0=0.05, t_end=1000.0, rtol=1e-8, backend=backend)
     assert np.abs(tr.after(990.0).vx).max() < 1e-3
     assert len(tr.events) < 667
     assert (np.diff(tr.events.t) > 0).all()
@@ -405,9 +390,7 @@ def test_files_hold_the_trajectory(tmp_path) -> None:
 
 def test_command(tmp_path) -> None:
     options = ["--theta0", "49", "--t-end", "100", "--transient", "50", "--json"]
-    run = CliRunner().invoke(
-        simulate_command, [*options, "-o", str(tmp_path / "run.csv")], catch_exceptions=False
-    )
+    run = CliRunner().invoke(simulate_command, [*options, "-o", str(tmp_path / "run.csv")], catch_exceptions=False)
     summary = json.loads(run.stdout)
     tr = simulate(ss.Parameters.article(theta0=np.radians(49)), **BELT, t_end=100.0)
     assert summary["rms"] == tr.rms(50.0)

@@ -36,9 +36,7 @@ def test_regeneration_is_byte_identical(tmp_path: Path, begin: Callable[..., sub
         target = tmp_path / f"seed-{seed}"
         environment = {**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": str(ROOT)}
         call = [sys.executable, "-m", "derive", "--out", str(target)]
-        process = begin(
-            call, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
-        )
+        process = begin(call, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         runs.append((target, process))
     for _, process in runs:
         output, _ = process.communicate(timeout=300)
@@ -82,8 +80,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 def print_wrongly(monkeypatch: pytest.MonkeyPatch) -> None:
     """Set (A2) with a sign turned."""
     printed = tuple(
-        article._appendix("A2", entry.latex, -entry.expression) if entry.id == "A2" else entry
-        for entry in article.APPENDIX
+        article._appendix("A2", entry.latex, -entry.expression) if entry.id == "A2" else entry for entry in article.APPENDIX
     )
     changed = tuple(entry for entry in printed if entry.id in ("A2", "A5"))
     monkeypatch.setattr(check, "run", lambda: _run(changed))
@@ -209,9 +206,7 @@ def test_a_write_replaces_everything(target: Path) -> None:
 # ------------------------------------------------------------------------------------------------ the printer
 
 
-@pytest.mark.parametrize(
-    "expression", [nm.x + sp.Rational(1, 2), sp.Float(0.5) * nm.x, nm.x ** sp.Rational(1, 3)]
-)
+@pytest.mark.parametrize("expression", [nm.x + sp.Rational(1, 2), sp.Float(0.5) * nm.x, nm.x ** sp.Rational(1, 3)])
 def test_what_would_be_rounded_is_refused(expression: sp.Expr) -> None:
     with pytest.raises(ArithmeticError):
         python.AlgebraPrinter({"order": None}).doprint(expression)
@@ -227,10 +222,7 @@ def test_missing_sympy_names_the_extra(tmp_path: Path) -> None:
         cwd=ROOT, capture_output=True, text=True, timeout=60, check=False,
     )  # fmt: skip
     assert outcome.returncode == 1
-    assert (
-        outcome.stderr.strip()
-        == "derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'"
-    )
+    assert outcome.stderr.strip() == "derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'"
     assert not (tmp_path / "out").exists()
 
 

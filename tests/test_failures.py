@@ -378,9 +378,7 @@ def test_a_link_to_itself_is_an_error(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("limit", "ending"), [(1500, "csv"), (4500, "nc")])
-def test_a_full_disk_keeps_what_is_good(
-    tmp_path: Path, begin: Begin, recorded: attack.Recorded, limit: int, ending: str
-) -> None:
+def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: attack.Recorded, limit: int, ending: str) -> None:
     """No file may be longer than the limit: the journal breaks off, or the result does."""
     pytest.importorskip("resource")
     path, whole = tmp_path / f"rms.{ending}", tmp_path / f"whole.{ending}"

@@ -39,9 +39,7 @@ def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
 
     def residuals(x: mpmath.mpf, y: mpmath.mpf, theta0: mpmath.mpf) -> list[mpmath.mpf]:
         step = mpmath.mpf(10) ** -40
-        moved = [
-            (_forces(x - a, y - b, theta0, p), _forces(x + a, y + b, theta0, p)) for a, b in ((step, 0), (0, step))
-        ]
+        moved = [(_forces(x - a, y - b, theta0, p), _forces(x + a, y + b, theta0, p)) for a, b in ((step, 0), (0, step))]
         K = [[(before[row] - after[row]) / (2 * step) for before, after in moved] for row in (0, 1)]
         trace, determinant = K[0][0] + K[1][1], K[0][0] * K[1][1] - K[0][1] * K[1][0]
         return [*_forces(x, y, theta0, p), trace**2 - 4 * determinant]

@@ -98,9 +98,9 @@ def rationals(seed: int) -> dict[str, Fraction]:
     generator = random.Random(seed)
     point = {}
     for name, (low, high) in _RANGES.items():
-        point[name] = Fraction(low).limit_denominator(1000) + Fraction(high - low).limit_denominator(
-            1000
-        ) * Fraction(generator.randint(1, 96), 97)
+        point[name] = Fraction(low).limit_denominator(1000) + Fraction(high - low).limit_denominator(1000) * Fraction(
+            generator.randint(1, 96), 97
+        )
     for cosine, sine in (("cos", "sin"), ("cos0", "sin0")):
         half = Fraction(generator.randint(8, 90), 32)
         point[cosine], point[sine] = (1 - half**2) / (1 + half**2), 2 * half / (1 + half**2)
@@ -146,9 +146,7 @@ def test_float64_is_within_a_few_ulp(function: Generated) -> None:
         truth = exact(function, values, 50)
         with mpmath.workprec(53):
             mpmath.iv.prec = 53
-            enclosures = function(
-                {name: mpmath.iv.mpf(value) for name, value in values.items()}, interval_namespace()
-            )
+            enclosures = function({name: mpmath.iv.mpf(value) for name, value in values.items()}, interval_namespace())
         for got, right, condition, enclosure in zip(
             function(values), truth, conditions(function, values), enclosures, strict=True
         ):
@@ -217,9 +215,7 @@ def test_intervals_of_arguments_enclose(function: Generated) -> None:
     for seed in SEEDS:
         values = rationals(seed)
         wide = {
-            name: mpmath.iv.mpf(
-                [float(value) - abs(float(value)) / 200, float(value) + abs(float(value)) / 200]
-            )
+            name: mpmath.iv.mpf([float(value) - abs(float(value)) / 200, float(value) + abs(float(value)) / 200])
             for name, value in values.items()
         }
         for name in ("nbar", "side"):
@@ -231,15 +227,11 @@ def test_intervals_of_arguments_enclose(function: Generated) -> None:
         generator = random.Random(seed)
         for _ in range(3):
             inside = {
-                name: values[name]
-                if name in ("nbar", "side")
-                else value * (1 + Fraction(generator.randint(-9, 9), 2000))
+                name: values[name] if name in ("nbar", "side") else value * (1 + Fraction(generator.randint(-9, 9), 2000))
                 for name, value in values.items()
             }
             with mpmath.workdps(30):
-                given = {
-                    name: mpmath.mpf(value.numerator) / value.denominator for name, value in inside.items()
-                }
+                given = {name: mpmath.mpf(value.numerator) / value.denominator for name, value in inside.items()}
                 for enclosure, right in zip(enclosures, function(given, mpmath), strict=True):
                     low, high = ends(enclosure)
                     assert low <= right <= high
@@ -270,9 +262,7 @@ def test_fractions_stay_exact(function: Generated) -> None:
         assert all(isinstance(item, Fraction) for item in results), [type(item) for item in results]
         for item, right in zip(results, exact_from(function, values, RationalStandIns), strict=True):
             with mpmath.workdps(60):
-                assert abs(mpmath.mpf(item.numerator) / item.denominator - right) <= mpmath.mpf(10) ** -50 * (
-                    1 + abs(right)
-                )
+                assert abs(mpmath.mpf(item.numerator) / item.denominator - right) <= mpmath.mpf(10) ** -50 * (1 + abs(right))
 
 
 def test_functions_with_roots_and_exponentials_are_among_them() -> None:
@@ -281,9 +271,7 @@ def test_functions_with_roots_and_exponentials_are_among_them() -> None:
 
 def exact_from(function: Generated, values: dict[str, Fraction], xp: Any = None) -> list[mpmath.mpf]:
     with mpmath.workdps(70):
-        return function(
-            {name: mpmath.mpf(value.numerator) / value.denominator for name, value in values.items()}, xp
-        )
+        return function({name: mpmath.mpf(value.numerator) / value.denominator for name, value in values.items()}, xp)
 
 
 # ----------------------------------------------------------------------------------------------------- arrays
@@ -377,9 +365,7 @@ DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
     "contact_quartic": lambda: _spelled(elimination.quartic_in_L(), CONTACT),
     "liftoff_quartic": lambda: _spelled(elimination.quartic_in_L(), LIFTOFF),
     "singular_lengths": lambda: _spelled(elimination.singular_lengths()),
-    "f_coefficients": lambda: _spelled(
-        elimination.f_coefficients()[name] for name in (nm.fa, nm.fb, nm.fd, nm.fm)
-    ),
+    "f_coefficients": lambda: _spelled(elimination.f_coefficients()[name] for name in (nm.fa, nm.fb, nm.fd, nm.fm)),
     "f": lambda: (elimination.f_form,),
     "t_quartic": elimination.quartic_in_t,
     "resolvent": lambda: elimination.resolvent_cubic()[:3],
@@ -389,9 +375,7 @@ DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
     "reference_lines": lambda: _spelled(linearized.reference_lines(), CONTACT),
     "flutter_quadratic": lambda: _spelled(linearized.flutter_quadratic(), CONTACT),
     "flutter_elimination": lambda: _spelled(map(_in_lines, linearized.flutter_elimination()), CONTACT),
-    "flutter_without_alpha": lambda: _spelled(
-        [_in_lines(linearized.flutter_without_alpha())], {**CONTACT, nm.alpha: 0}
-    ),
+    "flutter_without_alpha": lambda: _spelled([_in_lines(linearized.flutter_without_alpha())], {**CONTACT, nm.alpha: 0}),
     "flutter_crossing": lambda: _spelled(linearized.flutter_crossing(), CONTACT),
     "flutter_cubic": lambda: _spelled(linearized.flutter_cubic(), CONTACT),
     "flutter_friction": lambda: _spelled([linearized.flutter_friction()], CONTACT),
@@ -404,9 +388,7 @@ DERIVED: dict[str, Callable[[], tuple[sp.Expr, ...]]] = {
     **{f"fold_lines_{name}": partial(_fold_lines, name) for name in nm.PARAMETERS},
     "fold_conic": _fold_conic,
     "fold_quartic": lambda: _spelled(folds.fold_quartic(), CONTACT),
-    "fold_quadratic": lambda: tuple(
-        value.subs(nm.alpha, 0) for value in _spelled(folds.fold_quadratic(), CONTACT)
-    ),
+    "fold_quadratic": lambda: tuple(value.subs(nm.alpha, 0) for value in _spelled(folds.fold_quadratic(), CONTACT)),
     "cusp_polynomial": lambda: _spelled(folds.cusp_polynomial(), CONTACT),
     "cusp_cubic": lambda: _spelled(folds.cusp_cubic(), CONTACT),
     "cusp_point": lambda: _spelled(_cusp_point(), CONTACT),
@@ -428,10 +410,7 @@ def test_fractions_equal_the_derived_value(name: str) -> None:
         values = rationals(seed)
         by_name = {key: sp.Rational(value.numerator, value.denominator) for key, value in values.items()}
         ours = [sp.Rational(item.numerator, item.denominator) for item in function(values)]
-        derived = [
-            item.xreplace({symbol: by_name[symbol.name] for symbol in item.free_symbols})
-            for item in expressions
-        ]
+        derived = [item.xreplace({symbol: by_name[symbol.name] for symbol in item.free_symbols}) for item in expressions]
         if name in UP_TO_A_FACTOR:
             derived = [item * ours[-1] / derived[-1] for item in derived]
         assert ours == derived
@@ -456,9 +435,7 @@ def equilibrium_points(contact: int) -> Iterator[tuple[dict[str, Any], Any, Any]
     """Random parameters with the equilibria that Newton's method finds on (12) and (13), at 50 digits."""
     for seed in range(8 if contact else 20):
         generator = random.Random(seed)
-        point = {
-            name: mpmath.mpf(value.numerator) / value.denominator for name, value in rationals(seed).items()
-        }
+        point = {name: mpmath.mpf(value.numerator) / value.denominator for name, value in rationals(seed).items()}
         theta0 = mpmath.mpf(generator.randint(10, 170)) * mpmath.pi / 180
         point |= {"cos0": mpmath.cos(theta0), "sin0": mpmath.sin(theta0), "nbar": mpmath.mpf(contact)}
         point["alpha"] /= 10
@@ -499,10 +476,7 @@ def test_equilibria_of_the_uneliminated_equations(contact: int) -> None:
             here |= {"a_f": a_f, "b_f": b_f, "d_f": d_f, "m_f": m_f}
             assert abs(call(equilibrium.f, here)) < tiny
             t = here["sin"] / (1 + here["cos"])
-            assert (
-                abs(mpmath.polyval(equilibrium.t_quartic(a_f, b_f, d_f, m_f)[::-1], t))
-                < tiny * (1 + abs(t)) ** 4
-            )
+            assert abs(mpmath.polyval(equilibrium.t_quartic(a_f, b_f, d_f, m_f)[::-1], t)) < tiny * (1 + abs(t)) ** 4
             for ours, right in zip(call(equilibrium.state), (length, x, y), strict=True):
                 assert abs(ours - right) < tiny
             assert all(abs(value) < tiny for value in call(equilibrium.residuals))
@@ -517,9 +491,7 @@ def test_equilibria_of_the_uneliminated_equations(contact: int) -> None:
                 return lambda u, v: forces(p, u, v, p["mu0"])[row]
 
             K = [[mpmath.diff(force(row), (x, y), order) for order in ((1, 0), (0, 1))] for row in range(2)]
-            for ours, right in zip(
-                flat(call(stability.stiffness)), (K[0][0], K[0][1], K[1][0], K[1][1]), strict=True
-            ):
+            for ours, right in zip(flat(call(stability.stiffness)), (K[0][0], K[0][1], K[1][0], K[1][1]), strict=True):
                 assert abs(ours - right) < mpmath.mpf(10) ** -40
             determinant = K[0][0] * K[1][1] - K[0][1] * K[1][0]
             assert abs(call(equilibrium.f_slope, here) - length * determinant) < mpmath.mpf(10) ** -40
@@ -535,10 +507,7 @@ def test_motion_is_newtons_second_law() -> None:
     tiny = mpmath.mpf(10) ** -45
     with mpmath.workdps(50):
         for seed in range(12):
-            point = {
-                name: mpmath.mpf(value.numerator) / value.denominator
-                for name, value in rationals(seed).items()
-            }
+            point = {name: mpmath.mpf(value.numerator) / value.denominator for name, value in rationals(seed).items()}
             point["vx"] = point["V"] - point["side"] * mpmath.mpf("0.3")
             if point["nbar"] == 0:
                 point["y"] = -point["y"]
@@ -560,11 +529,7 @@ def test_motion_is_newtons_second_law() -> None:
                     assert abs(ours - theirs) < tiny
             (function,) = (item for item in FUNCTIONS if item.name == "regime_jacobian")
             orders = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
-            slopes = [
-                mpmath.diff(lambda *s, i=i: acceleration(*s)[i], state, order)
-                for i in range(2)
-                for order in orders
-            ]
+            slopes = [mpmath.diff(lambda *s, i=i: acceleration(*s)[i], state, order) for i in range(2) for order in orders]
             for ours, theirs in zip(function(point, mpmath), slopes, strict=True):
                 assert abs(ours - theirs) < mpmath.mpf(10) ** -40
 
@@ -585,14 +550,9 @@ def test_motion_is_newtons_second_law() -> None:
 def test_linear_sprag_against_its_linear_balance() -> None:
     with mpmath.workdps(50):
         for seed in range(6):
-            point = {
-                name: mpmath.mpf(value.numerator) / value.denominator
-                for name, value in rationals(seed).items()
-            }
+            point = {name: mpmath.mpf(value.numerator) / value.denominator for name, value in rationals(seed).items()}
             c0, s0, sigma, mu0 = (point[name] for name in ("cos0", "sin0", "sigma", "mu0"))
-            x, y = linear_sprag.displacement(
-                c0, s0, mu0, point["kappa"], point["alpha"], sigma, point["beta"]
-            )
+            x, y = linear_sprag.displacement(c0, s0, mu0, point["kappa"], point["alpha"], sigma, point["beta"])
             along_spring = sigma * (x * c0 + y * s0)
             assert abs(point["alpha"] * x + along_spring * c0 + mu0 * y) < mpmath.mpf(10) ** -45
             assert abs((point["beta"] + 1) * y + along_spring * s0 + point["kappa"]) < mpmath.mpf(10) ** -45
@@ -622,9 +582,7 @@ BASE = {"kappa": "0.007", "alpha": "0.007", "sigma": "0.1", "beta": "0", "nbar":
 def test_folds_of_the_uneliminated_equations(degrees: str) -> None:
     """F_x = F_y = det K = 0 solved for x, y, θ₀ at the base values and μ₀ = 0.5; then every fold formula."""
     with mpmath.workdps(40):
-        point: dict[str, Any] = {name: mpmath.mpf(value) for name, value in BASE.items()} | {
-            "mu0": mpmath.mpf("0.5")
-        }
+        point: dict[str, Any] = {name: mpmath.mpf(value) for name, value in BASE.items()} | {"mu0": mpmath.mpf("0.5")}
 
         def at(x: Any, y: Any, theta0: Any) -> dict[str, Any]:
             cos0, sin0 = mpmath.cos(theta0), mpmath.sin(theta0)
@@ -687,19 +645,14 @@ def test_derivatives_of_f() -> None:
     tiny = mpmath.mpf(10) ** -35
     with mpmath.workdps(50):
         for seed in range(4):
-            point = {
-                name: mpmath.mpf(value.numerator) / value.denominator
-                for name, value in rationals(seed).items()
-            }
+            point = {name: mpmath.mpf(value.numerator) / value.denominator for name, value in rationals(seed).items()}
             point["nbar"] = mpmath.mpf(1)
             point["theta0"] = mpmath.atan2(point["sin0"], point["cos0"])
             theta = mpmath.atan2(point["sin"], point["cos"])
             coefficients = equilibrium.f_coefficients(
                 *(point[name] for name in inspect.signature(equilibrium.f_coefficients).parameters)
             )
-            for order, function in enumerate(
-                (equilibrium.f, equilibrium.f_slope, equilibrium.f_curvature, equilibrium.f_third)
-            ):
+            for order, function in enumerate((equilibrium.f, equilibrium.f_slope, equilibrium.f_curvature, equilibrium.f_third)):
                 right = mpmath.diff(lambda angle, p=point: f_by_hand(p, angle), theta, order)
                 assert abs(function(point["cos"], point["sin"], *coefficients) - right) < tiny
             (function,) = (item for item in FUNCTIONS if item.name == "unfolding")
@@ -720,9 +673,7 @@ def test_derivatives_of_f() -> None:
 def test_magnitudes_bound_their_terms() -> None:
     for seed in SEEDS:
         values = rationals(seed)
-        a, d = equilibrium.f_magnitudes(
-            *(values[name] for name in inspect.signature(equilibrium.f_magnitudes).parameters)
-        )
+        a, d = equilibrium.f_magnitudes(*(values[name] for name in inspect.signature(equilibrium.f_magnitudes).parameters))
         stiff = values["beta"] + values["nbar"]
         friction = values["mu0"] * values["nbar"]
         terms = (stiff + values["sigma"]) * values["alpha"] * abs(values["cos0"])
@@ -738,10 +689,7 @@ def test_characteristic_polynomial_and_invariants() -> None:
         coefficients = stability.characteristic(k11, k12, k21, k22, c11)
         for lam in (Fraction(0), Fraction(1), Fraction(-2), Fraction(3, 7), Fraction(5)):
             right = (lam**2 + lam * c11 + k11) * (lam**2 + k22) - k12 * k21
-            assert (
-                sum(item * lam**power for item, power in zip(coefficients, range(4, -1, -1), strict=True))
-                == right
-            )
+            assert sum(item * lam**power for item, power in zip(coefficients, range(4, -1, -1), strict=True)) == right
         trace, determinant, discriminant = stability.invariants(k11, k12, k21, k22)
         assert (trace, determinant) == (k11 + k22, k11 * k22 - k12 * k21)
         assert discriminant == trace**2 - 4 * determinant
@@ -770,9 +718,7 @@ def test_cusp_at_the_base_values() -> None:
                 continue
             s = mpmath.re(root)
             sin0, cosine_ratio, mu_ratio = catastrophe.cusp_point(s, kappa, alpha, sigma, beta)
-            for ours, same in zip(
-                catastrophe.cusp_sine(s, kappa, alpha, sigma, beta), (sin0, mu_ratio), strict=True
-            ):
+            for ours, same in zip(catastrophe.cusp_sine(s, kappa, alpha, sigma, beta), (sin0, mu_ratio), strict=True):
                 assert abs(ours - same) < mpmath.mpf(10) ** -35
             for c in (mpmath.sqrt(1 - s**2), -mpmath.sqrt(1 - s**2)):
                 mu0, cos0 = mu_ratio * c, cosine_ratio * c
@@ -792,10 +738,7 @@ def test_flutter_onsets() -> None:
     checked = 0
     with mpmath.workdps(40):
         for seed in range(10):
-            point = {
-                name: mpmath.mpf(value.numerator) / value.denominator
-                for name, value in rationals(seed).items()
-            }
+            point = {name: mpmath.mpf(value.numerator) / value.denominator for name, value in rationals(seed).items()}
             kappa, alpha, sigma, beta = (point[name] for name in ("kappa", "alpha", "sigma", "beta"))
             c, s = point["cos"], point["sin"]
             g0, g1, *k = stability.flutter_cubic(c, s, kappa, alpha, sigma, beta)
@@ -861,6 +804,4 @@ def test_docstrings_count_operations_and_name_their_source() -> None:
         documentation = inspect.getdoc(function.call) or ""
         assert "Source: " in documentation, function.name
         assert "Operations: " in documentation, function.name
-        assert all(f"\n{name} : number or array\n" in documentation for name in function.arguments), (
-            function.name
-        )
+        assert all(f"\n{name} : number or array\n" in documentation for name in function.arguments), function.name

@@ -84,9 +84,7 @@ def test_slope_of_f_is_the_determinant(p: ss.Parameters) -> None:
         assert eq.stability[1] == ss.Stability.DIVERGENT
 
 
-@given(
-    st.fractions(-1, 1), st.fractions(-1, 1), *[st.fractions(Fraction(1, 100), 3) for _ in range(5)], st.sampled_from([0, 1])
-)
+@given(st.fractions(-1, 1), st.fractions(-1, 1), *[st.fractions(Fraction(1, 100), 3) for _ in range(5)], st.sampled_from([0, 1]))
 @settings(max_examples=200)
 def test_mirror_symmetry_is_exact(
     half: Fraction, half0: Fraction, mu0: Fraction, kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, nbar: int

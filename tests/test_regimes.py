@@ -82,7 +82,7 @@ def test_the_rate_is_the_rate_of_the_motion() -> None:
 def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
     found = basin(SLOW, **BELT, x=[0.0, 0.6, 0.9], vx=[0.0, 0.3], t_end=8000.0, transient=7500.0)
     assert (found.attractor == 0).all()
-    (regime, _, mean, spread), = found.attractors
+    ((regime, _, mean, spread),) = found.attractors
     assert regime == Regime.LIMIT_CYCLE
     assert np.ptp(found.sweep.mean) > 0.01  # averages over the window do depend on the phase
     np.testing.assert_allclose(found.sweep.cycle_mean, mean, rtol=1e-7)

@@ -43,9 +43,7 @@ def test_a_sweep_is_a_map_of_simulate(backend: str | None) -> None:
     p = P.replace(theta0=P.theta0[::2])
     found = rms_sweep(p, **SHORT, rtol=1e-13, backend=backend)
     for i, theta0 in enumerate(p.theta0):
-        tr = simulate(p.replace(theta0=theta0), V=0.5, d=10.0, t_end=60.0, rtol=1e-13, backend=backend).after(
-            20.0
-        )
+        tr = simulate(p.replace(theta0=theta0), V=0.5, d=10.0, t_end=60.0, rtol=1e-13, backend=backend).after(20.0)
         assert found.rms[i] == pytest.approx(tr.rms(0.0), rel=1e-10)
         assert found.spread[i] == pytest.approx(tr.rms(0.0, about="mean"), rel=1e-10)
         assert found.amplitude[i] == pytest.approx(tr.amplitude(0.0), rel=1e-10)
@@ -75,18 +73,14 @@ def test_the_same_bits_from_any_map() -> None:
         # Futures, as an engine's own map gives them.
         assert_same(
             one,
-            rms_sweep(
-                P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]
-            ),
+            rms_sweep(P, **SHORT, workers=lambda function, points: [pool.submit(function, p) for p in points]),
         )
 
 
 def test_the_same_bits_from_dask() -> None:
     distributed = pytest.importorskip("distributed")
     with (
-        distributed.LocalCluster(
-            n_workers=2, threads_per_worker=1, dashboard_address=None, processes=False
-        ) as cluster,
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, processes=False) as cluster,
         distributed.Client(cluster) as client,
     ):
         assert_same(rms_sweep(P, **SHORT), rms_sweep(P, **SHORT, workers=client.map))

@@ -99,13 +99,9 @@ def test_slope_identity_notices_a_wrong_stiffness(monkeypatch: pytest.MonkeyPatc
 def _contact_roots(cos0: Fraction, sin0: Fraction, *parameters: Fraction) -> int:
     """Roots of the quartic in t with y < 0 and L > 0, counted with multiplicity by exact isolation."""
     mu0, kappa, alpha, sigma, beta = parameters
-    coefficients = generated.t_quartic(
-        *generated.f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, Fraction(1))
-    )
+    coefficients = generated.t_quartic(*generated.f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, Fraction(1)))
     t = sp.Symbol("t")
-    polynomial = sp.Poly(
-        [sp.Rational(value.numerator, value.denominator) for value in reversed(coefficients)], t
-    )
+    polynomial = sp.Poly([sp.Rational(value.numerator, value.denominator) for value in reversed(coefficients)], t)
     # With s = 2t/(1+t²), y < 0 and L > 0 are polynomial inequalities in t.
     push = sp.Poly(kappa * (1 + t**2) - sigma * (sin0 * (1 + t**2) - 2 * t), t)
     length = sp.Poly((2 * sigma * t + ((beta + 1) * sin0 + kappa) * (1 + t**2)) * t, t)

@@ -135,7 +135,10 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     kernel = _runnable(source)
     symbols = {name: sp.Symbol(name, positive=True) for name in ("t", "c", "s", "scale")}
     exact = {symbol: Counted(sp.Symbol(f"{symbol}_size", positive=True)) for symbol in (*nm.PARAMETERS, nm.nbar)}
-    angle0 = (Counted(sp.Symbol("cos0_size", positive=True), _IN_DIRECTION), Counted(sp.Symbol("sin0_size", positive=True), _IN_DIRECTION))
+    angle0 = (
+        Counted(sp.Symbol("cos0_size", positive=True), _IN_DIRECTION),
+        Counted(sp.Symbol("sin0_size", positive=True), _IN_DIRECTION),
+    )
     # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of cos θ and sin θ are relative.
     at = kernel["direction"](Counted(symbols["t"]))
     c, s = Counted(symbols["c"], at.cosine.count), Counted(symbols["s"], at.sine.count)
@@ -159,7 +162,9 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a rounding.
     omega = sp.Rational(_ROUNDINGS_IN_UNCERTAINTY)
     vague = [Counted(sp.Symbol(name, positive=True), omega) for name in ("c", "s", "L")]
-    stiffness = follow(known["stiffness"], (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar))))
+    stiffness = follow(
+        known["stiffness"], (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar)))
+    )
     trace, _, flutter = follow(known["invariants"], stiffness)
     found = {
         "COUNT_P": it.P.count,
@@ -195,5 +200,3 @@ def _same_sizes(coefficients: tuple[Counted, ...], emitted: tuple[Counted, ...])
     for wanted, given in zip((a, d), emitted, strict=True):
         if sp.expand(wanted.size - given.size) != 0:
             raise ArithmeticError(f"f_magnitudes gives {given.size} where the terms add up to {wanted.size}")
-
-

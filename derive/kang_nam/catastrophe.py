@@ -71,9 +71,7 @@ def fold_relations() -> dict[sp.Symbol, sp.Expr]:
 def fold_residuals() -> tuple[sp.Expr, sp.Expr]:
     """b − b(fold) and d − d(fold): both zero exactly where f = f′ = 0, and linear in each of μ₀, κ, α, σ and β."""
     coefficients = elimination.f_coefficients()
-    return tuple(
-        (symbol - value).subs(coefficients) for symbol, value in fold_relations().items()
-    )  # type: ignore[return-value]
+    return tuple((symbol - value).subs(coefficients) for symbol, value in fold_relations().items())  # type: ignore[return-value]
 
 
 @cache
@@ -173,9 +171,7 @@ def identities() -> dict[str, bool]:
     f = elimination.f_in_parameters()
     return {
         "L det K = f′ at every equilibrium": slope_identity(),
-        "the fold relations solve f = f′ = 0": all(
-            circles.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
-        ),
+        "the fold relations solve f = f′ = 0": all(circles.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)),
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
         "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": sp.expand(
             sp.rem(sum(value * nm.s**power for power, value in enumerate(cusp_polynomial())), 3 * nm.s**2 - 2, nm.s)

@@ -105,9 +105,7 @@ def check(entry: Printed, derived: Derived) -> Row:
     return Row(status="confirmed", **base)
 
 
-def _misprint(
-    id: str, components: tuple[sp.Expr, ...], derived: Derived, differs: bool, base: dict[str, str]
-) -> Row:
+def _misprint(id: str, components: tuple[sp.Expr, ...], derived: Derived, differs: bool, base: dict[str, str]) -> Row:
     correction = explanations.CORRECTIONS[id]
     if not differs:
         return Row(status=FAILED, **base | {"note": "explained as a misprint, but the difference is zero"})
@@ -247,7 +245,11 @@ def _quartic_forms() -> dict[str, Derived]:
         forms[f"eq-{equation[0]}"] = _unit_norm_form()
         forms[f"eq-{equation[1]}"] = Derived((sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), about=coefficients)
         shorthand = elimination.quartic_in_L_shorthand()
-        in_names = {nm.b1: vector_names[0], nm.b2: vector_names[1], **({nm.M: sp.S.Zero} if case[nm.nbar] == 0 else {nm.M: nm.mu0})}
+        in_names = {
+            nm.b1: vector_names[0],
+            nm.b2: vector_names[1],
+            **({nm.M: sp.S.Zero} if case[nm.nbar] == 0 else {nm.M: nm.mu0}),
+        }
         spelled = {nm.p: nm.alpha + nm.sigma, nm.q: nm.beta + case[nm.nbar] + nm.sigma}
         for id, value, full in zip(names, shorthand, coefficients, strict=True):
             arranged = value.subs(in_names, simultaneous=True).subs(spelled)

@@ -116,7 +116,9 @@ def resolvent_cubic() -> tuple[sp.Expr, ...]:
     ell = sp.Symbol("ell")
     conic = f_form + ell * (nm.c**2 + nm.s**2 - 1)
     homogeneous = sp.Symbol("h")
-    form = sp.expand(sp.cancel(homogeneous**2 * conic.subs({nm.c: nm.c / homogeneous, nm.s: nm.s / homogeneous}, simultaneous=True)))
+    form = sp.expand(
+        sp.cancel(homogeneous**2 * conic.subs({nm.c: nm.c / homogeneous, nm.s: nm.s / homogeneous}, simultaneous=True))
+    )
     determinant = sp.hessian(form, (nm.c, nm.s, homogeneous)).det()
     polynomial = sp.Poly(sp.expand(determinant), ell)
     return tuple(sp.expand(value / polynomial.LC()) for value in reversed(polynomial.all_coeffs()))
@@ -151,13 +153,9 @@ def identities() -> dict[str, bool]:
             false_root - singular_lengths()[0]
         )
         == 0,
-        "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(
-            f_form - f_form.subs(nm.c, -nm.c) - 2 * nm.c * (nm.fa * nm.s + nm.fb)
-        )
+        "f(θ) − f(π − θ) = 2 cos θ (a s + b)": sp.expand(f_form - f_form.subs(nm.c, -nm.c) - 2 * nm.c * (nm.fa * nm.s + nm.fb))
         == 0,
-        "the resolvent cubic has the discriminant of the t-quartic": sp.expand(
-            in_t.discriminant() - 4096 * cubic.discriminant()
-        )
+        "the resolvent cubic has the discriminant of the t-quartic": sp.expand(in_t.discriminant() - 4096 * cubic.discriminant())
         == 0,
     }
 

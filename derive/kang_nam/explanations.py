@@ -78,8 +78,7 @@ def _length_consequence(point: Point) -> str:
     theta = mpmath.arg(evidence.anchor(point) - mpmath.mpc(x, y))
     printed = mpmath.sqrt((mpmath.cos(theta) - x) ** 2 + (mpmath.sin(theta) - y) ** 2)
     return (
-        f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = {show(printed)} "
-        f"where L = {show(length)}"
+        f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = {show(printed)} where L = {show(length)}"
     )
 
 
@@ -235,7 +234,8 @@ APPROXIMATIONS: dict[str, Approximation] = {
         vanishes=_vanishes_at_full_slip,
     ),
     "eq-27": Approximation(
-        latex=r"\det(\lambda^2 \mathbf{I} + \lambda \begin{bmatrix} n " + nm.latex(_friction_slope())
+        latex=r"\det(\lambda^2 \mathbf{I} + \lambda \begin{bmatrix} n "
+        + nm.latex(_friction_slope())
         + r" & 0 \\ 0 & 0 \end{bmatrix} + \mathbf{K}) = 0",
         # n = −n̄ y at the equilibrium.
         expression=lambda K: (

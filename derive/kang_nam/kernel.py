@@ -230,9 +230,7 @@ def sound(point: Point) -> Flag:
 
 def balance(point: Point) -> Balance:
     """f of the point: coefficients and sizes over the largest coefficient."""
-    a, b, d, m = f_coefficients(
-        point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar
-    )
+    a, b, d, m = f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar)
     a_size, d_size = f_magnitudes(
         point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar
     )

@@ -18,10 +18,14 @@ _QUANTITIES: dict[sp.Symbol, Quantity] = {}
 def _define(code: str, article: str, meaning: str, unit: str = "1", domain: str = "real") -> sp.Symbol:
     # Positive is all that SymPy must know to simplify the square root in the spring length. A proof that relies on other signs
     # states them itself.
-    return _enter(Quantity(sp.Symbol(code, real=True, positive=True if domain == "> 0" else None), article, meaning, unit, domain))
+    return _enter(
+        Quantity(sp.Symbol(code, real=True, positive=True if domain == "> 0" else None), article, meaning, unit, domain)
+    )
 
 
-def _scaled(code: str, article: str, measured: str, scale: str, remark: str = "", domain: str = "real", meaning: str = "") -> sp.Symbol:
+def _scaled(
+    code: str, article: str, measured: str, scale: str, remark: str = "", domain: str = "real", meaning: str = ""
+) -> sp.Symbol:
     """A quantity over its scale; the remark says more about its values."""
     over = f", times {scale[3:-1]}" if scale.startswith("1/(") else f" over {scale}"
     said = f", {remark}" if remark else ""
@@ -100,7 +104,9 @@ fm = _define("m_f", "m", "coefficient of −sin² θ in f")
 side = _local("side", "sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead")
 T = _define("T", "T", "tan θ₀", domain="> 0")
 C11 = _local("C11", "damping ∂F_x/∂x'")
-K11, K12, K21, K22 = (_local(f"K{place}", f"entry {place[0]}, {place[1]} of the stiffness matrix") for place in ("11", "12", "21", "22"))
+K11, K12, K21, K22 = (
+    _local(f"K{place}", f"entry {place[0]}, {place[1]} of the stiffness matrix") for place in ("11", "12", "21", "22")
+)
 
 PARAMETERS = (mu0, kappa, alpha, sigma, beta)
 UNIT_CIRCLES = ((c, s), (c0, s0))

@@ -66,9 +66,7 @@ def _quartic() -> tuple[Step, ...]:
     return (
         Step(
             "−b is positive: a polynomial with positive coefficients in κ, σ, s₀ > 0 and α, β ≥ 0",
-            manifestly_positive(
-                _in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)
-            ),
+            manifestly_positive(_in_contact(-nm.fb), (_kappa, _sigma, _s0, _alpha, _beta), strict_symbols=(_kappa, _sigma, _s0)),
         ),
         Step(
             "the quartic in t begins with −b t⁴ and ends with b: negative at 0 and positive at ±∞, so that it has an "
@@ -83,9 +81,7 @@ def _quartic() -> tuple[Step, ...]:
             and manifestly_positive(
                 _in_contact(nm.fm).subs(nm.mu0, friction), (_sigma, friction), strict_symbols=(_sigma, friction)
             )
-            and all(
-                _changes((-1, e1, e2, e3, 1)) == 1 for e1 in (-1, 0) for e2 in (-1, 0) for e3 in (-1, 0, 1)
-            ),
+            and all(_changes((-1, e1, e2, e3, 1)) == 1 for e1 in (-1, 0) for e2 in (-1, 0) for e3 in (-1, 0, 1)),
         ),
         Step(
             "f = b cos θ ≠ 0 where sin θ = 0, so that the factor q sin θ of f = q sin θ F_x adds no root",
@@ -93,9 +89,7 @@ def _quartic() -> tuple[Step, ...]:
         ),
         Step(
             "no equilibrium has sin θ = 0, which solving F_y = 0 for L would lose: F_y is then B s₀ + κ > 0",
-            manifestly_positive(
-                _in_contact(across.subs(nm.s, 0)), (_kappa, _s0, _beta), strict_symbols=(_kappa,)
-            ),
+            manifestly_positive(_in_contact(across.subs(nm.s, 0)), (_kappa, _s0, _beta), strict_symbols=(_kappa,)),
         ),
         Step("t > 0 is sin θ > 0: sin θ = 2 t/(1 + t²)", sp.simplify(sine - 2 * t / (1 + t**2)) == 0),
     )

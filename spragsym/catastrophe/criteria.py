@@ -87,9 +87,7 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
 
     ends = excess(low), excess(high)
     if ends[0] * ends[1] > 0:
-        frictions = ", ".join(
-            f"{_in_words(friction_at(value))} at {vary} = {value:g}" for value in (low, high)
-        )
+        frictions = ", ".join(f"{_in_words(friction_at(value))} at {vary} = {value:g}" for value in (low, high))
         raise ParameterError(f"bracket: mu_cusp is {frictions}, both on one side of mu0 = {mu0:g}; widen it")
     low, high = _within_a_factor(excess, low, high)
     root = low if low == high else float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=200))

@@ -169,9 +169,7 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     return FlutterBoundary(theta0, mu0, theta, L, x, y, branch, count, curve)
 
 
-def _rank(
-    fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Rank of each point among the equilibria there, and their number.
 
     From the roots alone: at a flutter onset the solver's stability code would ask for many digits to say what is known.

@@ -223,9 +223,7 @@ def rank(arith: Arithmetic, quartic: tuple[Interval, ...], t: Interval, edge: In
         tangent = edge / (1 + arith.sqrt(1 - edge * edge))
         start = [polynomials.evaluate(part, tangent) for part in chain]
         end = [polynomials.evaluate(part[::-1], tangent) for part in chain]  # at 1/tangent, times a positive power
-    low, here, high = (
-        _variations(arith, values) for values in (start, [polynomials.evaluate(part, t) for part in chain], end)
-    )
+    low, here, high = (_variations(arith, values) for values in (start, [polynomials.evaluate(part, t) for part in chain], end))
     below, above = low - here, here - high
     if (below, above) not in ((0, 0), (2, 0), (0, 2)):
         raise Undecided(f"{below} equilibria below an onset and {above} above")

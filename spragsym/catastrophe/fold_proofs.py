@@ -152,9 +152,7 @@ def _lines_meet(vary: str, others: list[Fraction]) -> bool:
     their ranges have that (b < 0). What is left is w₁ = w₂ = 0: not for a transcendental v if not for some rational one.
     """
     rows = [
-        _LINES[vary](*on_circle(Fraction(number, 5))[:2], *on_circle(v)[:2], *others)
-        for number in range(-3, 4)
-        for v in _SAMPLES
+        _LINES[vary](*on_circle(Fraction(number, 5))[:2], *on_circle(v)[:2], *others) for number in range(-3, 4) for v in _SAMPLES
     ]
     ratio = next((-u1 / w1 if w1 else -u2 / w2 for u1, w1, u2, w2 in rows if w1 or w2), None)
     if ratio is None or any(u1 + ratio * w1 or u2 + ratio * w2 for u1, w1, u2, w2 in rows):
@@ -231,9 +229,7 @@ def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -
         e0, e1, e2 = _catastrophe.fold_quadratic(c, s, kappa, sigma, beta)
         return Fraction(e0 + mu0 * (e1 + mu0 * e2))
 
-    polynomial = polynomials.primitive(
-        polynomials.interpolate(in_t(eliminated, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction)
-    )
+    polynomial = polynomials.primitive(polynomials.interpolate(in_t(eliminated, _HALF_IN_THETA0), _DEGREE_IN_THETA0, Fraction))
     if not polynomial and (mu0 or alpha != 1 + beta):  # for μ₀ = 0 and α = 1 + β tan θ is a number: there is no fold
         raise ConvergenceError("folds along theta0 are not isolated at these parameters: change one of them a little")
     values = tuple(map(arith.exact, given))

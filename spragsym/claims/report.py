@@ -28,7 +28,7 @@ ASSUMPTIONS = (
 
 #: What can be seen by reading only.
 READ = (
-    "Section 1, \"Qin et al. [19]\": in the list of references [19] is by Xu et al., and [18] and [20] are by Qin et al.",
+    'Section 1, "Qin et al. [19]": in the list of references [19] is by Xu et al., and [18] and [20] are by Qin et al.',
     "Equations (18) and (19) write μ where (14) and Appendix A write μ_o; the ledger takes them for the same.",
 )
 

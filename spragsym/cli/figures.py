@@ -34,15 +34,11 @@ from .targets import force, refuse
     required=True,
     help="Folder to write to, made if missing.",
 )
-@click.option(
-    "--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas."
-)
+@click.option("--format", "kinds", default="pdf", show_default=True, help="pdf, png, svg, or several with commas.")
 @workers(-1)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @force
-def figures(
-    first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool, force: bool
-) -> None:
+def figures(first: tuple[str, ...], more: tuple[str, ...], out: Path, kinds: str, workers: int, quiet: bool, force: bool) -> None:
     """Draw the article's Figures 3 to 14, and some that it lacks.
 
     Those are cusp-friction, false-double-root, rms-map and sensitivity.

@@ -32,9 +32,7 @@ def _start(function: Any) -> Any:
         ("y0", "place across it"),
         ("x0", "place along the belt"),
     ):
-        function = click.option(
-            f"--{name}", type=Number(), default=0.0, show_default=True, help=f"Initial {meaning}."
-        )(function)
+        function = click.option(f"--{name}", type=Number(), default=0.0, show_default=True, help=f"Initial {meaning}.")(function)
     return function
 
 
@@ -52,9 +50,7 @@ def _start(function: Any) -> Any:
     is_flag=True,
     help="Estimate the error by a second run at a tighter tolerance.",
 )
-@click.option(
-    "--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv."
-)
+@click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
 @force
 @as_json
 def simulate(
@@ -161,10 +157,7 @@ def sweep(
     except TargetError as error:
         raise TargetError(f"{error}, or use --force to overwrite") from error
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
-    click.echo(
-        f"{output}: "
-        + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count)
-    )
+    click.echo(f"{output}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
 
 
 def _open_grid(axes: list[FloatArray]) -> list[FloatArray]:

@@ -24,12 +24,8 @@ from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..generated import motion
 from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, Range, as_number
 
-BELT_SPEED = Range(
-    0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x"
-)
-CREEP = Range(
-    0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction"
-)
+BELT_SPEED = Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x")
+CREEP = Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction")
 RELATIVE_TOLERANCE = Range(
     1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
 )
@@ -117,9 +113,7 @@ def prepare(
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
     values = p.scalars(*NAMES)
-    x0, y0, vx0, vy0 = (
-        as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True)
-    )
+    x0, y0, vx0, vy0 = (as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True))
     check_start(values[0], x0, y0)
     constants = constants_of(values, as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)

@@ -143,9 +143,7 @@ class Trajectory(Result):
         if events is not None:
             kept = events.t >= transient
             events = Events(events.t[kept], events.state[kept], events.which[kept])
-        return replace(
-            self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error
-        )
+        return replace(self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error)
 
     def mean(self, transient: float | None = None, *, of: str = "x") -> float:
         """Time average of x (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""

@@ -81,6 +81,7 @@ def figure_5() -> Sheet:
         **tables,
     )
 
+
 #: Where a direct label stands, and the point of the curve that a thin line leads to.
 _Label: TypeAlias = tuple[tuple[float, float], tuple[float, float]]
 

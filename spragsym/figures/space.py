@@ -46,9 +46,7 @@ def draw_surface(ax: Any, p: Parameters, detail: float = 1.0) -> tuple[Cover, Ta
         colors += [surfaces.shaded(_SHEET_COLORS[sheet.stability], polygon) for polygon in sheet.polygons]
     # One collection, so that polygons of all sheets are sorted by depth together; edges close the seams.
     filled = surfaces.of_equal_length(polygons)
-    ax.add_collection3d(
-        Poly3DCollection(filled, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1)
-    )
+    ax.add_collection3d(Poly3DCollection(filled, facecolors=colors, edgecolors=colors, linewidths=0.3, rasterized=True, zorder=1))
     ax.set(xlabel=r"$\theta_0$ (deg)", ylabel=r"$\mu_0$", xlim=(0, 180), ylim=MU0_RANGE, zlim=(-2, 2))
     ax.set_zlabel(LABELS["x"], rotation=90)
     ax.set_xticks(np.arange(0, 181, 45))

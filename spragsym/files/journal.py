@@ -33,9 +33,7 @@ def path_of(target: Path) -> Path:
 
 
 @contextmanager
-def journal(
-    target: Path, fingerprint: str, total: int
-) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
+def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
     """Finished points of an earlier run to ``target``, and a function that keeps one more.
 
     Every line is out of this process before the next point is asked for. A line that a kill cut short is

@@ -146,9 +146,7 @@ def _megabytes(size: int) -> str:
 # ----------------------------------------------------------------------------------------------------- to write
 
 
-def write(
-    path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]
-) -> None:
+def write(path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]) -> None:
     """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes."""
     path = resolved(path)
     check_target(path, 0)

@@ -5,9 +5,16 @@ from typing import Any as Buffer
 SOURCE: str
 
 def solve(
-    theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, contact: int,
-    settled: Buffer, count: Buffer, first: tuple[Buffer, ...], further: tuple[Buffer, ...],
+    theta0: Buffer,
+    mu0: Buffer,
+    kappa: Buffer,
+    alpha: Buffer,
+    sigma: Buffer,
+    beta: Buffer,
+    contact: int,
+    settled: Buffer,
+    count: Buffer,
+    first: tuple[Buffer, ...],
+    further: tuple[Buffer, ...],
 ) -> int: ...
-def count(
-    theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, counts: Buffer
-) -> None: ...
+def count(theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, counts: Buffer) -> None: ...

@@ -295,9 +295,7 @@ def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
 # -------------------------------------------------------------------------------------------------- more digits
 
 
-def _escalate(
-    p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]
-) -> tuple[NDArray[np.int64], dict[int, str]]:
+def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]) -> tuple[NDArray[np.int64], dict[int, str]]:
     """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals.
 
     Returns which of them are folds, and why points are left without an answer, by row.

@@ -20,7 +20,9 @@ def nested(matrix: sp.Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
     return tuple(tuple(matrix.row(row)) for row in range(matrix.rows))
 
 
-def require_same(what: str, arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...], names: dict[sp.Symbol, sp.Expr] | None = None) -> None:
+def require_same(
+    what: str, arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...], names: dict[sp.Symbol, sp.Expr] | None = None
+) -> None:
     """Raise unless the form arranged for emission equals, exactly, the form that was derived; ``names`` are shorthands in the first."""
     for ours, theirs in zip(arranged, derived, strict=True):
         for _ in range(3):  # a shorthand may stand in another one
@@ -35,7 +37,9 @@ def shorthands(case: dict[sp.Symbol, int] | None = None, *names: sp.Symbol) -> d
     return {symbol: value.subs(case or {}) for symbol, value in definitions.items() if not names or symbol in names}
 
 
-def further(listed: tuple[sp.Symbol, ...], results: Results, names: dict[sp.Symbol, sp.Expr] | None = None) -> tuple[sp.Symbol, ...]:
+def further(
+    listed: tuple[sp.Symbol, ...], results: Results, names: dict[sp.Symbol, sp.Expr] | None = None
+) -> tuple[sp.Symbol, ...]:
     """Speeds, and parameters of a changed model, on which the results depend and which are not among the arguments ``listed``."""
     free = {symbol for leaf in flatten(results) for symbol in sp.sympify(leaf).free_symbols}
     for value in (names or {}).values():

@@ -21,9 +21,7 @@ def _line(relation: sp.Expr, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
 def module() -> Module:
     contact = shorthands(equilibrium.CONTACT, nm.B, nm.p, nm.q, nm.fa)
     s0, c0 = catastrophe.fold_angles()
-    spelled = [
-        sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()
-    ]
+    spelled = [sp.expand(equilibrium.spell_out(relation).subs(equilibrium.CONTACT)) for relation in catastrophe.fold_residuals()]
     in_parameters = (*ANGLE, *ANGLE0, nm.mu0, nm.kappa, *STIFFNESS)
     lines = tuple(
         Function(
@@ -136,9 +134,7 @@ def _cusp_polynomial() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     }
     S, first = 3 * s**2 - 2, nm.fa * s**3 - k * (3 * s**2 - 2)
     second = g0 * (1 - s**2) + g1 * (s - sp.Rational(3, 2) * s**3) + g4 * s**4
-    expanded = sp.expand(
-        (r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (nm.B * nm.p * r) ** 2 * S**4
-    )
+    expanded = sp.expand((r * first * S) ** 2 + width**2 * (1 - s**2) * second**2 - (nm.B * nm.p * r) ** 2 * S**4)
     coefficients = sp.Poly(expanded, s).all_coeffs()[::-1]
     local = {name: value for name, value in names.items() if name not in equilibrium.SHORTHANDS}
     derived = catastrophe.cusp_polynomial()
@@ -152,9 +148,7 @@ def _over_one_denominator(value: sp.Expr) -> sp.Expr:
     return sp.factor_terms(sp.expand(numerator)) / denominator
 
 
-def _fold_quartic(
-    s0: sp.Expr, c0: sp.Expr
-) -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+def _fold_quartic(s0: sp.Expr, c0: sp.Expr) -> tuple[tuple[sp.Expr, sp.Expr], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
     """sin θ₀ and cos θ₀ on a fold as polynomials in friction with named coefficients, and the quartic that they make.
 
     Dividing by p B and q α first keeps every coefficient of the quartic a sum of a few squares and products.

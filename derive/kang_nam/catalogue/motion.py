@@ -78,7 +78,10 @@ def _regime_jacobian(
         slope: sp.diff(friction, nm.vx),
     }
     stiffness_x, stiffness_y = (
-        [sp.diff(value, symbol) + sp.diff(value, nm.L) * mechanics.replace_length(sp.diff(length, symbol)) for symbol in state[:2]]
+        [
+            sp.diff(value, symbol) + sp.diff(value, nm.L) * mechanics.replace_length(sp.diff(length, symbol))
+            for symbol in state[:2]
+        ]
         for value in accelerations
     )
     derived = (

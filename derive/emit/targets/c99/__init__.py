@@ -23,7 +23,9 @@ def render(material: Material) -> dict[str, str]:
     texts = {name: runtime(__file__, name) for name in _FILES}
     known = material.algebra
     used = _called(material, known)
-    statics = [algebra.static(f"algebra_{name}", known[name]) for name in (*material.public, *sorted(used - set(material.public)))]
+    statics = [
+        algebra.static(f"algebra_{name}", known[name]) for name in (*material.public, *sorted(used - set(material.public)))
+    ]
     public = [known[name] for name in material.public]
     parts = {
         "algebra": "\n".join(item.text for item in statics),

@@ -112,9 +112,7 @@ def static(name: str, function: Function) -> Emitted:
 
 def _statement(target: str, expression: sp.Expr) -> str:
     line = f"    {target} {_PRINTER.doprint(expression)};"
-    return textwrap.fill(
-        line, _WIDTH, subsequent_indent=" " * 8, break_long_words=False, break_on_hyphens=False
-    )
+    return textwrap.fill(line, _WIDTH, subsequent_indent=" " * 8, break_long_words=False, break_on_hyphens=False)
 
 
 def wrapper(function: Function) -> str:

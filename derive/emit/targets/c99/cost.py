@@ -28,9 +28,7 @@ def costs(source: str, emitted: dict[str, int]) -> dict[str, Counter[str]]:
     for match in _FUNCTION.finditer(source):
         name, body = match[1], source[match.end() : _closing(source, match.end())]
         if name in emitted:
-            known[name] = Counter({"operations": emitted[name]}) + _calls(
-                body, {key: known[key] for key in LIBM}
-            )
+            known[name] = Counter({"operations": emitted[name]}) + _calls(body, {key: known[key] for key in LIBM})
         else:
             known[name] = _block(body, known, named)
     return known

@@ -57,7 +57,12 @@ class _Printer:
         self.names: dict[str, str] = dict(it.arguments)
         assigned = [name for statement in it.body for name in _assigned(statement)]
         self.written = Counter(assigned)
-        self.used = {node.id for statement in it.body for node in ast.walk(statement) if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)}
+        self.used = {
+            node.id
+            for statement in it.body
+            for node in ast.walk(statement)
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
+        }
 
     def definition(self) -> str:
         arguments = ", ".join(f"{self.type(kind)} {name}" for name, kind in self.it.arguments)

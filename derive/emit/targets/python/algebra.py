@@ -130,7 +130,9 @@ def _docstring(function: Function, quantities: Mapping[str, Quantity], operation
     for symbol in function.accepted:
         entry = quantities[str(symbol)]
         optional = ", optional" if symbol in function.further else ""
-        described.append(f"{symbol} : number or array{optional}\n    {entry.meaning}" + (f" [{entry.unit}]" if entry.unit != "1" else ""))
+        described.append(
+            f"{symbol} : number or array{optional}\n    {entry.meaning}" + (f" [{entry.unit}]" if entry.unit != "1" else "")
+        )
     if function.transcendental:
         described.append("xp : module\n    Namespace with ``sqrt``, ``exp`` and ``sign`` for the number type: numpy, mpmath.")
     returned = "number or array" if not isinstance(function.results, tuple) else "tuple"

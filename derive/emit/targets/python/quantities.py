@@ -28,6 +28,7 @@ class Quantity(NamedTuple):
 
 '''
 
+
 def render(material: Material, header: str) -> str:
     """``generated/quantities.py``."""
     entries = "".join(f"    {name!r}: {_entry(quantity)},\n" for name, quantity in material.quantities.items())

@@ -27,7 +27,7 @@ WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1
 help:
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the tests"
-	@echo "make lint          ruff, and mypy in strict mode"
+	@echo "make lint          ruff with its formatter, and mypy in strict mode"
 	@echo "make coverage      the tests, and the lines and branches that they reach"
 	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"

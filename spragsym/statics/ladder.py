@@ -15,6 +15,7 @@ from typing import Any
 import mpmath
 
 from ..errors import ConvergenceError
+from ..exact.half_angle import on_circle
 from ..exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
 from ..exact.polynomials import Undecided, evaluate
 from . import kernel
@@ -201,8 +202,7 @@ def _state(
 ) -> list[State]:
     """The equilibrium at t, or nothing where the root is none."""
     cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
-    s = 2 * t / (1 + t * t)
-    c = (1 - t) * (1 + t) / (1 + t * t)
+    c, s, _ = on_circle(t)
     state = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)
     sides = arith.sign(state[0]), arith.sign(state[2]) * (-1 if nbar else 1)
     if -1 in sides:

@@ -8,6 +8,7 @@ must.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from typing import Any
@@ -601,6 +602,37 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
     with mpmath.workdps(50):
         for value, angle in zip(t, kernel.arctangent(t), strict=True):
             assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(float(angle))
+
+
+def test_arc_tangents_are_off_to_neither_side() -> None:
+    """Over every piece errors have no mean: low parts of the constants that are off by a third would give them one."""
+    rng = np.random.default_rng(31)
+    ends = np.array([0.01, 0.4375, 0.6875, 1.1875, 2.4375, 8.0])
+    with mpmath.workdps(40):
+        for low, high in itertools.pairwise(ends):
+            t = rng.uniform(low, high, 4000)
+            found = kernel.arctangent(t)
+            off = [float((mpmath.mpf(angle) - mpmath.atan(value)) / math.ulp(angle))
+                   for value, angle in zip(t.tolist(), found.tolist(), strict=True)]  # fmt: skip
+            assert abs(np.mean(off)) < 0.03
+            np.testing.assert_array_equal(kernel.arctangent(-t), -found)
+    assert math.copysign(1, kernel.arctangent(0.0)) == 1
+
+
+def test_the_rest_of_an_angle_counts_once_and_only_once() -> None:
+    """Errors of sine and cosine don't go with what the reduced angle lacks, z tail: half of it in the sine's last term."""
+    rng = np.random.default_rng(32)
+    with mpmath.workdps(40):
+        for low, high, k in ((0.25, 0.75, 1), (0.75, 0.99, 2)):
+            x = rng.uniform(low * math.pi + 0.01, high * math.pi - 0.01, 12000)
+            reduced = [mpmath.mpf(value) - k * mpmath.pi / 2 for value in x.tolist()]
+            r = np.array([float(value) for value in reduced])
+            tail = np.array([float(value - float(value)) for value in reduced])
+            sine = -kernel.cosine_and_sine(x)[k - 1]  # cos x = −sin r for k = 1, sin x = −sin r for k = 2
+            off = np.array([float(value - mpmath.sin(angle)) for value, angle in zip(sine.tolist(), reduced, strict=True)])
+            unit = np.spacing(np.abs(sine))
+            lever = r * r * tail / unit
+            assert abs((off / unit * lever).sum() / (lever * lever).sum()) < 0.1
 
 
 def test_directions() -> None:

@@ -7,12 +7,15 @@ from typing import Any, NamedTuple
 
 
 class Cell(NamedTuple):
-    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k; ``above`` is the polynomial's sign between it and m/2^k."""
+    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k.
+
+    ``above`` is the polynomial's sign between the root and m/2^k; of a root that is known it is not asked.
+    """
 
     n: int
     m: int
     k: int
-    above: int
+    above: int = 0
 
 
 def refine(
@@ -58,7 +61,7 @@ def refine(
         middle = value(guess, k + j)
         side = sign(middle)
         if side == 0:
-            return Cell(guess, guess, k + j, above)
+            return Cell(guess, guess, k + j)
         left = side == above
         other = value(guess - 1 if left else guess + 1, k + j)
         if j == 1 or sign(other) == -side:

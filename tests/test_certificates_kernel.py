@@ -1021,3 +1021,22 @@ def test_margins_are_not_much_wider_than_they_must_be(name: str) -> None:
         border = min(border, abs(trace) / (kernel.COUNT_K * (entries + pull)) / 1.01)
     assert kernel.stability(Direction(c, s), L, 1.0, border, point).certain
     assert kernel.stability(Direction(c, s), L, -1.0, 1e9, point) == (2.0, True)  # det K < 0 is proved with the root
+
+
+def test_both_stiffnesses_may_be_negative() -> None:
+    """Friction can make both eigenvalues negative: det K > 0, no flutter, and it diverges all the same."""
+    point = Point(0.0, 1.0, 1.9, 1.0, 1.0, 0.5, 0.0, 1.0)
+    c, s, L = -math.sqrt(0.5), math.sqrt(0.5), 0.125
+    eigenvalues = np.linalg.eigvals([
+        [0.5 * (1 - s * s / L) + 1.0, 0.5 / L * s * c + 1.9], [0.5 / L * s * c, 0.5 * (1 - c * c / L) + 1.0],
+    ])  # fmt: skip
+    assert (eigenvalues < 0).all()
+    assert kernel.stability(Direction(c, s), L, 1.0, 1e-9, point) == (2.0, True)
+
+
+def test_at_a_border_nothing_is_certain_even_of_exact_numbers() -> None:
+    """K = diag(2, 2) and diag(1, −1): the discriminant and the trace are 0."""
+    for alpha, beta, L in ((1.0, 2.0, 1.0), (0.0, 0.0, 0.5)):
+        point = Point(0.0, 1.0, 0.0, 1.0, alpha, 1.0, beta, 0.0)
+        assert not kernel.stability(Direction(1.0, 0.0), L, 1.0, 0.0, point).certain
+        assert kernel.stability(Direction(1.0, 0.0), L, 1.0, 0.0, point._replace(alpha=alpha + 0.5)).certain

@@ -75,9 +75,9 @@ def _coprime(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
     while len(divisor) > 1:
         inverse = pow(divisor[-1], -1, _PRIME)
         while len(dividend) >= len(divisor):
-            factor, shift = dividend.pop() * inverse % _PRIME, len(dividend) + 1 - len(divisor)
-            for power, value in enumerate(divisor[:-1]):
-                dividend[shift + power] = (dividend[shift + power] - factor * value) % _PRIME
+            factor = dividend.pop() * inverse % _PRIME
+            for power, value in enumerate(divisor[:-1], start=1 - len(divisor)):  # from the end
+                dividend[power] = (dividend[power] - factor * value) % _PRIME
         while dividend and not dividend[-1]:
             dividend.pop()
         dividend, divisor = divisor, dividend

@@ -144,9 +144,7 @@ def loaded(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int
     """The sweep that a file holds, if it is this one."""
     columns, attributes = storage.read(path)
     if attributes.get("fingerprint") != key:
-        raise TargetError(
-            f"{path} exists and holds something else, or was made by other code; remove it, or give another path"
-        )
+        raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
     kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
     results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
     return Sweep(inputs, **vars(settings), **results)

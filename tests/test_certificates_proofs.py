@@ -321,6 +321,15 @@ def test_an_upright_cusp_is_one(side: int, arith: Arithmetic) -> None:
     assert upright[0] == pytest.approx([side * math.pi / 2, -math.pi / 2, 0.0], abs=1e-15)
 
 
+def test_what_may_be_upright_is_open() -> None:
+    arith, exact = Balls(), (Fraction(3, 2), Fraction(1), Fraction(1), Fraction(1))
+    with arith.precision(300):
+        polynomial = cusp_proofs.cusp_sines(*exact, bits=300)[0]
+        for low, high in ((-1, -1 + Fraction(1, 2**100)), (-1 - Fraction(1, 2**100), -1)):
+            with pytest.raises(Undecided):
+                list(cusp_proofs._cusps_at(arith, exact, cusp_proofs._Sine(polynomial, Fraction(low), Fraction(high))))
+
+
 def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:
     exact = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
     with arith.precision(200):
@@ -574,3 +583,17 @@ def test_a_pitchfork_has_no_upper_pair(arith: Arithmetic) -> None:
     forks = [fold for fold in found if fold.kind == "pitchfork"]
     assert forks
     assert not any(fold.upper for fold in forks)
+
+
+def test_what_is_not_isolated_along_theta0_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where all of the eliminated polynomial vanishes: no fold for μ₀ = 0 and α = 1 + β, else no answer."""
+    monkeypatch.setattr(fold_proofs, "in_t", lambda *_: lambda t: Fraction(0))
+    arith = Balls()
+    for mu0, alpha, none in ((0, "3/2", True), (1, "3/2", False), (0, "1/2", False), (0, 1, False)):
+        exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (mu0, "1/10", alpha, 1, "1/2"))), strict=True))
+        with arith.precision(200):
+            if none:
+                assert list(fold_proofs.folds(arith, "theta0", exact, 200)) == []
+                continue
+            with pytest.raises(ss.ConvergenceError, match="not isolated"):
+                list(fold_proofs.folds(arith, "theta0", exact, 200))

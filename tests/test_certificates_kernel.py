@@ -515,6 +515,37 @@ def test_guesses_say_where_a_pair_may_have_been_missed() -> None:
                 assert int(got.count) == (3 if certain else 1) + (0 if nbar else 1)
 
 
+def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Next to where the slope of the resolvent vanishes, as at a triple root, a step of either sign leads anywhere."""
+    rng, taken = np.random.default_rng(33), set()
+    for _ in range(200):
+        a, b, d, m = rng.normal(0, 1, 4)
+        r0, r1, r2 = kernel.resolvent(a, b, d, m)
+        if r2 * r2 <= 3 * r1:
+            continue
+        z = math.sqrt(r2 * r2 / 9 - r1 / 3) * (1 + rng.choice([-1, 1]) * 10.0 ** rng.uniform(-9, -3))
+        monkeypatch.setattr(kernel, "outermost", lambda P, Q, z=z: z)
+        x = z - r2 / 3
+        step = (((x + r2) * x + r1) * x + r0) / ((3 * x + 2 * r2) * x + r1)
+        if abs(step) > 2 * abs(z):
+            assert kernel.simple_root(a, b, d, m) == x
+            taken.add(step > 0)
+    assert taken == {False, True}
+
+
+def test_factors_that_share_a_root_stay_as_they_are() -> None:
+    """(t − 1)(t + 1) and (t − 1)(t − 2): what a step would be is infinite or no number."""
+    rng = np.random.default_rng(34)
+    for _ in range(300):
+        shared = float(2.0 ** rng.integers(-3, 4))
+        first, second = -float(2.0 ** rng.integers(-3, 4)), float(2.0 ** rng.integers(-3, 4))
+        given = (-shared - first, shared * first, -shared - second, shared * second)
+        got = kernel.polish(*rng.normal(0, 3, 3), *map(np.float64, given))
+        wanted = np.array(given)
+        wanted[1 if -given[1] < given[3] else 3] = -1 / (given[3] if -given[1] < given[3] else given[1])
+        np.testing.assert_array_equal(got, wanted)
+
+
 def test_polish_squares_the_error() -> None:
     """From factors a little off, one step leaves the square of that; the exact factors stay."""
     rng = np.random.default_rng(12)

@@ -536,7 +536,7 @@ def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: py
     def eliminated(of: Any) -> None:
         monkeypatch.setattr(fold_proofs, "_eliminated", lambda _, c0, s0, *__: lambda t: of(s0 / (1 + c0), t))
 
-    for zeros in ((1, 5), (2, 3), (3, 4), (1, 2)):
+    for zeros in ((1, 5), (2, 3), (3,), (1, 2, 4), (2, 4, 5)):
         eliminated(lambda v, t, zeros=zeros: math.prod(7 * v - zero for zero in zeros) * (t * t - 2))
         assert fold_proofs._independent_of_theta0("kappa", exact) in ((-2, 0, 1), (2, 0, -1))
     for of in (lambda v, t: t * t - v, lambda v, t: (7 * v - 5) * t + (7 * v - 1) * (7 * v - 2) * (7 * v - 3) * (7 * v - 4)):
@@ -562,6 +562,7 @@ RELATIONS = {
     "one of them free at cos θ = 0": (lambda c, s, c0, s0: (_HALVES * c, c, _HALVES, 1), False),
     "both free at θ = 0": (lambda c, s, c0, s0: (_HALVES * s, s, _HALVES * s, s), False),
     "both free below": (lambda c, s, c0, s0: (_HALVES * (s - _HALVES), s - _HALVES, _HALVES * (s - _HALVES), s - _HALVES), False),
+    "two values of the first": (lambda c, s, c0, s0: (_HALVES + s * c, 1, _HALVES, 1), True),
     "two values": (lambda c, s, c0, s0: (_HALVES, 1, Fraction(-1, 3), 1), True),
     "two values but at θ = 0": (lambda c, s, c0, s0: (_HALVES + s, 1, _HALVES, 1), True),
     "two values but at t = ±3/5": (lambda c, s, c0, s0: (_HALVES, 1, _HALVES + c - Fraction(8, 17), 1), True),

@@ -35,8 +35,11 @@ SURVIVED, KILLED, BROKEN = 0, 1, 3
 class Runner:
     """A pytest plugin that puts its own loop over mutants in the place of the run of the tests."""
 
-    def __init__(self, module: str, functions: list[str], results: Path, jobs: int, only: list[str], again: bool) -> None:
+    def __init__(
+        self, module: str, functions: list[str], results: Path, jobs: int, only: list[str], again: bool, last: set[str]
+    ) -> None:
         self.module, self.results, self.jobs, self.only = importlib.import_module(module), results, jobs, set(only)
+        self.last = last  #: keys that are run last: what probably survives takes longest
         self.functions, self.again = functions, again
         self.tree = _parsed(str(self.module.__file__))
         self.failed = ""
@@ -60,6 +63,7 @@ class Runner:
         every = [mutant for mutant in mutants(self.tree) if not self.functions or mutant.scope in self.functions]
         waiting = [mutant for mutant in every if mutant.key not in known]
         waiting = [mutant for mutant in waiting if not self.only or mutant.key in self.only]
+        waiting.sort(key=lambda mutant: mutant.key in self.last)
         gc.collect()
         gc.freeze()  # forks then share what is loaded
         gc.disable()

@@ -55,8 +55,7 @@ def _inside(name: str, jobs: int, only: list[str], again: bool) -> int:
 
     from .runner import Runner
 
-    module, functions = subject["module"], subject.get("functions", [])
-    runner = Runner(module, functions, _results(name, only), jobs, only, again, set(_listed(name)))
+    runner = Runner(subject, _results(name, only), jobs, only, again, set(_listed(name)))
     options = ["-qq", "-s", "-p", "no:cacheprovider", "-p", "no:xdist"]
     return int(pytest.main([*options, *subject["tests"]], plugins=[runner]))
 

@@ -533,6 +533,28 @@ def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytes
     assert taken == {False, True}
 
 
+def test_a_step_of_both_factors_is_newtons_and_keeps_their_signs() -> None:
+    """Against the linear equations for the changes; one that would turn q₁ < 0 or q₂ > 0 about is not taken."""
+    rng, seen = np.random.default_rng(35), set()
+    for _ in range(2000):
+        p1, p2, A1, A2, A3 = rng.normal(0, 2, 5)
+        q1, q2 = -np.exp(rng.normal()), np.exp(rng.normal())
+        matrix = [[1, 0, 1, 0], [p2, 1, p1, 1], [q2, p2, q1, p1], [0, q2, 0, q1]]
+        lack = [A3 - p1 - p2, A2 - q1 - q2 - p1 * p2, A1 - p1 * q2 - p2 * q1, -1 - q1 * q2]
+        if abs(np.linalg.det(matrix)) < 1e-2:
+            continue
+        dp1, dq1, dp2, dq2 = np.linalg.solve(matrix, lack)
+        if min(abs(q1 + dq1), abs(q2 + dq2)) < 1e-6:
+            continue
+        good = q1 + dq1 < 0 < q2 + dq2
+        seen.add((q1 + dq1 < 0, q2 + dq2 > 0))
+        wanted = np.array([p1, q1, p2, q2]) + good * np.array([dp1, dq1, dp2, dq2])
+        smaller = 1 if -wanted[1] < wanted[3] else 3
+        wanted[smaller] = -1 / wanted[4 - smaller]
+        np.testing.assert_allclose(kernel.polish(A1, A2, A3, p1, q1, p2, q2), wanted, rtol=1e-9, atol=1e-9)
+    assert len(seen) == 4
+
+
 def test_factors_that_share_a_root_stay_as_they_are() -> None:
     """(t − 1)(t + 1) and (t − 1)(t − 2): what a step would be is infinite or no number."""
     rng = np.random.default_rng(34)

@@ -562,7 +562,7 @@ RELATIONS = {
     "one of them free at cos θ = 0": (lambda c, s, c0, s0: (_HALVES * c, c, _HALVES, 1), False),
     "both free at θ = 0": (lambda c, s, c0, s0: (_HALVES * s, s, _HALVES * s, s), False),
     "both free below": (lambda c, s, c0, s0: (_HALVES * (s - _HALVES), s - _HALVES, _HALVES * (s - _HALVES), s - _HALVES), False),
-    "two values of the first": (lambda c, s, c0, s0: (_HALVES + s * c, 1, _HALVES, 1), True),
+    "two values of the first but at t = ±3/5": (lambda c, s, c0, s0: (_HALVES + c - Fraction(8, 17), 1, _HALVES, 1), True),
     "two values": (lambda c, s, c0, s0: (_HALVES, 1, Fraction(-1, 3), 1), True),
     "two values but at θ = 0": (lambda c, s, c0, s0: (_HALVES + s, 1, _HALVES, 1), True),
     "two values but at t = ±3/5": (lambda c, s, c0, s0: (_HALVES, 1, _HALVES + c - Fraction(8, 17), 1), True),

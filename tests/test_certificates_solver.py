@@ -17,7 +17,7 @@ from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.generated import kernel
 from spragsym.parameters import NAMES
-from spragsym.statics import block, ladder, slots, solver
+from spragsym.statics import block, compiled, ladder, slots, solver
 
 
 @pytest.fixture(autouse=True)
@@ -357,7 +357,11 @@ def test_both_angle_and_friction_are_needed() -> None:
 LONG = (1.0, 1e200, 1e200, 1.0, 1.0, 1.0)
 
 
-def test_slots_without_an_equilibrium_are_empty_whatever_memory_held(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("backend", ["numpy", "compiled"])
+def test_slots_without_an_equilibrium_are_empty_whatever_memory_held(monkeypatch: pytest.MonkeyPatch, backend: str) -> None:
+    if backend == "compiled" and not compiled.available():
+        pytest.skip("the compiled solver was not built: no C compiler")
+    ss.set_backend(backend)
     made = slots.Slots.__post_init__
 
     def filled(self: slots.Slots) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import itertools
 import math
 from fractions import Fraction
@@ -35,7 +34,6 @@ def fixed(request: pytest.FixtureRequest) -> Fixed:
     return request.param
 
 
-@functools.cache
 def _strands(fixed: Fixed) -> list[fold_curves.Strand]:
     return fold_curves.strands(fixed, 1200)
 
@@ -132,12 +130,74 @@ def test_the_number_of_real_roots_of_quartics() -> None:
         for _ in range((4 - real) // 2):
             pair = complex(rng.normal(0, 2), rng.uniform(0.2, 2))
             roots += [pair, pair.conjugate()]
-        coefficients = np.poly(roots).real[::-1] * rng.choice([-3, 0.5])
+        coefficients = np.poly(roots).real[::-1] * rng.choice([-3, 0.5, 0.01])
         value, number = fold_curves.discriminant(coefficients)
         assert number == real
         gaps = math.prod(one - two for one, two in itertools.combinations(roots, 2))
         assert math.copysign(1, value) == math.copysign(1, (gaps * gaps).real)
         assert -1 <= value <= 1
+        P = coefficients[0] * coefficients[4] * 12 - 3 * coefficients[1] * coefficients[3] + coefficients[2] ** 2
+        assert P >= 0 or value == pytest.approx(-1, abs=1e-12)
+
+
+def test_quartics_are_the_conic_in_the_half_angle() -> None:
+    """A positive multiple, the largest coefficient of size 1; for arrays of any shape."""
+    theta = np.random.default_rng(64).uniform(0.05, math.pi / 2, (7, 3))
+    for fixed in SETS:
+        found = fold_curves.quartics(theta, fixed)
+        assert found.shape == (7, 3, 5)
+        np.testing.assert_allclose(np.abs(found).max(axis=-1), 1, rtol=1e-15)
+        e0, e1, e2, ec = generated.fold_conic(np.cos(theta), np.sin(theta), *fixed)
+        for angle in (0.3, 1.0, 2.0, 2.9):
+            v, height = math.tan(angle / 2), e0 + e1 * math.sin(angle) + e2 * math.sin(angle) ** 2 + ec * math.cos(angle)
+            ratio = height * (1 + v * v) ** 2 / sum(found[..., k] * v**k for k in range(5))
+            largest = np.abs(np.stack([e0 + ec, 2 * e1, 4 * e2 + 2 * e0, e0 - ec])).max(axis=0)
+            np.testing.assert_allclose(ratio, largest, rtol=1e-9)
+
+
+def test_the_indicators_sign_is_that_of_the_number_of_real_roots() -> None:
+    theta = np.random.default_rng(65).uniform(0.05, math.pi / 2, 300)
+    for fixed in SETS:
+        value = fold_curves.indicator(theta, fixed)
+        if fixed.alpha:
+            real = [(np.abs(np.roots(row[::-1]).imag) < 1e-7 * np.abs(np.roots(row[::-1]))).sum() for row in
+                    fold_curves.quartics(theta, fixed)]  # fmt: skip
+            clear = np.abs(value) > 1e-6
+            np.testing.assert_array_equal((value < 0)[clear], (np.array(real) == 2)[clear])
+            continue
+        e0, e1, e2, _ = generated.fold_conic(np.cos(theta), np.sin(theta), *fixed)
+        with np.errstate(all="ignore"):
+            share = e1 * e1 / (4 * e0 * e2)
+        np.testing.assert_allclose(value, np.where(share < 0, -1, (1 - share) / (1 + share)), rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("sines", "kept"), [((-0.5, 0.5), [0.5]), ((0.0, 0.5), [0.5]), ((1.0, 0.5), [0.5]), ((0.2, 0.7), [0.2, 0.7]),
+                        ((1e-13, 0.9), [1e-13, 0.9]), ((-0.1, 2.0), []), ((-1e-13, 0.9), [0.9])],
+)  # fmt: skip
+@pytest.mark.parametrize("sign", [1, -2])
+def test_sines_between_0_and_1_are_kept(
+    monkeypatch: pytest.MonkeyPatch, sines: tuple[float, float], kept: list[float], sign: int
+) -> None:
+    """Without α, to all digits of the smaller one too."""
+    one, two = sines
+    conic = tuple(np.full(2, sign * value) for value in (one * two, -one - two, 1.0, 0.0))
+    monkeypatch.setattr(fold_curves, "_conic", lambda *_: conic)
+    values, number = fold_curves.positive_roots(np.array([0.5, 0.6]), Fixed(1.0, 0.0, 1.0, 1.0))
+    assert number.tolist() == [len(kept)] * 2
+    for row in values:
+        np.testing.assert_allclose(row[: len(kept)], np.tan(0.5 * np.arcsin(kept)), rtol=1e-12)
+        assert np.isnan(row[len(kept) :]).all()
+
+
+def test_a_root_at_0_is_not_positive(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Roots −1, 0, 1 and 2 in one row, −3, −1, 1/2 and 4 in the other."""
+    rows = np.array([np.poly([-1, 0, 1, 2])[::-1], np.poly([-3, -1, 0.5, 4])[::-1]])
+    monkeypatch.setattr(fold_curves, "quartics", lambda *_: rows / np.abs(rows).max(axis=-1, keepdims=True))
+    values, number = fold_curves.positive_roots(np.array([0.5, 0.6]), FAMILY)
+    assert number.tolist() == [2, 2]
+    np.testing.assert_allclose(values[:, :2], [[1, 2], [0.5, 4]], rtol=1e-13)
+    assert np.isnan(values[:, 2:]).all()
 
 
 def test_linear_critical_friction_has_the_shape_of_its_parameters() -> None:

@@ -285,6 +285,39 @@ def test_circles_and_lines_are_traced_whatever_the_grid(monkeypatch: pytest.Monk
     assert tried >= 4
 
 
+@pytest.mark.parametrize("enters", [0.41, 0.45, 0.49, 0.55])
+@pytest.mark.parametrize("leaves", [0.42, 0.47, 0.5, 0.58])
+@pytest.mark.parametrize("born", [0.43, 0.48, 0.53, 2.0])
+def test_events_that_share_a_cell_are_told_apart(
+    monkeypatch: pytest.MonkeyPatch, enters: float, leaves: float, born: float
+) -> None:
+    """A line comes in, another one leaves, a pair is born, in any order, between two values of θ or two cells of them."""
+
+    def roots(theta: np.ndarray, _: object = None) -> tuple[np.ndarray, np.ndarray]:
+        rows = []
+        for angle in theta:
+            row = [0.1 * (angle - enters)] if angle > enters else []
+            row += [2 + way * math.sqrt(angle - born) for way in (-1, 1)] if angle > born else []
+            rows.append(row + ([5 + 0.1 / (leaves - angle)] if angle < leaves else []))
+        return _padded(rows)
+
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (theta - enters, leaves - theta, math.inf))
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - born)
+    for theta in (np.array([0.1, 0.4, 0.6, 0.9]), np.array([0.1, 0.4, 0.46, 0.6, 0.9])):
+        strands = sorted(fold_curves._trace(theta, FAMILY), key=lambda strand: strand.theta0.max())
+        assert len(strands) == 2 + (born < 1)
+        first, *pair, last = strands
+        np.testing.assert_allclose(np.tan(first.theta0 / 2), 0.1 * (first.theta - enters), atol=1e-12)
+        assert first.theta[[0, -1]] == pytest.approx([enters, 0.9], abs=1e-12)
+        assert last.theta[[0, -1]] == pytest.approx([0.1, leaves], abs=1e-12)
+        for strand in pair:
+            v = np.tan(strand.theta0 / 2)
+            np.testing.assert_allclose((v - 2) ** 2, strand.theta - born, atol=1e-9)
+            assert (np.diff(v) > 0).all() or (np.diff(v) < 0).all()
+            assert strand.theta[[0, -1]].tolist() == [0.9, 0.9]
+
+
 #: θ(v) = T₅(v − 2) with a tilt: one curve, of which one to five pass a θ; up, and down.
 _WAVE = np.polynomial.Chebyshev([0.75, 0.05, 0, 0, 0, 0.35], domain=[1, 3]).convert(kind=np.polynomial.Polynomial)
 

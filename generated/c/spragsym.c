@@ -31,14 +31,6 @@
 #if defined(__clang__) || !defined(__GNUC__)
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* On x86-64 the two loops over columns are compiled for three generations of processors, of which the fastest that is there
- * runs: the same bits, since no operations are fused. Not under a sanitizer, which starts later than the choice is made. */
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && __GNUC__ >= 12 && defined(__STRICT_ANSI__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(SPRAGSYM_ONE_BUILD)
-#define CLONED __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define CLONED
-#endif
 /* What a loop calls must be part of it before it can be turned into vector instructions. */
 #ifdef __GNUC__
 #define INLINE static inline __attribute__((always_inline, unused))
@@ -55,7 +47,7 @@ INLINE double larger(double one, double other) { return (one > other) ? one : ot
 INLINE double smaller(double one, double other) { return (one < other) ? one : other; }
 
 /* ------------------------------------------------------------------------------------ generated algebra */
-/* Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact. Source: (21), (A1)–(A5). Operations: 45. */
+/* Coefficients of c0 + c1 L + c2 L^2 + c3 L^3 + c4 L^4 = 0 in contact. Source: (21), (A1)-(A5). Operations: 45. */
 INLINE void algebra_contact_quartic(double cos0, double sin0, double mu0, double kappa, double alpha, double sigma,
     double beta, double result[5]) {
     const double M = mu0;
@@ -82,7 +74,8 @@ INLINE void algebra_contact_quartic(double cos0, double sin0, double mu0, double
     result[4] = -p_2*q_2;
 }
 
-/* Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived. Source: (26), (A1) corrected, (A6)–(A9). Operations: 37. */
+/* Coefficients of d0 + d1 L + d2 L^2 + d3 L^3 + d4 L^4 = 0 in lift-off, d0 as derived. Source: (26), (A1) corrected,
+ * (A6)-(A9). Operations: 37. */
 INLINE void algebra_liftoff_quartic(double cos0, double sin0, double kappa, double alpha, double sigma, double beta,
     double result[5]) {
     const double b1 = -alpha*cos0;
@@ -106,7 +99,8 @@ INLINE void algebra_liftoff_quartic(double cos0, double sin0, double kappa, doub
     result[4] = -p_2*q_2;
 }
 
-/* a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)). Source: (12), (13) eliminated. Operations: 17. */
+/* a, b, d, m of f(theta) = a sin theta cos theta + b cos theta + d sin theta - m sin^2 theta = q sin theta F_x(theta,
+ * L(theta)). Source: (12), (13) eliminated. Operations: 17. */
 INLINE void algebra_f_coefficients(double cos0, double sin0, double mu0, double kappa, double alpha, double sigma,
     double beta, double nbar, double result[4]) {
     const double B = beta + nbar;
@@ -129,21 +123,22 @@ INLINE double algebra_f(double cos_theta, double sin_theta, double a_f, double b
     return a_f*cos_theta*sin_theta + b_f*cos_theta + d_f*sin_theta - m_f*sin_2;
 }
 
-/* df/dθ, which is L det K at an equilibrium. Source: (12), (13) eliminated. Operations: 13. */
+/* df/dtheta, which is L det K at an equilibrium. Source: (12), (13) eliminated. Operations: 13. */
 INLINE double algebra_f_slope(double cos_theta, double sin_theta, double a_f, double b_f, double d_f, double m_f) {
     const double cos_2 = square(cos_theta);
     const double sin_2 = square(sin_theta);
     return a_f*cos_2 - a_f*sin_2 + cos_theta*d_f + sin_theta*(-b_f - 2.0*cos_theta*m_f);
 }
 
-/* d²f/dθ². Source: (12), (13) eliminated. Operations: 15. */
+/* d^2f/dtheta^2. Source: (12), (13) eliminated. Operations: 15. */
 INLINE double algebra_f_curvature(double cos_theta, double sin_theta, double a_f, double b_f, double d_f, double m_f) {
     const double cos_2 = square(cos_theta);
     const double sin_2 = square(sin_theta);
     return -4.0*a_f*cos_theta*sin_theta - b_f*cos_theta - 2.0*cos_2*m_f - d_f*sin_theta + 2.0*m_f*sin_2;
 }
 
-/* Coefficients of (1 + t²)² f = e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ with t = tan(θ/2). Source: (12), (13) eliminated. Operations: 7. */
+/* Coefficients of (1 + t^2)^2 f = e0 + e1 t + e2 t^2 + e3 t^3 + e4 t^4 with t = tan(theta/2). Source: (12), (13)
+ * eliminated. Operations: 7. */
 INLINE void algebra_t_quartic(double a_f, double b_f, double d_f, double m_f, double result[5]) {
     result[0] = b_f;
     result[1] = 2.0*(a_f + d_f);
@@ -152,7 +147,8 @@ INLINE void algebra_t_quartic(double a_f, double b_f, double d_f, double m_f, do
     result[4] = -b_f;
 }
 
-/* Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t. Source: (12), (13) eliminated. Operations: 15. */
+/* Coefficients of the cubic r0 + r1 l + r2 l^2 + l^3 with the discriminant of the quartic in t. Source: (12), (13)
+ * eliminated. Operations: 15. */
 INLINE void algebra_resolvent(double a_f, double b_f, double d_f, double m_f, double result[3]) {
     const double a_f_2 = square(a_f);
     const double b_f_2 = square(b_f);
@@ -162,7 +158,7 @@ INLINE void algebra_resolvent(double a_f, double b_f, double d_f, double m_f, do
     result[2] = -m_f;
 }
 
-/* Spring length and displacement at an equilibrium with direction θ. Source: (4), (5), (13) or (15). Operations: 15. */
+/* Spring length and displacement at an equilibrium with direction theta. Source: (4), (5), (13) or (15). Operations: 15. */
 INLINE void algebra_state(double cos_theta, double sin_theta, double cos0, double sin0, double kappa, double sigma,
     double beta, double nbar, double result[3]) {
     const double B = beta + nbar;
@@ -174,7 +170,7 @@ INLINE void algebra_state(double cos_theta, double sin_theta, double cos0, doubl
     result[2] = w0*(-kappa + sigma*(-sin_theta + sin0));
 }
 
-/* F_x and F_y at spring length L and direction θ. Source: (12)–(15). Operations: 17. */
+/* F_x and F_y at spring length L and direction theta. Source: (12)-(15). Operations: 17. */
 INLINE void algebra_residuals(double cos_theta, double sin_theta, double L, double cos0, double sin0, double mu0,
     double kappa, double alpha, double sigma, double beta, double nbar, double result[2]) {
     const double w0 = sigma*(1.0 - L);
@@ -200,7 +196,8 @@ INLINE void algebra_stiffness(double cos_theta, double sin_theta, double L, doub
     result[3] = -cos_2*w0 + q;
 }
 
-/* Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K. Source: (27). Operations: 8. */
+/* Trace, determinant (negative: divergence) and discriminant in lambda^2 (negative: flutter) of K. Source: (27).
+ * Operations: 8. */
 INLINE void algebra_invariants(double K11, double K12, double K21, double K22, double result[3]) {
     const double w0 = K12*K21;
     const double base0 = K11 - K22;
@@ -210,12 +207,13 @@ INLINE void algebra_invariants(double K11, double K12, double K21, double K22, d
     result[2] = base0_2 + 4.0*w0;
 }
 
-/* ∂F_x/∂x' at steady sliding. Source: (8), (10) linearized. Operations: 7. */
+/* dF_x/dx' at steady sliding. Source: (8), (10) linearized. Operations: 7. */
 INLINE double algebra_damping(double y, double mu0, double V, double d, double nbar) {
     return -d*mu0*nbar*y*exp(-V*d);
 }
 
-/* Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27). Source: (27) with damping. Operations: 5. */
+/* Coefficients of det(lambda^2 I + lambda C + K), highest power first; C11 = 0 is (27). Source: (27) with damping.
+ * Operations: 5. */
 INLINE void algebra_characteristic(double K11, double K12, double K21, double K22, double C11, double result[5]) {
     result[0] = 1.0;
     result[1] = C11;
@@ -239,7 +237,7 @@ INLINE double algebra_friction(double vx, double mu0, double V, double d) {
     return mu0*(1.0 - exp(-d*fabs(w0)))*sign(w0);
 }
 
-/* x″ and y″, kinked where y = 0 and where x' = V. Source: (8)–(11). Operations: 36. */
+/* x'' and y'', kinked where y = 0 and where x' = V. Source: (8)-(11). Operations: 36. */
 INLINE void algebra_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0, double kappa,
     double alpha, double sigma, double beta, double V, double d, double result[2]) {
     (void)vy;
@@ -258,7 +256,8 @@ INLINE void algebra_rhs(double x, double y, double vx, double vy, double cos0, d
     result[1] = -beta*y - kappa + sigma*w1*w2*w3 - w5;
 }
 
-/* x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (−1). Source: (8)–(10). Operations: 32. */
+/* x'' and y'' in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (-1). Source: (8)-(10).
+ * Operations: 32. */
 INLINE void algebra_regime_rhs(double x, double y, double vx, double vy, double cos0, double sin0, double mu0, double kappa,
     double alpha, double sigma, double beta, double V, double d, double nbar, double side, double result[2]) {
     (void)vy;
@@ -276,7 +275,7 @@ INLINE void algebra_regime_rhs(double x, double y, double vx, double vy, double 
     result[1] = -beta*y - kappa + sigma*w1*w2*w3 - w4;
 }
 
-/* Derivatives of regime_rhs with respect to x, y, x', y'. Source: (8)–(10). Operations: 42. */
+/* Derivatives of regime_rhs with respect to x, y, x', y'. Source: (8)-(10). Operations: 42. */
 INLINE void algebra_regime_jacobian(double x, double y, double vx, double vy, double cos0, double sin0, double mu0,
     double kappa, double alpha, double sigma, double beta, double V, double d, double nbar, double side, double result[8]) {
     (void)vy;
@@ -309,7 +308,7 @@ INLINE void algebra_regime_jacobian(double x, double y, double vx, double vy, do
     result[7] = 0.0;
 }
 
-/* Kinetic and stored energy, the preload's included, over k_c L_0². Source: (1), (2). Operations: 29. */
+/* Kinetic and stored energy, the preload's included, over k_c L_0^2. Source: (1), (2). Operations: 29. */
 INLINE double algebra_energy(double x, double y, double vx, double vy, double cos0, double sin0, double kappa, double alpha,
     double sigma, double beta, double nbar) {
     const double base0 = cos0 - x;
@@ -327,7 +326,8 @@ INLINE double algebra_energy(double x, double y, double vx, double vy, double co
     return alpha*x_2/2.0 + base8_2*sigma/2.0 + beta*w0 + kappa*y + nbar*w0 + vx_2/2.0 + vy_2/2.0;
 }
 
-/* Sums of the absolute values of the terms of a and d, against which their rounding errors are measured. Source: rounding-error analysis. Operations: 12. */
+/* Sums of the absolute values of the terms of a and d, against which their rounding errors are measured. Source:
+ * rounding-error analysis. Operations: 12. */
 INLINE void algebra_f_magnitudes(double cos0, double sin0, double mu0, double kappa, double alpha, double sigma,
     double beta, double nbar, double result[2]) {
     const double B = beta + nbar;
@@ -335,6 +335,25 @@ INLINE void algebra_f_magnitudes(double cos0, double sin0, double mu0, double ka
     const double q = B + sigma;
     result[0] = sigma*(B + alpha);
     result[1] = M*(kappa + sigma*sin0) + alpha*q*fabs(cos0);
+}
+
+static int finite_all(int length, const double *values) {
+    for (int i = 0; i < length; i++) {
+        if (!isfinite(values[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static spragsym_status deliver(int length, const double *values, double *result) {
+    if (!finite_all(length, values)) {
+        return SPRAGSYM_OUT_OF_RANGE;
+    }
+    for (int i = 0; i < length; i++) {
+        result[i] = values[i];
+    }
+    return SPRAGSYM_OK;
 }
 
 /* --------------------------------------------------------------------------------------------- the kernel */
@@ -441,7 +460,8 @@ typedef struct {
     double square;
 } Pair;
 
-/* tan(theta/2) at the roots that may be equilibria, ascending, how many there are, and whether there are certainly no more. */
+/* tan(theta/2) at the roots that may be equilibria, ascending, how many there are, and whether there are certainly no
+ * more. */
 typedef struct {
     double t0;
     double t1;
@@ -468,9 +488,9 @@ typedef struct {
 
 /* What is at a root of f.
  *
- * The state; the radius around theta in which exactly one root is proved, infinite where none is; a bound on the error of theta,
- * L, x and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that nbar says);
- * whether it certainly is none; its stability, and whether that is certain. */
+ * The state; the radius around theta in which exactly one root is proved, infinite where none is; a bound on the error
+ * of theta, L, x and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that
+ * nbar says); whether it certainly is none; its stability, and whether that is certain. */
 typedef struct {
     double L;
     double x;
@@ -485,8 +505,8 @@ typedef struct {
 
 /* cos x and sin x for 0 < x < pi in double precision, within one unit in the last place, which not every library's are.
  *
- * x = k pi/2 + (r + tail) with r at most pi/4, by pi/2 in two parts, of which the first leaves nothing to round; then the
- * polynomials of fdlibm's k_sin.c and k_cos.c. */
+ * x = k pi/2 + (r + tail) with r at most pi/4, by pi/2 in two parts, of which the first leaves nothing to round; then
+ * the polynomials of fdlibm's k_sin.c and k_cos.c. */
 INLINE Direction cosine_and_sine(double x) {
     const double k = (x > 0.7853981633974483 ? 1.0 : 0.0) + (x > 2.356194490192345 ? 1.0 : 0.0);
     const double near = x - k * 1.5707963267948966;
@@ -598,8 +618,8 @@ INLINE Depressed depressed_size(double a_size, double b_size, double d_size, dou
 
 /* The sign of P^3 + Q^2 is that of the discriminant, reversed.
  *
- * From bounds on the errors of P and Q: |P~^3 - P^3| <= 3 (|P| + error)^2 error and |Q~^2 - Q^2| <= 2 (|Q| + error) error;
- * cubing, squaring and adding round four times more. */
+ * From bounds on the errors of P and Q: |P~^3 - P^3| <= 3 (|P| + error)^2 error and |Q~^2 - Q^2| <= 2 (|Q| + error)
+ * error; cubing, squaring and adding round four times more. */
 INLINE Discriminant discriminant(Balance line, double u) {
     double resolvent_results[3];
     algebra_resolvent(line.a, line.b, line.d, line.m, resolvent_results);
@@ -728,8 +748,8 @@ INLINE Pair root_pair(double p, double q) {
 
 /* The roots that may be equilibria.
  *
- * In contact only positive ones: with sin theta < 0 < L, y = sin theta0 - L sin theta would be positive. The first factor has a root
- * of either sign; those of the second are complex, or both negative, or both positive. */
+ * In contact only positive ones: with sin theta < 0 < L, y = sin theta0 - L sin theta would be positive. The first
+ * factor has a root of either sign; those of the second are complex, or both negative, or both positive. */
 INLINE Guesses guesses(Point point, Balance line, double u) {
     const Discriminant D = discriminant(line, u);
     const Factors halves = factors(line.a, line.b, line.d, line.m);
@@ -773,10 +793,10 @@ INLINE Separation separation(double one, double other, Point point, Balance line
 
 /* The number of equilibria in contact by the roots that were guessed, 1 or 3; 0 where that is open.
  *
- * At most three roots have sin theta > 0. f is negative at theta = 0 and at the lower end of the directions in contact, positive
- * at their upper end and at theta = pi. Three equilibria are certain where f is positive and, farther up, negative, both
- * in contact. One is certain where there are no three roots, and where f changes its sign twice out of contact, so
- * that two of the roots lie there. */
+ * At most three roots have sin theta > 0. f is negative at theta = 0 and at the lower end of the directions in contact,
+ * positive at their upper end and at theta = pi. Three equilibria are certain where f is positive and, farther up,
+ * negative, both in contact. One is certain where there are no three roots, and where f changes its sign twice out of
+ * contact, so that two of the roots lie there. */
 INLINE double one_or_three(Guesses all, Point point, double u) {
     const Balance line = balance(point);
     const Separation lower = separation(all.t0, all.t1, point, line, u);
@@ -791,8 +811,8 @@ INLINE double one_or_three(Guesses all, Point point, double u) {
 
 /* 1 stable, 2 divergent, 3 flutter, by (27).
  *
- * The sign of det K is that of f', which is known where the root is proved. `uncertainty` bounds the errors of cos theta,
- * and of sin theta and L over themselves. */
+ * The sign of det K is that of f', which is known where the root is proved. `uncertainty` bounds the errors of cos
+ * theta, and of sin theta and L over themselves. */
 INLINE Kind stability(Direction at, double L, double slope, double uncertainty, Point point) {
     double stiffness_results[4];
     algebra_stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar,
@@ -820,10 +840,10 @@ INLINE Kind stability(Direction at, double L, double slope, double uncertainty, 
 
 /* State, error bounds and stability at a root of f that is proved to lie near theta = 2 atan t.
  *
- * Newton-Kantorovich on f at theta: a root lies within about |f|/|f'|. Then, with R = (beta + nbar) sin theta0 + kappa, L = sigma/q + R/(q
- * sin theta), y = (sigma (sin theta0 - sin theta) - kappa)/q and x = cos theta0 - L cos theta over that radius: sin theta changes by at most radius
- * (|cos theta| + radius), cos theta by radius (|sin theta| + radius), and 1/sin theta as sin theta does, over sin^2 theta, but for some
- * thousandths. */
+ * Newton-Kantorovich on f at theta: a root lies within about |f|/|f'|. Then, with R = (beta + nbar) sin theta0 + kappa,
+ * L = sigma/q + R/(q sin theta), y = (sigma (sin theta0 - sin theta) - kappa)/q and x = cos theta0 - L cos theta over
+ * that radius: sin theta changes by at most radius (|cos theta| + radius), cos theta by radius (|sin theta| +
+ * radius), and 1/sin theta as sin theta does, over sin^2 theta, but for some thousandths. */
 INLINE Root at_root(double t, Point point, Balance line, double u) {
     const Direction at = direction(t);
     const double c_size = fabs(at.cosine);
@@ -874,6 +894,26 @@ INLINE int apart(double low, double low_radius, double high, double high_radius)
 }
 
 /* ------------------------------------------------------------------------------------------- equilibria */
+/*
+ * Worst-case operations, counted in this text: + - * / and comparisons of doubles, then calls of libm.
+ * - spragsym_prepare: 62 operations
+ * - spragsym_equilibria: 1475 operations, 5 sqrt
+ * - spragsym_equilibria_batch: 110315 operations, 320 sqrt
+ * - spragsym_step: 1897 operations, 37 sqrt, 37 exp
+ * - balance: 42 operations
+ * - guesses: 325 operations, 5 sqrt
+ * - at_root: 193 operations
+ * - runge_kutta: 186 operations, 4 sqrt, 4 exp
+ */
+
+/* On x86-64 the two loops over columns are compiled for three generations of processors, of which the fastest that is there
+ * runs: the same bits, since no operations are fused. Not under a sanitizer, which starts later than the choice is made. */
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && __GNUC__ >= 12 && defined(__STRICT_ANSI__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(SPRAGSYM_ONE_BUILD)
+#define CLONED __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
+#else
+#define CLONED
+#endif
 
 /* Error per value that SPRAGSYM_OK vouches for. */
 #define TOLERANCE 1e-12
@@ -886,25 +926,6 @@ INLINE int apart(double low, double low_radius, double high, double high_radius)
 #if GROUPS * LANES != MAX_ROOTS * BLOCK
 #error "spragsym: the groups must have room for every root of a block"
 #endif
-
-static int finite_all(int length, const double *values) {
-    for (int i = 0; i < length; i++) {
-        if (!isfinite(values[i])) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-static spragsym_status deliver(int length, const double *values, double *result) {
-    if (!finite_all(length, values)) {
-        return SPRAGSYM_OUT_OF_RANGE;
-    }
-    for (int i = 0; i < length; i++) {
-        result[i] = values[i];
-    }
-    return SPRAGSYM_OK;
-}
 
 static int allowed(const spragsym_parameters *given) {
     const double pi = 3.14159265358979323846;
@@ -1579,3 +1600,4 @@ spragsym_status spragsym_energy(double x, double y, double vx, double vy, double
     value[0] = algebra_energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, nbar);
     return deliver(1, value, result);
 }
+

@@ -1,59 +1,75 @@
-"""JavaScript: one ES module without dependencies, its types and an example."""
+"""JavaScript: one ES module without dependencies, its types, and for a model that has one an example."""
 
 from __future__ import annotations
 
 import json
 import math
+import re
+import textwrap
 
 from .. import Material, Target, runtime
 from . import algebra, kernel
 
-#: Parts of the module in order, between which the generated text stands.
-_PARTS = ("numbers", "equilibria", "motion", "polynomials", "folds")
-_FILES = ("spragsym.mjs", "spragsym.d.ts", "spragsym.d.mts", "example.mjs")
+_EXAMPLE = "example.mjs"
+_DECLARATIONS = "declarations.d.ts"
 
 
 def render(material: Material) -> dict[str, str]:
     """The module, its declarations, and an example."""
-    words = {
-        "header": material.header.replace("``", "`"),
-        "source": material.digest[:16],
-        "base": json.dumps(dict(material.base_values)),
-        "names": json.dumps(list(material.parameters)),
-        "ranges": _ranges(material),
-        "algebra": _algebra(material),
-        "kernel": kernel.render(material),
-        "declarations": "".join(algebra.declaration(it) for it in material.algebra.values()),
+    own = material.runtime.get("javascript", {})
+    parts = [text for name, text in sorted(own.items()) if name.endswith(".mjs") and name != _EXAMPLE]
+    solver = [runtime(__file__, "kernel.mjs"), kernel.render(material)] if material.kernel.routines else []
+    module = [runtime(__file__, "library.mjs"), *solver, *([runtime(__file__, "input.mjs")] if parts else []), *parts]
+    words = {**_words(material), "declarations": own.get(_DECLARATIONS, "")}
+    library = material.library
+    texts = {
+        f"{library}.mjs": "\n".join(module),
+        f"{library}.d.ts": runtime(__file__, "library.d.ts"),
+        f"{library}.d.mts": runtime(__file__, "library.d.mts"),
+        **{name: text for name, text in own.items() if name == _EXAMPLE},
     }
-    texts = {name: runtime(__file__, name) for name in _FILES}
-    texts["spragsym.mjs"] += "\n" + "\n".join(runtime(__file__, f"{part}.mjs") for part in _PARTS)
     return {name: _spoken(text, words) for name, text in texts.items()}
 
 
-def _spoken(text: str, words: dict[str, str]) -> str:
-    """Put the words in the places that ``@name@`` marks, alone in a comment or not."""
-    for name, word in words.items():
-        text = text.replace(f"// @{name}@\n", word).replace(f"@{name}@", word)
-    return text
-
-
-def _algebra(material: Material) -> str:
+def _words(material: Material) -> dict[str, str]:
+    """What stands for ``@name@``, or for a comment that holds nothing else."""
     functions = material.algebra
-    defined = "\n".join(algebra.definition(it, material.quantities, f"algebra_{name}") for name, it in functions.items())
-    listed = "".join(f"  {name}: algebra_{name},\n" for name in functions)
-    return f"{defined}\n/** The generated algebra, by the names that it has in Python. */\nexport const algebra = Object.freeze({{\n{listed}}});\n"
+    return {
+        "library": material.library,
+        "summary": textwrap.fill(material.summary, 121, subsequent_indent=" * "),
+        "header": material.header.replace("``", "`"),
+        "source": material.digest[:16],
+        "names": json.dumps(list(material.parameters)),
+        "typed_names": ", ".join(f'"{name}"' for name in material.parameters),
+        "base": json.dumps(dict(material.base_values)),
+        "typed_base": " ".join(f"{name}: number;" for name in material.base_values),
+        "ranges": _ranges(material),
+        "algebra": "\n".join(algebra.definition(it, material.quantities, f"algebra_{name}") for name, it in functions.items()),
+        "table": "".join(f"  {name}: algebra_{name},\n" for name in functions),
+        "members": "".join(algebra.declaration(it) for it in functions.values()),
+    }
+
+
+def _spoken(text: str, words: dict[str, str]) -> str:
+    return re.sub(r"// @(\w+)@\n|@(\w+)@", lambda place: words.get(place[1] or place[2], place[0]), text)
 
 
 def _ranges(material: Material) -> str:
-    """The allowed values of every parameter and of V and d, as JSON; infinite ends are left out."""
-    entries = {}
-    for name in (*material.parameters, "V", "d"):
+    """The allowed values of all that the algebra takes, one a line; infinite ends are left out."""
+    taken = {str(symbol) for function in material.algebra.values() for symbol in function.accepted}
+    lines = []
+    for name in [*material.parameters, *sorted(taken - set(material.parameters))]:
         allowed = material.quantities[name].interval
-        ends = {"low": allowed.low, "high": allowed.high}
-        entries[name] = {key: value for key, value in ends.items() if math.isfinite(value)}
+        ends: dict[str, float | bool] = {}
         if math.isfinite(allowed.low):
-            entries[name]["open"] = allowed.low_open
-    return json.dumps(entries)
+            ends |= {"low": allowed.low, "low_open": allowed.low_open}
+        if math.isfinite(allowed.high):
+            ends |= {"high": allowed.high, "high_open": allowed.high_open}
+        lines.append(f"  {name}: {json.dumps(ends)},\n")
+    return "{\n" + "".join(lines) + "}"
 
 
-TARGET = Target("javascript", "JavaScript", "javascript", render, exported=_FILES)
+TARGET = Target(
+    "javascript", "JavaScript", "javascript", render,
+    exported=("{library}.mjs", "{library}.d.ts", "{library}.d.mts", _EXAMPLE),
+)  # fmt: skip

@@ -1,3 +1,23 @@
+// -------------------------------------------------------------------------------------------------------- parameters
+
+// What to do about a value out of its range, where the range alone does not say it.
+const REMEDIES = {
+  theta0: ": angles are radians, strictly between 0 and pi",
+  mu0: ": a belt that runs the other way is the mirror image: give the supplement of theta0",
+  kappa: ": without preload nothing presses the mass on the belt",
+  sigma: ": without the inclined spring there is no sprag",
+};
+
+/** The parameters of a point, checked; those in `spanned` are not used and may be left out. */
+function parameters_of(given, spanned = []) {
+  known("parameters", given, NAMES);
+  const values = {};
+  for (const name of NAMES) {
+    values[name] = spanned.includes(name) && given[name] === undefined ? NaN : checked(name, given[name], REMEDIES[name]);
+  }
+  return values;
+}
+
 // -------------------------------------------------------------------------------------------------------- equilibria
 
 // Error per value that status "ok" vouches for.
@@ -11,6 +31,12 @@ function point_of(given, nbar) {
   const { mu0, kappa, alpha, sigma, beta } = given;
   return { cos0: cosine, sin0: sine, mu0, kappa, alpha, sigma, beta, nbar };
 }
+
+/*
+ * Statics use + - * / of doubles, comparisons and Math.sqrt; sine, cosine, arc tangent and cube root are computed by the kernel's
+ * own statements, so that `equilibria` gives the bits of the C library under -std=c99. No error bound depends on Math.sqrt or on
+ * the cube root, which only serve to guess where a root is.
+ */
 
 /**
  * All equilibria of one regime with their stability, by ascending theta: roots of (12), (13) with (22)-(25).

@@ -1,5 +1,3 @@
-// Types of spragsym.mjs. @header@
-
 /** Dimensionless parameters of a point. */
 export interface Parameters {
   /** Inclination of the undeformed spring, radians, in (0, pi). */
@@ -100,11 +98,6 @@ export interface Motion {
   step(state: ArrayLike<number>, h: number): Phase;
 }
 
-export declare const SOURCE: string;
-export declare const NAMES: readonly (keyof Parameters)[];
-export declare const BASE: Readonly<Omit<Parameters, "theta0">>;
-export declare const RANGES: Readonly<Record<keyof Parameters | "V" | "d", { low?: number; high?: number; open?: boolean }>>;
-
 /** All equilibria of one regime with their stability; in contact unless told otherwise. */
 export declare function equilibria(parameters: Parameters, options?: { contact?: boolean }): Equilibria;
 /** The equilibrium surface at a direction theta and an inclination theta0; null where there is no state in contact. */
@@ -119,8 +112,3 @@ export declare function flutter_boundary(parameters: Fixed, options?: { n?: numb
 export declare function folds(parameters: Fixed, options?: { vary?: "theta0" | "mu0"; n?: number }): Turn[];
 /** Right-hand side, regimes and steps of the motion at given parameters. */
 export declare function motion(parameters: Parameters, drive: Drive): Motion;
-
-/** The generated algebra, by the names that it has in Python. */
-export declare const algebra: {
-// @declarations@
-};

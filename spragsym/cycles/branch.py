@@ -14,7 +14,7 @@ from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, angle, between, corrected, cut_finer, fixed, point_of, started
 from .flows import carrier
 from .inspection import Finding, Seen, findings
-from .orbit import Cycle, cycle_of, once_round
+from .orbit import Cycle, cycle_of
 from .shooting import Guess, Loop, divided, looped, rate
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
@@ -215,9 +215,8 @@ class _Trace:
             after = Seen(setting, ahead)
             arc = length if stop is None else between(setting, point, ahead)
             for found in findings(seen, after, arc, before):
-                if found.kind == "fold" and once_round(found.loop, setting.fly).guess.period < 0.7 * found.loop.guess.period:
-                    half = once_round(found.loop, setting.fly)
-                    yield End("end", half, found.error, how="it meets the cycle of half its period, which doubles there")
+                if found.kind == "merging":
+                    yield End("end", found.loop, found.error, how="it meets the cycle of half its period, which doubles there")
                     return
                 yield found
             yield ahead

@@ -6,11 +6,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+
 from ..errors import ConvergenceError
 from .arclength import Point, Setting, between, corrected
-from .criteria import CRITERIA, is_complex_pair
+from .criteria import CRITERIA, at_minus_one, is_complex_pair
 from .grazing import Touch, grazing, may_touch, paired, signature, touches
-from .shooting import Loop
+from .shooting import Guess, Loop, across, divided, solved
+
+#: What test functions tell, a grazing apart.
+KINDS = tuple(CRITERIA)
 
 #: Halvings of a step that looks as if something were hidden in it.
 DEEPEST = 9
@@ -28,13 +33,18 @@ class Seen:
 
     @cached_property
     def criteria(self) -> dict[str, float]:
-        """Values of the test functions."""
-        return {kind: test(self.point.loop) for kind, test in CRITERIA.items()}
+        """Values of the test functions, by kind of event."""
+        return {kind: criterion(kind, self.point) for kind in KINDS}
 
     @cached_property
     def touches(self) -> list[Touch]:
         """Turns of the borders."""
         return touches(self.setting, self.point)
+
+
+def criterion(kind: str, point: Point) -> float:
+    """A test function along a branch: at a fold the parameter itself turns back."""
+    return float(point.tangent[-1]) if kind == "fold" else CRITERIA[kind](point.loop)
 
 
 @dataclass(frozen=True)
@@ -50,7 +60,7 @@ class Finding:
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
     """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
     setting = one.setting
-    changed = [kind for kind in CRITERIA if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
+    changed = [kind for kind in KINDS if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
     pairs = list(paired(one.touches, other.touches)) if len(one.touches) == len(other.touches) else []
     pairs = pairs or list(paired(one.touches, other.touches))
     through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
@@ -58,7 +68,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     hidden = (
         kinks != len(through)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind not in changed))
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in KINDS if kind not in changed))
         or len(changed) + len(through) > 1
     )
     if hidden and depth < DEEPEST:
@@ -113,25 +123,67 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
     """Where a test function is zero, by bracketing along the arc."""
     from scipy.optimize import brentq
 
-    test, setting, known = CRITERIA[kind], one.setting, {0.0: one.point, length: other.point}
+    setting, known = one.setting, {0.0: one.point, length: other.point}
 
     def value(arc: float) -> float:
         if arc not in known:
             known[arc] = corrected(setting, one.point, arc)
-        return test(known[arc].loop)
+        return criterion(kind, known[arc])
 
     try:
         root = float(brentq(value, 0.0, length, xtol=LOCATED, rtol=8.9e-16))
     except (ConvergenceError, ValueError):
-        error = abs(_value(one) - _value(other))
-        yield Finding(kind, other.point.loop, error)
+        merged = None
+        if kind == "fold":
+            merged = halved(setting, min((one.point, other.point), key=lambda point: abs(float(point.tangent[-1]))).loop)
+        if merged is not None:
+            yield Finding("merging", merged, 1e-11)
+        else:
+            yield Finding(kind, other.point.loop, abs(_value(one) - _value(other)))
         return
     point = known[root] if root in known else corrected(setting, one.point, root)
-    if kind == "fold" and (one.point.tangent[-1] < 0) == (other.point.tangent[-1] < 0):
-        return  # another branch passes through this one
     if kind == "torus" and not is_complex_pair(point.loop):
+        return
+    merged = halved(setting, point.loop) if kind == "fold" else None
+    if merged is not None:
+        yield Finding("merging", merged, 1e-11)
         return
     near = min((abs(arc - root), arc) for arc in known if arc != root)[1]
     index = setting.free[0]
     error = abs(known[near].loop.guess.values[index] - point.loop.guess.values[index])
     yield Finding(kind, point.loop, min(error, abs(point.tangent[-1]) * 1e-9 + 1e-11))
+
+
+def halved(setting: Setting, loop: Loop) -> Loop | None:
+    """The doubling of the cycle of half the period, where a doubled cycle ends near a loop; None if it is no such end."""
+    guess, field = loop.guess, setting.field
+    index, size = setting.free[0], field.size
+    if len(guess.states) > 1:
+        middle = divided(field, setting.fly, Guess(guess.states[:1], guess.period, guess.values), 2).states[1]
+    else:
+        none = np.zeros((2, len(field.parameters)))
+        middle = setting.fly(guess.states[0], loop.constants, guess.period / 2, none).state
+    if np.abs(middle - guess.states[0]).max() > 0.05 * max(1.0, float(np.abs(guess.states).max())):
+        return None
+    begun = Guess(((middle + guess.states[0]) / 2)[None], guess.period / 2, guess.values)
+
+    def at(value: float) -> Loop:
+        values = list(guess.values)
+        values[index] = value
+        moved = Guess(begun.states, begun.period, tuple(values))
+        constants = field.constants(values)
+        return solved(field, setting.fly, moved, across(field, moved.states[0], constants, size + 1))
+
+    try:
+        low, high = guess.values[index], guess.values[index] + 1e-4 * setting.spans[0]
+        a, b = at_minus_one(at(low)), at_minus_one(at(high))
+        for _ in range(20):
+            if a == b or abs(high - low) < 1e-15 * (1 + abs(high)):
+                break
+            low, high, a = high, high - b * (high - low) / (b - a), b
+            if abs(high - guess.values[index]) > 0.1 * setting.spans[0]:
+                return None
+            b = at_minus_one(at(high))
+        return at(high) if abs(b) < 1e-8 else None
+    except ConvergenceError:
+        return None

@@ -31,6 +31,7 @@ from .shooting import (
     at_rest_along,
     divided,
     growth,
+    looped,
     solved,
 )
 
@@ -44,6 +45,8 @@ SAME = 1e-9
 @dataclass(frozen=True, eq=False)
 class Cycle(Result):
     """A cycle: a motion that repeats itself.
+
+    ``spring_force`` and ``contact_force`` are ranges over one period, computed when they are asked for.
 
     Attributes
     ----------
@@ -63,8 +66,6 @@ class Cycle(Result):
         Where it passes a kink: ``t`` from ``state`` on.
     rms, mean, amplitude : float
         Of the first coordinate over one period: root mean square about zero, mean, half of its range.
-    spring_force, contact_force : tuple of float
-        Least and largest over one period, over k_c L_0; tension is positive.
     backend : str
         The integrator.
     loop : Loop
@@ -81,8 +82,6 @@ class Cycle(Result):
     rms: float
     mean: float
     amplitude: float
-    spring_force: tuple[float, float]
-    contact_force: tuple[float, float]
     backend: str
     loop: Loop = dataclasses.field(repr=False)
 
@@ -95,6 +94,25 @@ class Cycle(Result):
     def values(self) -> tuple[float, ...]:
         """The parameters, in the order of ``field.parameters``."""
         return self.loop.guess.values
+
+    @cached_property
+    def samples(self) -> PiecewisePolynomial:
+        """One period by the polynomials through its samples."""
+        return sampled(self.loop, self.backend)
+
+    @cached_property
+    def spring_force(self) -> tuple[float, float]:
+        """Least and largest tension of the inclined spring, over k_c L_0."""
+        return self._range("spring_force")
+
+    @cached_property
+    def contact_force(self) -> tuple[float, float]:
+        """Least and largest force of the contact, over k_c L_0."""
+        return self._range("contact_force")
+
+    def _range(self, name: str) -> tuple[float, float]:
+        force = dict(self.field.forces)[name]
+        return _range(self.samples, lambda states: force(states, self.loop.constants))
 
     @cached_property
     def parameters(self) -> dict[str, float]:
@@ -133,21 +151,24 @@ class Cycle(Result):
 
 def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
-    field = loop.field
     loop = refined(once_round(loop, fly), fly)
     guess, found = loop.guess, multipliers(loop)
-    samples = PiecewisePolynomial(*flow(field, backend, derivatives=False).sample(guess.states[0], loop.constants, guess.period))
+    samples = sampled(loop, backend)
     x, weights = samples.states[0], samples.weights() / guess.period
     turning = [turn.state[0] for turn in loop.turns() if turn.border == -1]
-    ranges = {name: _range(samples, lambda states, f=force: f(states, loop.constants)) for name, force in field.forces}
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found,
         stable=bool((np.abs(found[1:]) < 1 - NEUTRAL).all()), error=_error(loop), residual=loop.missed,
         events=_events(loop), rms=float(np.sqrt((weights * x**2).sum())), mean=float((weights * x).sum()),
         amplitude=float(np.ptp([*turning, x[0]])) / 2,
-        spring_force=ranges.get("spring_force", (np.nan, np.nan)), contact_force=ranges.get("contact_force", (np.nan, np.nan)),
         backend=backend, loop=loop,
     )  # fmt: skip
+
+
+def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
+    """One round by the polynomials through its samples."""
+    flier = flow(loop.field, backend, derivatives=False)
+    return PiecewisePolynomial(*flier.sample(loop.guess.states[0], loop.constants, loop.guess.period))
 
 
 def refined(loop: Loop, fly: Fly) -> Loop:
@@ -158,10 +179,29 @@ def refined(loop: Loop, fly: Fly) -> Loop:
     pieces = len(loop.guess.states)
     while True:
         cut = divided(field, fly, guess, pieces)
-        found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1))
+        try:
+            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1))
+        except ConvergenceError:
+            found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
             return found
         pieces *= 2
+
+
+def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
+    """The closed orbit by the shortest steps of Newton's method: at a fold of a branch its matrix is singular."""
+    loop = looped(field, fly, guess)
+    for _ in range(3):
+        values, rows = at_rest_along(field, guess.states.size + 1)(loop)
+        matrix, residual = np.vstack([loop.slopes(0), rows]), np.concatenate([loop.gaps.ravel(), values])
+        step, *_ = np.linalg.lstsq(matrix, -residual, rcond=1e-7)
+        ahead = looped(field, fly, loop.guess.moved(step, ()))
+        if ahead.missed >= loop.missed:
+            break
+        loop = ahead
+    if loop.missed > 1e-10:
+        raise ConvergenceError("the orbit does not close")
+    return loop
 
 
 def once_round(loop: Loop, fly: Fly) -> Loop:
@@ -209,7 +249,7 @@ def _error(loop: Loop) -> float:
     """Largest row sum of the inverse of Newton's matrix, times what does not close and what rounding adds to that."""
     size = loop.field.size
     _, rows = at_rest_along(loop.field, loop.guess.states.size + 1)(loop)
-    inverse = np.linalg.inv(np.vstack([loop.slopes(0), rows]))
+    inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
     wanted = np.r_[0:size, -1]
     rounding = 4e-16 * float(np.abs(loop.guess.states).max()) * np.sqrt(loop.guess.period)
     return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding))

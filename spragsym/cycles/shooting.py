@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..errors import ConvergenceError
+from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
 from .field import Field
 from .passage import Crossing, Fly, Passage, Turn
@@ -19,7 +19,7 @@ from .passage import Crossing, Fly, Passage, Turn
 CLOSED = 1e-12
 
 #: A stretch whose derivatives grow beyond this is cut in two.
-LARGEST_GROWTH = 3e3
+LARGEST_GROWTH = 100.0
 
 #: Stretches in one round, at most.
 MOST_STRETCHES = 64
@@ -133,8 +133,11 @@ def directions_of(field: Field, free: tuple[int, ...]) -> FloatArray:
 
 def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
     """A guess integrated."""
-    for index in free:
-        field.check(field.parameters[index], guess.values[index])
+    try:
+        for index in free:
+            field.check(field.parameters[index], guess.values[index])
+    except ParameterError as error:
+        raise ConvergenceError(f"Newton's method leaves the parameters that there are: {error}") from error
     if not guess.period > 0:
         raise ConvergenceError("the period is not positive")
     constants = field.constants(guess.values)
@@ -158,8 +161,8 @@ def solved(
         step = newton_step(np.vstack([loop.slopes(len(free)), rows]), residual)
         width = float(np.abs(step).max())
         scale = 1 + float(np.abs(loop.guess.vector).max())
-        small = width <= 1e-13 * scale or (width <= 1e-9 * scale and width > 0.2 * before)
-        if small and float(np.abs(residual).max()) <= CLOSED * scale:
+        small = width <= 1e-13 * scale or (width <= 1e-8 * scale and width > 0.2 * before)
+        if small and float(np.abs(residual).max()) <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
             return loop
         if iteration and width > 1e3 * before:
             break

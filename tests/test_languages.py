@@ -197,6 +197,19 @@ def test_c_computes_a_model_without_a_kernel(pendulum: dict[str, str], tmp_path:
     assert library.pendulum_slopes(ctypes.c_double(math.nan), *numbers[1:], value) == 2
 
 
+def test_generated_c_comes_out_formatted(pendulum: dict[str, str], tmp_path: Path) -> None:
+    """The printer lays C out by itself, as clang-format would, for any model."""
+    formatter = shutil.which("clang-format", path=Path(sys.executable).parent)
+    if formatter is None:
+        pytest.skip("clang-format is not installed")
+    published = ROOT / "generated" / "c"
+    texts = {name: (published / name).read_text(encoding="utf-8") for name in ("spragsym.h", "spragsym.c", "main.c")}
+    for name, text in {**texts, "pendulum.h": pendulum["c/pendulum.h"], "pendulum.c": pendulum["c/pendulum.c"]}.items():
+        call = [formatter, f"--style=file:{ROOT / '.clang-format'}", f"--assume-filename={name}"]
+        done = subprocess.run(call, input=text, capture_output=True, text=True, timeout=60, check=True)
+        assert done.stdout == text, name
+
+
 def test_the_same_file_from_two_targets_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("sympy")
     from spragsym.derive.emit import targets

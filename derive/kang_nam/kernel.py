@@ -100,11 +100,11 @@ class Factors(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """Roots of a quadratic, the one of larger magnitude first, and the discriminant, negative if they are not real."""
+    """Roots of a quadratic, the one of larger magnitude first, and a quarter of the discriminant, negative if they are not real."""
 
     large: Real
     small: Real
-    square: Real
+    discriminant: Real
 
 
 class Guesses(NamedTuple):
@@ -372,10 +372,10 @@ def factors(a: Real, b: Real, d: Real, m: Real) -> Factors:
 def root_pair(p: Real, q: Real) -> Pair:
     """The two roots of t² + p t + q without cancellation."""
     half = 0.5 * p
-    square = half * half - q
-    radical = sqrt(maximum(square, 0.0))
+    quarter = half * half - q
+    radical = sqrt(maximum(quarter, 0.0))
     large = -half - where(half > 0.0, radical, -radical)
-    return Pair(large, q / large, square)
+    return Pair(large, q / large, quarter)
 
 
 def guesses(point: Point, line: Balance, u: Real) -> Guesses:
@@ -390,7 +390,7 @@ def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     second = root_pair(halves.p2, halves.q2)
     contact = point.nbar > 0.0
     spared = (D.value > D.error) | (contact & one_positive(line, u))
-    real = second.square >= 0.0
+    real = second.discriminant >= 0.0
     more = real & ~spared
     # A sorting network; what is left out goes to the end.
     low = where(contact, INFINITY, minimum(first.large, first.small))

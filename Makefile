@@ -31,9 +31,9 @@ WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1
 
 help:
 	@echo "make derive        derive, check against the article, write generated/"
-	@echo "make test          run the tests"
+	@echo "make test          run the tests, without those marked thorough"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
-	@echo "make coverage      the tests, and the lines and branches that they reach"
+	@echo "make coverage      all tests, and the lines and branches that they reach"
 	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
 	@echo "make check         what CI runs: lint, types, tests with coverage, generated/ as committed"
@@ -70,7 +70,7 @@ derive: $(DERIVE)
 	$(BIN)/python -m derive
 
 test: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m "not thorough"
 
 lint: $(TEST)
 	$(BIN)/ruff check .
@@ -80,9 +80,9 @@ lint: $(TEST)
 	@if command -v cppcheck >/dev/null; then $(CPPCHECK) $(filter %.c,$(C_FILES)); \
 	else echo "cppcheck is not installed: skipped, C is checked for its layout only"; fi
 
-# The tests again, with the lines and branches of spragsym that they reach.
+# All tests, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --cov --cov-branch --cov-report=term
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --cov --cov-branch --cov-report=term
 
 # Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
 mutants: $(TEST)

@@ -63,8 +63,8 @@ def _count_liftoff(values: list[object]) -> int | None:
 
 def _quartic(values: list[object], push: int = 1) -> tuple[list[object], object]:
     """Coefficients of the equation for r = cot(θ/2), and s*; from F_x q sin θ = 0 with (1 + r²)² cleared."""
-    theta0, mu, kappa, alpha, sigma, beta = values  # type: ignore[misc]
-    s0, c0 = theta0.sin_cos()  # type: ignore[attr-defined]
+    theta0, mu, kappa, alpha, sigma, beta = values  # type: ignore[misc]  # balls, of which mypy knows nothing
+    s0, c0 = theta0.sin_cos()  # type: ignore[attr-defined]  # balls, of which mypy knows nothing
     big, mu = beta + push, mu * push  # type: ignore[operator]  # balls
     q = big + sigma
     # F_x = σ c + α c0 + μ s0 − L (p c + μ s), L = (σ s + B s0 + κ)/(q s); times q s. sin θ = 2r/(1+r²), cos θ = (r²−1)/(1+r²).
@@ -107,9 +107,9 @@ def _variations(coefficients: list[object]) -> int | None:
     """Changes of sign; a coefficient whose sign is open counts if both signs give the same number, as next to opposite ones."""
     choices = []
     for value in coefficients:
-        if value > 0:  # type: ignore[operator]
+        if value > 0:  # type: ignore[operator]  # balls, of which mypy knows nothing
             choices.append((1,))
-        elif value < 0:  # type: ignore[operator]
+        elif value < 0:  # type: ignore[operator]  # balls, of which mypy knows nothing
             choices.append((-1,))
         else:
             choices.append((1, -1))

@@ -299,7 +299,7 @@ def test_help_has_examples_and_exit_codes(command: list[str], start: Start) -> N
     assert "Exit codes: 0" in text
     # Each example names a command that exists, with options that it has.
     for name, options in re.findall(r"^ +spragsym (\w+)(.*)$", text.split("Examples:")[1].split("Exit codes")[0], re.MULTILINE):
-        known = {flag for option in cli.get_command(click.Context(cli), name).params for flag in option.opts}  # type: ignore[union-attr]
+        known = {flag for option in cli.get_command(click.Context(cli), name).params for flag in option.opts}  # type: ignore[union-attr]  # there is such a command
         assert set(re.findall(r"(?<= )--?[a-zA-Z][\w-]*", options.split("|")[0])) <= known
 
 

@@ -320,7 +320,7 @@ def test_missing_angle_is_named() -> None:
 )
 def test_bad_input_to_precise(call: object) -> None:
     with pytest.raises((ss.ParameterError, ss.ParameterTypeError)):
-        call()  # type: ignore[operator]
+        call()  # type: ignore[operator]  # one of several callables
 
 
 def test_limits_that_make_sense() -> None:

@@ -20,7 +20,7 @@ def _gradient(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return tuple(
         sp.expand((sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, nm.L).subs(polar) * slope))
         for coordinate, slope in zip((nm.x, nm.y), slopes, strict=True)
-    )  # type: ignore[return-value]
+    )
 
 
 @cache
@@ -81,7 +81,7 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         if line.degree() != 1 or value.has(nm.c0):
             raise ArithmeticError("the balance at a given direction is not linear in the spring length")
         lines += [sp.factor(line.coeff_monomial(power)) for power in (1, nm.L)]
-    return tuple(lines)  # type: ignore[return-value]
+    return tuple(lines)
 
 
 @cache

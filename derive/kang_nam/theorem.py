@@ -44,7 +44,7 @@ def _in_contact(expression: sp.Expr) -> sp.Expr:
 
 def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
     """Numerator and denominator of L(θ)."""
-    return sp.fraction(sp.together(elimination.state()[nm.L]))  # type: ignore[no-any-return]
+    return sp.fraction(sp.together(elimination.state()[nm.L]))
 
 
 def _penetration() -> sp.Expr:

@@ -72,7 +72,7 @@ def sextics(theta: FloatArray, fixed: Fixed) -> FloatArray:
     coefficients = np.stack([
         g0 - k0, 2 * (g1 - k1), g0 - 3 * k0 - 4 * k2, -4 * k1 - 8 * k3, -g0 - 3 * k0 - 4 * k2, -2 * (g1 + k1), -g0 - k0,
     ], axis=-1)  # fmt: skip
-    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]
+    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 def _columns(theta: FloatArray, fixed: Fixed) -> list[_Column]:

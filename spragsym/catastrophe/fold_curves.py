@@ -47,7 +47,7 @@ def quartics(theta: FloatArray, fixed: Fixed) -> FloatArray:
     """Coefficients of the quartic in v = tan(θ₀/2) at each θ, lowest power first, the largest of size 1."""
     e0, e1, e2, ec = _conic(theta, fixed)
     coefficients = np.stack([e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec], axis=-1)
-    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]
+    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 def _ends(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, FloatArray, float]:
@@ -110,7 +110,7 @@ def friction(theta: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     """μ₀ of the fold at (θ, θ₀), from the relation that does not lose it: the first has the factor cos θ."""
     c = np.cos(theta)
     u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, np.sin(theta), np.cos(theta0), np.sin(theta0), *fixed)
-    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]
+    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 # ----------------------------------------------------------------------------------------------------- strands

@@ -248,7 +248,7 @@ class Trajectory(Result):
     def _values(self, of: str) -> FloatArray:
         if of not in COMPONENTS:
             raise ParameterError(f"of = {of!r} is not one of {', '.join(COMPONENTS)}")
-        return getattr(self, of)  # type: ignore[no-any-return]
+        return getattr(self, of)  # type: ignore[no-any-return]  # a column, by its name
 
     def _centre(self, of: str, about: str) -> float:
         if about not in ("zero", "mean"):

@@ -76,8 +76,8 @@ QUANTITIES = {
 def xarray() -> Any:
     """The module, or an error that names the extra."""
     try:
-        import h5netcdf  # noqa: F401
-        import h5py  # noqa: F401
+        import h5netcdf  # noqa: F401  # here only to be missed early
+        import h5py  # noqa: F401  # here only to be missed early
         import xarray
     except ModuleNotFoundError as error:
         raise MissingExtraError("a netCDF file", error.name or "xarray", "sweep") from error

@@ -466,7 +466,7 @@ int run(double first, double second, double reach) {
 
 
 def test_batch_refuses(library: ctypes.CDLL) -> None:
-    """A missing array or a regime there is none: nothing is written."""
+    """For a missing array or an unknown regime nothing is written."""
     given, found = np.array([BASE]), (Equilibrium * 4)()
     counts, status = np.array([-5], np.intc), np.array([-5], np.intc)
     arguments = [_pointer(given), CONTACT, found, _pointer(counts), _pointer(status)]

@@ -1,4 +1,4 @@
-"""What the solver makes of the kernel's certificates: nothing is settled but by them, and what isn't goes on to more digits."""
+"""How the solver uses the kernel's certificates: they alone settle a point, and other points go on to more digits."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsid
 def _settled(
     monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
 ) -> tuple[bool, slots.Slots]:
-    """What a block makes of three roots whose middle one has changed; of the second of two points."""
+    """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
     given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))

@@ -121,7 +121,7 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 @cache
 def flutter_without_alpha() -> sp.Expr:
-    """The same for α = 0, where cos θ₀ is free and the second line is the second condition: a square root of the resultant."""
+    """The same for α = 0: cos θ₀ is free, the second balance is itself the second condition, and the resultant is a square."""
     _, _, u2, w2 = LINES
     e0, e1, e2 = QUADRATIC
     condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2

@@ -29,7 +29,7 @@ class Cusps(Result):
     error: FloatArray
 
     def select(self, which: NDArray[np.bool_]) -> Cusps:
-        """Some of them."""
+        """The cusps that ``rows`` selects."""
         return Cusps(*(getattr(self, name)[which] for name in ("theta0", "mu0", "theta", "L", "x", "y", "error")))
 
     def __len__(self) -> int:
@@ -47,7 +47,7 @@ def cusps(p: Parameters, *, arith: Arithmetic | None = None) -> Cusps:
     Returns
     -------
     Cusps
-        Empty where there is none.
+        Empty if there is no cusp.
 
     Notes
     -----

@@ -26,7 +26,7 @@ _NEAREST = 1e-9
 _STEP = 0.05
 #: Width of a cell of θ that is not halved any more.
 _FINEST = 1e-13
-#: Residual of a root, in terms of the sextic with every term positive, that rounding alone leaves.
+#: Largest residual of a root that rounding alone can leave, over the sextic with every term made positive.
 _RESIDUAL = 1e-13
 
 
@@ -94,7 +94,7 @@ def positive_roots(coefficients: FloatArray) -> FloatArray:
 
 
 def _settled(one: _Column, other: _Column) -> bool:
-    """Whether the k-th root of one is the k-th of the other, or nothing more can be told."""
+    """Whether the k-th root of one continues as the k-th of the other, or the two are too close to tell."""
     if other.theta - one.theta < _FINEST:
         return True
     return _same_kind(one, other) and bool((np.abs(one.theta0 - other.theta0) < _STEP).all())
@@ -134,7 +134,7 @@ def _joined(columns: list[_Column]) -> list[FloatArray]:
 
 
 def _links(before: _Column, column: _Column) -> dict[int, int]:
-    """Which root continues which."""
+    """Which root in one column continues which root in the next."""
     far = np.abs(column.theta0[:, None] - before.theta0)
     rows, places = np.diag_indices(len(far)) if _same_kind(before, column) else linear_sum_assignment(far)
     return {int(row): int(place) for row, place in zip(rows, places, strict=True) if far[row, place] < _STEP}

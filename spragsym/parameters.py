@@ -286,7 +286,7 @@ class Parameters(Shown):
             return NotImplemented
         return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # arrays do not hash
 
 
 def _plain(value: FloatArray) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import textwrap
 from collections.abc import Mapping
 from typing import Any
@@ -12,6 +13,7 @@ import sympy as sp
 
 from . import laws, linearization, statics
 from .emit.function import Module
+from .emit.quantities import interval
 from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
@@ -109,7 +111,7 @@ def description(model: Model) -> dict[str, Any]:
         "parameters": [
             {
                 "name": datum.becomes, "symbol": datum.latex, "meaning": datum.meaning, "unit": "rad" if datum.unit == "rad" else "1",
-                "domain": datum.domain, "base": datum.base, "role": "both" if datum.becomes in of_statics else "motion",
+                **_domain(datum.domain), "base": datum.base, "role": "both" if datum.becomes in of_statics else "motion",
                 "quantity": str(datum.symbol), "quantity_unit": datum.unit,
             }
             for datum in it.parameters
@@ -126,6 +128,13 @@ def description(model: Model) -> dict[str, Any]:
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
+
+
+def _domain(domain: str) -> dict[str, Any]:
+    """As written, and its ends; None for an infinite one."""
+    allowed = interval(domain)
+    ends = {name: None if math.isinf(value) else value for name, value in (("low", allowed.low), ("high", allowed.high))}
+    return {"domain": domain, **ends, "low_open": allowed.low_open, "high_open": allowed.high_open}
 
 
 def _chart(model: Mechanics, line: Line) -> list[str] | None:

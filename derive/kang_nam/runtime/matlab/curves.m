@@ -6,7 +6,7 @@ function found = curves(kind, directions, given)
 %  neighbouring directions with the same number of roots the k-th belongs to the k-th. Where their number changes, more
 %  directions are put in between until the place is known to rounding; two roots that are born or vanish together are joined there.
 %  In double precision and without proof: what two curves that all but touch do, rounding may decide.
-  columns = refined(kind, arrayfun(@(theta) column(theta, kind, given), directions(:)'), given);
+  columns = refined(kind, columns_at(directions(:)', kind, given), given);
   parts = joined(columns);
   found = struct('theta0', {}, 'mu0', {}, 'theta', {}, 'L', {}, 'x', {}, 'y', {});
   for k = 1:numel(parts)
@@ -18,6 +18,11 @@ function found = curves(kind, directions, given)
       end
     end
   end
+end
+
+function columns = columns_at(directions, kind, given)
+  columns = arrayfun(@(theta) column(theta, kind, given), directions, 'UniformOutput', false);
+  columns = [columns{:}];
 end
 
 function result = column(theta, kind, given)
@@ -55,7 +60,8 @@ function columns = refined(kind, columns, given)
                    (same_kind(one, other) && all(gap(one.points, other.points) < stride));
     end
     open = find(~settled);
-    fresh = arrayfun(@(k) column(0.5 * (columns(k).theta + columns(k + 1).theta), kind, given), open);
+    middles = arrayfun(@(k) 0.5 * (columns(k).theta + columns(k + 1).theta), open);
+    fresh = columns_at(middles, kind, given);
     [~, order] = sort([1:numel(columns), open + 0.5]);
     columns = [columns, fresh]; %#ok<AGROW>
     columns = columns(order);

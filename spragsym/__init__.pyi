@@ -25,7 +25,9 @@ from .catastrophe import linear_sprag as linear_sprag
 from .catastrophe import quasi_static_path as quasi_static_path
 from .catastrophe import sliding_friction as sliding_friction
 from .catastrophe import surface as surface
+from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
+from .design import certify as certify
 from .design import jump_gradient as jump_gradient
 from .design import jump_value as jump_value
 from .dynamics import Event as Event

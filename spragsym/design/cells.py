@@ -47,14 +47,43 @@ class Ground:
         return [self.parameters[name] for name in NAMES[1:]]
 
 
-def at(boxes: Boxes, theta: FloatArray) -> Ground:
-    """One direction for each box, exactly."""
-    return over(boxes, theta, theta)
+class Line(NamedTuple):
+    """A direction of the spring for each box that changes linearly over it: ``value`` in its middle, ``slopes`` to its sides."""
+
+    value: FloatArray
+    slopes: FloatArray
+
+    def rows(self, index: NDArray[Any]) -> Line:
+        """Those of some boxes."""
+        return Line(self.value[index], self.slopes[:, index])
+
+    def reach(self) -> FloatArray:
+        """How far it goes from its value."""
+        return np.asarray(np.abs(self.slopes).sum(axis=0))
+
+    def where(self, mine: NDArray[np.bool_], other: Line) -> Line:
+        """This one for some boxes, another for the rest."""
+        return Line(np.where(mine, self.value, other.value), np.where(mine, self.slopes, other.slopes))
 
 
-def over(boxes: Boxes, theta_low: FloatArray, theta_high: FloatArray) -> Ground:
-    """All directions between two."""
-    *parameters, theta = sides(np.vstack([boxes.low, theta_low]), np.vstack([boxes.high, theta_high]))
+def constant(value: float, size: int) -> Line:
+    """One direction for all boxes."""
+    return Line(np.full(size, value), np.zeros((len(NAMES), size)))
+
+
+def at(boxes: Boxes, line: Line) -> Ground:
+    """One direction for each point of each box."""
+    none = np.zeros(boxes.share.size)
+    return over(boxes, line, line, none, none)
+
+
+def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray) -> Ground:
+    """All directions between two, from one share of the way to another."""
+    none = np.zeros_like(begin)
+    *parameters, share = sides(np.vstack([boxes.low, begin]), np.vstack([boxes.high, end]))
+    base = Affine(low.value, np.vstack([low.slopes, none]), none)
+    way = Affine(high.value, np.vstack([high.slopes, none]), none) - base
+    theta = base + share * way
     return Ground(*cosine_and_sine(theta), *cosine_and_sine(parameters[0]), dict(zip(NAMES, parameters, strict=True)))
 
 
@@ -65,28 +94,24 @@ class Verdict(NamedTuple):
     decisive: Affine
 
 
-def covered(
-    boxes: Boxes, theta_low: FloatArray, theta_high: FloatArray, test: Callable[[Ground], Verdict]
-) -> tuple[NDArray[np.bool_], FloatArray]:
+def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[NDArray[np.bool_], FloatArray]:
     """Of which boxes all directions between two pass a test, and how much each side matters where they don't."""
     size = boxes.share.size
     weight = np.zeros((len(NAMES), size))
-    fractions = np.linspace(0.0, 1.0, CELLS + 1)
-    ends = theta_low + fractions[:, None] * (theta_high - theta_low)
-    ends[0], ends[-1] = theta_low, theta_high
     box = np.tile(np.arange(size), CELLS)
-    low, high = ends[:-1].reshape(-1), ends[1:].reshape(-1)
+    begin = np.repeat(np.arange(CELLS) / CELLS, size)
+    end = begin + 1.0 / CELLS
     for halving in range(HALVINGS + 1):
         if not box.size:
             break
         with np.errstate(all="ignore"):
-            done, decisive = test(over(boxes.rows(box), low, high))
-        box, low, high = box[~done], low[~done], high[~done]
+            done, decisive = test(over(boxes.rows(box), low.rows(box), high.rows(box), begin, end))
+        box, begin, end = box[~done], begin[~done], end[~done]
         if halving == HALVINGS:
             np.maximum.at(weight.T, box, np.nan_to_num(np.abs(decisive.terms[: len(NAMES), ~done]).T))
         else:
-            middle = 0.5 * (low + high)
-            box, low, high = np.tile(box, 2), np.concatenate([low, middle]), np.concatenate([middle, high])
+            middle = 0.5 * (begin + end)
+            box, begin, end = np.tile(box, 2), np.concatenate([begin, middle]), np.concatenate([middle, end])
     result = np.ones(size, dtype=np.bool_)
     result[box] = False
     return result, weight

@@ -16,12 +16,17 @@ from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES, FloatArray, Parameters
 from ..statics import kernel
 from ..statics.solver import Stability, count, equilibria
-from .cells import Boxes, Ground, Verdict, at, covered
+from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
 from .gradients import by_parameter
 from .jump_values import first_jumps, small
 
 _in_differences = inspect.unwrap(_catastrophe.f_in_differences)
 _MU0 = NAMES.index("mu0")
+#: A little more than π, beyond which no direction is in contact.
+_ALL = math.pi + 1e-15
+#: What a direction is off the state that it stands for, over what that moves within the box: wide for what is of second order in
+#: the box, and narrow where a fold is near.
+_MARGINS = (0.7, 0.25)
 
 
 @dataclass(frozen=True)
@@ -60,7 +65,7 @@ def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
         return Verdict((value.sign() != 0) | (slope.sign() > 0) | _not_in_contact(ground, others), value)
 
     size = boxes.share.size
-    return covered(boxes, np.zeros(size), np.full(size, math.pi + 1e-15), test)
+    return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
 
 
 def _three(boxes: Boxes) -> Parameters | None:
@@ -85,7 +90,7 @@ def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
         return Verdict(done | (discriminant.sign() > 0), value)
 
     size = boxes.share.size
-    return covered(boxes, np.zeros(size), np.full(size, math.pi + 1e-15), test)
+    return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
 
 
 def _flutters(boxes: Boxes) -> Parameters | None:
@@ -103,46 +108,47 @@ def _no_jump(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
 
     Candidates for the two directions come from the middle of a box, and the proof does not depend on how.
     """
-    size = boxes.share.size
-    with np.errstate(all="ignore"):
-        lowest, start, highest, known = _directions(boxes)
-    result, weight = np.zeros(size, dtype=np.bool_), np.zeros((len(NAMES), size))
-    some = np.flatnonzero(known)
-    if not some.size:
-        return result, weight
-    here = boxes.rows(some)
-    ends, weight[:, some] = _ends_hold(here, lowest[some], highest[some])
-    result[some] = ends
-    for check in (_rises, _is_small):
-        some = np.flatnonzero(result)
-        if some.size:
-            result[some], weight[:, some] = check(boxes.rows(some), lowest[some], start[some], highest[some])
+    result, weight = _followed_with(boxes, _MARGINS[0])
+    for margin in _MARGINS[1:]:
+        left = np.flatnonzero(~result)
+        if left.size:
+            result[left], weight[:, left] = _followed_with(boxes.rows(left), margin)
     return result, weight
 
 
-def _directions(boxes: Boxes) -> tuple[FloatArray, FloatArray, FloatArray, NDArray[np.bool_]]:
-    """A direction below the state at μ₀ = 0, one above it and one above the state at the largest friction, all over each box."""
-    middle = boxes.middle()
-    middle["mu0"] = boxes.high[_MU0]
-    half = 0.5 * (boxes.high - boxes.low)
-    half[_MU0] = 0.0
+def _followed_with(boxes: Boxes, margin: float) -> tuple[NDArray[np.bool_], FloatArray]:
+    with np.errstate(all="ignore"):
+        *lines, known = _directions(boxes, margin)
+    result, weight = known.copy(), np.zeros_like(boxes.low)
+    for check in (_ends_hold, _rises, _is_small):
+        some = np.flatnonzero(result)
+        if some.size:
+            result[some], weight[:, some] = check(boxes.rows(some), *(line.rows(some) for line in lines))
+    return result, weight
+
+
+def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[np.bool_]]:
+    """A direction below the state at μ₀ = 0, one above it, one above the state at the largest friction; where they exist."""
+    middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
     bare = equilibria(Parameters(**middle).replace(mu0=0.0))
     full = equilibria(Parameters(**middle))
     first = np.take_along_axis(bare.theta, small(bare)[:, None], axis=-1)
-    later = np.where(full.theta >= first, full.theta, np.nan)
-    reached = np.isfinite(later).any(axis=-1)
-    last = np.min(np.where(np.isfinite(later), later, np.inf), axis=-1)
-    first = first[:, 0]
-    spreads = []
-    for theta, friction in ((first, 0.0), (last, middle["mu0"])):
-        values = {**middle, "mu0": np.broadcast_to(friction, theta.shape)}
-        changes = np.stack(list(by_parameter(values, theta).values()))
-        trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
-        slope = kernel.f_slope(np.cos(theta), np.sin(theta), *trig)
-        spreads.append(1.25 * (np.abs(changes) * half).sum(axis=0) / np.abs(slope) + 1e-9)
-    lowest, start, highest = first - spreads[0], first + spreads[0], last + spreads[1]
-    known = reached & (lowest > 0) & (highest < math.pi) & ~bare.undecided & ~full.undecided
-    return lowest, start, highest, known
+    later = np.where(full.theta >= first, full.theta, np.inf).min(axis=-1)
+    low, above = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
+    high = _moved(boxes, middle, later, margin)
+    known = np.isfinite(later) & ~bare.undecided & ~full.undecided
+    known &= (low.value - low.reach() > 0) & (high.value + high.reach() < math.pi)
+    return low, above, high, known
+
+
+def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
+    """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
+    change = np.stack(list(by_parameter(values, theta).values()))
+    trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
+    slopes = -change / kernel.f_slope(np.cos(theta), np.sin(theta), *trig) * 0.5 * (boxes.high - boxes.low)
+    slopes[_MU0] = 0.0
+    line = Line(theta, slopes)
+    return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
 
 
 def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
@@ -151,20 +157,21 @@ def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
     return others
 
 
-def _ends_hold(boxes: Boxes, lowest: FloatArray, highest: FloatArray) -> tuple[NDArray[np.bool_], FloatArray]:
+def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
     """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
     result, weight = np.ones(boxes.share.size, dtype=np.bool_), np.zeros_like(boxes.low)
-    for theta, friction, wanted in ((lowest, np.zeros_like(lowest), -1), (highest, boxes.high[_MU0], 1)):
-        ground = at(boxes, theta)
+    none = np.zeros(boxes.share.size)
+    for line, friction, wanted in ((lowest, none, -1), (highest, boxes.high[_MU0], 1)):
+        ground = at(boxes, line)
         others = _with_friction(ground, friction)
         value = _balance(ground, others)[0]
         inside = others[1] - others[3] * (ground.s0 - ground.s)
         result &= (value.sign() == wanted) & (inside.sign() > 0)
-        weight = np.maximum(weight, np.abs(value.terms[: len(NAMES)]) / (np.abs(value.value) + value.radius()))
-    return result, weight
+        weight = np.maximum(weight, line.slopes**2)
+    return result, np.abs(weight)
 
 
-def _rises(boxes: Boxes, lowest: FloatArray, start: FloatArray, highest: FloatArray) -> tuple[NDArray[np.bool_], FloatArray]:
+def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
     """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
 
     def test(ground: Ground) -> Verdict:
@@ -176,7 +183,7 @@ def _rises(boxes: Boxes, lowest: FloatArray, start: FloatArray, highest: FloatAr
     return covered(boxes, lowest, highest, test)
 
 
-def _is_small(boxes: Boxes, lowest: FloatArray, start: FloatArray, highest: FloatArray) -> tuple[NDArray[np.bool_], FloatArray]:
+def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
     """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
 
     Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has \\|x\\| ≥ \\|cos θ₀\\|: see
@@ -184,27 +191,26 @@ def _is_small(boxes: Boxes, lowest: FloatArray, start: FloatArray, highest: Floa
     other.
     """
     ground = at(boxes, start)
-    others = _with_friction(ground, np.zeros_like(start))
+    others = _with_friction(ground, np.zeros(boxes.share.size))
     above = _balance(ground, others)[0].sign() > 0
     side = ground.c0.sign()
-    near = np.where(side > 0, lowest, start)
+    near = lowest.where(side > 0, start)
     ground = at(boxes, near)
     L, _, _ = kernel.state(
         ground.c, ground.s, ground.c0, ground.s0, *(ground.parameters[n] for n in ("kappa", "sigma", "beta")), 1
     )
     reach = 2 * ground.c0 - L * ground.c
-    far = at(boxes, np.where(side > 0, start, lowest)).c.sign() * side > 0
+    far = at(boxes, start.where(side > 0, lowest)).c.sign() * side > 0
     result = above & far & (side != 0) & (reach.sign() * side > 0)
     left = np.flatnonzero(above & ~result)
     if left.size:
         some = boxes.rows(left)
-        result[left] = _alone(some, np.zeros(left.size), lowest[left]) & _alone(
-            some, start[left], np.full(left.size, math.pi + 1e-15)
-        )
+        below = _alone(some, constant(0.0, left.size), lowest.rows(left))
+        result[left] = below & _alone(some, start.rows(left), constant(_ALL, left.size))
     return result, np.abs(reach.terms[: len(NAMES)])
 
 
-def _alone(boxes: Boxes, low: FloatArray, high: FloatArray) -> NDArray[np.bool_]:
+def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
     """No equilibrium in contact without friction between two directions."""
 
     def test(ground: Ground) -> Verdict:

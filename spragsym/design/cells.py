@@ -88,10 +88,10 @@ def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray
 
 
 class Verdict(NamedTuple):
-    """Which cells need no further look, and the quantity whose terms say which side of a box to cut if one does."""
+    """Which cells need no further look, and the quantities whose terms say which side of a box to cut if one does."""
 
     done: NDArray[np.bool_]
-    decisive: Affine
+    decisive: tuple[Affine, ...]
 
 
 def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[NDArray[np.bool_], FloatArray]:
@@ -108,7 +108,9 @@ def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdic
             done, decisive = test(over(boxes.rows(box), low.rows(box), high.rows(box), begin, end))
         box, begin, end = box[~done], begin[~done], end[~done]
         if halving == HALVINGS:
-            np.maximum.at(weight.T, box, np.nan_to_num(np.abs(decisive.terms[: len(NAMES), ~done]).T))
+            for quantity in decisive:
+                part = np.abs(quantity.terms[: len(NAMES)]) / (np.abs(quantity.value) + quantity.radius())
+                np.maximum.at(weight.T, box, np.nan_to_num(part[:, ~done].T))
         else:
             middle = 0.5 * (begin + end)
             box, begin, end = np.tile(box, 2), np.concatenate([begin, middle]), np.concatenate([middle, end])

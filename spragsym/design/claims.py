@@ -62,7 +62,7 @@ def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
     def test(ground: Ground) -> Verdict:
         others = ground.others()
         value, slope, _, _ = _balance(ground, others)
-        return Verdict((value.sign() != 0) | (slope.sign() > 0) | _not_in_contact(ground, others), value)
+        return Verdict((value.sign() != 0) | (slope.sign() > 0) | _not_in_contact(ground, others), (value, slope))
 
     size = boxes.share.size
     return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
@@ -87,7 +87,7 @@ def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
         L, _, _ = kernel.state(ground.c, ground.s, ground.c0, ground.s0, others[1], others[3], others[4], 1)
         K = kernel.stiffness(ground.c, ground.s, L, others[0], others[2], others[3], others[4], 1)
         discriminant = kernel.invariants(*K[0], *K[1])[2]
-        return Verdict(done | (discriminant.sign() > 0), value)
+        return Verdict(done | (discriminant.sign() > 0), (value, slope, discriminant))
 
     size = boxes.share.size
     return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
@@ -178,7 +178,7 @@ def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDAr
         others = _with_friction(ground, np.zeros_like(ground.c.value))
         value, slope, change, change_slope = _balance(ground, others)
         rise = slope * change - value * change_slope
-        return Verdict(rise.sign() < 0, rise)
+        return Verdict(rise.sign() < 0, (rise,))
 
     return covered(boxes, lowest, highest, test)
 
@@ -216,7 +216,7 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
     def test(ground: Ground) -> Verdict:
         others = _with_friction(ground, np.zeros_like(ground.c.value))
         value = _balance(ground, others)[0]
-        return Verdict((value.sign() != 0) | _not_in_contact(ground, others), value)
+        return Verdict((value.sign() != 0) | _not_in_contact(ground, others), (value,))
 
     return covered(boxes, low, high, test)[0]
 

@@ -13,7 +13,7 @@ from ..exact.affine import Affine, cosine_and_sine, sides
 from ..parameters import NAMES, FloatArray
 
 #: Cells of a box to begin with, and how often one is halved before the box is given up as it is.
-CELLS, HALVINGS = 4, 6
+CELLS, HALVINGS = 4, 4
 
 
 class Boxes(NamedTuple):

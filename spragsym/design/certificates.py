@@ -100,7 +100,7 @@ def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 2
         if seen + rest.share.size >= max_boxes:
             open_share = float(batch.share[open_ones].sum() + rest.share.sum())
             break
-        halves = _halved(batch.rows(open_ones), weight[:, open_ones])
+        halves = halved(batch.rows(open_ones), weight[:, open_ones])
         pending = Boxes(*(np.concatenate([one, other], axis=-1) for one, other in zip(rest, halves, strict=True)))
     return Certificate(claim, "undecided" if open_share else "proved", None, min(open_share, 1.0), seen)
 
@@ -119,7 +119,7 @@ def _corners(low: Parameters, high: Parameters, chosen: Claim) -> tuple[FloatArr
     return ends[0], ends[1]
 
 
-def _halved(boxes: Boxes, weight: FloatArray) -> Boxes:
+def halved(boxes: Boxes, weight: FloatArray) -> Boxes:
     """Each box cut across the side that matters most; one without width is not cut, and where none is known the widest is."""
     width = boxes.high - boxes.low
     relative = width / np.maximum(np.abs(boxes.high), 1e-300)

@@ -3,5 +3,17 @@
 from .certificates import Certificate, certify
 from .gradients import JumpGradient, jump_gradient
 from .jump_values import jump_value
+from .margins import JumpMargin, jump_margin
+from .redesigns import Redesign, redesign
 
-__all__ = ["Certificate", "JumpGradient", "certify", "jump_gradient", "jump_value"]
+__all__ = [
+    "Certificate",
+    "JumpGradient",
+    "JumpMargin",
+    "Redesign",
+    "certify",
+    "jump_gradient",
+    "jump_margin",
+    "jump_value",
+    "redesign",
+]

@@ -30,6 +30,10 @@ class Space:
     def quantities(self, z: FloatArray) -> dict[str, Any]:
         """All quantities of designs z, of shape (…, number of names); those that don't change as they are."""
         values = self.origin + z * self.scale
+        if not np.iscomplexobj(values):  # z at a limit, rounded
+            low, high = self.limits()
+            values = np.clip(values, self.origin + low * self.scale, self.origin + high * self.scale)
+            values = np.where((z <= low) & (low * self.scale == -self.origin), 0.0, values)
         return _given(self.base) | {name: values[..., j] for j, name in enumerate(self.names)}
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:

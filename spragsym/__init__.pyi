@@ -30,9 +30,15 @@ from .cycles import CycleBranch as CycleBranch
 from .cycles import CycleEvent as CycleEvent
 from .cycles import cycle as cycle
 from .cycles import cycle_branch as cycle_branch
+from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
+from .design import JumpMargin as JumpMargin
+from .design import Redesign as Redesign
+from .design import certify as certify
 from .design import jump_gradient as jump_gradient
+from .design import jump_margin as jump_margin
 from .design import jump_value as jump_value
+from .design import redesign as redesign
 from .dynamics import Event as Event
 from .dynamics import Events as Events
 from .dynamics import Outcome as Outcome

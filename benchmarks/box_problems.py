@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from spragsym.exact import jets
+from spragsym.exact import boxes, jets
 from spragsym.exact.interval_arrays import Intervals, stacked
 from spragsym.exact.interval_functions import cos, sin
 
@@ -29,7 +29,7 @@ PI = interval(np.pi, np.nextafter(np.pi, 4))
 
 
 @dataclass(frozen=True)
-class Problem:
+class Problem(boxes.Plain):
     """Equations without parameters, by their values; derivatives come from jets."""
 
     title: str
@@ -53,10 +53,6 @@ class Problem:
         values = self.equations(jets.variables([unknowns[i] for i in range(n)], 1))
         entries = [entry for value in values for entry in jets.gradient(value, n)]
         return Intervals(stacked(entries, shape).ends.reshape(2, n, n, *shape))
-
-    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """Nothing else is asked of a root."""
-        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
 
 def _wave(function: Callable[[Intervals], Intervals], value: Any) -> Any:

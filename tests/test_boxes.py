@@ -31,7 +31,7 @@ def test_all_roots_of_known_problems(problem):
     assert values.holds_zero().all()
 
 
-class Quadratic:
+class Quadratic(boxes.Plain):
     """x² + p x + q = 0 and y = x³: one or two parameters for each point, roots known in closed form."""
 
     def residuals(self, unknowns, parameters):
@@ -42,9 +42,6 @@ class Quadratic:
         x = unknowns[0]
         entries = stacked([2 * x + parameters[0], 0, -3 * x**2, 1], x.shape)
         return Intervals(entries.ends.reshape(2, 2, 2, *x.shape))
-
-    def hopeless(self, unknowns, parameters):
-        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
 
 WIDE = np.full((2, 2, 1), 30.0)

@@ -42,11 +42,44 @@ class System(Protocol):
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n, N)."""
 
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """F at floats, of which a system may know more digits than over boxes."""
+
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """What the methods take as parameters, from the boxes of all nodes of the tree, shape (parameters, nodes)."""
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
+
+
+class Plain:
+    """What a system does that knows nothing beside its residuals and their slopes."""
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """F, which every system has."""
+        raise NotImplementedError
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """The residuals over boxes without width."""
+        return self.residuals(Intervals.point(middles), parameters)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """No box."""
+        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """The parameters themselves."""
+        return bounds
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """The boxes themselves."""
+        return unknowns.ends
 
 
 @dataclass(frozen=True)
@@ -61,6 +94,14 @@ class Pairs:
 
     def __getitem__(self, which: NDArray[np.bool_] | NDArray[np.int64] | slice) -> Pairs:
         return Pairs(self.ends[:, :, which], self.nodes[which])
+
+
+@dataclass(frozen=True)
+class Start:
+    """Boxes, shape (2, n, N), and the point of each, shape (N,)."""
+
+    ends: FloatArray
+    point: NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -92,6 +133,7 @@ def search(
     *,
     limits: FloatArray | None = None,
     budget: int = BUDGET,
+    start: Start | None = None,
 ) -> Outcome:
     """All roots for all points.
 
@@ -106,17 +148,20 @@ def search(
         Shape (2, n): beyond them F is not asked for; no limits if it is not given.
     budget : int
         Boxes of one point that may be looked at before what is left of it counts as undecided.
+    start : Start, optional
+        Boxes to begin with in place of the region.
 
     Returns
     -------
     Outcome
     """
-    points = tree(low, high)
-    start = region.max(axis=2, keepdims=True)
-    search_state = _Search(system, points, np.full(start.shape, np.inf) if limits is None else limits[:, :, None], budget)
+    points, n = tree(low, high), region.shape[1]
+    first = Pairs(region.max(axis=2, keepdims=True), np.zeros(1, dtype=np.int64))
+    if start is not None:
+        first = Pairs(start.ends, points.leaves()[start.point])
     with np.errstate(all="ignore"):
-        search_state.run(Pairs(start, np.zeros(1, dtype=np.int64)))
-    n = start.shape[1]
+        search_state = _Search(system, points, np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None], budget)
+        search_state.run(first)
     unique, where, undecided = (joined(part, n) for part in (search_state.unique, search_state.where, search_state.undecided))
     return Outcome(unique, where, undecided, points, search_state.looks)
 
@@ -126,6 +171,7 @@ class _Search:
 
     def __init__(self, system: System, points: Tree, limits: FloatArray, budget: int) -> None:
         self.system, self.points, self.limits, self.budget = system, points, limits, budget
+        self.parameters = system.prepared(points.bounds)
         self.unique: list[Pairs] = []
         self.where: list[Pairs] = []
         self.undecided: list[Pairs] = []
@@ -152,32 +198,34 @@ class _Search:
         """One step: what is left to be looked at."""
         self.looks += len(pairs)
         np.add.at(self.work, pairs.nodes, 1)
-        parameters = self.points.bounds[:, pairs.nodes]
-        boxes = Intervals(pairs.ends)
-        values = self.system.residuals(boxes, parameters)
-        keep = np.flatnonzero(values.holds_zero().all(axis=0) & ~self.system.hopeless(boxes, parameters))
-        pairs, parameters = pairs[keep], parameters[:, keep]
-        if not len(pairs):
-            return pairs
+        given, pairs, parameters = self._contracted(pairs)
         # Widened boxes, of which a root on the border of the box is well inside.
         wide = np.minimum(pairs.ends + MARGIN * Intervals(pairs.ends).width, self.limits)
         middle = Intervals(pairs.ends).middle
-        at_middle = self.system.residuals(Intervals.point(middle), parameters)
+        at_middle = self.system.at_points(middle, parameters)
         slopes = self.system.jacobian(Intervals(wide), parameters)
-        own = _reach(pairs.ends, middle)
-        keep = np.flatnonzero(~contractors.excluded(at_middle, slopes, own))
-        pairs, wide, middle = pairs[keep], wide[:, :, keep], middle[:, keep]
+        keep = np.flatnonzero(~contractors.excluded(at_middle, slopes, _reach(pairs.ends, middle)))
+        given, pairs, wide, middle = given[keep], pairs[keep], wide[:, :, keep], middle[:, keep]
         at_middle, slopes = at_middle[:, keep], slopes[:, :, keep]
         step = contractors.newton(at_middle, slopes, middle, _reach(wide, middle))
         proved = contractors.inside(step.ends, wide)
         self.unique.append(Pairs(wide, pairs.nodes)[proved])
         self.where.append(Pairs(step.ends, pairs.nodes)[proved])
         rest = np.flatnonzero(~proved & ~contractors.apart(step.ends, pairs.ends))
-        # Not to the last digit: a component that has closed in on its root before the others needs room to be proved with them.
-        room = step.ends + (MARGIN * Intervals(pairs.ends).width + 4 * step.noise)
-        narrower = Pairs(np.fmin(room, pairs.ends), pairs.nodes)
+        narrower = Pairs(_with_room(step.ends, pairs.ends, step.noise), pairs.nodes)
         closed = np.logical_and.reduce(step.ends < wide)
-        return self._divided(pairs[rest], narrower[rest], step.noise[:, rest], slopes[:, :, rest], closed[:, rest])
+        return self._divided(given[rest], narrower[rest], step.noise[:, rest], slopes[:, :, rest], closed[:, rest])
+
+    def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
+        """Pairs whose boxes may hold a root; what is left of the boxes by the system's own contraction; parameters."""
+        parameters = self.parameters[:, given.nodes]
+        ends = self.system.contracted(Intervals(given.ends), parameters)
+        empty = np.logical_or.reduce(ends[0] + ends[1] < 0)
+        boxes = Intervals(_with_room(ends, given.ends, 0.0))
+        values = self.system.residuals(boxes, parameters)
+        keep = np.logical_and.reduce(values.holds_zero()) & ~empty & ~self.system.hopeless(boxes, parameters)
+        rows = np.flatnonzero(keep)
+        return given[rows], Pairs(boxes.ends, given.nodes)[rows], parameters[:, rows]
 
     def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
@@ -197,6 +245,12 @@ class _Search:
         places, children = self.points.children(now.nodes[split_node])
         halved_nodes = Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children)
         return joined([halved_nodes, now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])], n)
+
+
+def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:
+    """A box narrowed not to the last digit: a component that closes in before the others needs room to be proved with them."""
+    narrowed: FloatArray = np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
+    return narrowed
 
 
 def _reach(ends: FloatArray, middle: FloatArray) -> FloatArray:

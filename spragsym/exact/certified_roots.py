@@ -83,6 +83,18 @@ def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray,
     return Roots(ends[:, :, keep], alone[:, :, keep], point[keep], left, left_point)
 
 
+def replaced(found: Roots, points: NDArray[np.int64], by: Roots) -> Roots:
+    """Roots in which those of some points are others, numbered by their place among these points."""
+    mine, left = ~np.isin(found.point, points), ~np.isin(found.left_point, points)
+    ends = np.concatenate([found.ends[:, :, mine], by.ends], axis=2)
+    alone = np.concatenate([found.alone[:, :, mine], by.alone], axis=2)
+    boxes_left = np.concatenate([found.left[:, :, left], by.left], axis=2)
+    return Roots(
+        ends, alone, np.concatenate([found.point[mine], points[by.point]]),
+        boxes_left, np.concatenate([found.left_point[left], points[by.left_point]]),
+    )  # fmt: skip
+
+
 def _refined(
     system: System, ends: FloatArray, parameters: Intervals, point: NDArray[np.int64]
 ) -> tuple[FloatArray, NDArray[np.bool_]]:
@@ -92,10 +104,10 @@ def _refined(
     for begin in range(0, point.size, boxes.CHUNK):
         rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
         for _ in range(STEPS):
-            box, at = Intervals(ends[:, :, rows]), parameters[:, point[rows]]
+            box, at = Intervals(ends[:, :, rows]), system.prepared(parameters[:, point[rows]])
             middle = box.middle
             reach = np.maximum(*raised(box.ends + np.stack([middle, -middle])))
-            step = contractors.newton(system.residuals(Intervals.point(middle), at), system.jacobian(box, at), middle, reach)
+            step = contractors.newton(system.at_points(middle, at), system.jacobian(box, at), middle, reach)
             empty[rows] |= contractors.apart(step.ends, box.ends)
             new = np.fmin(step.ends, box.ends)
             ends[:, :, rows] = new

@@ -50,10 +50,17 @@ def excluded(values: Intervals, slopes: Intervals, reach: FloatArray) -> NDArray
 
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
     """The step of interval Newton; shapes as for :func:`excluded`."""
-    n = middle.shape[0]
     Y = inverse(slopes.middle)
-    A = _product(Y, slopes.ends)
-    b = _product(Y, values.ends[:, :, None])[:, :, 0]
+    return _solved(_product(Y, slopes.ends), _product(Y, values.ends[:, :, None])[:, :, 0], middle, reach)
+
+
+def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> FloatArray:
+    """The same operator with the unit matrix for Y: ends of its result."""
+    return _solved(slopes.ends, values.ends, middle, reach).ends
+
+
+def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray) -> Newton:
+    n = middle.shape[0]
     magnitude = np.maximum(A[0], A[1])
     diagonal = np.arange(n)
     magnitude[diagonal, diagonal] = 0.0
@@ -65,6 +72,22 @@ def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: Floa
     ends = raised(ends + np.stack([-middle, middle]))
     noise = 0.5 * (b[0] + b[1])
     return Newton(np.where(dominant, ends, np.inf), noise, dominant)
+
+
+def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
+    """Boxes where G + M u = 0 for no unit vector u of two components: G of shape (n, N), M of shape (n, 2, N).
+
+    With any P, u = −P G − (P M − 1) u, so that |u + P G| is at most the sum of |P M − 1| by rows, since |u_i| ≤ 1.
+    """
+    m = factors.middle
+    gram = np.einsum("kiN,kjN->ijN", m, m)
+    P = np.einsum("ijN,kjN->ikN", inverse(gram), m)
+    off = _product(P, factors.ends)
+    off[:, [0, 1], [0, 1]] = raised(off[:, [0, 1], [0, 1]] + np.array([1.0, -1.0])[:, None, None])
+    slack = np.maximum(off[0], off[1]).sum(axis=1) * (1 + 4 * EPS)
+    u = Intervals(raised(_product(P, rest.ends[:, :, None])[:, :, 0] + slack))
+    square = u[0].squared() + u[1].squared()
+    return (square.low > 1) | (square.high < 1)
 
 
 def inside(inner: FloatArray, outer: FloatArray) -> NDArray[np.bool_]:
@@ -112,7 +135,7 @@ def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
 
 def _product(Y: FloatArray, ends: FloatArray) -> FloatArray:
     """Ends of Y times a matrix of intervals of shape (2, n, columns, N)."""
-    n = Y.shape[0]
+    n = Y.shape[1]
     total: FloatArray = np.zeros(1)
     size: FloatArray = np.zeros(1)
     for k in range(n):

@@ -15,7 +15,7 @@ NumPy's warnings on such numbers are for the caller to silence, with :func:`nump
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -125,6 +125,9 @@ class Intervals:
     def __getitem__(self, index: Any) -> Intervals:
         index = index if isinstance(index, tuple) else (index,)
         return Intervals(self.ends[(slice(None), *index)])
+
+    def __iter__(self) -> Iterator[Intervals]:
+        return (Intervals(self.ends[:, place]) for place in range(self.ends.shape[1]))
 
     def __neg__(self) -> Intervals:
         return Intervals(self.ends[::-1])

@@ -90,7 +90,8 @@ class Jet:
 
     def __mul__(self, other: Any) -> Jet:
         if other is self:
-            return self.__pow__(2)
+            square: Jet = self**2
+            return square
         if not isinstance(other, Jet):
             if _is_zero(other):
                 return Jet({}, self.order)

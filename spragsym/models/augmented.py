@@ -92,7 +92,7 @@ class Augmented:
         """Boxes beyond the contact's border, or without what the condition asks for."""
         shape = unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape)
-        out: NDArray[np.bool_] = self.balance.beyond_border(at.q, at.values, shape) | self.condition.hopeless(self.balance, at)
+        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(self.balance, at)
         return out
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:

@@ -113,7 +113,10 @@ class Balance:
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
-        q, values, shape = self._taken(unknowns, parameters)
+        return self.nothing_at(*self._taken(unknowns, parameters))
+
+    def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        """The same, of coordinates and arguments."""
         out = self.beyond_border(q, values, shape)
         for spring in range(self.springs):
             out |= self._no_direction(q, values, shape, spring)

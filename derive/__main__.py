@@ -16,7 +16,19 @@ except ModuleNotFoundError:
 
 from . import folder, pages
 from .emit import write
-from .kang_nam import catastrophe, check, elimination, emission, equilibrium, ledger, linear_sprag, mechanics, stability, theorem
+from .kang_nam import (
+    catastrophe,
+    check,
+    elimination,
+    emission,
+    equilibrium,
+    generality,
+    ledger,
+    linear_sprag,
+    mechanics,
+    stability,
+    theorem,
+)
 
 T = TypeVar("T")
 
@@ -39,6 +51,8 @@ def main(arguments: list[str] | None = None) -> int:
     identities |= _step("surface, folds, cusps", catastrophe.identities)
     identities |= _step("linear sprag model", linear_sprag.identities)
     proof = _step("one or three", theorem.one_or_three)
+    if not options.variant:
+        identities |= _step("the general way", generality.identities)
     rows = tuple(_step("check against the article", check.run))
     outcome = ledger.Ledger(rows, identities, proof)
 

@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import textwrap
 from collections.abc import Mapping
 from typing import Any
 
 import sympy as sp
 
-from . import laws, linearization, statics
+from . import laws, linearization, motion, statics
 from .emit.function import Module
+from .emit.quantities import interval
 from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
-from .mechanics import MU, PUSHING, Line, Mechanics
+from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
 from .pages import Model
 
 #: Text of a function → the model and the module that have it first.
@@ -41,7 +43,7 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
 
 def modules(model: Mechanics) -> tuple[Module, ...]:
     """What is generated from a page."""
-    return tuple(part.module(model) for part in (statics, linearization))
+    return tuple(part.module(model) for part in (statics, linearization, motion))
 
 
 def _module(model: Model, module: Module, header: str, shared: Shared | None) -> str:
@@ -88,7 +90,9 @@ def _meanings(model: Mechanics) -> Mapping[str, str]:
     return entries | {
         str(MU): "friction coefficient",
         str(PUSHING): "1 in contact, 0 in lift-off",
-        str(laws.SIDE): "1 where the belt is ahead, −1 where the mass is",
+        str(SIDE): "1 where the belt is ahead, −1 where the mass is",
+        **{f"a{symbol}": f"acceleration of {symbol}" for symbol in model.coordinates},
+        **{str(symbol): "1 where an exponential of the friction law is felt, 0 where it is left out" for symbol in laws.near(9)},
     }
 
 
@@ -109,7 +113,7 @@ def description(model: Model) -> dict[str, Any]:
         "parameters": [
             {
                 "name": datum.becomes, "symbol": datum.latex, "meaning": datum.meaning, "unit": "rad" if datum.unit == "rad" else "1",
-                "domain": datum.domain, "base": datum.base, "role": "both" if datum.becomes in of_statics else "motion",
+                **_domain(datum.domain), "base": datum.base, "role": "both" if datum.becomes in of_statics else "motion",
                 "quantity": str(datum.symbol), "quantity_unit": datum.unit,
             }
             for datum in it.parameters
@@ -124,8 +128,16 @@ def description(model: Model) -> dict[str, Any]:
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
         },
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        "layers": len(laws.layers(it)),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
+
+
+def _domain(domain: str) -> dict[str, Any]:
+    """As written, and its ends; None for an infinite one."""
+    allowed = interval(domain)
+    ends = {name: None if math.isinf(value) else value for name, value in (("low", allowed.low), ("high", allowed.high))}
+    return {"domain": domain, **ends, "low_open": allowed.low_open, "high_open": allowed.high_open}
 
 
 def _chart(model: Mechanics, line: Line) -> list[str] | None:

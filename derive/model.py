@@ -95,9 +95,12 @@ class Force:
 
 @dataclass(frozen=True)
 class Contact:
-    """The normal force: a law of the penetration −gap; ``unilateral`` contact has no force where the gap is positive."""
+    """The normal force: a law of the penetration −gap, or a given force where ``gap`` is None.
 
-    gap: sp.Expr
+    ``unilateral`` contact has no force where the gap is positive.
+    """
+
+    gap: sp.Expr | None
     law: Law
     unilateral: bool
     line: int
@@ -220,6 +223,11 @@ class Page:
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
         """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
         self.normal = Contact(expression_of(gap), law, unilateral, _line())
+
+    def normal_force(self, force: sp.Expr) -> None:
+        """A given normal force, in the place of a contact law."""
+        given = expression_of(force)
+        self.normal = Contact(None, lambda depth: given, False, _line())
 
     def friction(self, along: sp.Expr, belt: sp.Expr, law: Law, at_rest: sp.Expr | None = None) -> None:
         """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``.

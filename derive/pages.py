@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import ast
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import mechanics
+from . import mechanics, soundness
 from .mechanics import Mechanics
 from .model import Page, PageError
 
@@ -32,8 +33,9 @@ def shipped() -> tuple[Path, ...]:
     return tuple(sorted(pages, key=lambda path: path.stem != "kang_nam"))
 
 
+@cache
 def read(path: Path) -> Model:
-    """Read a page: it is run as a module of this package, wherever it stands."""
+    """Read a page, once: it is run as a module of this package, wherever it stands."""
     text = path.read_text(encoding="utf-8")
     try:
         tree = _Imports().visit(ast.parse(text, str(path)))
@@ -45,7 +47,11 @@ def read(path: Path) -> Model:
     page = names.get("page")
     if not isinstance(page, Page):
         raise PageError(0, f"{path.name} makes no page; begin it with page = Page('…')")
-    return Model(path.stem, text, ast.get_docstring(tree) or "", page, mechanics.of(page))
+    soundness.check_units(page)
+    soundness.groups(page)
+    model = mechanics.of(page)
+    soundness.check_forces(model)
+    return Model(path.stem, text, ast.get_docstring(tree) or "", page, model)
 
 
 class _Imports(ast.NodeTransformer):

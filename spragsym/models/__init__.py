@@ -1,1 +1,6 @@
-"""Models that ``spragsym derive`` made from a page: equilibria, folds, cusps, flutter and motion of any of them."""
+"""Any model on one page: what was generated from it, loaded, with its parameters."""
+
+from .load import load
+from .model import Model
+
+__all__ = ["Model", "load"]

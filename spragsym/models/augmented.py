@@ -1,6 +1,6 @@
 """Systems whose roots are points at which equilibria change: coordinates and parameters are unknowns together.
 
-The forces vanish, and conditions on the stiffness hold that need as many parameters: det K = 0 with one parameter is a fold; with two, and
+The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter is a fold; with two, and
 with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals.
 """
 
@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
-from ..exact.jets import Jet, constant, gradient, variables
+from ..exact.jets import constant, gradient, variables
 from .balance import Balance, matrix
 
 
@@ -22,13 +22,11 @@ class Condition(Protocol):
 
     #: Order of the derivatives of the stiffness that it is made of.
     order: int
-    #: Number of equations, and of parameters that are unknowns.
-    count: int
 
-    def equations(self, balance: Balance, at: State) -> Sequence[Any]:
-        """Values that vanish, as jets of order 1 or as intervals."""
+    def equations(self, at: State) -> Sequence[Any]:
+        """Values that vanish, as many as parameters are unknowns; from jets of ``order`` more than is asked of the values."""
 
-    def hopeless(self, balance: Balance, at: State) -> NDArray[np.bool_]:
+    def hopeless(self, at: State) -> NDArray[np.bool_]:
         """Boxes in which an inequality can't hold that is asked for, too."""
 
 
@@ -47,6 +45,14 @@ class State:
     def stiffness(self) -> list[list[Any]]:
         """K."""
         return [list(row) for row in self.balance.call("forces_jacobian", self.q, self.directions, self.values)]
+
+    def mass(self) -> list[list[Any]]:
+        """M."""
+        return [list(row) for row in self.balance.mass(self.q, self.values)]
+
+    def damping(self) -> list[list[Any]]:
+        """C: dampers and slope of the friction law."""
+        return [list(row) for row in self.balance.damping(self.q, self.directions, self.values)]
 
 
 class Augmented:
@@ -74,7 +80,7 @@ class Augmented:
         if self.condition.order:
             # Derivatives that the condition itself is made of.
             extra = self.state(variables(list(unknowns), self.condition.order), parameters, shape)
-        values = [*at.forces(), *self.condition.equations(self.balance, extra)]
+        values = [*at.forces(), *self.condition.equations(extra)]
         return stacked([constant(value) for value in values], shape)
 
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
@@ -85,14 +91,14 @@ class Augmented:
         """Their slopes by coordinates and parameters."""
         shape = unknowns.shape[1:]
         at = self.state(variables(list(unknowns), self.condition.order + 1), parameters, shape)
-        values = [*at.forces(), *self.condition.equations(self.balance, at)]
+        values = [*at.forces(), *self.condition.equations(at)]
         return matrix([gradient(value, self.n) for value in values], shape)
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes beyond the contact's border, or without what the condition asks for."""
         shape = unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape)
-        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(self.balance, at)
+        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(at)
         return out
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
@@ -101,65 +107,3 @@ class Augmented:
         at = self.state(list(unknowns), parameters, shape)
         ends = self.balance.with_directions(unknowns[:n], at.values, at.directions)
         return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)
-
-
-# --------------------------------------------------------------------------------------------------------- conditions
-
-
-class Fold:
-    """det K = 0."""
-
-    order = 0
-    count = 1
-
-    def equations(self, balance: Balance, at: State) -> Sequence[Any]:
-        """The determinant."""
-        return (determinant(at.stiffness()),)
-
-    def hopeless(self, balance: Balance, at: State) -> NDArray[np.bool_]:
-        """No box."""
-        return np.zeros(at.shape, dtype=np.bool_)
-
-
-class Cusp:
-    """det K = 0, and K v = 0 for a direction v along which det K does not change.
-
-    At a point of rank n − 1 the columns of the adjugate of K that are not 0 are multiples of v. Column ``column`` is taken, so that
-    points where that one is 0 are roots as well, which are no cusps unless another column says so.
-    """
-
-    order = 1
-    count = 2
-
-    def __init__(self, column: int) -> None:
-        self.column = column
-
-    def equations(self, balance: Balance, at: State) -> Sequence[Any]:
-        """The determinant, and its change along the column."""
-        K = at.stiffness()
-        value = determinant(K)
-        change: Any = 0
-        for i in range(balance.n):
-            slope = value.differentiated(i) if isinstance(value, Jet) else 0
-            change = change + slope * cofactor(K, self.column, i)
-        return value, change
-
-    def hopeless(self, balance: Balance, at: State) -> NDArray[np.bool_]:
-        """No box."""
-        return np.zeros(at.shape, dtype=np.bool_)
-
-
-def determinant(rows: Sequence[Sequence[Any]]) -> Any:
-    """By the first row; entries of any number type, integers 0 among them."""
-    if not rows:
-        return 1
-    total: Any = 0
-    for j in range(len(rows)):
-        total = total + rows[0][j] * cofactor(rows, 0, j)
-    return total
-
-
-def cofactor(rows: Sequence[Sequence[Any]], i: int, j: int) -> Any:
-    """Cofactor of the entry in row i and column j: entry (j, i) of the adjugate."""
-    minor = determinant([[*row[:j], *row[j + 1 :]] for number, row in enumerate(rows) if number != i])
-    return -minor if (i + j) % 2 else minor

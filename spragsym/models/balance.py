@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from ..exact import contractors, jets
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
-from ..exact.interval_functions import XP, cos, sin
+from ..exact.interval_functions import cos, sin
 from .directions import direction
+from .laws import XP
 
 
 class Model(Protocol):
@@ -48,7 +49,8 @@ class Balance:
         #: −low and high of each coordinate: on which side of the border the contact's gap is, where that is a coordinate.
         self.border = np.full((2, self.n), np.inf)
         gap = about["contact"]["gap"]
-        if gap in self.coordinates:
+        self.opens = bool(gap and about["contact"]["unilateral"])
+        if self.opens and gap in self.coordinates:
             self.border[self.pushing, self.coordinates.index(gap)] = 0.0
         #: Beyond them the forces are not asked for.
         self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
@@ -92,6 +94,15 @@ class Balance:
         function = undecorated(getattr(self.model.statics, name))
         return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
 
+    def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
+        """M of the kinetic energy."""
+        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
+
+    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any]) -> Any:
+        """C of dampers and of the slope of the friction law."""
+        function = undecorated(self.model.linearization.damping)
+        return function(*q, *directions, *self._listed(values, "motion"), self.pushing, xp=XP)
+
     def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """The gap of the contact."""
         return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=XP)
@@ -124,6 +135,8 @@ class Balance:
 
     def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
         """Boxes that lie on the other side of the contact's border."""
+        if not self.opens:
+            return np.zeros(shape, dtype=np.bool_)
         gap = stacked([self.gap(q, values)], shape)[0]
         return gap.low > 0 if self.contact else gap.high < 0
 
@@ -164,8 +177,10 @@ class Balance:
         """Forces at points of the boxes, slopes over the boxes, the points and distances from them, with fixed directions."""
         shape = unknowns.shape[1:]
         at_middle = self.call("forces", list(Intervals.point(middle)), directions, values)
-        q = jets.variables(list(unknowns), 1)
-        slopes = matrix([jets.gradient(row, self.n) for row in self.call("forces", q, directions, values)], shape)
+        # With directions fixed: what they change by goes with one over the length, and of these lengths that is 0 to rounding.
+        endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
+        far = [endless if i % 3 == 2 else part for i, part in enumerate(directions)]
+        slopes = matrix(self.call("forces_jacobian", list(unknowns), far, values), shape)
         reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([middle, -middle])))
         return stacked(at_middle, shape), slopes, middle, reach
 

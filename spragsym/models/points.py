@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -123,16 +123,33 @@ def search(
     return Found(certified_roots.roots(system, outcome, around, fixed, fixed), around, whole)
 
 
-def arranged(balance: Balance, vary: Sequence[str], given: FloatArray, found: Found, kind: NDArray[np.str_]) -> ModelPoints:
-    """The points as a result; given parameters of shape (parameters, 1)."""
-    middle = found.roots.middle
-    order = np.lexsort(middle[::-1][balance.n * 0 : len(vary)])
-    n = balance.n
+def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
+    """Scalar parameters as one column, NaN for those that vary."""
+    fixed = [name for name in names if name not in vary]
+    values = dict(zip(fixed, p.scalars(*fixed), strict=True))
+    return np.array([[values.get(name, np.nan)] for name in names])
+
+
+def picked(roots: Roots, which: NDArray[np.bool_]) -> Roots:
+    """Some of the roots, and all of the boxes that are left."""
+    return replace(roots, ends=roots.ends[:, :, which], alone=roots.alone[:, :, which], point=roots.point[which])
+
+
+def arranged(
+    balance: Balance,
+    vary: Sequence[str],
+    given: FloatArray,
+    found: Found,
+    kind: NDArray[np.str_],
+    more: Mapping[str, FloatArray] | None = None,
+) -> ModelPoints:
+    """The points as a result, sorted by the parameters that vary; given parameters of shape (parameters, 1)."""
+    n, middle = balance.n, found.roots.middle
+    order = np.lexsort(middle[n:][::-1])
     values: dict[str, FloatArray] = {name: np.full(order.size, given[i, 0]) for i, name in enumerate(balance.parameters)}
     values |= {name: middle[n + i, order] for i, name in enumerate(vary)}
     values |= {name: middle[i, order] for i, name in enumerate(balance.coordinates)}
+    values |= {name: column[order] for name, column in (more or {}).items()}
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
     left = np.moveaxis(np.stack([-found.roots.left[0], found.roots.left[1]], axis=-1), 1, 0)
-    return ModelPoints(
-        tuple(vary), kind[order], found.roots.error[order], box, found.whole, not left.shape[0], left, values
-    )
+    return ModelPoints(tuple(vary), kind[order], found.roots.error[order], box, found.whole, not left.shape[0], left, values)

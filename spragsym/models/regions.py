@@ -1,7 +1,8 @@
 """A box of coordinates that holds all equilibria: springs to ground and inclined springs pull back harder than all else pushes.
 
 A spring's force is its stiffness times the vector between its ends, linear in the coordinates, less its stiffness times its
-undeformed length along a unit vector, which is bounded. So with unit vectors left free in [−1, 1]² the balance bounds the coordinates.
+undeformed length along a unit vector, which is bounded. So with unit vectors left free in [−1, 1]² the balance bounds the
+coordinates.
 """
 
 from __future__ import annotations

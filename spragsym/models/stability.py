@@ -41,12 +41,18 @@ def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: Fl
     return Types(code.astype(np.int8), np.concatenate([roots, -roots], axis=1), growth(M, C, K))
 
 
-def growth(M: FloatArray, C: FloatArray, K: FloatArray) -> FloatArray:
-    """Largest real part of the roots of det(λ² M + λ C + K), of matrices of shape (N, n, n)."""
+def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
+    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n)."""
     n = M.shape[-1]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
     companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
-    out: FloatArray = np.linalg.eigvals(companion).real.max(axis=-1)
+    out: NDArray[np.complex128] = np.linalg.eigvals(companion).astype(complex)
+    return out
+
+
+def growth(M: FloatArray, C: FloatArray, K: FloatArray) -> FloatArray:
+    """Largest real part of the roots of det(λ² M + λ C + K), of matrices of shape (N, n, n)."""
+    out: FloatArray = roots(M, C, K).real.max(axis=-1)
     return out
 
 

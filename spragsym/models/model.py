@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described
+
+if TYPE_CHECKING:
+    from .equilibria import ModelEquilibria
+    from .points import ModelPoints
 
 #: Modules of generated functions.
 PARTS = ("statics", "linearization", "motion")
@@ -76,6 +80,30 @@ class Model:
             (value,) = p.broadcast(angle)
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
+
+    def equilibria(self, p: ParameterSet, contact: bool = True) -> ModelEquilibria:
+        """All equilibria, proved: see :func:`spragsym.models.equilibria.equilibria`."""
+        from .equilibria import equilibria
+
+        return equilibria(self, p, contact)
+
+    def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+        """All folds along one parameter, proved: see :func:`spragsym.models.folds.folds`."""
+        from .folds import folds
+
+        return folds(self, p, vary, **options)
+
+    def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
+        """All cusps in the plane of two parameters, proved: see :func:`spragsym.models.cusps.cusps`."""
+        from .cusps import cusps
+
+        return cusps(self, p, vary, **options)
+
+    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+        """All onsets of flutter along one parameter, proved: see :func:`spragsym.models.flutter.flutter_onsets`."""
+        from .flutter import flutter_onsets
+
+        return flutter_onsets(self, p, vary, **options)
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

@@ -189,11 +189,14 @@ class _Walk:
 
 
 def _slope(setting: Setting, loop: Loop, test: Callable[[Loop], float], phase: FloatArray) -> FloatArray:
-    """Derivative of a test function within the surface of closed orbits: differences along its two directions."""
+    """Derivative of a test function: differences along the surface of closed orbits, and along what hardly leaves it.
+
+    A weakly damped mode is nearly free to move: without it Newton's method converges slowly.
+    """
     weights = setting.weights(len(loop.guess.states))
     _, _, vectors = np.linalg.svd(np.vstack([loop.slopes(2), phase]) / weights)
     row = np.zeros((1, vectors.shape[1]))
-    for vector in vectors[-2:]:
+    for vector in vectors:
         way = vector / weights
         ahead, back = (
             test(looped(setting.field, setting.fly, loop.guess.moved(sign * DIFFERENCE * way, setting.free), ()))

@@ -36,6 +36,9 @@ from .cycles import cycle_branch as cycle_branch
 from .cycles import cycle_events as cycle_events
 from .cycles import fate_boundary as fate_boundary
 from .cycles import lyapunov as lyapunov
+from .design import JumpGradient as JumpGradient
+from .design import jump_gradient as jump_gradient
+from .design import jump_value as jump_value
 from .dynamics import Event as Event
 from .dynamics import Events as Events
 from .dynamics import Outcome as Outcome

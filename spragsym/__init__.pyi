@@ -33,10 +33,10 @@ from .cycles import FateBoundary as FateBoundary
 from .cycles import Lyapunov as Lyapunov
 from .cycles import cycle as cycle
 from .cycles import cycle_branch as cycle_branch
-from .design import Certificate as Certificate
 from .cycles import cycle_events as cycle_events
 from .cycles import fate_boundary as fate_boundary
 from .cycles import lyapunov as lyapunov
+from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
 from .design import JumpMargin as JumpMargin
 from .design import Redesign as Redesign

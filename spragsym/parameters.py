@@ -254,7 +254,7 @@ class ParameterSet(Shown):
             return NotImplemented
         return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # arrays do not hash
 
 
 @named

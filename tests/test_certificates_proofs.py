@@ -149,7 +149,7 @@ def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
 
 
 def _check(arith: Arithmetic, point: Point, orders: int, digits: int) -> None:
-    """f and its derivatives vanish there to so many digits, the state is that of the geometry, and it is in contact."""
+    """f and its derivatives vanish there to this many digits, the state is that of the geometry, and it is in contact."""
     with mpmath.workprec(1000):
         values = [_middle(arith, value) for value in point.parameters]
         theta, L, x, y = (_middle(arith, value) for value in (point.theta, point.L, point.x, point.y))

@@ -1,4 +1,4 @@
-"""What the solver makes of the kernel's certificates: nothing is settled but by them, and what isn't goes on to more digits."""
+"""How the solver uses the kernel's certificates: they alone settle a point, and other points go on to more digits."""
 
 from __future__ import annotations
 
@@ -13,8 +13,9 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from benchmarks import reference
 from benchmarks.families import FAMILIES
-from benchmarks.validate_equilibria import worst_errors, wrong_counts
+from benchmarks.validate_equilibria import worst_errors
 from spragsym.generated import kernel
 from spragsym.parameters import NAMES
 from spragsym.statics import block, compiled, ladder, slots, solver
@@ -35,27 +36,45 @@ def _points(n: int) -> ss.Parameters:
     return ss.Parameters(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def test_counts_codes_and_bounds_over_every_family() -> None:
+def _borders_in_liftoff(n: int) -> ss.Parameters:
+    """Neighbouring floats of θ₀ between which the number of equilibria in lift-off changes."""
+    p = FAMILIES["random"](np.random.default_rng(58), n)
+    low, high = np.full(n, 0.05), np.full(n, 1.5)
+    start = ss.equilibria(p.replace(theta0=low), contact=False).count
+    differ = start != ss.equilibria(p.replace(theta0=high), contact=False).count
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        same = ss.equilibria(p.replace(theta0=middle), contact=False).count == start
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    ends = [column for name, column in zip(NAMES, p.broadcast(*NAMES), strict=True) if name != "theta0"]
+    return ss.Parameters(
+        *(np.concatenate([one[differ], other[differ]]) for one, other in ((low, high), *zip(ends, ends, strict=True)))
+    )
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_counts_codes_and_bounds_over_every_family(contact: bool) -> None:
     p, rng = _points(24), np.random.default_rng(52)
-    for contact in (True, False):
-        eq = ss.equilibria(p, contact=contact)
-        if contact:
-            assert wrong_counts(p, eq) == 0
-        worst, ratio = worst_errors(p, eq, rng, 60)
-        assert worst <= 1e-12
-        assert ratio <= 1
-        used = np.arange(eq.theta.shape[1]) < eq.count[:, None]
-        assert (np.isfinite(eq.error) == used).all()
-        assert ((eq.stability > 0) == used).all()
-        assert np.nanmax(eq.error) <= block.TOLERANCE
-        assert eq.escalated.mean() < 0.35
-        assert eq.escalated.any() or not contact
-        for row in range(0, eq.count.size, 7):
-            point = [float(value[row]) for value in p.broadcast(*NAMES)]
-            states = ladder.equilibria(*point, contact=contact).states
-            assert [state.stability for state in states] == eq.stability[row, : eq.count[row]].tolist()
-            for slot, state in enumerate(states):
-                assert abs(state.theta - eq.theta[row, slot]) <= eq.error[row, slot] * max(1, abs(state.theta))
+    if not contact:
+        borders = _borders_in_liftoff(30).broadcast(*NAMES)
+        p = ss.Parameters(*map(np.concatenate, zip(p.broadcast(*NAMES), borders, strict=True)))
+    eq = ss.equilibria(p, contact=contact)
+    points = np.column_stack(p.broadcast(*NAMES)).tolist()
+    count = reference.count_contact if contact else reference.count_liftoff
+    assert eq.count.tolist() == [count(*point) for point in points]
+    worst, ratio = worst_errors(p, eq, rng, 60)
+    assert worst <= 1e-12
+    assert ratio <= 1
+    used = np.arange(eq.theta.shape[1]) < eq.count[:, None]
+    assert (np.isfinite(eq.error) == used).all()
+    assert ((eq.stability > 0) == used).all()
+    assert np.nanmax(eq.error) <= block.TOLERANCE
+    assert 0 < eq.escalated.mean() < 0.35
+    for row, point in enumerate(points[::7]):
+        states = ladder.equilibria(*point, contact=contact).states
+        assert [state.stability for state in states] == eq.stability[7 * row, : eq.count[7 * row]].tolist()
+        for slot, state in enumerate(states):
+            assert abs(state.theta - eq.theta[7 * row, slot]) <= eq.error[7 * row, slot] * max(1, abs(state.theta))
 
 
 def test_the_certificates_settle_most_points() -> None:
@@ -88,7 +107,7 @@ GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsid
 def _settled(
     monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
 ) -> tuple[bool, slots.Slots]:
-    """What a block makes of three roots whose middle one has changed; of the second of two points."""
+    """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
     given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))

@@ -425,11 +425,15 @@ def test_angles_gather_where_curves_are_long(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def _drawn(monkeypatch: pytest.MonkeyPatch, friction: object, n: int = 41) -> fold_curves.Strand:
-    """A strand θ₀ = 1 + θ with that friction, and another one beside it which is not to be taken for it."""
+    """A strand θ₀ = 1 + θ with that friction, and others close beside it which are not to be taken for it."""
     monkeypatch.setattr(
-        fold_curves, "positive_roots", lambda theta, _: _padded([[math.tan(0.1), math.tan((1 + t) / 2)] for t in theta])
+        fold_curves,
+        "positive_roots",
+        lambda theta, _: _padded([[math.tan((1 + t + off) / 2) for off in (-0.02, 0, 0.02)] for t in theta]),
     )
-    monkeypatch.setattr(fold_curves, "friction", lambda theta, theta0, fixed: np.where(theta0 > 0.5, friction(theta), 1.0))
+    monkeypatch.setattr(
+        fold_curves, "friction", lambda theta, theta0, fixed: np.where(np.abs(theta0 - theta - 1) < 0.005, friction(theta), 1.0)
+    )
     theta = np.linspace(0.1, 1.4, n)
     return fold_curves.Strand(theta, 1 + theta, friction(theta))
 
@@ -461,6 +465,16 @@ def test_strands_through_infinity_get_no_zero(monkeypatch: pytest.MonkeyPatch) -
     assert [len(some) for some in parts] == [1, 1]
     assert sum(some[0].theta.size for some in parts) == strand.theta.size
     assert all(np.abs(some[0].mu0).min() > 1e3 for some in parts)
+
+
+def test_a_zero_next_to_a_steep_rise_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only where friction is large on both sides does it pass through infinity."""
+    at = np.linspace(0.1, 1.4, 41)[20] + 2.5e-4
+    strand = _drawn(monkeypatch, lambda theta: 2e5 * (theta - at))
+    for side, end in ((1.0, 0), (-1.0, -1)):
+        (part,) = fold_curves._one_sign(strand, FAMILY, side)
+        assert part.theta[end] == pytest.approx(at, abs=1e-12)
+        assert part.mu0[end] == 0
 
 
 def test_a_zero_that_is_not_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:

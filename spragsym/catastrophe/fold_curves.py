@@ -333,7 +333,7 @@ def _concatenated(chunks: list[Strand]) -> Strand:
 
 def _zero_friction(strand: Strand, outer: int, inner: int, fixed: Fixed) -> Strand | None:
     """Where a strand crosses μ₀ = 0 between two of its points; nothing where it passes through infinity instead."""
-    if min(abs(strand.mu0[outer]), abs(strand.mu0[inner])) > 1e3 * (1 + max(abs(np.diff(strand.theta0[[outer, inner]])))):
+    if min(abs(strand.mu0[outer]), abs(strand.mu0[inner])) > 1e3:
         return None
     far, near = float(strand.theta[outer]), float(strand.theta[inner])
     ends = float(strand.theta0[outer]), float(strand.theta0[inner])

@@ -40,7 +40,7 @@ class Compiled:
         ax, ay = acceleration(x, y, vx, vy, *constants, nbar, side, xp=xp)
         borders = {
             self._contact: y + GAP * (1 - 2 * nbar),
-            # heyoka's error is relative to the largest of the states and these functions: scaled down, so that a state is the largest.
+            # heyoka's error is relative to the largest of the states and these functions, which are scaled down to be smaller.
             self._slip: 1e-3 * (V - vx + GAP * side),
             self._layer: 1e-3 * ((d * side * (V - vx) - WIDTH * near) / reach - 1),
         }

@@ -147,6 +147,7 @@ WRITING = {
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
     "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),
     "export": (["export", "--out"], "spragsym.c"),
+    "derive": (["derive", str(Path(ss.__file__).parent / "derive/models/stick_slip.py"), "--out"], "model.json"),
 }
 
 

@@ -27,6 +27,7 @@ COMMANDS = {
     "simulate": ("motion", "Integrate the motion from an initial state."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
     "figures": ("figures", "Draw the article's figures, and more."),
+    "derive": ("derive", "Carry the page of a model through to code."),
     "export": ("export", "Write the solver in another language."),
 }
 

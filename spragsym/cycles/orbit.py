@@ -180,7 +180,7 @@ def refined(loop: Loop, fly: Fly) -> Loop:
     while True:
         cut = divided(field, fly, guess, pieces)
         try:
-            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1))
+            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=6)
         except ConvergenceError:
             found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:

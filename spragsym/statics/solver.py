@@ -262,7 +262,7 @@ def _column(p: Parameters, name: str) -> NDArray[np.float64]:
 def _part(values: NDArray[np.float64], begin: int, end: int) -> NDArray[np.float64]:
     """A range of points in C order, contiguous: one number as it is, and of a broadcast array a copy of this range only."""
     if values.size == 1:
-        return values.reshape(-1)
+        return values
     return values[begin:end] if values.ndim == 1 else values.flat[begin:end]
 
 
@@ -308,7 +308,6 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64])
         with np.errstate(all="ignore"):
             point = kernel.Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, int(contact))
             left = block.solve(point, rows.size, again, 0, np.longdouble)
-        again.clear()
         out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
     folds: list[int] = []
     reasons: dict[int, str] = {}
@@ -338,7 +337,7 @@ def _extended_precision() -> bool:
 def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:
     """States rounded to float64, by at most half a unit in the last place, which the error includes."""
     for state in found.states:
-        if not np.isfinite(float(state.L) + float(state.x) + float(state.y)):
+        if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
             raise ConvergenceError(
                 f"log10 L = {_log10(state.L):.6g} at an equilibrium of "
                 f"{', '.join(f'{name}={value}' for name, value in parameters.items())} is beyond float64; "

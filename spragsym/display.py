@@ -161,7 +161,7 @@ def _fields(thing: Any) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for field in fields(thing):
         value = getattr(thing, field.name)
-        if not field.repr:  # what a result works with, and tells nobody
+        if not field.repr:  # private attributes are not shown
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
@@ -199,7 +199,7 @@ def _pairs(single: Mapping[str, Any]) -> tuple[tuple[str, ...], tuple[tuple[str,
 
 
 def _shown(count: int) -> tuple[list[int], int | None]:
-    """Rows to show, and the place among them where others are left out, if any are."""
+    """Rows to show, and the place of the gap if rows are left out."""
     if count <= ROWS:
         return list(range(count)), None
     half = ROWS // 2

@@ -1,4 +1,4 @@
-"""The MATLAB package, run in Octave: the bits of C over all families, Python's folds and motion, errors that say what is wrong."""
+"""The MATLAB package in Octave: the bits of C over all families, Python's folds and motion, errors that say what is wrong."""
 
 from __future__ import annotations
 

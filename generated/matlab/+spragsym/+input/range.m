@@ -37,7 +37,11 @@ function [ends, text, remedy] = range(name)
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
     case 'a_f'
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
+    case 'a_v'
+      ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
     case 'b_f'
+      ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
+    case 'b_v'
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
     case 'cos'
       ends = [-1, 1, 0, 0]; text = '[-1, 1]'; remedy = '';
@@ -48,6 +52,8 @@ function [ends, text, remedy] = range(name)
     case 'd_dim'
       ends = [0, Inf, 1, 1]; text = '(0, Inf)'; remedy = '';
     case 'd_f'
+      ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
+    case 'd_v'
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
     case 'k'
       ends = [0, Inf, 1, 1]; text = '(0, Inf)'; remedy = '';
@@ -60,6 +66,8 @@ function [ends, text, remedy] = range(name)
     case 'm'
       ends = [0, Inf, 1, 1]; text = '(0, Inf)'; remedy = '';
     case 'm_f'
+      ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
+    case 'm_v'
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';
     case 'mu'
       ends = [-Inf, Inf, 1, 1]; text = '(-Inf, Inf)'; remedy = '';

@@ -11,8 +11,9 @@ import sys
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+import ctypes
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 
 import numpy as np
 
@@ -73,33 +74,16 @@ def trust(ways: dict[str, Callable[[ss.Parameters, bool], languages.Found]], n: 
 
 def compared(found: languages.Found, p: ss.Parameters, contact: bool) -> str:
     """The rest of a row."""
-    eq = on_backend("numpy", 1, partial(ss.equilibria, contact=contact), p)
-    slots = eq.theta.shape[1]
-    vouched = found.status == 0
-    same = vouched & (found.count == eq.count)
-    written = same[:, None] & (np.arange(slots) < eq.count[:, None])
-    wrong = np.count_nonzero(vouched & ~same)
-    wrong += np.count_nonzero((found.columns["stability"][:, :slots] != eq.stability) & written)
-    over = 0.0
-    for name in ("theta", "L", "x", "y"):
-        ours, exact = found.columns[name][:, :slots][written], getattr(eq, name)[written]
-        error = np.abs(ours - exact) / np.maximum(1, np.abs(exact))
-        bound = found.columns["error"][:, :slots][written] + eq.error[written]
-        over = max(over, float((error / bound).max(initial=0.0)))
-    return f" {np.mean(vouched):.3%} | {wrong} | {over:.2f} | {_unlike_c(found, p, contact)} |"
+    agreement = languages.against_python(found, p, contact)
+    library = _library()
+    unlike = np.count_nonzero(languages.unlike_c(found, library, p, contact)) if library else "no compiler"
+    return f" {np.mean(found.status == 0):.3%} | {agreement.wrong} | {agreement.largest:.2f} | {unlike} |"
 
 
-def _unlike_c(found: languages.Found, p: ss.Parameters, contact: bool) -> str:
+@cache
+def _library() -> ctypes.CDLL | None:
     compiler = c_target.compiler()
-    if compiler is None:
-        return "no compiler"
-    out = c_target.room(p.shape[0])
-    c_target.solve(c_target.build(compiler, ("-O1",)), c_target.table(p), out, contact, batch=False)
-    differs = (found.status != out.status) | (found.count != out.count)
-    filled = np.arange(4) < out.count[:, None]
-    for name, column in found.columns.items():
-        differs |= ((column != out.equilibria[name]) & filled).any(axis=-1)
-    return str(np.count_nonzero(differs))
+    return c_target.build(compiler, ("-O1",)) if compiler else None
 
 
 if __name__ == "__main__":

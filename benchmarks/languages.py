@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import json
 import math
 import shutil
@@ -9,6 +10,7 @@ import subprocess
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -18,6 +20,8 @@ from numpy.typing import NDArray
 
 import spragsym as ss
 from benchmarks import c_target
+from benchmarks.families import FAMILIES
+from benchmarks.timing import on_backend
 from spragsym.parameters import NAMES
 
 NODE = shutil.which("node")
@@ -115,3 +119,49 @@ def in_octave(p: ss.Parameters, contact: bool) -> Found:
     beyond = np.arange(4) >= table[:, 1:2]
     columns["stability"][beyond] = np.nan
     return Found(table[:, 0].astype(int), table[:, 1].astype(int), columns, float(printed))
+
+
+# -------------------------------------------------------------------------------------------------- comparison
+
+
+def adversarial(n: int) -> ss.Parameters:
+    """``n`` points of every family, one after the other."""
+    parts = [points(np.random.default_rng([18, place]), n) for place, points in enumerate(FAMILIES.values())]
+    return ss.Parameters(*np.concatenate([np.stack(part.broadcast(*NAMES)) for part in parts], axis=1))
+
+
+@dataclass(frozen=True)
+class Agreement:
+    """Among the points that are vouched for: wrong counts and kinds, and the largest error over both error bounds together."""
+
+    wrong: int
+    largest: float
+
+
+def against_python(found: Found, p: ss.Parameters, contact: bool) -> Agreement:
+    """NumPy with its ladder is the reference."""
+    eq = on_backend("numpy", 1, partial(ss.equilibria, contact=contact), p)
+    slots = eq.theta.shape[1]
+    vouched = found.status == 0
+    same = vouched & (found.count == eq.count)
+    written = same[:, None] & (np.arange(slots) < eq.count[:, None])
+    wrong = np.count_nonzero(vouched & ~same)
+    wrong += np.count_nonzero((found.columns["stability"][:, :slots] != eq.stability) & written)
+    largest = 0.0
+    for name in ("theta", "L", "x", "y"):
+        ours, exact = found.columns[name][:, :slots][written], getattr(eq, name)[written]
+        error = np.abs(ours - exact) / np.maximum(1, np.abs(exact))
+        bound = found.columns["error"][:, :slots][written] + eq.error[written]
+        largest = max(largest, float((error / bound).max(initial=0.0)))
+    return Agreement(int(wrong), largest)
+
+
+def unlike_c(found: Found, library: ctypes.CDLL, p: ss.Parameters, contact: bool) -> NDArray[np.bool_]:
+    """Points at which a bit of what the C library writes differs."""
+    out = c_target.room(p.shape[0])
+    c_target.solve(library, c_target.table(p), out, contact, batch=False)
+    differs = (found.status != out.status) | (found.count != out.count)
+    filled = np.arange(4) < out.count[:, None]
+    for name, column in found.columns.items():
+        differs |= ((column != out.equilibria[name]) & filled).any(axis=-1)
+    return np.asarray(differs)

@@ -10,9 +10,9 @@ function result = guesses(point, line, u)
   second = spragsym.kernel.root_pair(halves.p2, halves.q2);
   contact = point.nbar > 0.0;
   spared = (D.value > D.error) | (contact & spragsym.kernel.one_positive(line, u));
-  real = second.square >= 0.0;
+  real = second.discriminant >= 0.0;
   more = real & ~spared;
-  % A sorting network; what is left out goes to the end.
+  % A sorting network; places without a root go to the end.
   low = spragsym.kernel.where(contact, INFINITY, spragsym.kernel.smaller(first.large, first.small));
   high = spragsym.kernel.larger(first.large, first.small);
   third = spragsym.kernel.where(more, second.large, INFINITY);

@@ -1,5 +1,5 @@
 function result = outermost(P, Q)
-%OUTERMOST  The root of z³ + 3 P z + 2 Q of largest magnitude: the one that no other root is close to.
+%OUTERMOST  The root of z³ + 3 P z + 2 Q of largest magnitude, which is far from the others.
   % Where P or Q vanishes, as at a cusp, it is replaced by the smallest normal number.
   SMALLEST_NORMAL = 2.2250738585072014e-308;
   size = abs(Q);

@@ -18,7 +18,7 @@ function result = polish(A1, A2, A3, p1, q1, p2, q2)
   dq2 = (s0 .* dw + s1 .* du .* q2) .* inverse;
   dp1 = r3 - dp2;
   dq1 = r2 - dq2 - p2 .* dp1 - p1 .* dp2;
-  % Where three roots meet, the factors share one, and a step may lead anywhere.
+  % Where three roots meet, the factors share a root and the step is not reliable.
   good = (q1 + dq1 < 0.0) & (q2 + dq2 > 0.0) & (abs(dp1 + dp2 + dq1 + dq2) < INFINITY);
   q1 = q1 + spragsym.kernel.where(good, dq1, 0.0);
   q2 = q2 + spragsym.kernel.where(good, dq2, 0.0);

@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..display import Result, Table
 from ..errors import ParameterError, TargetError
 from ..files import storage
 from ..files.journal import Record, clear, journal
@@ -32,7 +33,7 @@ _POINTS = 1 << 16
 
 
 @dataclass(frozen=True)
-class JumpProbability:
+class JumpProbability(Result):
     """The probability that the state of small deformation jumps as the friction rises to μ₀.
 
     Attributes
@@ -62,6 +63,15 @@ class JumpProbability:
     total: Mapping[str, float]
     first_error: Mapping[str, float]
     total_error: Mapping[str, float]
+
+    def as_table(self) -> Table:
+        """The probability on the line above, and the indices."""
+        ends = f"{self.low:.4g} to {self.high:.4g} with confidence {self.confidence:.4g}"
+        title = f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}"
+        header = ("", "first order", "±", "total", "±")
+        columns = (self.first, self.first_error, self.total, self.total_error)
+        rows = tuple((f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first)
+        return Table(title, header, rows or (("", "", "", "", ""),))
 
 
 def jump_probability(

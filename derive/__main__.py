@@ -1,4 +1,4 @@
-"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``."""
+"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``, or one page: ``--model PAGE.py --out DIR``."""
 
 from __future__ import annotations
 
@@ -14,22 +14,45 @@ try:
 except ModuleNotFoundError:
     sys.exit("derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'")
 
+from . import folder, pages
 from .emit import write
-from .kang_nam import catastrophe, check, elimination, emission, equilibrium, ledger, linear_sprag, mechanics, stability, theorem
+from .kang_nam import (
+    catastrophe,
+    check,
+    elimination,
+    emission,
+    equilibrium,
+    generality,
+    ledger,
+    linear_sprag,
+    mechanics,
+    stability,
+    theorem,
+)
 
 T = TypeVar("T")
+
+#: Where everything is written unless told otherwise.
+DEFAULT = Path(__file__).parent.parent / "generated"
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Exit code 0: written; 1: a check failed and nothing was written; 2: usage."""
     parser = argparse.ArgumentParser(prog="python -m derive", description="Derive the model, check the article, emit generated/.")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parent.parent / "generated", help="folder to write")
+    parser.add_argument("--out", type=Path, default=DEFAULT, help="folder to write")
     parser.add_argument(
         "--variant",
         action="store_true",
         help="write even if printed rows no longer hold, as when an assumption in mechanics.py was changed on purpose",
     )
+    parser.add_argument("--model", type=Path, metavar="PAGE.py", help="derive this page only, and write its folder to --out")
     options = parser.parse_args(arguments)
+    if options.model is not None:
+        if options.out == DEFAULT or options.variant:
+            parser.error("--model needs a folder of its own, --out DIR, and no --variant")
+        count = _step(f"{options.model.name}", lambda: folder.write_page(options.model, options.out))
+        print(f"wrote {count} files to {options.out}/")
+        return 0
 
     _step("equations of motion (1)–(11)", mechanics.motion)
     _step("balance and matrix form (12)–(25)", equilibrium.matrix_form)
@@ -38,6 +61,8 @@ def main(arguments: list[str] | None = None) -> int:
     identities |= _step("surface, folds, cusps", catastrophe.identities)
     identities |= _step("linear sprag model", linear_sprag.identities)
     proof = _step("one or three", theorem.one_or_three)
+    if not options.variant:
+        identities |= _step("the general way", generality.identities)
     rows = tuple(_step("check against the article", check.run))
     outcome = ledger.Ledger(rows, identities, proof)
 
@@ -53,6 +78,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
         return 1
     files = _step("emit", lambda: emission.render(outcome))
+    if not options.variant:
+        files |= _step("models", shipped_models)
     write.write(files, options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities and {len(proof)} steps of the count theorem proved")
@@ -61,6 +88,16 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"  {row.id:6} {row.status}: {row.cause or row.note}")
     print(f"wrote {len(files)} files to {options.out.name}/")
     return 0
+
+
+def shipped_models() -> dict[str, str]:
+    """The folders of the shipped pages below ``generated/models``."""
+    shared: folder.Shared = {}
+    files = {"models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'}
+    for path in pages.shipped():
+        model = pages.read(path)
+        files |= {f"models/{model.name}/{name}": text for name, text in folder.render(model, write.header(), shared).items()}
+    return files
 
 
 def _step(title: str, work: Callable[[], T]) -> T:

@@ -25,6 +25,17 @@ from .catastrophe import linear_sprag as linear_sprag
 from .catastrophe import quasi_static_path as quasi_static_path
 from .catastrophe import sliding_friction as sliding_friction
 from .catastrophe import surface as surface
+from .cycles import Cycle as Cycle
+from .cycles import CycleBranch as CycleBranch
+from .cycles import CycleEvent as CycleEvent
+from .cycles import EventCurve as EventCurve
+from .cycles import FateBoundary as FateBoundary
+from .cycles import Lyapunov as Lyapunov
+from .cycles import cycle as cycle
+from .cycles import cycle_branch as cycle_branch
+from .cycles import cycle_events as cycle_events
+from .cycles import fate_boundary as fate_boundary
+from .cycles import lyapunov as lyapunov
 from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
 from .design import JumpMargin as JumpMargin
@@ -48,6 +59,8 @@ from .errors import MissingExtraError as MissingExtraError
 from .errors import ParameterError as ParameterError
 from .errors import ParameterTypeError as ParameterTypeError
 from .errors import SpragsymError as SpragsymError
+from .models import Model as Model
+from .models import load as load
 from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales

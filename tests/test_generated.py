@@ -65,7 +65,9 @@ def flat(result: Any) -> Iterator[Any]:
 MODULES = [
     module.name
     for module in pkgutil.iter_modules(generated.__path__)
-    if not module.name.startswith("_") and module.name not in ("kernel", "quantities")  # they have tests of their own
+    if not module.ispkg
+    and not module.name.startswith("_")
+    and module.name not in ("kernel", "quantities")  # they have tests of their own
 ]
 FUNCTIONS = [
     Generated(name, function, getattr(module, function))

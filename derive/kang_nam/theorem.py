@@ -44,7 +44,7 @@ def _in_contact(expression: sp.Expr) -> sp.Expr:
 
 def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
     """Numerator and denominator of L(θ)."""
-    return sp.fraction(sp.together(elimination.state()[nm.L]))  # type: ignore[no-any-return]
+    return sp.fraction(sp.together(elimination.state()[nm.L]))
 
 
 def _penetration() -> sp.Expr:
@@ -167,7 +167,7 @@ def _middle() -> tuple[Step, ...]:
     f = elimination.f_form
     K = sp.Matrix(2, 2, sp.symbols("K_11 K_12 K_21 K_22"))
     equation = sp.Poly(stability.characteristic(K, sp.zeros(2, 2)), stability.lam)
-    # Multiplicities of three different roots that count three at most, and the signs of f before, between and after them.
+    # Three different roots with at most three in all: their multiplicities, and the signs of f before, between and after them.
     simple = [counts for counts in itertools.product((1, 2, 3), repeat=3) if sum(counts) <= 3]
     signs = [tuple(itertools.accumulate(counts, lambda sign, count: sign * (-1) ** count, initial=-1)) for counts in simple]
     return (

@@ -13,6 +13,7 @@ from ...quantities import Quantity
 from ...statements import straight_line
 
 _WIDTH = 112
+_TIED = "\N{NO-BREAK SPACE}"
 
 
 class AlgebraPrinter(StrPrinter):
@@ -65,14 +66,19 @@ def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> s
 
 
 def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
-    """One function, from its decorator to its return statement."""
+    """One function, from its decorator to its return statement; without quantities, in few lines."""
     body = straight_line(function)
     arguments = [f"{symbol}: Number" for symbol in function.arguments]
     arguments += [f"{symbol}: Number = 0" for symbol in function.further]
     if function.transcendental:
         arguments += ["*", "xp: ModuleType = numpy"]
     signature = f"def {function.name}({', '.join(arguments)}) -> {_annotation(function.results)}:"
-    if len(signature) > _WIDTH:
+    if len(signature) > _WIDTH and not quantities:
+        tied = [argument.replace(" ", _TIED) for argument in arguments]  # a type stays on the line of its name
+        listed = textwrap.fill(", ".join(tied), _WIDTH - 4, initial_indent="    ", subsequent_indent="    ").replace(_TIED, " ")
+        returned = "tuple[Number, ...]" if isinstance(function.results, tuple) else "Number"
+        signature = f"def {function.name}(\n{listed},\n) -> {returned}:"
+    elif len(signature) > _WIDTH:
         listed = "".join(f"    {argument},\n" for argument in arguments)
         signature = f"def {function.name}(\n{listed}) -> {_annotation(function.results)}:"
     lines = [
@@ -96,13 +102,14 @@ def _assigned(expression: sp.Expr) -> str:
 def _annotation(results: Results) -> str:
     if not isinstance(results, tuple):
         return "Number"
-    return f"tuple[{', '.join(_annotation(item) for item in results)}]"
+    return f"tuple[{', '.join(_annotation(item) for item in results) or '()'}]"
 
 
 def _tuple(results: Results) -> str:
     if not isinstance(results, tuple):
         return str(_PRINTER.doprint(results))
-    return f"({', '.join(_tuple(item) for item in results)})"
+    comma = "," if len(results) == 1 else ""
+    return f"({', '.join(_tuple(item) for item in results)}{comma})"
 
 
 def _return(results: Results) -> str:
@@ -126,6 +133,8 @@ def _wrap(line: str) -> str:
 
 
 def _docstring(function: Function, quantities: Mapping[str, Quantity], operations: int) -> str:
+    if not quantities:
+        return f'"""{textwrap.fill(function.summary, _WIDTH - 8)}\n\nReturns {function.returns}. Operations: {operations}.\n"""'
     described = []
     for symbol in function.accepted:
         entry = quantities[str(symbol)]

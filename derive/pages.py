@@ -1,0 +1,89 @@
+"""Pages: where the shipped ones stand, and how one is read."""
+
+from __future__ import annotations
+
+import ast
+import traceback
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from . import mechanics, soundness
+from .mechanics import Mechanics
+from .model import Page, PageError
+
+#: Where the shipped pages stand.
+SHIPPED = Path(__file__).parent / "models"
+
+
+@dataclass(frozen=True)
+class Model:
+    """A page and what follows from it."""
+
+    name: str
+    text: str
+    docstring: str
+    page: Page
+    mechanics: Mechanics
+
+
+def shipped() -> tuple[Path, ...]:
+    """The pages that come with the package, the article's first."""
+    pages = sorted(path for path in SHIPPED.glob("*.py") if not path.stem.startswith("_"))
+    return tuple(sorted(pages, key=lambda path: path.stem != "kang_nam"))
+
+
+@cache
+def read(path: Path) -> Model:
+    """Read a page, once: it is run as a module of this package, wherever it stands.
+
+    Raises
+    ------
+    PageError
+        Where it can't be carried through, with the page's name and the line.
+    """
+    text = path.read_text(encoding="utf-8")
+    try:
+        return _model(path, text)
+    except PageError as error:
+        raise error.of(path.name) from error
+
+
+def _model(path: Path, text: str) -> Model:
+    page, docstring = _run(path, text)
+    soundness.check_units(page)
+    soundness.groups(page)
+    model = mechanics.of(page)
+    soundness.check_forces(model)
+    return Model(path.stem, text, docstring, page, model)
+
+
+def _run(path: Path, text: str) -> tuple[Page, str]:
+    """The page that a file makes, and its docstring."""
+    try:
+        tree = _Imports().visit(ast.parse(text, str(path)))
+    except SyntaxError as error:
+        raise PageError(error.lineno or 0, f"the page is no Python: {error.msg}") from error
+    package = __name__.rpartition(".")[0]
+    names: dict[str, Any] = {"__name__": f"{package}.models.{path.stem}", "__package__": f"{package}.models"}
+    try:
+        exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
+    except PageError:
+        raise
+    except Exception as error:
+        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+        raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}") from error
+    page = names.get("page")
+    if not isinstance(page, Page):
+        raise PageError(0, "the file makes no page; begin it with page = Page('…')")
+    return page, ast.get_docstring(tree) or ""
+
+
+class _Imports(ast.NodeTransformer):
+    """Lets a page name the vocabulary as ``spragsym.derive.model``, ``derive.model`` or ``..model``: one module in any case."""
+
+    def visit_ImportFrom(self, node: ast.ImportFrom) -> ast.ImportFrom:
+        if node.level == 0 and node.module in ("spragsym.derive.model", "derive.model"):
+            return ast.copy_location(ast.ImportFrom("model", node.names, 2), node)
+        return node

@@ -39,10 +39,12 @@ from .cycles import lyapunov as lyapunov
 from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
 from .design import JumpMargin as JumpMargin
+from .design import JumpProbability as JumpProbability
 from .design import Redesign as Redesign
 from .design import certify as certify
 from .design import jump_gradient as jump_gradient
 from .design import jump_margin as jump_margin
+from .design import jump_probability as jump_probability
 from .design import jump_value as jump_value
 from .design import redesign as redesign
 from .dynamics import Event as Event

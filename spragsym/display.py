@@ -47,6 +47,9 @@ class Result(Shown):
 
 def tables(thing: Any) -> Iterator[Table]:
     """The tables of a dataclass: one of its columns, and one of each part that has columns itself."""
+    if hasattr(thing, "as_table"):  # one whose columns are no quantities
+        yield thing.as_table()
+        return
     name = type(thing).__name__
     if name == "Equilibria":
         yield _equilibria(thing)
@@ -138,7 +141,7 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for key, value in values.items():
         if isinstance(value, np.ndarray) and value.ndim:
-            out |= {f"{key} from": value.min(initial=np.inf), f"{key} to": value.max(initial=-np.inf)}
+            out |= {f"{key} from": value.min() if value.size else np.inf, f"{key} to": value.max() if value.size else -np.inf}
         else:
             out[key] = value
     return out

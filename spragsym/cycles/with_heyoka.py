@@ -57,7 +57,8 @@ class Compiled:
         self.crossings: list[Crossing] = []
         self.turns: list[Turn] = []
         self.solver = hy.taylor_adaptive(
-            system, [0.0] * len(system), pars=[0.0] * (self.constants + width + 2 * parameters * derivatives), tol=TOLERANCE, compact_mode=True,
+            system, [0.0] * len(system), pars=[0.0] * (self.constants + width + 2 * parameters * derivatives),
+            tol=TOLERANCE, compact_mode=True,
             t_events=[
                 hy.t_event(value, callback=partial(self._cross, i), cooldown=0.0, direction=hy.event_direction.negative)
                 for i, value in enumerate(borders)
@@ -121,7 +122,6 @@ class Compiled:
         if not self.field.is_inside(end, constants, self._mode()):
             raise ConvergenceError(f"heyoka missed a kink before t = {duration:.6g}; use backend='scipy'")
         return Passage(end, by_state, by_parameters, tuple(self.crossings), tuple(self.turns))
-
 
     def sample(self, state: FloatArray, constants: tuple[float, ...], duration: float) -> tuple[FloatArray, FloatArray]:
         """Times (n,) and states (m, n) at the Lobatto points of the steps of a stretch, ends shared."""

@@ -25,12 +25,14 @@ from .catastrophe import linear_sprag as linear_sprag
 from .catastrophe import quasi_static_path as quasi_static_path
 from .catastrophe import sliding_friction as sliding_friction
 from .catastrophe import surface as surface
+from .cycles import BasinBoundary as BasinBoundary
 from .cycles import Cycle as Cycle
 from .cycles import CycleBranch as CycleBranch
 from .cycles import CycleEvent as CycleEvent
 from .cycles import EventCurve as EventCurve
 from .cycles import FateBoundary as FateBoundary
 from .cycles import Lyapunov as Lyapunov
+from .cycles import basin_boundary as basin_boundary
 from .cycles import cycle as cycle
 from .cycles import cycle_branch as cycle_branch
 from .cycles import cycle_events as cycle_events

@@ -25,6 +25,7 @@ COMMANDS = {
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, cusps, flutter onsets, critical frictions."),
     "simulate": ("motion", "Integrate the motion from an initial state."),
+    "cycles": ("cycles", "Cycles of the motion, and branches of them."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
     "figures": ("figures", "Draw the article's figures, and more."),
     "derive": ("derive", "Carry the page of a model through to code."),
@@ -32,7 +33,7 @@ COMMANDS = {
 }
 
 #: Module that may be missing → the extra that brings it.
-EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast",
+EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "flint": "certify",
           "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 

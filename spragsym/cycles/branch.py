@@ -258,8 +258,8 @@ class _Trace:
         away = loop.guess.vector[: self.setting.field.size] - start.loop.guess.vector[: self.setting.field.size]
         near_start = float(np.abs(away).max()) < 0.5 * self.longest and abs(self.value(loop) - self.value(start.loop)) < 1e-3
         if count > 20 and near_start and len(loop.guess.states) == len(start.loop.guess.states):
-            if abs(loop.guess.period / start.loop.guess.period - 1) < 1e-2 and angle(self.setting, start, ahead) > 0.9:
-                return End("closed", loop, 0.0)
+            near_start = abs(loop.guess.period / start.loop.guess.period - 1) < 1e-2
+            return End("closed", loop, 0.0) if near_start and angle(self.setting, start, ahead) > 0.9 else None
         return None
 
     def _lost(self, point: Point, error: ConvergenceError) -> End:

@@ -114,7 +114,8 @@ def fate_boundary(
 
 
 def boundary_of(
-    field: Field, values: tuple[float, ...], vary: str, bracket: tuple[float, float], start: FloatArray, backend: str | None = None
+    field: Field, values: tuple[float, ...], vary: str, bracket: tuple[float, float], start: FloatArray,
+    backend: str | None = None,
 ) -> FateBoundary:  # fmt: skip
     """As :func:`fate_boundary`, of any field."""
     index = field.parameters.index(vary)
@@ -131,7 +132,7 @@ def boundary_of(
     below, above = judged(low), judged(high)
     if fate(below) == fate(above):
         raise ParameterError(
-            f"bracket = ({low:g}, {high:g}): the start comes to {below.regime.name} at both ends; give values with different fates"
+            f"bracket = ({low:g}, {high:g}): the start comes to {below.regime.name} at both ends; give values of different fates"
         )
     width = high - low
 
@@ -178,7 +179,9 @@ def verdict(field: Field, values: tuple[float, ...], start: FloatArray, backend:
     return outcome
 
 
-def _hovering(field: Field, fly: Fly, values: tuple[float, ...], start: FloatArray, span: float) -> tuple[FloatArray, float, float]:
+def _hovering(
+    field: Field, fly: Fly, values: tuple[float, ...], start: FloatArray, span: float
+) -> tuple[FloatArray, float, float]:
     """The state nearest to an equilibrium that the motion passes, when, and how far from it: among its turns."""
     best = (np.array(start), 0.0, np.inf)
     none = np.zeros((2, len(field.parameters)))

@@ -178,10 +178,9 @@ def solved(
 def newton_step(matrix: FloatArray, residual: FloatArray) -> FloatArray:
     """−matrix⁻¹ residual."""
     try:
-        step: FloatArray = np.linalg.solve(matrix, -residual)
+        return np.asarray(np.linalg.solve(matrix, -residual), dtype=float)
     except np.linalg.LinAlgError as error:
         raise ConvergenceError("Newton's method meets a singular matrix") from error
-    return step
 
 
 def across(field: Field, state: FloatArray, constants: tuple[float, ...], unknowns: int) -> Conditions:

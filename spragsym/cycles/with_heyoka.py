@@ -57,7 +57,8 @@ class Compiled:
         self.crossings: list[Crossing] = []
         self.turns: list[Turn] = []
         self.solver = hy.taylor_adaptive(
-            system, [0.0] * len(system), pars=[0.0] * (self.constants + width + 2 * parameters * derivatives), tol=TOLERANCE, compact_mode=True,
+            system, [0.0] * len(system), pars=[0.0] * (self.constants + width + 2 * parameters * derivatives),
+            tol=TOLERANCE, compact_mode=True,
             t_events=[
                 hy.t_event(value, callback=partial(self._cross, i), cooldown=0.0, direction=hy.event_direction.negative)
                 for i, value in enumerate(borders)

@@ -188,7 +188,7 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
 
 
 def stick_slip(width: float) -> Field:
-    """A block on a belt of speed 0.2, static friction 1 and kinetic 0.5: rising over a slip of ``width``, falling over another."""
+    """A block on a belt of speed 0.2, static friction 1 and kinetic 0.5: rising over a slip of ``width``, then falling."""
     speed, static, kinetic = 0.2, 1.0, 0.5
 
     def force(x: Any, v: Any, e: Any, mode: Any) -> Any:

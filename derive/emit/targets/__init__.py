@@ -38,6 +38,7 @@ class Material:
     variant: bool  #: whether there are parameters that the published model does not have
     digest: str  #: SHA-256 of the derivation
     header: str  #: one sentence for the head of every file: where it comes from
+    arithmetic: Source | None = None  #: double-double numbers, for targets whose kernel has a second rung
 
     @property
     def algebra(self) -> dict[str, Function]:

@@ -6,9 +6,9 @@ import textwrap
 from collections.abc import Mapping
 
 from ...function import Function
-from ...language import Kinds, Routine
+from ...language import Kinds, Routine, Source
 from .. import Material, Target, runtime
-from . import algebra, cost, kernel
+from . import algebra, cost, kernel, wide
 
 #: Functions whose cost stands at the head of the source.
 _TABLE = (
@@ -29,7 +29,9 @@ def render(material: Material) -> dict[str, str]:
     public = [known[name] for name in material.public]
     parts = {
         "algebra": "\n".join(item.text for item in statics),
+        "arithmetic": _arithmetic(material),
         "kernel": _kernel(material, known),
+        "wide": wide.render(material),
         "wrappers": "\n".join(algebra.wrapper(function) for function in public),
         "prototypes": "".join(algebra.prototype(function, material.quantities) for function in public),
     }
@@ -72,13 +74,24 @@ def _kernel(material: Material, known: Mapping[str, Function]) -> str:
     return "\n".join([
         kernel.constants(numbers),
         *(kernel.structure(record) for record in source.records.values()),
-        *(kernel.routine(it, kinds, "algebra_") for it in _in_order(material)),
+        *(kernel.routine(it, kinds, "algebra_") for it in _in_order(source)),
     ])  # fmt: skip
 
 
-def _in_order(material: Material) -> list[Routine]:
+def _arithmetic(material: Material) -> str:
+    """Double-double numbers."""
+    source = material.arithmetic
+    if source is None:
+        raise ArithmeticError("the C target needs double-double arithmetic")
+    return "\n".join([
+        kernel.constants({item.name: (item.value, item.comment) for item in source.constants}),
+        *(kernel.structure(record) for record in source.records.values()),
+        *(kernel.routine(it, Kinds(source), "") for it in _in_order(source)),
+    ])  # fmt: skip
+
+
+def _in_order(source: Source) -> list[Routine]:
     """Routines, each after those that it calls."""
-    source = material.kernel
     kinds = Kinds(source)
     ordered: dict[str, Routine] = {}
 

@@ -23,15 +23,15 @@ _STRENGTH = {ast.BitOr: _OR, ast.BitAnd: _AND, ast.Add: _SUM, ast.Sub: _SUM, ast
 def comment(text: str) -> str:
     """A docstring as a comment, paragraph by paragraph."""
     paragraphs = [textwrap.fill(paragraph, _WIDTH - 6, subsequent_indent=" * ") for paragraph in text.split("\n\n")]
-    return "/* " + "\n *\n * ".join(_plain(paragraph) for paragraph in paragraphs) + " */\n"
+    return "/* " + "\n *\n * ".join(plain(paragraph) for paragraph in paragraphs) + " */\n"
 
 
-def _plain(text: str) -> str:
+def plain(text: str) -> str:
     """Greek letters and signs as C sources have them."""
     spelled = {
         "θ₀": "theta0", "θ": "theta", "μ₀": "mu0", "κ": "kappa", "α": "alpha", "σ": "sigma", "β": "beta", "n̄": "nbar", "π": "pi",
         "√": "sqrt ", "²": "^2", "³": "^3", "⁴": "^4", "≤": "<=", "−": "-", "′": "'", "″": "''", "ℓ": "l", "φ": "phi",
-        "P̃": "P~", "Q̃": "Q~", "×": "*", "ω": "omega", "``": "`", "–": "-", "δ": "delta",
+        "P̃": "P~", "Q̃": "Q~", "×": "*", "ω": "omega", "``": "`", "–": "-", "δ": "delta", "≥": ">=",
     }  # fmt: skip
     for sign, words in spelled.items():
         text = text.replace(sign, words)
@@ -77,7 +77,7 @@ class _Printer:
     def explained(self, node: ast.stmt, indent: str) -> str:
         """A statement, below the comment that stands above it in the kernel."""
         above = self.kinds.source.lines[node.lineno - 2].strip()
-        said = f"{indent}/* {_plain(above.removeprefix('#').strip())} */\n" if above.startswith("# ") else ""
+        said = f"{indent}/* {plain(above.removeprefix('#').strip())} */\n" if above.startswith("# ") else ""
         return said + self.statement(node, indent)
 
     def statement(self, node: ast.stmt, indent: str) -> str:
@@ -121,9 +121,9 @@ class _Printer:
     def expression(self, node: ast.expr) -> tuple[str, int]:
         match node:
             case ast.Constant(value=float() as value):
-                return _number(value), _ATOM
+                return number(value), _ATOM
             case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=float() as value)):
-                return f"-{_number(value)}", _UNARY
+                return f"-{number(value)}", _UNARY
             case ast.Name(id=name):
                 return name, _ATOM
             case ast.Attribute(value=value, attr=attribute):
@@ -154,7 +154,8 @@ class _Printer:
         return f"{sides[0]} {_OPERATORS[type(op)]} {sides[1]}", strength
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
+    """A double with all of its digits."""
     text = repr(value)
     return text if re.search(r"[.en]", text) else f"{text}.0"
 
@@ -186,5 +187,5 @@ def constants(values: Mapping[str, tuple[float, str]]) -> str:
         if math.isinf(value):  # C has a name for it
             continue
         lines += [comment(text)] if text else []
-        lines.append(f"#define {name} {_number(value)}\n")
+        lines.append(f"#define {name} {number(value)}\n")
     return "".join(lines)

@@ -16,8 +16,10 @@ def render(material: Material) -> dict[str, str]:
         "__init__.py": _package(material),
         "py.typed": "",
         "_broadcast.py": runtime(__file__, "_broadcast.py").replace("@header@", material.header),
+        "_cube_root.py": runtime(__file__, "_cube_root.py").replace("@header@", material.header),
         **{f"{module.name}.py": algebra.render(module, material.quantities, material.header) for module in material.modules},
         "kernel.py": kernel.render(material, header),
+        **({} if material.arithmetic is None else {"double_double.py": kernel.arithmetic(material.arithmetic, header)}),
         "quantities.py": quantities.render(material, header),
     }
 
@@ -26,6 +28,8 @@ def _package(material: Material) -> str:
     """The package's docstring, which lists its modules, and the hash by which results say what they were computed with."""
     summaries = {module.name: module.summary for module in material.modules}
     summaries["kernel"] = (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
+    if material.arithmetic is not None:
+        summaries["double_double"] = (ast.get_docstring(ast.parse(material.arithmetic.text)) or "").partition("\n")[0]
     summaries["quantities"] = "What every name stands for, its unit, its allowed values and its value in the article."
     listed = "\n".join(f"- :mod:`{name}`: {summary}" for name, summary in summaries.items())
     return (

@@ -27,7 +27,7 @@ extern "C" {
 /** What became of a call. */
 typedef enum {
     SPRAGSYM_OK = 0,           /**< done, and vouched for */
-    SPRAGSYM_UNCERTAIN = 1,    /**< done, but in double precision the number, the kind or twelve digits can't be vouched for */
+    SPRAGSYM_UNCERTAIN = 1,    /**< done, but the number, the kind or twelve digits can't be vouched for */
     SPRAGSYM_BAD_INPUT = 2,    /**< a null pointer, a NaN, an infinity or a parameter out of its range; no results */
     SPRAGSYM_OUT_OF_RANGE = 3  /**< allowed numbers whose result double can't carry; no results */
 } spragsym_status;
@@ -62,6 +62,7 @@ typedef struct {
     double alpha;
     double sigma;
     double beta;
+    double theta0;
 } spragsym_model;
 
 /** One equilibrium. */
@@ -84,8 +85,10 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
 /**
  * All equilibria of one regime with their stability, by ascending theta: roots of eq. (12), (13) with eq. (22)-(25).
  *
- * SPRAGSYM_UNCERTAIN: close to a fold or to the onset of flutter, with hardly any preload, or far from the scale of the
- * article. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python
+ * What double precision leaves open is decided in double-double arithmetic, of 106 bits.
+ *
+ * SPRAGSYM_UNCERTAIN: where these do not decide either, on a fold or on the onset of flutter to the last digits, or where
+ * parameters are not 0 and beyond 1e-50 to 1e50. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python
  * package's ladder.
  *
  * @param regime       SPRAGSYM_CONTACT: those with L > 0 and y < 0; SPRAGSYM_LIFTOFF: those with L > 0 and y >= 0.
@@ -99,7 +102,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
  *
  * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result under -std=c99.
- * Works in blocks of @block@ points, with 37 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
+ * Works in blocks of @block@ points, with 50 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
  * stay in the processor's cache. Calls from several threads on different arrays do not disturb each other.
  *
  * @param points      how many; with 0, pointers may be null

@@ -14,6 +14,7 @@ try:
 except ModuleNotFoundError:
     sys.exit("derive: SymPy is missing; install the extra that brings it: pip install 'spragsym[derive]'")
 
+from . import folder, pages
 from .emit import write
 from .kang_nam import catastrophe, check, elimination, emission, equilibrium, ledger, linear_sprag, mechanics, stability, theorem
 
@@ -53,6 +54,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"derive: the check failed; {options.out} is untouched", file=sys.stderr)
         return 1
     files = _step("emit", lambda: emission.render(outcome))
+    if not options.variant:
+        files |= _step("models", shipped_models)
     write.write(files, options.out)
     counts = ", ".join(f"{count} {status}" for status, count in ledger.summary(rows).items())
     print(f"ledger: {len(rows)} rows: {counts}; {len(identities)} identities and {len(proof)} steps of the count theorem proved")
@@ -61,6 +64,16 @@ def main(arguments: list[str] | None = None) -> int:
             print(f"  {row.id:6} {row.status}: {row.cause or row.note}")
     print(f"wrote {len(files)} files to {options.out.name}/")
     return 0
+
+
+def shipped_models() -> dict[str, str]:
+    """The folders of the shipped pages below ``generated/models``."""
+    shared: folder.Shared = {}
+    files = {"models/__init__.py": f'"""Models from pages, one folder each.\n\n{write.header()}\n"""\n'}
+    for path in pages.shipped():
+        model = pages.read(path)
+        files |= {f"models/{model.name}/{name}": text for name, text in folder.render(model, write.header(), shared).items()}
+    return files
 
 
 def _step(title: str, work: Callable[[], T]) -> T:

@@ -25,6 +25,14 @@ from .catastrophe import linear_sprag as linear_sprag
 from .catastrophe import quasi_static_path as quasi_static_path
 from .catastrophe import sliding_friction as sliding_friction
 from .catastrophe import surface as surface
+from .cycles import Cycle as Cycle
+from .cycles import CycleBranch as CycleBranch
+from .cycles import CycleEvent as CycleEvent
+from .cycles import cycle as cycle
+from .cycles import cycle_branch as cycle_branch
+from .design import JumpGradient as JumpGradient
+from .design import jump_gradient as jump_gradient
+from .design import jump_value as jump_value
 from .dynamics import Event as Event
 from .dynamics import Events as Events
 from .dynamics import Outcome as Outcome

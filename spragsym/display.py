@@ -161,6 +161,8 @@ def _fields(thing: Any) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for field in fields(thing):
         value = getattr(thing, field.name)
+        if not field.repr:  # what a result works with, and tells nobody
+            continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
             out |= {key: np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}

@@ -57,3 +57,7 @@ class DamagedError(StoreError, TargetError):
 
 class DamageWarning(UserWarning):
     """Part of a file is damaged and left out; the rest is good and used."""
+
+
+class UndecidedWarning(UserWarning):
+    """Some of many points have no answer; the others do."""

@@ -25,7 +25,7 @@ from spragsym.generated import equilibrium, motion, stability
 from spragsym.statics import kernel, ladder
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
-DRIVER = SOURCES.parents[1] / "derive" / "emit" / "targets" / "c99" / "tests" / "driver.c"
+DRIVER = SOURCES.parents[1] / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "driver.c"
 HEADER = (SOURCES / "spragsym.h").read_text(encoding="utf-8")
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)] or [name for name in ("cc",) if shutil.which(name)]
 STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]

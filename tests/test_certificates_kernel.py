@@ -8,6 +8,7 @@ must.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from typing import Any
@@ -603,6 +604,37 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
             assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(float(angle))
 
 
+def test_arc_tangents_are_off_to_neither_side() -> None:
+    """Over every piece errors have no mean: low parts of the constants that are off by a third would give them one."""
+    rng = np.random.default_rng(31)
+    ends = np.array([0.01, 0.4375, 0.6875, 1.1875, 2.4375, 8.0])
+    with mpmath.workdps(40):
+        for low, high in itertools.pairwise(ends):
+            t = rng.uniform(low, high, 4000)
+            found = kernel.arctangent(t)
+            off = [float((mpmath.mpf(angle) - mpmath.atan(value)) / math.ulp(angle))
+                   for value, angle in zip(t.tolist(), found.tolist(), strict=True)]  # fmt: skip
+            assert abs(np.mean(off)) < 0.03
+            np.testing.assert_array_equal(kernel.arctangent(-t), -found)
+    assert math.copysign(1, kernel.arctangent(0.0)) == 1
+
+
+def test_the_rest_of_an_angle_counts_once_and_only_once() -> None:
+    """Errors of sine and cosine don't go with what the reduced angle lacks, z tail: half of it in the sine's last term."""
+    rng = np.random.default_rng(32)
+    with mpmath.workdps(40):
+        for low, high, k in ((0.25, 0.75, 1), (0.75, 0.99, 2)):
+            x = rng.uniform(low * math.pi + 0.01, high * math.pi - 0.01, 12000)
+            reduced = [mpmath.mpf(value) - k * mpmath.pi / 2 for value in x.tolist()]
+            r = np.array([float(value) for value in reduced])
+            tail = np.array([float(value - float(value)) for value in reduced])
+            sine = -kernel.cosine_and_sine(x)[k - 1]  # cos x = −sin r for k = 1, sin x = −sin r for k = 2
+            off = np.array([float(value - mpmath.sin(angle)) for value, angle in zip(sine.tolist(), reduced, strict=True)])
+            unit = np.spacing(np.abs(sine))
+            lever = r * r * tail / unit
+            assert abs((off / unit * lever).sum() / (lever * lever).sum()) < 0.1
+
+
 def test_directions() -> None:
     rng = np.random.default_rng(17)
     t = rng.choice([-1, 1], 2000) * 10.0 ** rng.uniform(-6, 6, 2000)
@@ -989,3 +1021,22 @@ def test_margins_are_not_much_wider_than_they_must_be(name: str) -> None:
         border = min(border, abs(trace) / (kernel.COUNT_K * (entries + pull)) / 1.01)
     assert kernel.stability(Direction(c, s), L, 1.0, border, point).certain
     assert kernel.stability(Direction(c, s), L, -1.0, 1e9, point) == (2.0, True)  # det K < 0 is proved with the root
+
+
+def test_both_stiffnesses_may_be_negative() -> None:
+    """Friction can make both eigenvalues negative: det K > 0, no flutter, and it diverges all the same."""
+    point = Point(0.0, 1.0, 1.9, 1.0, 1.0, 0.5, 0.0, 1.0)
+    c, s, L = -math.sqrt(0.5), math.sqrt(0.5), 0.125
+    eigenvalues = np.linalg.eigvals([
+        [0.5 * (1 - s * s / L) + 1.0, 0.5 / L * s * c + 1.9], [0.5 / L * s * c, 0.5 * (1 - c * c / L) + 1.0],
+    ])  # fmt: skip
+    assert (eigenvalues < 0).all()
+    assert kernel.stability(Direction(c, s), L, 1.0, 1e-9, point) == (2.0, True)
+
+
+def test_at_a_border_nothing_is_certain_even_of_exact_numbers() -> None:
+    """K = diag(2, 2) and diag(1, −1): the discriminant and the trace are 0."""
+    for alpha, beta, L in ((1.0, 2.0, 1.0), (0.0, 0.0, 0.5)):
+        point = Point(0.0, 1.0, 0.0, 1.0, alpha, 1.0, beta, 0.0)
+        assert not kernel.stability(Direction(1.0, 0.0), L, 1.0, 0.0, point).certain
+        assert kernel.stability(Direction(1.0, 0.0), L, 1.0, 0.0, point._replace(alpha=alpha + 0.5)).certain

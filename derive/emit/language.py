@@ -32,7 +32,6 @@ def _primitive(name: str) -> Callable[..., Any]:
 where, maximum, minimum, absolute, sqrt, cube_root = map(
     _primitive, ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
 )
-PRIMITIVES = ("where", "maximum", "minimum", "absolute", "sqrt", "cube_root")
 
 
 def derived(number: int) -> tuple[Any, ...]:
@@ -83,6 +82,10 @@ class Source:
     def lines(self) -> list[str]:
         """Lines of the text, from line 1 at index 0."""
         return self.text.splitlines()
+
+
+#: What a model has that needs no kernel.
+NOTHING = Source("", 0, (), {}, {})
 
 
 class KernelError(ArithmeticError):

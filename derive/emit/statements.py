@@ -32,7 +32,7 @@ def straight_line(function: Function) -> Body:
     """Assignments and results of a function, with every shared subexpression computed once."""
     leaves = tuple(flatten(function.results))
     named = _needed(leaves, function)
-    powers = _Powers()
+    powers = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands)})
     expressions = [powers.replace(expression) for _, expression in named]
     leaves = tuple(powers.replace(leaf) for leaf in leaves)
     definitions = dict(powers.definitions)
@@ -72,30 +72,43 @@ def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Sy
 class _Powers:
     """Replaces integer powers by named products of smaller powers, each computed once, so that a number type needs no powers.
 
-    Squares are replaced too: some interval libraries cannot square a ball around zero.
+    Squares are replaced too: some interval libraries cannot square a ball around zero. Half powers become a square root times a
+    product. A name that the function itself uses, as ``sigma_2`` may be, is given to no power.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, taken: set[str]) -> None:
         self.definitions: dict[sp.Symbol, sp.Expr] = {}
+        self.taken = taken
 
     def replace(self, expression: sp.Expr) -> sp.Expr:
         return sp.sympify(expression).replace(
-            lambda node: isinstance(node, sp.Pow) and node.exp.is_Integer and abs(node.exp) > 1, self._named
+            lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q <= 2 and abs(node.exp) > 1, self._named
         )
 
     def _named(self, node: sp.Pow) -> sp.Expr:
-        power = self._power(node.base, abs(int(node.exp)))
+        power = self._power(node.base, abs(int(node.exp))) if node.exp.is_Integer else self._half_power(node.base, abs(node.exp))
         return power if node.exp > 0 else 1 / power
+
+    def _half_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+        root = sp.Symbol(self._free(f"root{len(self.definitions)}"), real=True)
+        root = next((symbol for symbol, value in self.definitions.items() if value == sp.sqrt(base)), root)
+        self.definitions.setdefault(root, sp.sqrt(base))
+        return root * self._power(base, int(exponent))
+
+    def _free(self, name: str) -> str:
+        while name in self.taken:
+            name += "_"
+        return name
 
     def _power(self, base: sp.Expr, exponent: int) -> sp.Expr:
         if exponent == 1:
             return base
         if not base.is_Symbol:
-            symbol = sp.Symbol(f"base{len(self.definitions)}", real=True)
+            symbol = sp.Symbol(self._free(f"base{len(self.definitions)}"), real=True)
             self.definitions[symbol] = base
             base = symbol
         # Always with the same assumptions: SymPy takes symbols of one name and different assumptions for different symbols.
-        symbol = sp.Symbol(f"{base}_{exponent}", real=True)
+        symbol = sp.Symbol(self._free(f"{base}_{exponent}"), real=True)
         if symbol not in self.definitions:
             low, high = exponent // 2, exponent - exponent // 2
             halves = self._power(base, low), self._power(base, high)

@@ -6,6 +6,7 @@ motion still lacks. The smallest k comes first, so that a cycle is never counted
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -28,6 +29,9 @@ NEUTRAL = 1e-4
 
 #: Differences of the return map are not taken over less than this, where the integrator's errors show.
 FINEST = 1e-6
+
+#: What the linearized map may miss of a return, relative to what lacked before.
+MISSED = 0.25
 
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
@@ -108,10 +112,9 @@ def on_cycle(course: Course, problem: Problem, flow: Flow, tol: float) -> Outcom
             continue
         if cycle is None:
             continue
-        values, vectors = np.linalg.eig(cycle.slope)
-        largest = float(np.abs(values).max())
+        largest = float(np.abs(np.linalg.eigvals(cycle.slope)).max())
         off = states[::-1][::k] - cycle.state  # latest first
-        if largest < 1 - NEUTRAL and _contracts(off, cycle.slope, vectors, largest, tol):
+        if largest < 1 - NEUTRAL and _nears(cycle, off, _Returns(flow, cycle.period, scale, step), tol):
             distance = float(np.abs(off[0]).max())
             regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
             return _described(cycle, scale, regime, -math.log(largest) / cycle.period, distance)
@@ -179,22 +182,65 @@ def _once_round(cycle: _Cycle, k: int, flow: Flow, scale: FloatArray, step: floa
     return cycle, k
 
 
-def _contracts(off: FloatArray, slope: FloatArray, vectors: NDArray[np.complex128], largest: float, tol: float) -> bool:
-    """Whether the motion nears the cycle as the linearized map says; ``off`` is what lacked at its returns, latest first."""
+def _nears(cycle: _Cycle, off: FloatArray, returns: _Returns, tol: float) -> bool:
+    """Whether the motion is at the cycle, or nears it as the linearized map says and will go on doing so.
+
+    ``off`` is what lacked at its returns, latest first.
+    """
     sizes = np.abs(off).max(axis=1)
     if sizes[: max(2, len(sizes) // 2)].max() <= tol:
         return True
-    # Farther out the linearization decides nothing: motions have passed a cycle at 0.16 of its extent, and left it.
-    if sizes[0] > 2 * CLOSE or np.abs(off[0] - slope @ off[1]).max() > 0.25 * sizes[1] + tol:
+    if np.abs(off[0] - cycle.slope @ off[1]).max() > MISSED * sizes[1] + tol:
         return False
+    modes = _modes(cycle.slope)
+    return _contracted(modes, off, sizes) and _goes_on(returns, cycle, modes, off[0], tol)
+
+
+def _modes(slope: FloatArray) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Multipliers and their vectors; the three directions themselves where the vectors tell nothing apart."""
+    values, vectors = np.linalg.eig(slope)
+    return values.astype(complex), (vectors if abs(np.linalg.det(vectors)) > 1e-9 else np.eye(3)).astype(complex)
+
+
+def _contracted(modes: tuple[NDArray[np.complex128], NDArray[np.complex128]], off: FloatArray, sizes: FloatArray) -> bool:
+    """Whether what lacks has become smaller at least half as fast as the slowest multiplier says, while it was small."""
+    values, vectors = modes
     far = np.flatnonzero(sizes > 4 * CLOSE)
     last = (far[0] if len(far) else len(sizes)) - 1
     if last < 1:
         return False
-    parts = np.abs(np.linalg.solve(vectors, off[[0, last]].T)) if abs(np.linalg.det(vectors)) > 1e-9 else np.abs(off[[0, last]].T)
-    now, then = np.linalg.norm(parts, axis=0)
-    # At least half as fast as the slowest multiplier says.
-    return bool(now <= then * largest ** (last / 2))
+    now, then = np.linalg.norm(np.linalg.solve(vectors, off[[0, last]].T), axis=0)
+    return bool(now <= then * np.abs(values).max() ** (last / 2))
+
+
+def _goes_on(
+    returns: _Returns, cycle: _Cycle, modes: tuple[NDArray[np.complex128], NDArray[np.complex128]], off: FloatArray, tol: float
+) -> bool:
+    """Whether the return map itself contracts wherever its linearization leads, half as fast at least on the average.
+
+    The linearization maps the states none of whose modal parts is larger than the motion's now into themselves, and a motion
+    that decays slowly turns through all of them. Motions have neared a cycle at its rate 0.04 of its extent away, and left it.
+    """
+    values, vectors = modes
+    slowest = int(np.argmax(np.abs(values)))
+    left = np.abs(np.linalg.solve(vectors, off))[slowest]
+    growth = []
+    for place in _same_size(off, *modes):
+        image = returns(cycle.state + place)[0] - cycle.state
+        if not np.abs(image - cycle.slope @ place).max() <= MISSED * np.abs(place).max() + tol:
+            return False
+        growth.append(math.log(max(np.abs(np.linalg.solve(vectors, image))[slowest], tol) / max(left, tol)))
+    return left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest]))
+
+
+def _same_size(off: FloatArray, values: NDArray[np.complex128], vectors: NDArray[np.complex128]) -> Iterator[FloatArray]:
+    """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones, eight phases of a pair."""
+    parts = np.linalg.solve(vectors, off)
+    turns = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)
+    for turn, *signs in itertools.product(turns, *[(1, -1)] * int(np.sum(values.imag == 0))):
+        factors = np.where(values.imag > 0, turn, np.conj(turn))
+        factors[values.imag == 0] = signs
+        yield (vectors @ (factors * parts)).real
 
 
 def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, rate: float, distance: float) -> Outcome:

@@ -154,7 +154,7 @@ def _begin(file: FileIO, path: Path, fingerprint: str, found: _Found) -> None:
     ours = found.fingerprint == fingerprint or bool(found.points)
     if not ours and found.fingerprint is not None and found.damaged:
         # The lines of another sweep have checksums that only its fingerprint can tell from damage.
-        raise ParameterError(f"{path} belongs to another sweep; remove it to start anew, or give another path")
+        raise ParameterError(f"{path} belongs to another sweep, or to other code; remove it to start anew, or give another path")
     if not ours and found.fingerprint is None and found.size and not _is_cut(file, head):
         raise StoreError(
             f"{path} is damaged, no journal, or one of an older version: its first line is not as it is written, and no "

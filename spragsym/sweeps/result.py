@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..dynamics import integrators
-from ..dynamics.lobatto import DEGREE
 from ..dynamics.regimes import Regime
 from ..dynamics.rest import index_of
 from ..errors import TargetError
 from ..files import storage
 from ..files.journal import Record
 from ..parameters import NAMES, FloatArray, Parameters, degrees
+from . import code
 from .measure import MEASURED, REPORTED, Settings
 
 
@@ -122,9 +122,9 @@ class Sweep(Result):
 def fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
     """The fingerprint of a sweep: a hash of everything that decides the bits of its result."""
     versions = {
-        "fields": MEASURED,
         "integrator": integrators.version(settings.backend),
-        "degree": DEGREE,
+        "code": code.digest(),
+        "numpy": np.__version__,  # its eigenvalues tell what is approached
     }
     return storage.fingerprint(inputs, {**vars(settings), **versions})
 
@@ -144,7 +144,7 @@ def loaded(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int
     """The sweep that a file holds, if it is this one."""
     columns, attributes = storage.read(path)
     if attributes.get("fingerprint") != key:
-        raise TargetError(f"{path} exists and holds something else; remove it, or give another path")
+        raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
     kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
     results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
     return Sweep(inputs, **vars(settings), **results)

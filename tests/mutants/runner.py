@@ -40,6 +40,7 @@ class Runner:
         self.functions, self.again = functions, again
         self.tree = _parsed(str(self.module.__file__))
         self.failed = ""
+        self.killers: dict[str, list[str]] = {}
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Remember a failure."""
@@ -72,6 +73,7 @@ class Runner:
                     if pid == 0:
                         try:
                             some = [item for item in items if not mutant.scope or mutant.scope in reached[item.nodeid]]
+                            some.sort(key=lambda item: self._rank(mutant.scope, item.nodeid))
                             self._run(mutant, some, [SECONDS + TIMES * took[item.nodeid] for item in some], write)
                         finally:
                             os._exit(BROKEN)
@@ -84,10 +86,16 @@ class Runner:
                 if os.WIFEXITED(status) and os.WEXITSTATUS(status) not in (SURVIVED, KILLED):
                     pytest.exit(f"the tool itself failed on {mutant.key}", 1)
                 seconds = round(time.monotonic() - begun, 2)
+                self.killers.setdefault(mutant.scope, []).insert(0, by)
                 row = dict(key=mutant.key, line=mutant.line, killed=status != 0, by=by, seconds=seconds, digest=digest)
                 out.write(json.dumps(row, ensure_ascii=False) + "\n")
                 out.flush()
         return True
+
+    def _rank(self, scope: str, test: str) -> int:
+        """How many mutants of a function ago a test killed one: what noticed a fault there notices the next one soon."""
+        killers = self.killers.get(scope, [])
+        return killers.index(test) if test in killers else len(killers)
 
     def _known(self, digest: str) -> set[str]:
         """Mutants with a result for the module and the tests as they are, or killed by earlier ones; other results go."""

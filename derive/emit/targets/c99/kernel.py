@@ -10,34 +10,14 @@ from collections import Counter
 from collections.abc import Mapping
 
 from ...language import FLAG, REAL, KernelError, Kinds, Record, Routine, passes
+from .comments import WIDTH, comment, plain
 
-_WIDTH = 124
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.BitAnd: "&", ast.BitOr: "|"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
 _PRIMITIVES = {"maximum": "larger", "minimum": "smaller", "absolute": "fabs", "sqrt": "sqrt", "cube_root": "cube_root"}
 #: Binding strength of what is printed, to place brackets by.
 _CHOICE, _OR, _AND, _COMPARE, _SUM, _PRODUCT, _UNARY, _ATOM = range(8)
 _STRENGTH = {ast.BitOr: _OR, ast.BitAnd: _AND, ast.Add: _SUM, ast.Sub: _SUM, ast.Mult: _PRODUCT, ast.Div: _PRODUCT}
-
-
-def comment(text: str) -> str:
-    """A docstring as a comment, paragraph by paragraph."""
-    paragraphs = [textwrap.fill(paragraph, _WIDTH - 6, subsequent_indent=" * ") for paragraph in text.split("\n\n")]
-    return "/* " + "\n *\n * ".join(plain(paragraph) for paragraph in paragraphs) + " */\n"
-
-
-def plain(text: str) -> str:
-    """Greek letters and signs as C sources have them."""
-    spelled = {
-        "θ₀": "theta0", "θ": "theta", "μ₀": "mu0", "κ": "kappa", "α": "alpha", "σ": "sigma", "β": "beta", "n̄": "nbar", "π": "pi",
-        "√": "sqrt ", "²": "^2", "³": "^3", "⁴": "^4", "≤": "<=", "−": "-", "′": "'", "″": "''", "ℓ": "l", "φ": "phi",
-        "P̃": "P~", "Q̃": "Q~", "×": "*", "ω": "omega", "``": "`", "–": "-", "δ": "delta", "≥": ">=",
-    }  # fmt: skip
-    for sign, words in spelled.items():
-        text = text.replace(sign, words)
-    if not text.isascii():
-        raise KernelError(f"C comments are ASCII: {text!r}")
-    return text
 
 
 def structure(record: Record) -> str:
@@ -177,7 +157,7 @@ def _leaves(target: ast.expr) -> list[str]:
 
 
 def _wrapped(line: str, indent: str) -> str:
-    return textwrap.fill(line, _WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    return textwrap.fill(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
 
 
 def constants(values: Mapping[str, tuple[float, str]]) -> str:

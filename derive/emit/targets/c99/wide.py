@@ -16,10 +16,10 @@ from ...language import FLAG, REAL, KernelError, Routine, passes
 from .. import Material
 from ..python.algebra import definition
 from .algebra import c_name
-from .kernel import comment, number, plain
+from .comments import WIDTH, comment, plain
+from .kernel import number
 
 DOUBLE, WIDE, INT = "double", "Wide", "int"
-_WIDTH = 124
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.BitAnd: "&", ast.BitOr: "|"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
 _PLAIN = {"maximum": "larger", "minimum": "smaller", "absolute": "fabs", "sqrt": "sqrt", "cube_root": "cube_root"}
@@ -307,4 +307,4 @@ def _items(node: ast.expr) -> list[ast.expr]:
 
 
 def _wrapped(line: str, indent: str) -> str:
-    return textwrap.fill(line, _WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    return textwrap.fill(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)

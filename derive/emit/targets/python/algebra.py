@@ -65,14 +65,20 @@ def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> s
 
 
 def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
-    """One function, from its decorator to its return statement."""
+    """One function, from its decorator to its return statement; without quantities, in few lines."""
     body = straight_line(function)
     arguments = [f"{symbol}: Number" for symbol in function.arguments]
     arguments += [f"{symbol}: Number = 0" for symbol in function.further]
     if function.transcendental:
         arguments += ["*", "xp: ModuleType = numpy"]
     signature = f"def {function.name}({', '.join(arguments)}) -> {_annotation(function.results)}:"
-    if len(signature) > _WIDTH:
+    if len(signature) > _WIDTH and not quantities:
+        listed = textwrap.fill(
+            ", ".join(arguments).replace(": ", ":"), _WIDTH - 8, initial_indent="    ", subsequent_indent="    "
+        )
+        returned = "tuple[Number, ...]" if isinstance(function.results, tuple) else "Number"
+        signature = f"def {function.name}(\n{listed.replace(':', ': ')},\n) -> {returned}:"
+    elif len(signature) > _WIDTH:
         listed = "".join(f"    {argument},\n" for argument in arguments)
         signature = f"def {function.name}(\n{listed}) -> {_annotation(function.results)}:"
     lines = [
@@ -102,7 +108,8 @@ def _annotation(results: Results) -> str:
 def _tuple(results: Results) -> str:
     if not isinstance(results, tuple):
         return str(_PRINTER.doprint(results))
-    return f"({', '.join(_tuple(item) for item in results)})"
+    comma = "," if len(results) == 1 else ""
+    return f"({', '.join(_tuple(item) for item in results)}{comma})"
 
 
 def _return(results: Results) -> str:
@@ -126,6 +133,8 @@ def _wrap(line: str) -> str:
 
 
 def _docstring(function: Function, quantities: Mapping[str, Quantity], operations: int) -> str:
+    if not quantities:
+        return f'"""{textwrap.fill(function.summary, _WIDTH - 8)}\n\nReturns {function.returns}. Operations: {operations}.\n"""'
     described = []
     for symbol in function.accepted:
         entry = quantities[str(symbol)]

@@ -1,29 +1,16 @@
-/**
- * @file spragsym.c
- * @header@
- *
+/* ------------------------------------------------------------------------------------------- equilibria */
+/*
  * Worst-case operations, counted in this text: + - * / and comparisons of doubles, then calls of libm.
-@table@
+ * - spragsym_prepare: @cost:spragsym_prepare@
+ * - spragsym_equilibria: @cost:spragsym_equilibria@
+ * - spragsym_equilibria_batch: @cost:spragsym_equilibria_batch@
+ * - spragsym_step: @cost:spragsym_step@
+ * - balance: @cost:balance@
+ * - guesses: @cost:guesses@
+ * - at_root: @cost:at_root@
+ * - runge_kutta: @cost:runge_kutta@
  */
-#include "spragsym.h"
 
-#include <float.h>
-#include <math.h>
-#include <stdint.h>
-#include <string.h>
-
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "spragsym: -ffast-math and its parts break the error bounds and the checks for finite numbers"
-#endif
-#if FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD == -1
-#error "spragsym: doubles must be computed in double precision"
-#endif
-/* One rounding an operation, so that no bit depends on where a compiler would fuse two. gcc wants -std=c99 for it, or
- * -ffp-contract=off; without, bits may differ, and the bounds hold all the same. */
-#if defined(__clang__) || !defined(__GNUC__)
-#pragma STDC FP_CONTRACT OFF
-#endif
 /* On x86-64 the two loops over columns are compiled for three generations of processors, of which the fastest that is there
  * runs: the same bits, since no operations are fused. Not under a sanitizer, which starts later than the choice is made. */
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && __GNUC__ >= 12 && defined(__STRICT_ANSI__) && \
@@ -32,53 +19,6 @@
 #else
 #define CLONED
 #endif
-/* What a loop calls must be part of it before it can be turned into vector instructions. */
-#ifdef __GNUC__
-#define INLINE static inline __attribute__((always_inline, unused))
-#else
-#define INLINE static inline
-#endif
-
-INLINE double square(double value) { return value * value; }
-
-INLINE double sign(double value) { return (value > 0.0) ? 1.0 : ((value < 0.0) ? -1.0 : 0.0); }
-
-INLINE double larger(double one, double other) { return (one > other) ? one : other; }
-
-INLINE double smaller(double one, double other) { return (one < other) ? one : other; }
-
-/* ------------------------------------------------------------------------------------ generated algebra */
-/* @algebra@ */
-/* ------------------------------------------------------------------------------------------- double-doubles */
-/* @arithmetic@ */
-/* --------------------------------------------------------------------------------------------- the kernel */
-
-#define CUBE_ROOT_STEPS 3
-
-/* Cube root of x > 0, 0 of 0: a third of the exponent by the bits, which is good to a few percent, then Halley's method. */
-INLINE double cube_root(double x) {
-    union {
-        double number;
-        uint64_t bits;
-    } start;
-    start.number = x;
-    uint64_t third = start.bits >> 2;
-    third += third >> 2;
-    third += third >> 4;
-    third += third >> 8;
-    start.bits = third + UINT64_C(3071306043645493248);
-    double root = start.number;
-    for (int i = 0; i < CUBE_ROOT_STEPS; i++) {
-        const double cube = root * root * root;
-        root *= (cube + 2.0 * x) / (2.0 * cube + x);
-    }
-    return (x > 0.0) ? root : 0.0;
-}
-
-/* @kernel@ */
-/* ---------------------------------------------------------------------------------- the kernel on double-doubles */
-/* @wide@ */
-/* ------------------------------------------------------------------------------------------- equilibria */
 
 /* Error per value that SPRAGSYM_OK vouches for. */
 #define TOLERANCE 1e-12
@@ -91,25 +31,6 @@ INLINE double cube_root(double x) {
 #if GROUPS * LANES != MAX_ROOTS * BLOCK
 #error "spragsym: the groups must have room for every root of a block"
 #endif
-
-static int finite_all(int length, const double *values) {
-    for (int i = 0; i < length; i++) {
-        if (!isfinite(values[i])) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-static spragsym_status deliver(int length, const double *values, double *result) {
-    if (!finite_all(length, values)) {
-        return SPRAGSYM_OUT_OF_RANGE;
-    }
-    for (int i = 0; i < length; i++) {
-        result[i] = values[i];
-    }
-    return SPRAGSYM_OK;
-}
 
 static int allowed(const spragsym_parameters *given) {
     const double pi = 3.14159265358979323846;
@@ -671,155 +592,3 @@ spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_paramete
     }
     return worst;
 }
-
-/* ----------------------------------------------------------------------------------------------- motion */
-
-#define PIECES 3
-#define SECANTS 2
-
-/* What the motion needs beside its state: the smooth regime it is in. */
-typedef struct {
-    const spragsym_model *model;
-    double V;
-    double d;
-    double nbar;
-    double side;
-} motion;
-
-static void derivative(const motion *in, const double state[4], double rate[4]) {
-    const spragsym_model *const m = in->model;
-    rate[0] = state[2];
-    rate[1] = state[3];
-    algebra_regime_rhs(state[0], state[1], state[2], state[3], m->cos0, m->sin0, m->mu0, m->kappa, m->alpha, m->sigma, m->beta,
-                       in->V, in->d, in->nbar, in->side, rate + 2);
-}
-
-static void copy(const double from[4], double to[4]) {
-    for (int i = 0; i < 4; i++) {
-        to[i] = from[i];
-    }
-}
-
-static void advance(const double state[4], double h, const double rate[4], double next[4]) {
-    for (int i = 0; i < 4; i++) {
-        next[i] = state[i] + h * rate[i];
-    }
-}
-
-/* One classical Runge-Kutta step in one smooth regime. */
-static void runge_kutta(const motion *in, double h, const double state[4], double next[4]) {
-    double k1[4];
-    double k2[4];
-    double k3[4];
-    double k4[4];
-    double middle[4];
-    derivative(in, state, k1);
-    advance(state, 0.5 * h, k1, middle);
-    derivative(in, middle, k2);
-    advance(state, 0.5 * h, k2, middle);
-    derivative(in, middle, k3);
-    advance(state, h, k3, middle);
-    derivative(in, middle, k4);
-    for (int i = 0; i < 4; i++) {
-        next[i] = state[i] + h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
-    }
-}
-
-/* Distances to the two kinks, positive inside the regime: into or above the belt, behind or ahead of it. */
-static void distances(const motion *in, const double state[4], double distance[2]) {
-    distance[0] = (in->nbar > 0.0) ? 0.0 - state[1] : state[1];
-    distance[1] = in->side * (in->V - state[2]);
-}
-
-/* The sign of the first of three that is not zero. */
-static double leading_sign(double value, double first, double second) {
-    const double deciding = (fabs(value) > 0.0) ? value : ((fabs(first) > 0.0) ? first : second);
-    return (deciding > 0.0) ? 1.0 : 0.0 - 1.0;
-}
-
-/* The regime that the motion goes on in: by the state, and on a kink by where the state is headed, for which the regime
- * does not matter: forces are continuous there. */
-static void enter(motion *in, const double state[4]) {
-    double rate[4];
-    derivative(in, state, rate);
-    in->nbar = (leading_sign(state[1], state[3], rate[3]) < 0.0) ? 1.0 : 0.0;
-    in->side = leading_sign(in->V - state[2], 0.0 - rate[2], 1.0);
-}
-
-/* The kink that a step from distances `before` to `after` crosses first, or -1, and a guess at which share of the step. */
-static int crossed(const double before[2], const double after[2], double *share) {
-    int kink = -1;
-    *share = 1.0;
-    for (int i = 0; i < 2; i++) {
-        if (before[i] > 0.0 && after[i] < 0.0) {
-            const double at = before[i] / (before[i] - after[i]);
-            if (at < *share) {
-                *share = at;
-                kink = i;
-            }
-        }
-    }
-    return kink;
-}
-
-/* As far as the first kink, or to the end of h; what is left of h. */
-static double piece(motion *in, double h, double state[4], int last) {
-    double next[4];
-    double before[2];
-    double after[2];
-    double share;
-    distances(in, state, before);
-    runge_kutta(in, h, state, next);
-    distances(in, next, after);
-    const int kink = crossed(before, after, &share);
-    if (last || kink < 0) {
-        copy(next, state);
-        return 0.0;
-    }
-    /* Regula falsi on the step itself: each pass gains an order in h. */
-    double low = 0.0;
-    double high = 1.0;
-    double at_low = before[kink];
-    double at_high = after[kink];
-    for (int i = 0; i < SECANTS; i++) {
-        runge_kutta(in, share * h, state, next);
-        distances(in, next, after);
-        if (after[kink] > 0.0) {
-            low = share;
-            at_low = after[kink];
-        } else {
-            high = share;
-            at_high = after[kink];
-        }
-        if (i < SECANTS - 1 && at_low > at_high) {
-            share = low + (high - low) * at_low / (at_low - at_high);
-        }
-    }
-    copy(next, state);
-    if (kink == 0) {
-        in->nbar = 1.0 - in->nbar;
-    } else {
-        in->side = 0.0 - in->side;
-    }
-    return (1.0 - share) * h;
-}
-
-spragsym_status spragsym_step(const spragsym_model *model, double V, double d, double h, double state[4]) {
-    if (!model || !state || !isfinite(V) || !(d > 0.0) || !isfinite(d) || !(h > 0.0) || !isfinite(h) ||
-        !finite_all(4, state)) {
-        return SPRAGSYM_BAD_INPUT;
-    }
-    motion in = {model, V, d, (state[1] < 0.0) ? 1.0 : 0.0, (V >= state[2]) ? 1.0 : 0.0 - 1.0};
-    double next[4];
-    copy(state, next);
-    enter(&in, next);
-    double left = h;
-    for (int i = 0; i < PIECES; i++) {
-        if (left > 0.0) {
-            left = piece(&in, left, next, i == PIECES - 1);
-        }
-    }
-    return deliver(4, next, state);
-}
-
-/* @wrappers@ */

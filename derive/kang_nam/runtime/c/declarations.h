@@ -1,36 +1,7 @@
-/**
- * @file spragsym.h
- * Equilibria, stability and motion of the sprag-slip oscillator, for real-time use. C99, no allocation, no global state.
- *
- * @header@
- *
- * Angles are radians; lengths, times and forces are dimensionless: text after (9) of the article. Every function returns a
- * status, and writes results only with SPRAGSYM_OK or SPRAGSYM_UNCERTAIN: no NaN ever leaves this library.
- * Compile with -std=c99 or -ffp-contract=off, and link with -lm. Do not compile with -ffast-math or a part of it: the error
- * bounds rest on IEEE 754, with rounding to nearest and gradual underflow, as every program starts with.
- */
-#ifndef SPRAGSYM_H
-#define SPRAGSYM_H
-
-#include <stddef.h>
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-/** The derivation that this was generated from: the head of a hash of its sources. */
-#define SPRAGSYM_SOURCE "@source@"
+/* Angles are radians; lengths, times and forces are dimensionless: text after (9) of the article. */
 
 /** Most equilibria there can be: roots of a quartic. At steady sliding in contact there are 1 or 3. */
 #define SPRAGSYM_MAX_EQUILIBRIA 4
-
-/** What became of a call. */
-typedef enum {
-    SPRAGSYM_OK = 0,           /**< done, and vouched for */
-    SPRAGSYM_UNCERTAIN = 1,    /**< done, but the number, the kind or twelve digits can't be vouched for */
-    SPRAGSYM_BAD_INPUT = 2,    /**< a null pointer, a NaN, an infinity or a parameter out of its range; no results */
-    SPRAGSYM_OUT_OF_RANGE = 3  /**< allowed numbers whose result double can't carry; no results */
-} spragsym_status;
 
 /** Lift-off or contact: the n-bar of eq. (29). */
 typedef enum { SPRAGSYM_LIFTOFF = 0, SPRAGSYM_CONTACT = 1 } spragsym_regime;
@@ -45,12 +16,12 @@ typedef enum {
 
 /** Dimensionless parameters. */
 typedef struct {
-    double theta0; /**< inclination of the undeformed spring, in (0, pi) */
-    double mu0;    /**< friction coefficient at full slip, >= 0 */
-    double kappa;  /**< preload F_L / (k_c L_0), > 0 */
-    double alpha;  /**< stiffness ratio k_x / k_c, >= 0 */
-    double sigma;  /**< stiffness ratio k / k_c, > 0 */
-    double beta;   /**< stiffness ratio k_y / k_c, >= 0 */
+    double theta0; /**< @meaning:theta0@, @range:theta0@ */
+    double mu0;    /**< @meaning:mu0@, @range:mu0@ */
+    double kappa;  /**< @meaning:kappa@, @range:kappa@ */
+    double alpha;  /**< @meaning:alpha@, @range:alpha@ */
+    double sigma;  /**< @meaning:sigma@, @range:sigma@ */
+    double beta;   /**< @meaning:beta@, @range:beta@ */
 } spragsym_parameters;
 
 /** Parameters that were checked, with the cosine and sine of theta0. Made by spragsym_prepare. */
@@ -67,10 +38,10 @@ typedef struct {
 
 /** One equilibrium. */
 typedef struct {
-    double theta; /**< inclination of the spring, in (-pi, pi) */
-    double L;     /**< length of the spring */
-    double x;     /**< displacement along the belt */
-    double y;     /**< displacement across the belt, negative into it */
+    double theta; /**< @meaning:theta@, in (-pi, pi) */
+    double L;     /**< @meaning:L@ */
+    double x;     /**< @meaning:x@ */
+    double y;     /**< @meaning:y@ */
     double error; /**< bound on |error| of theta, L, x and y, each over max(1, |exact value|); HUGE_VAL if none is known */
     spragsym_stability stability;
 } spragsym_equilibrium;
@@ -102,7 +73,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
  *
  * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result under -std=c99.
- * Works in blocks of @block@ points, with 50 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
+ * Works in blocks of @constant:BLOCK@ points, with 50 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
  * stay in the processor's cache. Calls from several threads on different arrays do not disturb each other.
  *
  * @param points      how many; with 0, pointers may be null
@@ -125,22 +96,11 @@ spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_paramete
  * most twice, and goes on in the new regime; the place of the cut is good enough to keep the fourth order. Not seen: a kink
  * that is crossed and crossed back within one step, and a third kink in one step; each costs an error of order h^3.
  *
- * @param V      belt speed
- * @param d      steepness of the friction law (10) in creep, > 0
+ * @param V      @meaning:V@
+ * @param d      @meaning:d@: eq. (10), @range:d@
  * @param h      length of the step in dimensionless time, > 0
  * @param state  x, y, x', y'; left as it was unless SPRAGSYM_OK is returned.
  * @return SPRAGSYM_OK; SPRAGSYM_BAD_INPUT; SPRAGSYM_OUT_OF_RANGE if the state blows up (h too long, or L = 0).
  * Worst case: @cost:spragsym_step@.
  */
 spragsym_status spragsym_step(const spragsym_model *model, double V, double d, double h, double state[4]);
-
-/*
- * The algebra that the above stands on. Each is generated from the derivation and agrees with the function of that name in
- * the Python package `spragsym.generated`, operation for operation. Matrices are row by row.
- */
-/* @prototypes@ */
-#ifdef __cplusplus
-}
-#endif
-
-#endif

@@ -1,0 +1,42 @@
+"""Linearization of any model about steady sliding: M q″ + C q′ + K q = 0 for small deviations."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from . import laws
+from .emit.function import Function, Module
+from .mechanics import DEPTH, PUSHING, Mechanics
+
+
+def damping(model: Mechanics) -> sp.Matrix:
+    """C: the dampers, and the slope of the friction law with the sign that the belt, being ahead, gives it."""
+    still = dict.fromkeys(model.rates, sp.S.Zero)
+    rows = [list(row) for row in sp.Matrix(model.resistance).jacobian(model.rates).tolist()]
+    if model.slide is not None:
+        friction = laws.smooth_friction(model).subs(laws.SIDE, 1)
+        for i, symbol in enumerate(model.coordinates):
+            push = model.normal * sp.diff(model.slide, symbol)
+            for j, rate in enumerate(model.rates):
+                rows[i][j] -= push * sp.diff(friction, rate)
+    return sp.Matrix(rows).subs(still).applyfunc(model.tidy)
+
+
+def module(model: Mechanics) -> Module:
+    """The generated module."""
+    n = len(model.coordinates)
+
+    def nested(matrix: sp.Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
+        return tuple(tuple(matrix.row(row)) for row in range(n))
+
+    state = (*model.coordinates, *model.directions, *model.arguments)
+    return Module(
+        "linearization",
+        "Small deviations from steady sliding: mass matrix and damping; the stiffness is statics.forces_jacobian.",
+        (
+            Function("mass_matrix", "M of the kinetic energy.", "the page", (*model.coordinates, *model.arguments),
+                     nested(model.mass), "((M_11, …), …)", transcendental=True),
+            Function("damping", "C: dampers, and the slope of the friction law at steady sliding.", "the page", (*state, PUSHING),
+                     nested(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}, transcendental=True),
+        ),
+    )  # fmt: skip

@@ -1,0 +1,281 @@
+"""From a page to dimensionless mechanics: the units of measure become 1, and every straight spring gets a direction and a length.
+
+A spring between two points has the vector (dx, dy) from its first end, the mass's, to its second, its length l, and its direction
+(c, s) = (dx, dy)/l. Forces are written in c, s and l as symbols of their own, and derivatives follow by the chain rule
+
+    ∂l = c ∂dx + s ∂dy,    ∂c = s (s ∂dx − c ∂dy)/l,    ∂s = −c (s ∂dx − c ∂dy)/l,
+
+so that no square root is ever differentiated.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from .algebra import reduce_circles
+from .model import Datum, Page, PageError
+
+#: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
+PUSHING = sp.Symbol("pushing", real=True)
+#: The friction coefficient, where a function takes it as a number.
+MU = sp.Symbol("mu", real=True)
+#: Penetration, positive, of a law that is no polynomial.
+DEPTH = sp.Symbol("depth", positive=True)
+
+
+@dataclass(frozen=True)
+class Line:
+    """A straight line between two points, with the symbols of its direction and length."""
+
+    dx: sp.Expr
+    dy: sp.Expr
+    rest: sp.Expr  #: undeformed length of the spring along it, 0 for a damper alone
+    c: sp.Symbol
+    s: sp.Symbol
+    l: sp.Symbol
+    line: int
+
+    def slopes(self, dx: sp.Expr, dy: sp.Expr) -> dict[sp.Symbol, sp.Expr]:
+        """How direction and length change when the vector changes by (dx, dy)."""
+        turn = self.s * dx - self.c * dy
+        return {self.l: self.c * dx + self.s * dy, self.c: self.s * turn / self.l, self.s: -self.c * turn / self.l}
+
+
+@dataclass(frozen=True)
+class Angle:
+    """An angle enters by its cosine and sine."""
+
+    symbol: sp.Symbol
+    c: sp.Symbol
+    s: sp.Symbol
+
+
+@dataclass(frozen=True)
+class Mechanics:
+    """What the equations of a dimensionless model are made of."""
+
+    page: Page
+    coordinates: tuple[sp.Symbol, ...]
+    rates: tuple[sp.Symbol, ...]
+    parameters: tuple[Datum, ...]
+    angles: tuple[Angle, ...]
+    lines: tuple[Line, ...]
+    kinetic: sp.Expr
+    potential: sp.Expr  #: in coordinates and lengths, without the contact and the applied forces
+    applied: tuple[sp.Expr, ...]  #: generalized applied forces
+    dissipation: sp.Expr  #: half of the power that the dampers take, in rates, directions and lengths
+    gap: sp.Expr | None
+    unilateral: bool
+    polynomial: bool  #: whether the contact law is a polynomial of the penetration
+    push: sp.Expr  #: the contact force on the contact's side, in coordinates, or in DEPTH where it is no polynomial
+    scaled: Callable[[sp.Expr], sp.Expr]  #: makes an expression of the page dimensionless
+    slide: sp.Expr | None  #: the displacement that friction opposes
+    belt: sp.Expr
+
+    # ------------------------------------------------------------------------------------------------ names
+
+    @cached_property
+    def arguments(self) -> tuple[sp.Symbol, ...]:
+        """Symbols of all parameters, angles as their pairs."""
+        return tuple(symbol for datum in self.parameters for symbol in self.pair(number(datum)))
+
+    def pair(self, symbol: sp.Symbol) -> tuple[sp.Symbol, ...]:
+        """A parameter as arguments of functions: an angle as its cosine and sine."""
+        return next(((angle.c, angle.s) for angle in self.angles if angle.symbol == symbol), (symbol,))
+
+    @cached_property
+    def directions(self) -> tuple[sp.Symbol, ...]:
+        """c, s and l of every line."""
+        return tuple(symbol for line in self.lines for symbol in (line.c, line.s, line.l))
+
+    # ------------------------------------------------------------------------------------------------ the chain rule
+
+    def partial(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+        """∂/∂symbol with directions and lengths held; an angle by its cosine and sine."""
+        for angle in self.angles:
+            if angle.symbol == symbol:
+                return angle.c * sp.diff(expression, angle.s) - angle.s * sp.diff(expression, angle.c)
+        return sp.diff(expression, symbol)
+
+    def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+        """d/dsymbol, by a coordinate or a parameter, with directions, lengths and the penetration following."""
+        total = self.partial(expression, symbol)
+        for line in self.lines:
+            slopes = line.slopes(self.partial(line.dx, symbol), self.partial(line.dy, symbol))
+            total += sum((sp.diff(expression, inner) * slope for inner, slope in slopes.items()), sp.S.Zero)
+        if self.gap is not None and expression.has(DEPTH):
+            total -= sp.diff(expression, DEPTH) * self.partial(self.gap, symbol)
+        return total
+
+    def tidy(self, expression: sp.Expr) -> sp.Expr:
+        """In the fewest terms: by c² + s² = 1, either square of every direction may go; common factors stand outside."""
+        kept = {1 / line.l: sp.Dummy() for line in self.lines}
+        shortest = sp.expand(sp.expand(expression).subs(kept))
+        for line in self.lines:
+            if shortest.has(line.c, line.s):
+                forms = [reduce_circles(shortest, (pair,)) for pair in ((line.c, line.s), (line.s, line.c))]
+                shortest = min(forms, key=lambda form: len(sp.Add.make_args(form)))
+        return sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
+
+    # ------------------------------------------------------------------------------------------------ forces
+
+    @cached_property
+    def normal(self) -> sp.Expr:
+        """The contact force, with PUSHING."""
+        return PUSHING * self.push if self.unilateral else self.push
+
+    @cached_property
+    def depth(self) -> sp.Expr:
+        """What DEPTH stands for: the penetration, and 1 in lift-off, where it is multiplied by 0."""
+        if self.gap is None:
+            return sp.S.Zero
+        return PUSHING * (-self.gap) + (1 - PUSHING) if self.unilateral else -self.gap
+
+    @cached_property
+    def residuals(self) -> tuple[sp.Expr, ...]:
+        """Minus the generalized forces at rest, in MU and PUSHING."""
+        rows = []
+        for symbol, force in zip(self.coordinates, self.applied, strict=True):
+            row = self.derivative(self.potential, symbol) - force
+            if self.gap is not None:
+                row -= self.normal * sp.diff(self.gap, symbol)
+            if self.slide is not None:
+                row -= MU * self.normal * sp.diff(self.slide, symbol)
+            rows.append(sp.collect(sp.expand(row), (*self.coordinates, *self.directions)))
+        return tuple(rows)
+
+    @cached_property
+    def resistance(self) -> tuple[sp.Expr, ...]:
+        """Forces of the dampers, on the side of the residuals."""
+        return tuple(sp.expand(sp.diff(self.dissipation, rate)) for rate in self.rates)
+
+    @cached_property
+    def mass(self) -> sp.Matrix:
+        """M of the kinetic energy q′ᵀ M q′/2."""
+        return sp.hessian(self.kinetic, self.rates)
+
+
+def number(datum: Datum) -> sp.Symbol:
+    """The dimensionless quantity that a parameter becomes."""
+    known = {name: True for name in ("positive", "nonnegative", "real") if datum.symbol.assumptions0.get(name)}
+    return sp.Symbol(datum.becomes, **known)
+
+
+def of(page: Page) -> Mechanics:
+    """The mechanics of a page; a :class:`~derive.model.PageError` where the page can't be carried through."""
+    if not page.coordinates or len(page.coordinates) > 4:
+        raise PageError(
+            page.line, f"a model has one to four coordinates, and this page has {len(page.coordinates)}; add page.coordinate(...)"
+        )
+    if page.inertia is None:
+        raise PageError(page.line, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
+    angles = tuple(_angle(datum) for datum in page.parameters if datum.unit == "rad")
+    scaled = _Scaled(page, angles)
+    coordinates = tuple(entry.symbol for entry in page.coordinates)
+    rates = tuple(entry.rate for entry in page.coordinates)
+    lines, rest_energy, dissipation = _lines(page, scaled)
+    potential = rest_energy + sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
+    gap, push, polynomial, unilateral = _contact(page, scaled)
+    return Mechanics(
+        page=page,
+        coordinates=coordinates,
+        rates=rates,
+        parameters=tuple(page.parameters),
+        angles=angles,
+        lines=lines,
+        kinetic=scaled(page.inertia[0]),
+        potential=sp.expand(potential),
+        applied=_applied(page, scaled, coordinates),
+        dissipation=sp.expand(dissipation),
+        gap=gap,
+        unilateral=unilateral,
+        polynomial=polynomial,
+        push=push,
+        scaled=scaled,
+        slide=None if page.sliding is None else scaled(page.sliding.along),
+        belt=sp.S.Zero if page.sliding is None else scaled(page.sliding.belt),
+    )
+
+
+class _Scaled:
+    """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles cosines and sines."""
+
+    def __init__(self, page: Page, angles: tuple[Angle, ...]) -> None:
+        self.numbers: Mapping[sp.Expr, sp.Expr] = {datum.symbol: sp.S.One for datum in page.units} | {
+            datum.symbol: number(datum) for datum in page.parameters
+        }
+        self.angles = angles
+
+    def __call__(self, expression: sp.Expr) -> sp.Expr:
+        value = sp.expand_trig(expression) if expression.has(sp.cos, sp.sin) else expression
+        for angle in self.angles:
+            value = value.subs({sp.cos(angle.symbol): angle.c, sp.sin(angle.symbol): angle.s})
+        return value.subs(self.numbers, simultaneous=True)
+
+
+def _angle(datum: Datum) -> Angle:
+    """``cos0`` and ``sin0`` for ``theta0``, ``cos_psi`` and ``sin_psi`` for ``psi``."""
+    name = datum.becomes
+    suffix = name.removeprefix("theta") if name.startswith("theta") else f"_{name}"
+    return Angle(number(datum), sp.Symbol(f"cos{suffix}", real=True), sp.Symbol(f"sin{suffix}", real=True))
+
+
+def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], sp.Expr, sp.Expr]:
+    """Lines of springs and dampers, each once; the energy of the springs; half the power that the dampers take.
+
+    The energy k (l − r)²/2 is written as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear in coordinates and direction.
+    """
+    found: dict[tuple[sp.Expr, sp.Expr], Line] = {}
+    energy = dissipation = sp.S.Zero
+
+    def line_of(element: object) -> Line:
+        ((ax, ay), (bx, by)) = element.ends  # type: ignore[attr-defined]
+        vector = scaled(bx - ax), scaled(by - ay)
+        if vector not in found:
+            count = len(found) + 1
+            c, s = sp.symbols(f"c{count} s{count}", real=True)
+            rest = scaled(getattr(element, "length", sp.S.Zero))
+            found[vector] = Line(*vector, rest, c, s, sp.Symbol(f"l{count}", positive=True), element.line)  # type: ignore[attr-defined]
+        return found[vector]
+
+    for spring in page.springs:
+        stiffness = scaled(spring.stiffness)
+        if spring.ends is None:
+            energy += stiffness * (scaled(spring.along) - scaled(spring.length)) ** 2 / 2
+        else:
+            line = line_of(spring)
+            energy += stiffness * ((line.dx**2 + line.dy**2) / 2 - scaled(spring.length) * line.l)
+    for damper in page.dampers:
+        coefficient = scaled(damper.coefficient)
+        if damper.ends is None:
+            speed = page.rate(damper.along)
+        else:
+            line = line_of(damper)
+            speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
+        dissipation += coefficient * speed**2 / 2
+    return tuple(found.values()), energy, dissipation
+
+
+def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
+    """Generalized forces by virtual work."""
+    forces = [sp.S.Zero] * len(coordinates)
+    for force in page.forces:
+        place = force.at if force.at is not None else (force.along,)
+        for component, where in zip(force.components, place, strict=True):
+            for row, symbol in enumerate(coordinates):
+                forces[row] += scaled(component) * sp.diff(scaled(sp.sympify(where)), symbol)
+    return tuple(map(sp.expand, forces))
+
+
+def _contact(page: Page, scaled: _Scaled) -> tuple[sp.Expr | None, sp.Expr, bool, bool]:
+    if page.normal is None:
+        return None, sp.S.Zero, True, False
+    gap = scaled(page.normal.gap)
+    law = scaled(sp.sympify(page.normal.law(DEPTH)))
+    if law.is_polynomial(DEPTH):
+        return gap, sp.expand(law.subs(DEPTH, -gap)), True, page.normal.unilateral
+    return gap, law, False, page.normal.unilateral

@@ -1,0 +1,270 @@
+"""The vocabulary of a page: what a model's author writes, and nothing of what follows from it.
+
+A page is a Python file that makes one :class:`Page` and says, in the order of an article's second section: quantities, coordinates,
+energies, springs and dampers by their ends, applied forces, the contact law, the friction law. Every statement remembers its line, so
+that an error can name it.
+"""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import sympy as sp
+from sympy import Abs, cos, exp, pi, sign, sin, sqrt
+
+from .emit.quantities import interval
+
+__all__ = ["Abs", "Page", "PageError", "cos", "exp", "pi", "sgn", "sin", "sqrt"]
+
+#: The sign function under the name that articles give it.
+sgn = sign
+
+#: A point of the plane: two lengths.
+Point = tuple[sp.Expr, sp.Expr]
+#: A law: a force or a friction coefficient for a penetration or a sliding speed.
+Law = Callable[[sp.Expr], sp.Expr]
+
+
+class PageError(ArithmeticError):
+    """A page that can't be carried through: which line, what was expected, and what still works."""
+
+    def __init__(self, line: int, message: str) -> None:
+        super().__init__(f"line {line}: {message}" if line else message)
+        self.line = line
+
+
+@dataclass(frozen=True)
+class Datum:
+    """A quantity of the page: a unit of measure, which becomes 1, or a parameter, which becomes a number named ``becomes``."""
+
+    symbol: sp.Symbol
+    unit: str
+    meaning: str
+    domain: str
+    latex: str
+    line: int
+    becomes: str = ""  #: empty for a unit of measure
+    base: float | None = None
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """A coordinate of the motion and its rate."""
+
+    symbol: sp.Symbol
+    rate: sp.Symbol
+    unit: str
+    meaning: str
+    latex: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Spring:
+    """A straight spring between two points, or along a coordinate where ``ends`` is None."""
+
+    stiffness: sp.Expr
+    ends: tuple[Point, Point] | None
+    length: sp.Expr
+    along: sp.Expr | None
+    line: int
+
+
+@dataclass(frozen=True)
+class Damper:
+    """A viscous damper between two points, or along a coordinate where ``ends`` is None."""
+
+    coefficient: sp.Expr
+    ends: tuple[Point, Point] | None
+    along: sp.Expr | None
+    line: int
+
+
+@dataclass(frozen=True)
+class Force:
+    """A force at a point, or along a coordinate where ``at`` is None."""
+
+    at: Point | None
+    components: tuple[sp.Expr, ...]
+    along: sp.Expr | None
+    line: int
+
+
+@dataclass(frozen=True)
+class Contact:
+    """The normal force: a law of the penetration −gap; ``unilateral`` contact has no force where the gap is positive."""
+
+    gap: sp.Expr
+    law: Law
+    unilateral: bool
+    line: int
+
+
+@dataclass(frozen=True)
+class Friction:
+    """μ as a law of the sliding speed ``belt − d(along)/dt``; ``at_rest`` is its limit at fast sliding, where statics takes that."""
+
+    along: sp.Expr
+    belt: sp.Expr
+    law: Law
+    at_rest: sp.Expr | None
+    line: int
+
+
+def expression_of(value: object) -> sp.Expr:
+    """A number or an expression, as an expression; a decimal as the fraction that is written."""
+    return sp.nsimplify(value, rational=True) if isinstance(value, float) else sp.sympify(value)
+
+
+def speed_of(symbol: sp.Symbol) -> sp.Symbol:
+    """The rate of a coordinate: ``vx`` for ``x``."""
+    return sp.Symbol(f"v{symbol.name}", real=True)
+
+
+@dataclass
+class Page:
+    """One model, statement by statement.
+
+    Parameters
+    ----------
+    summary : str
+        One sentence that says what the model is.
+    """
+
+    summary: str
+    units: list[Datum] = field(default_factory=list)
+    parameters: list[Datum] = field(default_factory=list)
+    coordinates: list[Coordinate] = field(default_factory=list)
+    springs: list[Spring] = field(default_factory=list)
+    dampers: list[Damper] = field(default_factory=list)
+    forces: list[Force] = field(default_factory=list)
+    energies: list[tuple[sp.Expr, int]] = field(default_factory=list)
+    inertia: tuple[sp.Expr, int] | None = None
+    normal: Contact | None = None
+    sliding: Friction | None = None
+    line: int = 0
+
+    # ------------------------------------------------------------------------------------------------ quantities
+
+    def unit(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
+        """A positive quantity that becomes 1: a unit of measure of the dimensionless model."""
+        symbol = sp.Symbol(name, positive=True)
+        self.units.append(Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line()))
+        self._once(name)
+        return symbol
+
+    def parameter(
+        self,
+        name: str,
+        unit: str,
+        meaning: str,
+        domain: str = "real",
+        base: float | None = None,
+        becomes: str = "",
+        latex: str = "",
+    ) -> sp.Symbol:
+        """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless value unless changed."""
+        line = _line()
+        symbol = sp.Symbol(name, **_assumptions(domain, line))
+        number = None if base is None else float(base)
+        if number is not None and not _within(domain, number):
+            raise PageError(line, f"the base value {base} of {name} is not in its domain {domain}")
+        self.parameters.append(Datum(symbol, unit, meaning, domain, latex or sp.latex(symbol), line, becomes or name, number))
+        self._once(name)
+        return symbol
+
+    def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
+        """A coordinate: a length, or another quantity that says where the model is."""
+        symbol = sp.Symbol(name, real=True)
+        self.coordinates.append(Coordinate(symbol, speed_of(symbol), unit, meaning, latex or sp.latex(symbol), _line()))
+        self._once(name)
+        return symbol
+
+    def rate(self, of: sp.Expr) -> sp.Expr:
+        """Time derivative of a coordinate, or of an expression in coordinates."""
+        return sp.Add(*(sp.diff(expression_of(of), it.symbol) * it.rate for it in self.coordinates))
+
+    # ------------------------------------------------------------------------------------------------ energies and forces
+
+    def kinetic(self, energy: sp.Expr) -> None:
+        """Kinetic energy, a quadratic form of the rates."""
+        self.inertia = expression_of(energy), _line()
+
+    def potential(self, energy: sp.Expr) -> None:
+        """Potential energy, beside that of the springs."""
+        self.energies.append((expression_of(energy), _line()))
+
+    def spring(self, stiffness: sp.Expr, *ends: Point, length: sp.Expr | int = 0, along: sp.Expr | None = None) -> None:
+        """A spring: straight between two ``ends``, of undeformed ``length``; or along a coordinate."""
+        line = _line()
+        self.springs.append(Spring(expression_of(stiffness), _ends(ends, along, line), expression_of(length), along, line))
+
+    def damper(self, coefficient: sp.Expr, *ends: Point, along: sp.Expr | None = None) -> None:
+        """A viscous damper: straight between two ``ends``, or along a coordinate."""
+        line = _line()
+        self.dampers.append(Damper(expression_of(coefficient), _ends(ends, along, line), along, line))
+
+    def force(self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None) -> None:
+        """An applied force: two components at a point, or one along a coordinate."""
+        line = _line()
+        if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
+            raise PageError(line, "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
+        point = None if at is None else (expression_of(at[0]), expression_of(at[1]))
+        self.forces.append(Force(point, tuple(map(expression_of, components)), along, line))
+
+    # ------------------------------------------------------------------------------------------------ laws
+
+    def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
+        """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
+        self.normal = Contact(expression_of(gap), law, unilateral, _line())
+
+    def friction(self, along: sp.Expr, belt: sp.Expr, law: Law, at_rest: sp.Expr | None = None) -> None:
+        """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``.
+
+        ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out, statics takes the law at the belt's
+        speed.
+        """
+        limit = None if at_rest is None else expression_of(at_rest)
+        self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, _line())
+
+    def _once(self, name: str) -> None:
+        names = [str(entry.symbol) for entry in (*self.units, *self.parameters, *self.coordinates)]
+        if names.count(name) > 1:
+            raise PageError(_line(), f"{name} is defined twice; give the second quantity another name")
+
+
+def _line() -> int:
+    """The line of the page that is being read: the innermost frame outside this file."""
+    frame = inspect.currentframe()
+    while frame is not None and frame.f_code.co_filename == __file__:
+        frame = frame.f_back
+    return frame.f_lineno if frame else 0
+
+
+def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Point, Point] | None:
+    if (len(ends), along is None) not in ((2, True), (0, False)):
+        raise PageError(line, "a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
+    if not ends:
+        return None
+    (ax, ay), (bx, by) = ends
+    return (expression_of(ax), expression_of(ay)), (expression_of(bx), expression_of(by))
+
+
+def _assumptions(domain: str, line: int) -> dict[str, bool]:
+    try:
+        allowed = interval(domain)
+    except ValueError as error:
+        raise PageError(line, str(error)) from error
+    if allowed.low > 0 or (allowed.low == 0 and allowed.low_open):
+        return {"positive": True}
+    return {"nonnegative": True} if allowed.low == 0 else {"real": True}
+
+
+def _within(domain: str, value: float) -> bool:
+    allowed = interval(domain)
+    above = value > allowed.low or (value == allowed.low and not allowed.low_open)
+    below = value < allowed.high or (value == allowed.high and not allowed.high_open)
+    return math.isfinite(value) and above and below

@@ -1,0 +1,72 @@
+"""Statics of any model: the balance of forces at steady sliding or in lift-off, with first and second derivatives."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from . import laws
+from .emit.function import Function, Module, Results
+from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
+
+
+def parameters(model: Mechanics) -> tuple[sp.Symbol, ...]:
+    """Parameters of the balance of forces, an angle as the angle."""
+    used = {symbol for row in model.residuals for symbol in row.free_symbols}
+    parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)] + [model.depth]
+    used |= {symbol for part in parts for symbol in part.free_symbols}
+    return tuple(symbol for symbol in map(number, model.parameters) if used & set(model.pair(symbol)))
+
+
+def arguments(model: Mechanics) -> tuple[sp.Symbol, ...]:
+    """The same as arguments of functions, angles as pairs."""
+    return tuple(part for symbol in parameters(model) for part in model.pair(symbol))
+
+
+def jacobian(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
+    """K: derivatives of the residuals by the coordinates."""
+    return tuple(tuple(model.tidy(model.derivative(row, symbol)) for symbol in model.coordinates) for row in model.residuals)
+
+
+def hessian(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, ...], ...], ...]:
+    """Second derivatives of the residuals."""
+    return tuple(
+        tuple(tuple(model.tidy(model.derivative(entry, symbol)) for symbol in model.coordinates) for entry in row)
+        for row in jacobian(model)
+    )
+
+
+def by_parameters(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
+    """Derivatives of the residuals by the parameters, and by μ as the last."""
+    return tuple(
+        tuple(model.tidy(model.derivative(row, symbol)) for symbol in (*parameters(model), MU)) for row in model.residuals
+    )
+
+
+def module(model: Mechanics) -> Module:
+    """The generated module."""
+    place = (*model.coordinates, *arguments(model))
+    state = (*model.coordinates, *model.directions, *arguments(model), MU, PUSHING)
+    depth = {DEPTH: model.depth}
+
+    def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
+        return Function(name, summary, "the page", taken, results, returns, depth, transcendental=True)
+
+    return Module(
+        "statics",
+        "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
+        (
+            function("geometry", "The vector from the mass's end of every spring to its anchor, and its undeformed length.", place,
+                     tuple((line.dx, line.dy, line.rest) for line in model.lines), "((dx, dy, rest), …)"),
+            function("contact_gap", "The gap: contact where it is not positive.", place,
+                     sp.S.Zero if model.gap is None else model.gap, "gap"),
+            function("friction_at_rest", "The friction coefficient at steady sliding.", model.arguments,
+                     laws.friction_at_rest(model), "mu"),
+            function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
+            function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,
+                     jacobian(model), "((∂F_1/∂q_1, …), …)"),
+            function("forces_hessian", "Second derivatives of the forces by the coordinates.", state, hessian(model),
+                     "(((∂²F_1/∂q_1∂q_1, …), …), …)"),
+            function("forces_by_parameters", "Derivatives of the forces by the parameters, an angle as the angle, and by mu.", state,
+                     by_parameters(model), "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)"),
+        ),
+    )  # fmt: skip

@@ -1,0 +1,136 @@
+"""Units: what a page's quantities are measured in, whether its sums add up, and the dimensionless groups that follow.
+
+A dimension is a triple of exponents of kilogram, metre and second; angles and numbers have none. With three quantities as units of
+measure (those that become 1) every other quantity becomes a number: itself over the one product of their powers that has
+its dimension.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import TypeAlias
+
+import sympy as sp
+
+#: Exponents of kilogram, metre and second.
+Dimension: TypeAlias = tuple[Fraction, Fraction, Fraction]
+
+NONE: Dimension = (Fraction(0), Fraction(0), Fraction(0))
+LENGTH: Dimension = (Fraction(0), Fraction(1), Fraction(0))
+TIME: Dimension = (Fraction(0), Fraction(0), Fraction(1))
+FORCE: Dimension = (Fraction(1), Fraction(1), Fraction(-2))
+ENERGY: Dimension = (Fraction(1), Fraction(2), Fraction(-2))
+
+_NAMED: dict[str, Dimension] = {
+    "1": NONE,
+    "rad": NONE,
+    "kg": (Fraction(1), Fraction(0), Fraction(0)),
+    "m": LENGTH,
+    "s": TIME,
+    "N": FORCE,
+    "J": ENERGY,
+    "Hz": (Fraction(0), Fraction(0), Fraction(-1)),
+}
+
+
+class UnitsError(ArithmeticError):
+    """Units that do not add up, in words."""
+
+
+def times(one: Dimension, other: Dimension, power: Fraction | int = 1) -> Dimension:
+    """Dimension of ``one · other^power``."""
+    kilograms, metres, seconds = (a + power * b for a, b in zip(one, other, strict=True))
+    return kilograms, metres, seconds
+
+
+def read(text: str) -> Dimension:
+    """The dimension of a unit as it is written: ``N/m``, ``N s/m``, ``kg m/s^2``, ``N/m^(3/2)``."""
+    dimension, power = NONE, 1
+    for part in re.findall(r"/|[^\s/]+(?:\^\([^)]*\))?", re.sub(r"\^\((\S+)/(\S+)\)", r"^\1|\2", text)):
+        if part == "/":
+            power = -1
+            continue
+        name, _, exponent = part.partition("^")
+        if name not in _NAMED or not re.fullmatch(r"-?\d+(\|\d+)?|", exponent):
+            raise UnitsError(f"{text!r} is not a unit; write it with {', '.join(_NAMED)}, as N s/m or N/m^(3/2)")
+        dimension = times(dimension, _NAMED[name], power * Fraction(exponent.replace("|", "/") or 1))
+    return dimension
+
+
+def spelled(dimension: Dimension) -> str:
+    """A dimension in base units: ``kg m s^-2``."""
+    parts = [
+        name + ("" if power == 1 else f"^{power}" if power.denominator == 1 else f"^({power})")
+        for name, power in zip(("kg", "m", "s"), dimension, strict=True)
+        if power
+    ]
+    return " ".join(parts) or "a number without a unit"
+
+
+def of(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+    """The dimension of an expression, None for zero, which has any.
+
+    Raises
+    ------
+    UnitsError
+        Where a sum adds different dimensions, or a function is taken of something that is no number.
+    """
+    match expression:
+        case sp.Symbol():
+            return known[expression]
+        case sp.Add():
+            return _of_sum(expression, known)
+        case sp.Mul():
+            dimension = NONE
+            for factor in expression.args:
+                part = of(factor, known)
+                if part is None:
+                    return None
+                dimension = times(dimension, part)
+            return dimension
+        case sp.Pow() if expression.exp.is_Rational:
+            base = of(expression.base, known)
+            return None if base is None else times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
+        case sp.Abs():
+            return of(expression.args[0], known)
+        case sp.sign():
+            of(expression.args[0], known)
+            return NONE
+        case _ if expression.is_number:
+            return None if expression == 0 else NONE
+    for argument in expression.args:
+        if of(argument, known) not in (None, NONE):
+            raise UnitsError(
+                f"{expression} is taken of {argument}, which is in {spelled(of(argument, known) or NONE)}, not a number"
+            )
+    return NONE
+
+
+def _of_sum(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+    found: dict[Dimension, sp.Expr] = {}
+    for term in expression.args:
+        dimension = of(term, known)
+        if dimension is not None:
+            found.setdefault(dimension, term)
+    if len(found) > 1:
+        listed = " and ".join(f"{term} is in {spelled(dimension)}" for dimension, term in found.items())
+        raise UnitsError(f"{expression} adds what can't be added: {listed}")
+    return next(iter(found), None)
+
+
+def powers(dimension: Dimension, units: tuple[Dimension, ...]) -> tuple[Fraction, ...] | None:
+    """Exponents p with ``dimension = Π unitsᵢ^pᵢ``; None if there are none."""
+    symbols = sp.symbols(f"p0:{len(units)}")
+    equations = [
+        sum((sp.Rational(unit[row]) * symbol for symbol, unit in zip(symbols, units, strict=True)), -sp.Rational(dimension[row]))
+        for row in range(3)
+    ]
+    solutions = sp.linsolve(equations, symbols)
+    if not solutions:
+        return None
+    (solution,) = solutions
+    if any(value.free_symbols for value in solution):
+        return None
+    return tuple(Fraction(int(value.p), int(value.q)) for value in solution)

@@ -47,11 +47,11 @@ def quartics(theta: FloatArray, fixed: Fixed) -> FloatArray:
     """Coefficients of the quartic in v = tan(θ₀/2) at each θ, lowest power first, the largest of size 1."""
     e0, e1, e2, ec = _conic(theta, fixed)
     coefficients = np.stack([e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec], axis=-1)
-    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]
+    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 def _ends(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, FloatArray, float]:
-    """Values that vanish where a root passes v = 0 and where it passes the other end; and that end.
+    """Two values, of which one vanishes where a root passes v = 0 and one where it passes the other end; and this end.
 
     The other end is v = ∞ (θ₀ = π); for α = 0, where θ₀ and π − θ₀ are folds together, only θ₀ ≤ π/2 is followed, up to v = 1.
     """
@@ -71,7 +71,7 @@ def indicator(theta: FloatArray, fixed: Fixed) -> FloatArray:
 
 
 def _discriminant_in_sine(e0: FloatArray, e1: FloatArray, e2: FloatArray) -> FloatArray:
-    """That of e0 + e1 sin θ₀ + e2 sin² θ₀, which the conic is for α = 0."""
+    """The same for e0 + e1 sin θ₀ + e2 sin² θ₀, which is the conic for α = 0."""
     return e1 * e1 - 4 * e0 * e2
 
 
@@ -98,7 +98,7 @@ def positive_roots(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, NDArray
     coefficients = quartics(theta, fixed)
     _, real = discriminant(coefficients)
     roots = eigenvalues(coefficients)
-    # As many as are real by the discriminant, those closest to the real axis.
+    # The discriminant says how many roots are real: keep this number of them, those closest to the real axis.
     order = np.argsort(np.abs(roots.imag) / (1e-300 + np.abs(roots)), axis=-1)
     values = np.take_along_axis(roots.real, order, axis=-1)
     values[(np.arange(4) >= real[..., None]) | ~(values > 0)] = np.nan
@@ -110,7 +110,7 @@ def friction(theta: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     """μ₀ of the fold at (θ, θ₀), from the relation that does not lose it: the first has the factor cos θ."""
     c = np.cos(theta)
     u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, np.sin(theta), np.cos(theta0), np.sin(theta0), *fixed)
-    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]
+    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 # ----------------------------------------------------------------------------------------------------- strands
@@ -160,7 +160,7 @@ def _refined(theta: FloatArray, fixed: Fixed, n: int) -> FloatArray:
     theta0 = 2 * np.arctan(roots)
     mu0 = friction(theta[:, None], theta0, fixed)
     length = np.hypot(np.diff(theta0, axis=0) / np.pi, np.diff(mu0 / (1 + np.abs(mu0)), axis=0))
-    length = np.where(length < 0.5, length, 0.0).max(axis=-1)  # NaN, or a step from one curve to another, is no length
+    length = np.where(length < 0.5, length, 0.0).max(axis=-1)  # NaN, and steps from one curve to another, have no length
     weight = length / max(float(length.sum()), 1e-300) + 0.5 * np.diff(theta) / (theta[-1] - theta[0])
     cumulative = np.concatenate([[0.0], np.cumsum(weight)])
     fresh = np.interp(np.linspace(0, cumulative[-1], max(n - theta.size, 0)), cumulative, theta)
@@ -196,7 +196,7 @@ def _strand(curve: _Curve, fixed: Fixed) -> Strand:
 
 
 def _grow(curve: _Curve, last: bool, points: FloatArray) -> None:
-    """Add points, given in the order of growing θ, at the open end."""
+    """Add points at the open end; they are given by growing θ."""
     if last:
         curve.append(points)
     else:

@@ -132,7 +132,7 @@ def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: A
             if turn and turn.values[place] < allowed.high:
                 found.append((chosen.ends(value), turn))
         found.sort(key=lambda one: one[0][0])
-        # Two never have one value, since the positive roots of f, at most three, are no two pairs.
+        # No two folds share a value: f has at most three positive roots, too few for two double roots.
         if any(one[0][1] >= two[0][0] for one, two in itertools.pairwise(found)):
             raise Undecided("the order of two folds")
         return [turn for _, turn in found]

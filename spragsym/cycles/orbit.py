@@ -180,7 +180,7 @@ def refined(loop: Loop, fly: Fly) -> Loop:
     while True:
         cut = divided(field, fly, guess, pieces)
         try:
-            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1))
+            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=6)
         except ConvergenceError:
             found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
@@ -230,7 +230,9 @@ def _top(loop: Loop) -> FloatArray:
     if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
         highest.append(first)
     most = max(float(state[0]) for state in highest)
-    state = max((state for state in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda state: float(state[1])).copy()
+    state = max(
+        (state for state in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda state: float(state[1])
+    ).copy()
     state[n] = 0.0
     return state
 

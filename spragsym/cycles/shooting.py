@@ -169,6 +169,8 @@ def solved(
         guess = loop.guess.moved(step, free)
         if np.abs(guess.states - start.states).max() > reach or not np.isfinite(step[:size]).all():
             break
+        if not 0.5 < guess.period / start.period < 2:
+            break
         loop, before = looped(field, fly, guess, free), width
     raise ConvergenceError("Newton's method finds no closed orbit there")
 

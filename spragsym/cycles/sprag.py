@@ -39,8 +39,10 @@ def _call(function: Any, state: Sequence[Any], constants: Sequence[Any], mode: S
     return function(*state, *constants, nbar, side, xp=_Damped(xp, near))
 
 
-def _constants(values: Sequence[float]) -> tuple[float, ...]:
-    return constants_of(tuple(values[:-2]), values[-2], values[-1])
+def _constants(values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
+    if xp is None:
+        return constants_of(tuple(values[:-2]), values[-2], values[-1])
+    return (xp.cos(values[0]), xp.sin(values[0]), *values[1:])
 
 
 def _layer(state: Any, constants: Any, mode: Any) -> Any:
@@ -71,6 +73,7 @@ _BORDERS = (
     Border("layer", _layer, _layer_rate, lambda mode: 1 - 2 * mode[2], lambda mode: (*mode[:2], 1 - mode[2]), kink=False),
 )  # fmt: skip
 
+
 def _simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
     p = Parameters(**dict(zip(NAMES, values[:-2], strict=True)))
     start = dict(zip(("x0", "y0", "vx0", "vy0"), map(float, state), strict=True))
@@ -95,5 +98,6 @@ SPRAG = Field(
     lambda q, c, mode, xp=math: _call(jacobian, q, c, mode, xp),
     lambda q, c, mode, xp=math: _call(_by_parameters, q, c, mode, xp),
     _BORDERS, _initial_mode, tuple(itertools.product((1, 0), (1, -1), (1, 0))), _check, _simulate,
+    lambda mode: (mode[0], mode[1], 1),
     (("spring_force", _spring_force), ("contact_force", _contact_force)),
 )  # fmt: skip

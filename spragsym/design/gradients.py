@@ -9,7 +9,7 @@ import numpy as np
 
 from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES, FloatArray, Parameters
-from .jump_values import first_jumps
+from .jump_values import first_jumps, told
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ def jump_gradient(p: Parameters, vary: str = "mu0", *, direction: str = "up") ->
     >>> print(f"{slopes.theta0 * np.radians(1.0):.4f} for each degree, {slopes.sigma * 0.01:.4f} for each 0.01 of sigma")
     -0.0313 for each degree, 0.0186 for each 0.01 of sigma
     """
-    found = first_jumps(p, vary, direction)
+    found = told(first_jumps(p, vary, direction))
     here: dict[str, Any] = {name: getattr(p, name) for name in NAMES} | {vary: found.value}
     changes = by_parameter(here, found.theta)
     along = changes[vary]

@@ -101,7 +101,7 @@ def _sure(t: Any, root: kernel.Root) -> Any:
 def _one_each(
     t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, begin: int, u: np.floating[Any]
 ) -> NDArray[np.bool_]:
-    """One root a point, in contact, where it is an equilibrium for certain if it is one at all."""
+    """Points in contact with one root: settle those where the root certainly is an equilibrium."""
     root = kernel.at_root(t, point, line, u)
     settled: NDArray[np.bool_] = _sure(t, root) & (t > 0.0)
     rows = slice(begin, begin + t.size)
@@ -115,7 +115,7 @@ def _one_each(
 def _some(
     t: Any, point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
 ) -> NDArray[np.bool_]:
-    """Several roots a point, in ascending order along the first axis: lined up, so that they are looked at in one go."""
+    """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
     roots, points = t.shape
     every = np.tile(np.arange(points), roots)
     flat = t.each(np.ravel) if isinstance(t, DoubleDouble) else t.ravel()

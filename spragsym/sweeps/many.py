@@ -156,7 +156,7 @@ def _records(
     done: dict[int, Record],
     keep: Callable[[int, Record], None] | None,
 ) -> list[Record]:
-    """Every record: those that are done, and the others, kept as they come."""
+    """Every record: those that are done, and the others, stored as they are computed."""
     keep = done.__setitem__ if keep is None else keep
     missing = {i: point for i, point in enumerate(points) if i not in done}
     found = processes.results(workers, partial(measured, settings), missing, _told)

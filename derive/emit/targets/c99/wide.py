@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import ast
 import math
-import textwrap
 from collections import Counter
 from collections.abc import Sequence
 
@@ -16,7 +15,7 @@ from ...language import FLAG, REAL, KernelError, Routine, passes
 from .. import Material
 from ..python.algebra import definition
 from .algebra import c_name
-from .comments import WIDTH, comment, plain
+from .layout import broken, comment, plain
 from .kernel import number
 
 DOUBLE, WIDE, INT = "double", "Wide", "int"
@@ -100,7 +99,7 @@ class _Program:
             head = f"INLINE {kind} wide_{name}({', '.join(f'Wide {argument}' for argument in arguments)}{returned}) {{"
             unused = "".join(f"    (void){c_name(it.arg)};\n" for it in tree.args.args if it.arg not in writer.used)
             self.functions[name] = (), ""
-            self.printed.append(f"/* {function.summary} */\n{_wrapped(head, '    ')}\n{unused}{body}}}\n")
+            self.printed.append(f"/* {function.summary} */\n{broken(head)}\n{unused}{body}}}\n")
         return f"wide_{name}"
 
 
@@ -112,7 +111,7 @@ def _defined(routine: Routine, types: tuple[str, ...], writer: _Writer, body: st
     arguments = ", ".join(f"{kind} {name}" for (name, _), kind in zip(routine.arguments, types, strict=True))
     head = f"INLINE {writer.returned} wide_{routine.name}({arguments}) {{"
     unused = "".join(f"    (void){name};\n" for name, _ in routine.arguments if name not in writer.used)
-    return f"{comment(routine.summary)}{_wrapped(head, '    ')}\n{unused}{body}}}\n"
+    return f"{comment(routine.summary)}{broken(head)}\n{unused}{body}}}\n"
 
 
 class _Writer:
@@ -148,14 +147,13 @@ class _Writer:
                 leaves = _items(results)
                 self.results = len(leaves)
                 return "".join(
-                    _wrapped(f"{indent}result[{i}] = {self.wide(*self.expression(leaf))};", indent + "    ") + "\n"
-                    for i, leaf in enumerate(leaves)
+                    broken(f"{indent}result[{i}] = {self.wide(*self.expression(leaf))};") + "\n" for i, leaf in enumerate(leaves)
                 )
             case ast.Return(value=ast.Call(func=ast.Name(id=name), args=args)) if name in self.program.source.records:
                 return self.built(name, args, indent)
             case ast.Return(value=ast.expr() as value):
                 text, self.returned = self.expression(value)
-                return _wrapped(f"{indent}return {text};", indent + "    ") + "\n"
+                return broken(f"{indent}return {text};") + "\n"
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
 
     def assigned(self, name: str, text: str, kind: str, indent: str) -> str:
@@ -163,19 +161,19 @@ class _Writer:
         if known is None:
             self.types[name] = kind
             fixed = "const " if self.written[name] == 1 else ""
-            return _wrapped(f"{indent}{fixed}{kind} {c_name(name)} = {text};", indent + "    ") + "\n"
+            return broken(f"{indent}{fixed}{kind} {c_name(name)} = {text};") + "\n"
         if known == WIDE:
             text = self.wide(text, kind)
         elif known != kind:
             raise KernelError(f"{name} is a {known} and then a {kind}")
-        return _wrapped(f"{indent}{c_name(name)} = {text};", indent + "    ") + "\n"
+        return broken(f"{indent}{c_name(name)} = {text};") + "\n"
 
     def built(self, name: str, args: list[ast.expr], indent: str) -> str:
         values = [self.expression(argument) for argument in args]
         self.returned = self.program.record(name, tuple(kind for _, kind in values))
         listed = ", ".join(text for text, _ in values)
         line = f"{indent}const {self.returned} result = {{{listed}}};"
-        return f"{_wrapped(line, indent + '    ')}\n{indent}return result;\n"
+        return f"{broken(line)}\n{indent}return result;\n"
 
     def unpacked(self, names: list[str], called: str, args: list[ast.expr], indent: str) -> str:
         array = f"{called}_results"
@@ -184,7 +182,7 @@ class _Writer:
         function = self.program.algebra_call(called) if wide else f"algebra_{called}"
         passed = ", ".join([*(self.wide(*value) if wide else value[0] for value in values), array])
         kind = WIDE if wide else DOUBLE
-        lines = [f"{indent}{kind} {array}[{len(names)}];", _wrapped(f"{indent}{function}({passed});", indent + "    ")]
+        lines = [f"{indent}{kind} {array}[{len(names)}];", broken(f"{indent}{function}({passed});")]
         for place, name in enumerate(names):
             self.types[name] = kind
             if name in self.used:
@@ -304,7 +302,3 @@ def _leaves(target: ast.expr) -> list[str]:
 
 def _items(node: ast.expr) -> list[ast.expr]:
     return [leaf for item in node.elts for leaf in _items(item)] if isinstance(node, ast.Tuple) else [node]
-
-
-def _wrapped(line: str, indent: str) -> str:
-    return textwrap.fill(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)

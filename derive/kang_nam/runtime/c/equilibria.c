@@ -36,8 +36,8 @@ static int allowed(const spragsym_parameters *given) {
     const double pi = 3.14159265358979323846;
     /* Written so that a NaN fails. */
     return given->theta0 > 0.0 && given->theta0 < pi && given->mu0 >= 0.0 && given->kappa > 0.0 && given->alpha >= 0.0 &&
-           given->sigma > 0.0 && given->beta >= 0.0 && isfinite(given->mu0) && isfinite(given->kappa) &&
-           isfinite(given->alpha) && isfinite(given->sigma) && isfinite(given->beta);
+        given->sigma > 0.0 && given->beta >= 0.0 && isfinite(given->mu0) && isfinite(given->kappa) &&
+        isfinite(given->alpha) && isfinite(given->sigma) && isfinite(given->beta);
 }
 
 spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym_model *model) {
@@ -99,7 +99,7 @@ CLONED static void guess_columns(point_columns *p) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
-                             p->alpha[i],       p->sigma[i],     p->beta[i], p->nbar[i]};
+            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
         const Balance line = balance(point);
         const Guesses all = guesses(point, line, UNIT_ROUNDOFF);
         p->cos0[i] = undeformed.cosine;
@@ -238,15 +238,15 @@ typedef struct {
 } wide_roots;
 
 INLINE WidePoint widened(SplitDirection undeformed, double mu0, double kappa, double alpha, double sigma, double beta,
-                         double nbar) {
+    double nbar) {
     const WidePoint point = {paired(undeformed.cosine_high, undeformed.cosine_low),
-                             paired(undeformed.sine_high, undeformed.sine_low),
-                             paired(mu0, 0.0),
-                             paired(kappa, 0.0),
-                             paired(alpha, 0.0),
-                             paired(sigma, 0.0),
-                             paired(beta, 0.0),
-                             paired(nbar, 0.0)};
+        paired(undeformed.sine_high, undeformed.sine_low),
+        paired(mu0, 0.0),
+        paired(kappa, 0.0),
+        paired(alpha, 0.0),
+        paired(sigma, 0.0),
+        paired(beta, 0.0),
+        paired(nbar, 0.0)};
     return point;
 }
 
@@ -339,7 +339,7 @@ static void solve_widely(int points, wide_points *p, wide_roots groups[MAX_ROOTS
 
 /* The equilibria of one lane of a group, whose roots begin at `next`; whether they are settled, or else nothing is written. */
 static int take_widely(const wide_points *p, const wide_roots groups[MAX_ROOTS], int lane, int next, int *count,
-                       spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     spragsym_equilibrium found[SPRAGSYM_MAX_EQUILIBRIA];
     tally sum = nothing_yet(p->nbar[lane], p->certain[lane]);
     for (int j = 0; j < MAX_ROOTS; j++) {
@@ -363,9 +363,9 @@ static int take_widely(const wide_points *p, const wide_roots groups[MAX_ROOTS],
 
 /* One point that double precision leaves open. */
 static int settled_widely(const spragsym_model *model, double nbar, int *count,
-                          spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     const WidePoint point = widened(dd_cosine_and_sine(model->theta0), model->mu0, model->kappa, model->alpha, model->sigma,
-                                    model->beta, nbar);
+        model->beta, nbar);
     const WideBalance line = wide_balance(point);
     const WideGuesses all = wide_guesses(point, line, WIDE_ROUNDOFF);
     const Wide t[MAX_ROOTS] = {all.t0, all.t1, all.t2, all.t3};
@@ -391,7 +391,7 @@ static int settled_widely(const spragsym_model *model, double nbar, int *count,
 }
 
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
-                                    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
     if (!model || !equilibria || !count || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
         return SPRAGSYM_BAD_INPUT;
     }
@@ -442,14 +442,14 @@ static int line_up(int points, const int refused[BLOCK], const point_columns *p,
 
 /* One root out of its columns. */
 static Root taken_from(const root_columns *r, int lane) {
-    const Root root = {r->L[lane],     r->x[lane],        r->y[lane],    r->radius[lane], r->error[lane],
-                       r->member[lane], r->outsider[lane], r->code[lane], r->known[lane]};
+    const Root root = {r->L[lane], r->x[lane], r->y[lane], r->radius[lane], r->error[lane],
+        r->member[lane], r->outsider[lane], r->code[lane], r->known[lane]};
     return root;
 }
 
 /* What is at every root of a block of points, whose guesses are there. */
 static void solve_columns(double nbar, int points, const int refused[BLOCK], const point_columns *p,
-                          root_columns groups[GROUPS]) {
+    root_columns groups[GROUPS]) {
     const int total = line_up(points, refused, p, groups);
     for (int i = 0; i < GROUPS; i++) {
         if (i * LANES < total) {
@@ -460,7 +460,7 @@ static void solve_columns(double nbar, int points, const int refused[BLOCK], con
 
 /* Parameters into columns; points that are refused give way to a harmless one. */
 static void load(double nbar, int points, const spragsym_parameters given[], spragsym_status statuses[],
-                 point_columns *p) {
+    point_columns *p) {
     const spragsym_parameters harmless = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     for (int i = 0; i < BLOCK; i++) {
         const int good = i < points && allowed(&given[i]);
@@ -493,8 +493,8 @@ static void refuse(int points, const point_columns *p, spragsym_status statuses[
 
 /* The answers back to their points; the largest status. */
 static spragsym_status unload(double nbar, int points, const point_columns *p, const root_columns groups[GROUPS],
-                              spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-                              spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]) {
     spragsym_status worst = SPRAGSYM_OK;
     int next = 0;
     for (int i = 0; i < BLOCK; i++) {
@@ -524,8 +524,8 @@ static spragsym_status unload(double nbar, int points, const point_columns *p, c
 
 /* Points that double precision left open, a group at a time; the largest status. */
 static spragsym_status reconsider(double nbar, int points, const spragsym_parameters given[],
-                                  spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-                                  spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]) {
     wide_points p;
     wide_roots groups[MAX_ROOTS];
     int place[BLOCK];
@@ -565,8 +565,8 @@ static spragsym_status reconsider(double nbar, int points, const spragsym_parame
 }
 
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
-                                          spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-                                          spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]) {
     root_columns groups[GROUPS];
     point_columns p;
     int refused[BLOCK];

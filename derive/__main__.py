@@ -1,4 +1,4 @@
-"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``."""
+"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``, or one page: ``--model PAGE.py --out DIR``."""
 
 from __future__ import annotations
 
@@ -16,21 +16,43 @@ except ModuleNotFoundError:
 
 from . import folder, pages
 from .emit import write
-from .kang_nam import catastrophe, check, elimination, emission, equilibrium, ledger, linear_sprag, mechanics, stability, theorem
+from .kang_nam import (
+    catastrophe,
+    check,
+    elimination,
+    emission,
+    equilibrium,
+    generality,
+    ledger,
+    linear_sprag,
+    mechanics,
+    stability,
+    theorem,
+)
 
 T = TypeVar("T")
+
+#: Where everything is written unless told otherwise.
+DEFAULT = Path(__file__).parent.parent / "generated"
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Exit code 0: written; 1: a check failed and nothing was written; 2: usage."""
     parser = argparse.ArgumentParser(prog="python -m derive", description="Derive the model, check the article, emit generated/.")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parent.parent / "generated", help="folder to write")
+    parser.add_argument("--out", type=Path, default=DEFAULT, help="folder to write")
     parser.add_argument(
         "--variant",
         action="store_true",
         help="write even if printed rows no longer hold, as when an assumption in mechanics.py was changed on purpose",
     )
+    parser.add_argument("--model", type=Path, metavar="PAGE.py", help="derive this page only, and write its folder to --out")
     options = parser.parse_args(arguments)
+    if options.model is not None:
+        if options.out == DEFAULT or options.variant:
+            parser.error("--model needs a folder of its own, --out DIR, and no --variant")
+        count = _step(f"{options.model.name}", lambda: folder.write_page(options.model, options.out))
+        print(f"wrote {count} files to {options.out}/")
+        return 0
 
     _step("equations of motion (1)–(11)", mechanics.motion)
     _step("balance and matrix form (12)–(25)", equilibrium.matrix_form)
@@ -39,6 +61,8 @@ def main(arguments: list[str] | None = None) -> int:
     identities |= _step("surface, folds, cusps", catastrophe.identities)
     identities |= _step("linear sprag model", linear_sprag.identities)
     proof = _step("one or three", theorem.one_or_three)
+    if not options.variant:
+        identities |= _step("the general way", generality.identities)
     rows = tuple(_step("check against the article", check.run))
     outcome = ledger.Ledger(rows, identities, proof)
 

@@ -1,26 +1,59 @@
-"""The friction law: its two smooth sides, and its value at steady sliding."""
+"""The friction law: its two smooth sides, the layers in it that a step from far away cannot see, and its value at steady sliding.
+
+An exponential of the sliding speed makes a layer at v = 0: far from it all its derivatives are below rounding. Every one gets a
+factor NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers` says how far away a motion is, as minus its exponent.
+"""
 
 from __future__ import annotations
 
 import sympy as sp
 
-from .mechanics import Mechanics
-from .model import PageError
+from .mechanics import SIDE, Mechanics
+from .model import PageError, expression_of
 
-#: Sign of the sliding speed: 1 where the belt is ahead, −1 where the mass is.
-SIDE = sp.Symbol("side", real=True)
 _SLIP = sp.Symbol("slip", positive=True)
 
 
-def smooth_friction(model: Mechanics) -> sp.Expr:
-    """μ at the sliding speed belt − d(slide)/dt, without the absolute value and the sign that kink it, for either SIDE."""
-    if model.page.sliding is None or model.slide is None:
-        return sp.S.Zero
-    law, slip = model.page.sliding.law, model.belt - model.page.rate(model.slide)
-    ahead, behind = (model.scaled(sp.sympify(law(sign * _SLIP))) for sign in (1, -1))
+def slip(model: Mechanics) -> sp.Expr:
+    """The sliding speed: belt − d(slide)/dt."""
+    return model.belt - (sp.S.Zero if model.slide is None else model.page.rate(model.slide))
+
+
+def near(count: int) -> tuple[sp.Symbol, ...]:
+    """The factors of so many exponentials."""
+    return tuple(sp.Symbol(f"near{number}", real=True) for number in range(1, count + 1))
+
+
+def _sides(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
+    """The law for the belt ahead and for the mass ahead, in the positive speed _SLIP."""
+    if model.page.sliding is None:
+        return sp.S.Zero, sp.S.Zero
+    law = model.page.sliding.law
+    ahead, behind = (model.scaled(expression_of(law(sign * _SLIP))) for sign in (1, -1))
+    return ahead, behind
+
+
+def _exponentials(model: Mechanics) -> list[sp.Expr]:
+    """Exponentials of the sliding speed in the law, in an order of their own."""
+    found = {node for side in _sides(model) for node in side.atoms(sp.exp) if node.has(_SLIP)}
+    return sorted(found, key=sp.default_sort_key)
+
+
+def layers(model: Mechanics) -> tuple[sp.Expr, ...]:
+    """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
+    return tuple(sp.expand(-node.args[0]).subs(_SLIP, SIDE * slip(model)) for node in _exponentials(model))
+
+
+def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
+    """μ without the absolute value and the sign that kink it, for either SIDE; its exponentials with their NEAR unless all are felt."""
+    ahead, behind = _sides(model)
+    nodes = _exponentials(model)
+    if not felt:
+        factors = {node: factor * node for node, factor in zip(nodes, near(len(nodes)), strict=True)}
+        ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
     if sp.expand(ahead + behind) == 0:
-        return SIDE * ahead.subs(_SLIP, SIDE * slip)
-    forward, backward = ahead.subs(_SLIP, slip), behind.subs(_SLIP, -slip)
+        return SIDE * ahead.subs(_SLIP, SIDE * slip(model))
+    forward, backward = ahead.subs(_SLIP, slip(model)), behind.subs(_SLIP, -slip(model))
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
@@ -29,7 +62,7 @@ def friction_at_rest(model: Mechanics) -> sp.Expr:
     sliding = model.page.sliding
     if sliding is None:
         return sp.S.Zero
-    ahead = model.scaled(sp.sympify(sliding.law(_SLIP)))
+    ahead, _ = _sides(model)
     if sliding.at_rest is None:
         return ahead.subs(_SLIP, model.belt)
     limit, named = sp.limit(ahead, _SLIP, sp.oo), model.scaled(sliding.at_rest)

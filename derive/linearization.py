@@ -6,7 +6,7 @@ import sympy as sp
 
 from . import laws
 from .emit.function import Function, Module
-from .mechanics import DEPTH, PUSHING, Mechanics
+from .mechanics import DEPTH, PUSHING, SIDE, Mechanics
 
 
 def damping(model: Mechanics) -> sp.Matrix:
@@ -14,7 +14,7 @@ def damping(model: Mechanics) -> sp.Matrix:
     still = dict.fromkeys(model.rates, sp.S.Zero)
     rows = [list(row) for row in sp.Matrix(model.resistance).jacobian(model.rates).tolist()]
     if model.slide is not None:
-        friction = laws.smooth_friction(model).subs(laws.SIDE, 1)
+        friction = laws.smooth_friction(model, felt=True).subs(SIDE, 1)
         for i, symbol in enumerate(model.coordinates):
             push = model.normal * sp.diff(model.slide, symbol)
             for j, rate in enumerate(model.rates):

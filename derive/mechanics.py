@@ -17,10 +17,12 @@ from functools import cached_property
 import sympy as sp
 
 from .algebra import reduce_circles
-from .model import Datum, Page, PageError
+from .model import Datum, Page, PageError, Point, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
 PUSHING = sp.Symbol("pushing", real=True)
+#: Sign of the sliding speed: 1 where the belt is ahead, −1 where the mass is.
+SIDE = sp.Symbol("side", real=True)
 #: The friction coefficient, where a function takes it as a number.
 MU = sp.Symbol("mu", real=True)
 #: Penetration, positive, of a law that is no polynomial.
@@ -71,7 +73,7 @@ class Mechanics:
     gap: sp.Expr | None
     unilateral: bool
     polynomial: bool  #: whether the contact law is a polynomial of the penetration
-    push: sp.Expr  #: the contact force on the contact's side, in coordinates, or in DEPTH where it is no polynomial
+    law: sp.Expr  #: the contact force in DEPTH
     scaled: Callable[[sp.Expr], sp.Expr]  #: makes an expression of the page dimensionless
     slide: sp.Expr | None  #: the displacement that friction opposes
     belt: sp.Expr
@@ -113,8 +115,9 @@ class Mechanics:
 
     def tidy(self, expression: sp.Expr) -> sp.Expr:
         """In the fewest terms: by c² + s² = 1, either square of every direction may go; common factors stand outside."""
-        kept = {1 / line.l: sp.Dummy() for line in self.lines}
-        shortest = sp.expand(sp.expand(expression).subs(kept))
+        nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)  # kept whole: expanded, they may overflow
+        kept = {1 / line.l: sp.Dummy() for line in self.lines} | {node: sp.Dummy() for node in nodes}
+        shortest = sp.expand(sp.expand(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)).subs(SIDE**2, 1)
         for line in self.lines:
             if shortest.has(line.c, line.s):
                 forms = [reduce_circles(shortest, (pair,)) for pair in ((line.c, line.s), (line.s, line.c))]
@@ -122,6 +125,11 @@ class Mechanics:
         return sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
 
     # ------------------------------------------------------------------------------------------------ forces
+
+    @cached_property
+    def push(self) -> sp.Expr:
+        """The contact force on the contact's side, in coordinates; in DEPTH where it is no polynomial."""
+        return sp.expand(self.law.subs(DEPTH, -self.gap)) if self.polynomial and self.gap is not None else self.law
 
     @cached_property
     def normal(self) -> sp.Expr:
@@ -179,7 +187,7 @@ def of(page: Page) -> Mechanics:
     rates = tuple(entry.rate for entry in page.coordinates)
     lines, rest_energy, dissipation = _lines(page, scaled)
     potential = rest_energy + sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
-    gap, push, polynomial, unilateral = _contact(page, scaled)
+    gap, law = _contact(page, scaled)
     return Mechanics(
         page=page,
         coordinates=coordinates,
@@ -192,9 +200,9 @@ def of(page: Page) -> Mechanics:
         applied=_applied(page, scaled, coordinates),
         dissipation=sp.expand(dissipation),
         gap=gap,
-        unilateral=unilateral,
-        polynomial=polynomial,
-        push=push,
+        unilateral=page.normal is not None and page.normal.unilateral,
+        polynomial=bool(law.is_polynomial(DEPTH)),
+        law=law,
         scaled=scaled,
         slide=None if page.sliding is None else scaled(page.sliding.along),
         belt=sp.S.Zero if page.sliding is None else scaled(page.sliding.belt),
@@ -229,35 +237,38 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], sp.Expr, sp.E
 
     The energy k (l − r)²/2 is written as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear in coordinates and direction.
     """
-    found: dict[tuple[sp.Expr, sp.Expr], Line] = {}
+    found: list[Line] = []
     energy = dissipation = sp.S.Zero
 
-    def line_of(element: object) -> Line:
-        ((ax, ay), (bx, by)) = element.ends  # type: ignore[attr-defined]
+    def line_of(ends: tuple[Point, Point], rest: sp.Expr | None, line: int) -> Line:
+        """The line between two points; that of a spring with this undeformed length, for a damper that of any."""
+        ((ax, ay), (bx, by)) = ends
         vector = scaled(bx - ax), scaled(by - ay)
-        if vector not in found:
-            count = len(found) + 1
-            c, s = sp.symbols(f"c{count} s{count}", real=True)
-            rest = scaled(getattr(element, "length", sp.S.Zero))
-            found[vector] = Line(*vector, rest, c, s, sp.Symbol(f"l{count}", positive=True), element.line)  # type: ignore[attr-defined]
-        return found[vector]
+        for known in found:
+            if (known.dx, known.dy) == vector and rest in (None, known.rest):
+                return known
+        count = len(found) + 1
+        c, s = sp.symbols(f"c{count} s{count}", real=True)
+        length = sp.Symbol(f"l{count}", positive=True)
+        found.append(Line(*vector, sp.S.Zero if rest is None else rest, c, s, length, line))
+        return found[-1]
 
     for spring in page.springs:
         stiffness = scaled(spring.stiffness)
         if spring.ends is None:
             energy += stiffness * (scaled(spring.along) - scaled(spring.length)) ** 2 / 2
         else:
-            line = line_of(spring)
-            energy += stiffness * ((line.dx**2 + line.dy**2) / 2 - scaled(spring.length) * line.l)
+            line = line_of(spring.ends, scaled(spring.length), spring.line)
+            energy += stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
     for damper in page.dampers:
         coefficient = scaled(damper.coefficient)
         if damper.ends is None:
             speed = page.rate(damper.along)
         else:
-            line = line_of(damper)
+            line = line_of(damper.ends, None, damper.line)
             speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
         dissipation += coefficient * speed**2 / 2
-    return tuple(found.values()), energy, dissipation
+    return tuple(found), energy, dissipation
 
 
 def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:
@@ -271,11 +282,9 @@ def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) ->
     return tuple(map(sp.expand, forces))
 
 
-def _contact(page: Page, scaled: _Scaled) -> tuple[sp.Expr | None, sp.Expr, bool, bool]:
+def _contact(page: Page, scaled: _Scaled) -> tuple[sp.Expr | None, sp.Expr]:
+    """The gap, and the law in DEPTH."""
     if page.normal is None:
-        return None, sp.S.Zero, True, False
-    gap = scaled(page.normal.gap)
-    law = scaled(sp.sympify(page.normal.law(DEPTH)))
-    if law.is_polynomial(DEPTH):
-        return gap, sp.expand(law.subs(DEPTH, -gap)), True, page.normal.unilateral
-    return gap, law, False, page.normal.unilateral
+        return None, sp.S.Zero
+    gap = None if page.normal.gap is None else scaled(page.normal.gap)
+    return gap, scaled(expression_of(page.normal.law(DEPTH)))

@@ -31,9 +31,14 @@ Law = Callable[[sp.Expr], sp.Expr]
 class PageError(ArithmeticError):
     """A page that can't be carried through: which line, what was expected, and what still works."""
 
-    def __init__(self, line: int, message: str) -> None:
-        super().__init__(f"line {line}: {message}" if line else message)
-        self.line = line
+    def __init__(self, line: int, message: str, page: str = "") -> None:
+        place = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
+        super().__init__(f"{place}: {message}" if place else message)
+        self.line, self.message = line, message
+
+    def of(self, page: str) -> PageError:
+        """The same with the name of the page."""
+        return PageError(self.line, self.message, page)
 
 
 @dataclass(frozen=True)
@@ -95,9 +100,12 @@ class Force:
 
 @dataclass(frozen=True)
 class Contact:
-    """The normal force: a law of the penetration −gap; ``unilateral`` contact has no force where the gap is positive."""
+    """The normal force: a law of the penetration −gap, or a given force where ``gap`` is None.
 
-    gap: sp.Expr
+    ``unilateral`` contact has no force where the gap is positive.
+    """
+
+    gap: sp.Expr | None
     law: Law
     unilateral: bool
     line: int
@@ -220,6 +228,11 @@ class Page:
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
         """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
         self.normal = Contact(expression_of(gap), law, unilateral, _line())
+
+    def normal_force(self, force: sp.Expr) -> None:
+        """A given normal force, in the place of a contact law."""
+        given = expression_of(force)
+        self.normal = Contact(None, lambda depth: given, False, _line())
 
     def friction(self, along: sp.Expr, belt: sp.Expr, law: Law, at_rest: sp.Expr | None = None) -> None:
         """The friction coefficient as a ``law`` of the sliding speed ``belt − rate(along)``.

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import ast
+import traceback
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import mechanics
+from . import mechanics, soundness
 from .mechanics import Mechanics
 from .model import Page, PageError
 
@@ -32,20 +34,50 @@ def shipped() -> tuple[Path, ...]:
     return tuple(sorted(pages, key=lambda path: path.stem != "kang_nam"))
 
 
+@cache
 def read(path: Path) -> Model:
-    """Read a page: it is run as a module of this package, wherever it stands."""
+    """Read a page, once: it is run as a module of this package, wherever it stands.
+
+    Raises
+    ------
+    PageError
+        Where it can't be carried through, with the page's name and the line.
+    """
     text = path.read_text(encoding="utf-8")
+    try:
+        return _model(path, text)
+    except PageError as error:
+        raise error.of(path.name) from error
+
+
+def _model(path: Path, text: str) -> Model:
+    page, docstring = _run(path, text)
+    soundness.check_units(page)
+    soundness.groups(page)
+    model = mechanics.of(page)
+    soundness.check_forces(model)
+    return Model(path.stem, text, docstring, page, model)
+
+
+def _run(path: Path, text: str) -> tuple[Page, str]:
+    """The page that a file makes, and its docstring."""
     try:
         tree = _Imports().visit(ast.parse(text, str(path)))
     except SyntaxError as error:
         raise PageError(error.lineno or 0, f"the page is no Python: {error.msg}") from error
     package = __name__.rpartition(".")[0]
     names: dict[str, Any] = {"__name__": f"{package}.models.{path.stem}", "__package__": f"{package}.models"}
-    exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
+    try:
+        exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
+    except PageError:
+        raise
+    except Exception as error:
+        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+        raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}") from error
     page = names.get("page")
     if not isinstance(page, Page):
-        raise PageError(0, f"{path.name} makes no page; begin it with page = Page('…')")
-    return Model(path.stem, text, ast.get_docstring(tree) or "", page, mechanics.of(page))
+        raise PageError(0, "the file makes no page; begin it with page = Page('…')")
+    return page, ast.get_docstring(tree) or ""
 
 
 class _Imports(ast.NodeTransformer):

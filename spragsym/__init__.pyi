@@ -38,9 +38,17 @@ from .cycles import cycle_branch as cycle_branch
 from .cycles import cycle_events as cycle_events
 from .cycles import fate_boundary as fate_boundary
 from .cycles import lyapunov as lyapunov
+from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
+from .design import JumpMargin as JumpMargin
+from .design import JumpProbability as JumpProbability
+from .design import Redesign as Redesign
+from .design import certify as certify
 from .design import jump_gradient as jump_gradient
+from .design import jump_margin as jump_margin
+from .design import jump_probability as jump_probability
 from .design import jump_value as jump_value
+from .design import redesign as redesign
 from .dynamics import Event as Event
 from .dynamics import Events as Events
 from .dynamics import Outcome as Outcome
@@ -53,6 +61,8 @@ from .errors import MissingExtraError as MissingExtraError
 from .errors import ParameterError as ParameterError
 from .errors import ParameterTypeError as ParameterTypeError
 from .errors import SpragsymError as SpragsymError
+from .models import Model as Model
+from .models import load as load
 from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
-from typing import Any, TypeAlias, TypeVar
+from typing import Any, ClassVar, Self, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -34,14 +34,22 @@ class Range:
     high: float = math.inf
     open_low: bool = False
     remedy: str = ""
+    closed_high: bool = False
 
     def contains(self, value: float) -> bool:
         """Whether a number is allowed."""
-        return (value > self.low if self.open_low else value >= self.low) and value < self.high
+        return bool(self.inside(np.asarray(value)))
+
+    def inside(self, values: FloatArray) -> NDArray[np.bool_]:
+        """Where numbers are allowed."""
+        above = values > self.low if self.open_low else values >= self.low
+        below = values <= self.high if self.closed_high else values < self.high
+        allowed: NDArray[np.bool_] = np.isfinite(values) & above & below
+        return allowed
 
     def __str__(self) -> str:
         low = "(" if self.open_low or math.isinf(self.low) else "["
-        return f"{low}{shown(self.low)}, {_bound(self.high)})"
+        return f"{low}{_bound(self.low)}, {_bound(self.high)}{']' if self.closed_high else ')'}"
 
 
 def shown(value: float) -> str:
@@ -50,14 +58,15 @@ def shown(value: float) -> str:
 
 
 def _bound(value: float) -> str:
-    return "pi" if value == math.pi else shown(value)
+    named = {math.pi: "pi", math.pi / 2: "pi/2", -math.pi: "-pi", -math.pi / 2: "-pi/2"}
+    return named.get(value) or shown(value)
 
 
 POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
 
-#: What to do about a value out of its range, where the range alone does not say it.
+#: Remedies for values out of range, where the range alone does not suggest one.
 _REMEDIES = {
     "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
     "mu0": "a belt that runs the other way is the mirror image: give the supplement of theta0",
@@ -110,8 +119,7 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
             f"{name} = {_short(value)} is of type {array.dtype}; it must be real numbers, not {_kind(array)}"
         )
     array = array.astype(np.float64)
-    finite = np.isfinite(array)
-    inside = finite & (array > allowed.low if allowed.open_low else array >= allowed.low) & (array < allowed.high)
+    inside = allowed.inside(array)
     if not inside.all():
         index = tuple(int(i) for i in np.argwhere(~inside)[0]) if array.ndim else ()
         place = f"{name}[{', '.join(map(str, index))}]" if index else name
@@ -160,21 +168,22 @@ def degrees(angle: float) -> float:
 _C = TypeVar("_C")
 
 
-def _named(cls: type[_C]) -> type[_C]:
-    """Let a dataclass say which of its names was meant, where one is given that it has not."""
+def named(cls: type[_C]) -> type[_C]:
+    """Make a dataclass suggest the name that was meant when it is given one that it does not have."""
     made: Callable[..., None] = cls.__init__
     known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
 
     @functools.wraps(made)
     def __init__(self: Any, *args: Any, **values: Any) -> None:
-        _check_names(values, known)
+        check_names(values, known)
         made(self, *args, **values)
 
     cls.__init__ = __init__  # type: ignore[method-assign]  # the same arguments
     return cls
 
 
-def _check_names(given: Iterable[str], known: Iterable[str]) -> None:
+def check_names(given: Iterable[str], known: Iterable[str]) -> None:
+    """Raise for a name that is not known, with the one that was meant."""
     known = list(known)
     for name in given:
         if name not in known:
@@ -183,9 +192,74 @@ def _check_names(given: Iterable[str], known: Iterable[str]) -> None:
             raise ParameterTypeError(f"{name} is not a parameter{remark}")
 
 
-@_named
 @dataclass(frozen=True, eq=False)
-class Parameters(Shown):
+class ParameterSet(Shown):
+    """Dimensionless parameters of a model, scalars or arrays that broadcast together; a subclass has a field for each."""
+
+    #: Allowed values of each parameter, in the order in which functions take them.
+    ranges: ClassVar[Mapping[str, Range]] = {}
+    #: Parameters that may be left out, for functions that span them.
+    spanned: ClassVar[frozenset[str]] = frozenset()
+    #: Where a set with values for all of them comes from.
+    origin: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        for name, allowed in self.ranges.items():
+            value = getattr(self, name)
+            if value is None:
+                if name not in self.spanned:
+                    raise ParameterError(f"{name} is missing; give it, or start from {self.origin}")
+                continue
+            object.__setattr__(self, name, as_numbers(name, value, allowed))
+        self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Common shape of all parameters."""
+        given = {name: getattr(self, name).shape for name in self.ranges if getattr(self, name) is not None}
+        try:
+            return np.broadcast_shapes(*given.values())
+        except ValueError as error:
+            listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
+            raise ParameterError(
+                f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
+            ) from error
+
+    def replace(self, **changes: ArrayLike | None) -> Self:
+        """A copy with other values."""
+        return replace(self, **changes)
+
+    def require(self, *names: str) -> None:
+        """Raise unless the named parameters are given."""
+        for name in names:
+            if getattr(self, name) is None:
+                raise ParameterError(f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)")
+
+    def scalars(self, *names: str) -> tuple[float, ...]:
+        """The named parameters as floats; an error if one is missing or an array."""
+        self.require(*names)
+        return tuple(as_number(name, getattr(self, name)) for name in names)
+
+    def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
+        """The named parameters, read-only, each of the common shape."""
+        self.require(*names)
+        return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
+
+    def __repr__(self) -> str:
+        given = ((name, getattr(self, name)) for name in self.ranges)
+        return f"{type(self).__name__}({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+
+    __hash__ = None  # type: ignore[assignment]  # arrays do not hash
+
+
+@named
+@dataclass(frozen=True, eq=False, repr=False)
+class Parameters(ParameterSet):
     """Dimensionless parameters, scalars or arrays that broadcast together.
 
     Parameters
@@ -222,6 +296,10 @@ class Parameters(Shown):
     0.007
     """
 
+    ranges = RANGES
+    spanned = frozenset(("theta0", "mu0"))
+    origin = "Parameters.article(...)"
+
     theta0: Any = None
     mu0: Any = None
     kappa: Any = None
@@ -229,64 +307,11 @@ class Parameters(Shown):
     sigma: Any = None
     beta: Any = None
 
-    def __post_init__(self) -> None:
-        for name in NAMES:
-            value = getattr(self, name)
-            if value is None:
-                if name not in ("theta0", "mu0"):
-                    raise ParameterError(f"{name} is missing; give it, or start from Parameters.article(...)")
-                continue
-            object.__setattr__(self, name, as_numbers(name, value, RANGES[name]))
-        self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
-
     @classmethod
     def article(cls, **changes: ArrayLike | None) -> Parameters:
         """The article's base values, μ₀ = 0.5, κ = α = 0.007, σ = 0.1, β = 0, with changes."""
-        _check_names(changes, NAMES)
+        check_names(changes, NAMES)
         return cls(**{**ARTICLE, **changes})
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Common shape of all parameters."""
-        given = {name: getattr(self, name).shape for name in NAMES if getattr(self, name) is not None}
-        try:
-            return np.broadcast_shapes(*given.values())
-        except ValueError as error:
-            listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
-            raise ParameterError(
-                f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
-            ) from error
-
-    def replace(self, **changes: ArrayLike | None) -> Parameters:
-        """A copy with other values."""
-        return replace(self, **changes)
-
-    def require(self, *names: str) -> None:
-        """Raise unless the named parameters are given."""
-        for name in names:
-            if getattr(self, name) is None:
-                raise ParameterError(f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)")
-
-    def scalars(self, *names: str) -> tuple[float, ...]:
-        """The named parameters as floats; an error if one is missing or an array."""
-        self.require(*names)
-        return tuple(as_number(name, getattr(self, name)) for name in names)
-
-    def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
-        """The named parameters, read-only, each of the common shape."""
-        self.require(*names)
-        return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
-
-    def __repr__(self) -> str:
-        given = ((name, getattr(self, name)) for name in NAMES)
-        return f"Parameters({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
-
-    def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Parameters):
-            return NotImplemented
-        return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
-
-    __hash__ = None  # type: ignore[assignment]
 
 
 def _plain(value: FloatArray) -> str:
@@ -308,7 +333,7 @@ class Scales(Shown):
     force: float
 
 
-@_named
+@named
 @dataclass(frozen=True)
 class PhysicalParameters(Shown):
     """The model in newtons, metres, kilograms and seconds, or any consistent system of units.
@@ -369,7 +394,7 @@ class PhysicalParameters(Shown):
             object.__setattr__(self, "d", as_number("d", self.d, range_of("d_dim")))
 
     def __getattr__(self, name: str) -> Any:
-        # Every function of the model asks its parameters for one of these first.
+        # Every function of the model first asks its parameters for one of these.
         if name in _DIMENSIONLESS_ONLY:
             raise NotDimensionlessError(
                 "dimensionless Parameters are needed here, and these are PhysicalParameters; call .dimensionless() on them"
@@ -403,6 +428,6 @@ class PhysicalParameters(Shown):
 
 
 #: What :class:`Parameters` has and :class:`PhysicalParameters` has not.
-_DIMENSIONLESS_ONLY = {name for name in (*NAMES, *vars(Parameters)) if not name.startswith("_")} - {
+_DIMENSIONLESS_ONLY = {name for name in (*NAMES, *vars(Parameters), *vars(ParameterSet)) if not name.startswith("_")} - {
     field.name for field in fields(PhysicalParameters)
 }

@@ -466,7 +466,7 @@ int run(double first, double second, double reach) {
 
 
 def test_batch_refuses(library: ctypes.CDLL) -> None:
-    """A missing array or a regime there is none: nothing is written."""
+    """For a missing array or an unknown regime nothing is written."""
     given, found = np.array([BASE]), (Equilibrium * 4)()
     counts, status = np.array([-5], np.intc), np.array([-5], np.intc)
     arguments = [_pointer(given), CONTACT, found, _pointer(counts), _pointer(status)]
@@ -610,7 +610,7 @@ def _motion(V: float, d: float, start: Any, end: float) -> tuple[Any, list[int]]
 
     while time < end:
         for event, direction in ((belt, 1 if nbar else -1), (speed, side)):
-            event.terminal, event.direction = True, direction  # type: ignore[attr-defined]
+            event.terminal, event.direction = True, direction  # type: ignore[attr-defined]  # as SciPy wants it
         run = solve_ivp(rate, (time, end), state, method="DOP853", rtol=1e-13, atol=1e-14, events=(belt, speed))
         time, state = run.t[-1], run.y[:, -1]
         if run.status == 1:

@@ -56,7 +56,7 @@ def forces(x: Any, y: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma:
 def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
     """Eigenvalues of the forces' Jacobian by central differences: λ² less the sign."""
     h = 1e-6
-    at = lambda dx, dy: np.array(forces(x + dx, y + dy, theta0, **p, contact=contact))  # noqa: E731
+    at = lambda dx, dy: np.array(forces(x + dx, y + dy, theta0, **p, contact=contact))  # noqa: E731  # one line of two
     K = np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
     return np.linalg.eigvals(K)
 
@@ -332,7 +332,7 @@ def linear_stiffness(theta0: float, mu0: float) -> Any:
     """K at the undeformed state, by differences; friction as in contact on both sides of y = 0."""
     h = 1e-6
     p = BASE | {"mu0": mu0}
-    at = lambda x, y: np.array(forces(x, y, theta0, **p))  # noqa: E731
+    at = lambda x, y: np.array(forces(x, y, theta0, **p))  # noqa: E731  # one line of two
     return np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
 
 
@@ -584,7 +584,7 @@ def test_the_report_gives_every_row_of_both_records() -> None:
         assert {name for name, _ in re.findall(r"^- (.+?): (.*)$", in_full[id], re.MULTILINE)} >= row["values"].keys()
     misprinted = {id for id, row in ledger.items() if row["status"] in ("misprint", "approximation")}
     shown = sections_of(parts["Misprints and approximations"], "###")
-    assert {re.search(r"\(([\w-]+)\)(?:: an approximation)?$", title)[1] for title in shown} == misprinted  # type: ignore[index]
+    assert {re.search(r"\(([\w-]+)\)(?:: an approximation)?$", title)[1] for title in shown} == misprinted  # type: ignore[index]  # there is a match
     for title, text in shown.items():
         (row,) = (row for id, row in ledger.items() if f"({id})" in title)
         assert f"{row['printed']} \\\\\n" in text

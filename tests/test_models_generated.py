@@ -24,8 +24,8 @@ class Generated:
 
     def __init__(self, name: str) -> None:
         self.about = json.loads((FOLDER / name / "model.json").read_text(encoding="utf-8"))
-        self.statics, self.linearization = (
-            importlib.import_module(f"spragsym.generated.models.{name}.{part}") for part in ("statics", "linearization")
+        self.statics, self.linearization, self.motion = (
+            importlib.import_module(f"spragsym.generated.models.{name}.{part}") for part in ("statics", "linearization", "motion")
         )
         self.n = len(self.about["coordinates"])
         self.parameters = [entry["name"] for entry in self.about["parameters"]]
@@ -35,7 +35,7 @@ class Generated:
         rng = np.random.default_rng(seed)
         q = [mp.mpf(round(value, 3)) for value in rng.uniform(0.1, 0.4, self.n)]
         names = [entry["name"] for entry in self.about["coordinates"]]
-        if self.about["contact"]["gap"] == "y":
+        if "y" in names:
             q[names.index("y")] *= -1
         return q, {name: mp.mpf(round(value, 3)) for name, value in zip(self.parameters, rng.uniform(0.2, 1.2, 99), strict=False)}
 
@@ -96,3 +96,88 @@ def test_derivatives_are_those_of_the_forces(model: Generated, pushing: int) -> 
                 else:
                     want = slope(lambda value, i=i, name=name: model.forces(q, {**p, name: value}, mu, pushing)[i], p[name])
                 assert abs(by_parameters[i][column] - want) < 1e-25, (i, name)
+
+
+def moving(model: Generated, seed: int) -> tuple[list[Any], dict[str, Any]]:
+    """Coordinates and rates, the mass slower than the belt, and parameters."""
+    q, p = model.point(seed)
+    rates = [mp.mpf(round(value, 3)) / 10 for value in np.random.default_rng(seed + 50).uniform(-1.0, 1.0, model.n)]
+    return [*q, *rates], p
+
+
+@pytest.mark.parametrize(("pushing", "side"), [(1, 1), (0, 1), (1, -1)])
+def test_derivatives_are_those_of_the_motion(model: Generated, pushing: int, side: int) -> None:
+    with mp.workdps(50):
+        z, p = moving(model, 2)
+        if side < 0:  # the mass is ahead
+            z[model.n] = p["V"] + mp.mpf("0.3")
+        felt = [1] * model.about["layers"]
+
+        def accelerations(z: list[Any], p: dict[str, Any], name: str = "regime_rhs") -> Any:
+            return getattr(model.motion, name)(*z, *model.arguments("motion", p), pushing, side, *felt, xp=XP)
+
+        jacobian, by_parameters = (accelerations(z, p, name) for name in ("regime_jacobian", "regime_by_parameters"))
+        for i in range(model.n):
+            for j in range(2 * model.n):
+                want = slope(lambda value, i=i, j=j: accelerations([*z[:j], value, *z[j + 1 :]], p)[i], z[j])
+                assert abs(jacobian[i][j] - want) < 1e-25, (i, j)
+            for column, name in enumerate(model.parameters):
+                want = slope(lambda value, i=i, name=name: accelerations(z, {**p, name: value})[i], p[name])
+                assert abs(by_parameters[i][column] - want) < 1e-25, (i, name)
+
+
+def test_the_kinked_field_is_that_of_the_regime(model: Generated) -> None:
+    with mp.workdps(50):
+        for seed, raised, faster in ((3, False, False), (4, True, False), (5, False, True)):
+            z, p = moving(model, seed)
+            names = [entry["name"] for entry in model.about["coordinates"]]
+            if raised and "y" in names:
+                z[names.index("y")] *= -1
+            if faster:
+                z[model.n] = p["V"] + 1
+            taken = model.arguments("motion", p)
+            gap, slip = model.motion.borders(*z, *taken, xp=XP)
+            pushing = 1 if gap < 0 or not model.about["contact"]["unilateral"] else 0
+            felt = [1] * model.about["layers"]
+            regime = model.motion.regime_rhs(*z, *taken, pushing, int(mp.sign(slip)), *felt, xp=XP)
+            for ours, theirs in zip(model.motion.rhs(*z, *taken, xp=XP), regime, strict=True):
+                assert abs(ours - theirs) < 1e-45
+
+
+def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
+    """Along the field the energy's numerical rate is the power of friction and dampers, and dampers take."""
+    with mp.workdps(50):
+        z, p = moving(model, 6)
+        p["V"] = mp.mpf("0.7")
+        taken, felt = model.arguments("motion", p), [1] * model.about["layers"]
+        q, v = z[: model.n], z[model.n :]
+        a = model.motion.regime_rhs(*z, *taken, 1, 1, *felt, xp=XP)
+
+        def energy(time: Any) -> Any:
+            state = [x + time * speed for x, speed in zip(q, v, strict=True)]
+            state += [speed + time * push for speed, push in zip(v, a, strict=True)]
+            return model.motion.energy(*state, *taken, 1, xp=XP)
+
+        friction = model.motion.friction_power(*z, *taken, 1, 1, *felt, xp=XP)
+        dampers = model.motion.damper_power(*z, *taken, xp=XP)
+        applied = model.motion.applied_power(*z, *taken, xp=XP)
+        assert abs(slope(energy, mp.mpf(0)) - friction - dampers - applied) < 1e-25
+        assert dampers <= 0
+        assert (dampers < 0) == (model.about["name"] in ("damped", "stick_slip"))
+
+
+@pytest.mark.parametrize("pushing", [0, 1])
+def test_the_articles_page_against_newtons_law(pushing: int) -> None:
+    """The balance on the free body in complex numbers, written without the derivation."""
+    from fractions import Fraction
+
+    from spragsym.derive.kang_nam import evidence
+
+    with mp.workdps(50):
+        model = Generated("kang_nam")
+        point = evidence.Point(theta0_deg=Fraction(37), mu0=Fraction(2, 5), beta=Fraction(1, 3))
+        p = {name: point.number(name) for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")} | {"V": 1, "d": 1}
+        for x, y in ((mp.mpf("0.3"), mp.mpf("-0.02")), (mp.mpf("1.9"), mp.mpf("0.8"))):
+            want = evidence.forces(point, x, y, mp.mpf(pushing))
+            for ours, theirs in zip(model.forces([x, y], p, p["mu0"], pushing), want, strict=True):
+                assert abs(ours - theirs) < 1e-45

@@ -81,7 +81,7 @@ def test_constraints_pin_what_the_extras_name() -> None:
     }
     extras = PROJECT["project"]["optional-dependencies"]
     for requirement in [*PROJECT["project"]["dependencies"], *(item for extra in extras.values() for item in extra)]:
-        name = re.match(r"[\w.-]+", requirement)[0].lower()  # type: ignore[index]
+        name = re.match(r"[\w.-]+", requirement)[0].lower()  # type: ignore[index]  # there is a match
         assert name == "spragsym" or re.sub(r"[-_.]+", "-", name) in pinned, requirement
 
 
@@ -177,6 +177,7 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path]) -> Non
     assert not archives[0].name.endswith("-none-any.whl")
 
 
+@pytest.mark.thorough
 def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], tmp_path: Path) -> None:
     """The source distribution installs, solves, and says what is missing."""
     wheel = wheel_by("/bin/false", archives[1], tmp_path)
@@ -205,6 +206,7 @@ print(hashlib.sha256(ss.count(p).tobytes()).hexdigest())
 """
 
 
+@pytest.mark.thorough
 @needs_compiler
 @pytest.mark.skipif(shutil.which("clang") is None or shutil.which("gcc") is None, reason="clang and gcc are not both here")
 def test_gcc_and_clang_give_the_same_bits(archives: tuple[Path, Path], tmp_path: Path) -> None:

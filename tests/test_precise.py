@@ -222,7 +222,7 @@ def test_threads_give_the_bits_of_one() -> None:
     _run_threads(3, 2.0)
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_eight_threads() -> None:
     """``SPRAGSYM_SECONDS=300`` for five minutes of them."""
     _run_threads(8, float(os.environ.get("SPRAGSYM_SECONDS", "5")))

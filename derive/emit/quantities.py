@@ -42,7 +42,7 @@ class Quantity:
 
 
 def interval(domain: str) -> Interval:
-    """Read ``real``, ``> 0``, ``>= 0``, ``(0, pi)``, ``[-1, 1]``; a set of values, ``{0, 1}``, has the interval that it spans."""
+    """Read ``real``, ``> 0``, ``>= 0``, ``(0, pi)``, ``(-pi/2, pi/2)``, ``[-1, 1]``; a set of values, ``{0, 1}``, has the interval that it spans."""
     if domain == "real":
         return Interval()
     if bound := re.fullmatch(r"(>=?) (\S+)", domain):
@@ -53,4 +53,7 @@ def interval(domain: str) -> Interval:
 
 
 def _number(text: str) -> float:
-    return math.pi if text == "pi" else float(text)
+    """A decimal, or a multiple of pi as ``pi``, ``-pi/2``."""
+    if multiple := re.fullmatch(r"(-?)pi(?:/(\d+))?", text):
+        return math.pi / int(multiple[2] or 1) * (-1 if multiple[1] else 1)
+    return float(text)

@@ -100,11 +100,11 @@ class Factors(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """Roots of a quadratic, the one of larger magnitude first, and the discriminant, negative if they are not real."""
+    """Roots of a quadratic, the one of larger magnitude first, and a quarter of the discriminant, negative if they are not real."""
 
     large: Real
     small: Real
-    square: Real
+    discriminant: Real
 
 
 class Guesses(NamedTuple):
@@ -294,7 +294,7 @@ def single(point: Point, u: Real) -> Flag:
 
 
 def outermost(P: Real, Q: Real) -> Real:
-    """The root of z³ + 3 P z + 2 Q of largest magnitude: the one that no other root is close to."""
+    """The root of z³ + 3 P z + 2 Q of largest magnitude, which is far from the others."""
     size = absolute(Q)
     inside = P * P * P + Q * Q
     # One real root: Cardano, in the form that does not cancel for P > 0.
@@ -342,7 +342,7 @@ def polish(A1: Real, A2: Real, A3: Real, p1: Real, q1: Real, p2: Real, q2: Real)
     dq2 = (s0 * dw + s1 * du * q2) * inverse
     dp1 = r3 - dp2
     dq1 = r2 - dq2 - p2 * dp1 - p1 * dp2
-    # Where three roots meet, the factors share one, and a step may lead anywhere.
+    # Where three roots meet, the factors share a root and the step is not reliable.
     good = (q1 + dq1 < 0.0) & (q2 + dq2 > 0.0) & (absolute(dp1 + dp2 + dq1 + dq2) < INFINITY)
     q1 = q1 + where(good, dq1, 0.0)
     q2 = q2 + where(good, dq2, 0.0)
@@ -372,10 +372,10 @@ def factors(a: Real, b: Real, d: Real, m: Real) -> Factors:
 def root_pair(p: Real, q: Real) -> Pair:
     """The two roots of t² + p t + q without cancellation."""
     half = 0.5 * p
-    square = half * half - q
-    radical = sqrt(maximum(square, 0.0))
+    quarter = half * half - q
+    radical = sqrt(maximum(quarter, 0.0))
     large = -half - where(half > 0.0, radical, -radical)
-    return Pair(large, q / large, square)
+    return Pair(large, q / large, quarter)
 
 
 def guesses(point: Point, line: Balance, u: Real) -> Guesses:
@@ -390,9 +390,9 @@ def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     second = root_pair(halves.p2, halves.q2)
     contact = point.nbar > 0.0
     spared = (D.value > D.error) | (contact & one_positive(line, u))
-    real = second.square >= 0.0
+    real = second.discriminant >= 0.0
     more = real & ~spared
-    # A sorting network; what is left out goes to the end.
+    # A sorting network; places without a root go to the end.
     low = where(contact, INFINITY, minimum(first.large, first.small))
     high = maximum(first.large, first.small)
     third = where(more, second.large, INFINITY)

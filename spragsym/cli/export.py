@@ -33,15 +33,17 @@ def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
 )
 @force
 def export(language: str, out: Path, force: bool) -> None:
-    """Write the solver, a makefile and an example that runs.
+    """Write the solver in another language, with an example that runs.
 
-    C99 without allocation or global state: all equilibria with their stability and an error bound, K, the
-    equations of motion and their Jacobian, and one step in real time.
+    All equilibria with their stability, an error bound and a status, the generated algebra, the right-hand side, and a
+    step in time across the kinks. JavaScript and MATLAB have folds, cusps and the surface as well.
 
     \b
     Examples:
       spragsym export --language c --out sprag
       make -C sprag && ./sprag/example
+      spragsym export --language javascript --out web
+      spragsym export --language matlab --out octave
 
     \b
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.

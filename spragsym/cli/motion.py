@@ -79,7 +79,7 @@ def simulate(
         refuse([output], force)
         storage.check_target(output, 10_000_000)
     tr = integrate(
-        p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]
+        p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]  # values by name, of several types
     )  # fmt: skip
     late = tr.after(transient)
     assert tr.events is not None

@@ -30,13 +30,13 @@ RELATIVE_TOLERANCE = Range(
     1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
 )
 
-#: Steps after which a motion is given up, unless asked otherwise.
+#: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
 #: How far beyond its border a mode is left, in L_0 and in units of speed.
 GAP = 1e-12
 
-#: Between leaving out the exponential of (10) and taking it in again, in units of its exponent.
+#: Distance between dropping the exponential of (10) and including it again, in units of its exponent.
 WIDTH = 5.0
 
 #: x, y, x', y'.
@@ -162,14 +162,14 @@ def out_of_range() -> ConvergenceError:
 
 
 def initial_mode(problem: Problem) -> Mode:
-    """On a border either side is right, as the field is continuous: contact, and the belt ahead."""
+    """On a border both sides are right, since the field is continuous; contact, and the belt ahead, are chosen."""
     _, y, vx, _ = problem.start
     V, d = problem.constants[-2:]
     return Mode(int(y <= 0), 1 if vx <= V else -1, int(d * abs(V - vx) <= problem.reach))
 
 
 def mode_beyond(border: int, mode: Mode) -> tuple[Mode, Event | None]:
-    """The mode beyond one of the three borders, and what a user calls passing it, if anything."""
+    """The mode beyond one of the three borders, and the kind of event that passing it is, if it is one."""
     if border == 0:
         return mode._replace(contact=1 - mode.contact), Event.CONTACT_LOST if mode.contact else Event.CONTACT_REGAINED
     if border == 1:

@@ -26,7 +26,7 @@ from .rest import index_of
 
 __all__ = ["Event", "Events", "Trajectory", "simulate"]
 
-#: The tightest that SciPy takes, for the second run of an error estimate.
+#: The smallest tolerance that SciPy accepts, for the second run of an error estimate.
 TIGHTEST = 2.3e-14
 
 #: What the samples of a trajectory hold.
@@ -165,7 +165,7 @@ class Trajectory(Result):
         return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
 
     def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
-        """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
+        """What the motion settles to or approaches, how fast, and the distance left, judged by the motion after ``transient``.
 
         The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on its return map, which
         integrates a few periods more.
@@ -248,7 +248,7 @@ class Trajectory(Result):
     def _values(self, of: str) -> FloatArray:
         if of not in COMPONENTS:
             raise ParameterError(f"of = {of!r} is not one of {', '.join(COMPONENTS)}")
-        return getattr(self, of)  # type: ignore[no-any-return]
+        return getattr(self, of)  # type: ignore[no-any-return]  # a column, by its name
 
     def _centre(self, of: str, about: str) -> float:
         if about not in ("zero", "mean"):
@@ -267,7 +267,7 @@ class Trajectory(Result):
         return np.concatenate([values[[0, -1]], self.samples(lowest)[row], self.samples(highest)[row]])
 
     def course(self) -> Course:
-        """What :func:`~spragsym.dynamics.integrators.measure` measures on the way, from the samples."""
+        """The quantities of :func:`~spragsym.dynamics.integrators.measure`, from the samples."""
         if self.events is None:
             return course_of(self.samples, event_counts(self.samples, self.V))
         return course_of(self.samples, np.bincount(self.events.which, minlength=len(Event)))

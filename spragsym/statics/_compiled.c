@@ -27,9 +27,9 @@ typedef struct {
 
 static Py_buffer *buffer_at(buffers *all, int place) {
     Py_buffer *const in_order[] = {
-        &all->given[0], &all->given[1], &all->given[2],   &all->given[3],   &all->given[4],   &all->given[5],   &all->settled,
-        &all->count,    &all->first[0], &all->first[1],   &all->first[2],   &all->first[3],   &all->first[4],   &all->first[5],
-        &all->rows,     &all->further[0], &all->further[1], &all->further[2], &all->further[3], &all->further[4], &all->further[5]};
+        &all->given[0], &all->given[1], &all->given[2], &all->given[3], &all->given[4], &all->given[5], &all->settled,
+        &all->count, &all->first[0], &all->first[1], &all->first[2], &all->first[3], &all->first[4], &all->first[5],
+        &all->rows, &all->further[0], &all->further[1], &all->further[2], &all->further[3], &all->further[4], &all->further[5]};
     return in_order[place];
 }
 
@@ -53,20 +53,20 @@ static int hold(buffers *all, PyObject *object, Py_ssize_t size, Py_ssize_t item
     return 1;
 }
 
-static double at(const Py_buffer *view, Py_ssize_t place) {
+static double entry(const Py_buffer *view, Py_ssize_t place) {
     const double *const values = (const double *)view->buf;
     return (view->len == (Py_ssize_t)sizeof(double)) ? values[0] : values[place];
 }
 
 /* A block of parameters, the rest of it filled with a harmless point; refused: those that are no parameters. */
 static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssize_t start, int points, point_columns *p,
-                         int refused[BLOCK]) {
+    int refused[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
         spragsym_parameters one = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
         refused[i] = 1;
         if (i < points) {
-            const spragsym_parameters here = {at(&given[0], start + i), at(&given[1], start + i), at(&given[2], start + i),
-                                              at(&given[3], start + i), at(&given[4], start + i), at(&given[5], start + i)};
+            const spragsym_parameters here = {entry(&given[0], start + i), entry(&given[1], start + i), entry(&given[2], start + i),
+                entry(&given[3], start + i), entry(&given[4], start + i), entry(&given[5], start + i)};
             if (allowed(&here)) {
                 one = here;
                 refused[i] = 0;
@@ -98,7 +98,7 @@ static void store_none(const Py_buffer columns[COLUMNS], Py_ssize_t place) {
 
 /* What the groups say of a block, into the columns; the rows of `further` that are used by then. */
 static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, int points, const int refused[BLOCK],
-                                 const point_columns *p, const root_columns groups[GROUPS], Py_ssize_t used) {
+    const point_columns *p, const root_columns groups[GROUPS], Py_ssize_t used) {
     const Py_ssize_t slots = (nbar > 0.0) ? 2 : 3;
     int next = 0;
     for (int i = 0; i < points; i++) {
@@ -162,7 +162,7 @@ static int hold_columns(buffers *all, PyObject *tuple, int offset, Py_ssize_t it
 }
 
 static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact, PyObject *settled, PyObject *count,
-                    PyObject *first, PyObject *further) {
+    PyObject *first, PyObject *further) {
     if (!PyTuple_Check(first) || !PyTuple_Check(further) || PyTuple_GET_SIZE(first) != COLUMNS ||
         PyTuple_GET_SIZE(further) != COLUMNS + 1) {
         PyErr_SetString(PyExc_TypeError, "first and further are tuples of 6 and 7 buffers");
@@ -178,8 +178,8 @@ static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact
         }
     }
     return hold(all, settled, 1, points, 1) && hold(all, count, 1, points, 1) && hold_columns(all, first, 0, points) &&
-           hold(all, PyTuple_GET_ITEM(further, 0), (Py_ssize_t)sizeof(int64_t), points, 1) &&
-           hold_columns(all, further, 1, points * (contact ? 2 : 3));
+        hold(all, PyTuple_GET_ITEM(further, 0), (Py_ssize_t)sizeof(int64_t), points, 1) &&
+        hold_columns(all, further, 1, points * (contact ? 2 : 3));
 }
 
 static PyObject *solve(PyObject *module, PyObject *arguments) {
@@ -193,7 +193,7 @@ static PyObject *solve(PyObject *module, PyObject *arguments) {
     (void)module;
     all.held = 0;
     if (!PyArg_ParseTuple(arguments, "OOOOOOiOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &contact,
-                          &settled, &count, &first, &further)) {
+            &settled, &count, &first, &further)) {
         return NULL;
     }
     Py_ssize_t used = -1;
@@ -215,8 +215,8 @@ typedef struct {
 } waiting;
 
 static Point point_at(const point_columns *p, int i) {
-    const Point point = {p->cos0[i],  p->sin0[i],  p->mu0[i],  p->kappa[i],
-                         p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
+    const Point point = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i],
+        p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
     return point;
 }
 
@@ -224,7 +224,7 @@ CLONED static void single_columns(point_columns *p, int flags[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
-                             p->alpha[i],       p->sigma[i],     p->beta[i], p->nbar[i]};
+            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
         p->cos0[i] = undeformed.cosine;
         p->sin0[i] = undeformed.sine;
         flags[i] = single(point, UNIT_ROUNDOFF);
@@ -233,8 +233,8 @@ CLONED static void single_columns(point_columns *p, int flags[BLOCK]) {
 
 CLONED static void count_columns(point_columns *p) {
     for (int i = 0; i < BLOCK; i++) {
-        const Point point = {p->cos0[i],  p->sin0[i],  p->mu0[i],  p->kappa[i],
-                             p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
+        const Point point = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i],
+            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
         const Guesses all = {p->t[0][i], p->t[1][i], p->t[2][i], p->t[3][i], p->count[i], p->certain[i]};
         p->count[i] = one_or_three(all, point, UNIT_ROUNDOFF);
     }
@@ -286,7 +286,7 @@ static void count_all(const Py_buffer given[PARAMETERS], Py_ssize_t points, sign
     count_waiting(&some, counts);
 }
 
-static PyObject *count(PyObject *module, PyObject *arguments) {
+static PyObject *count_points(PyObject *module, PyObject *arguments) {
     PyObject *given[PARAMETERS];
     PyObject *result;
     buffers all;
@@ -314,11 +314,11 @@ static PyObject *count(PyObject *module, PyObject *arguments) {
 }
 
 static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
-                                {"count", count, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
-                                {NULL, NULL, 0, NULL}};
+    {"count", count_points, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
+    {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,
-                                        NULL, NULL, NULL, NULL};
+    NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__compiled(void) {
     PyObject *const module = PyModule_Create(&definition);

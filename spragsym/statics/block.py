@@ -1,4 +1,4 @@
-"""A block of points at once in NumPy, in one float type: one root of every point, then all of those that have more."""
+"""Solves a block of points in NumPy, in one float type: first points with one root, then points with several."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def _columns(t: Any, root: kernel.Root, rounding: float) -> dict[str, Any]:
 
 
 def _rounding(u: np.floating[Any]) -> float:
-    """What is lost when a wider type is stored as float64."""
+    """The rounding error made by storing a wider type as float64."""
     return 0.0 if u > 1e-17 else 1.2e-16
 
 
@@ -72,11 +72,11 @@ def _sure(root: kernel.Root, u: np.floating[Any]) -> Any:
 def _one_each(
     t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, begin: int, u: np.floating[Any]
 ) -> NDArray[np.bool_]:
-    """One root a point, in contact, where it is an equilibrium for certain if it is one at all."""
+    """Points in contact with one root: settle those where the root certainly is an equilibrium."""
     root = kernel.at_root(t, point, line, u)
     settled: NDArray[np.bool_] = _sure(root, u) & (t > 0.0)
     rows = slice(begin, begin + t.size)
-    # What is not settled is written again by whoever settles it: there is always a first equilibrium.
+    # Every point in contact has a first equilibrium, so points that are not settled here are overwritten later.
     for name, values in _columns(t, root, _rounding(u)).items():
         out.first[name][rows] = values
     out.count[rows] = settled
@@ -86,7 +86,7 @@ def _one_each(
 def _some(
     t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
 ) -> NDArray[np.bool_]:
-    """Several roots a point, in ascending order along the first axis: lined up, so that they are looked at in one go."""
+    """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
     roots, points = t.shape
     every = np.tile(np.arange(points), roots)
     root = kernel.at_root(t.ravel(), rows_of(point, every), rows_of(line, every), u)

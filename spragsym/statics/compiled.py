@@ -17,7 +17,7 @@ _ROOM = threading.local()
 
 @cache
 def available() -> bool:
-    """Whether the extension module was built, and from the derivation that the rest of this package stands on."""
+    """Whether the extension module was built, and from the same derivation as the rest of this package."""
     try:
         from . import _compiled
     except ImportError:
@@ -26,7 +26,7 @@ def available() -> bool:
 
 
 def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
-    """As :func:`spragsym.statics.block.solve` in float64: write what is settled to ``out``, return which points are not.
+    """As :func:`spragsym.statics.block.solve` in float64: write settled points to ``out`` and return which are not settled.
 
     ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
     """
@@ -56,7 +56,7 @@ def count(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
 
 
 def _room(slots: int, size: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:
-    """Arrays that each thread uses again and again for the points with more than one equilibrium."""
+    """Work arrays of one thread, used again for every block, for points with more than one equilibrium."""
     kept = _ROOM.__dict__.setdefault("by_slots", {})
     if slots not in kept or kept[slots][0].size < size:
         kinds = [np.int8 if name == "stability" else np.float64 for name in COLUMNS]

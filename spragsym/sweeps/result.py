@@ -83,7 +83,7 @@ class Sweep(Result):
         in radians and, as ``theta0_deg``, in degrees.
         """
         dims = _dimensions(self.inputs, self.rms.shape)
-        # One number is kept as such, an axis as a coordinate, a table as a table of the full shape.
+        # A single number stays one, an axis becomes a coordinate, and a table keeps the full shape.
         inputs = {
             name: ((), float(values.flat[0])) if values.size == 1
             else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims
@@ -141,7 +141,7 @@ def sweep_of(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Se
 
 
 def loaded(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
-    """The sweep that a file holds, if it is this one."""
+    """The sweep in a file, if its fingerprint is that of this sweep."""
     columns, attributes = storage.read(path)
     if attributes.get("fingerprint") != key:
         raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")

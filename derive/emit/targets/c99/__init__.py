@@ -10,7 +10,7 @@ from ...function import Function
 from ...language import Kinds, Routine
 from .. import Material, Target, runtime
 from . import algebra, cost, kernel
-from .comments import plain
+from .layout import plain
 
 
 _EXAMPLE = "main.c"
@@ -36,7 +36,9 @@ def render(material: Material) -> dict[str, str]:
         "prototypes": "".join(algebra.prototype(function, material.quantities, library) for function in public),
     }
     names = {"library": library, "LIBRARY": library.upper()}
-    header, source = (_spoken(_filled(runtime(__file__, name), parts), names) for name in ("library.h", "library.c"))
+    header, source = (
+        _spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n" for name in ("library.h", "library.c")
+    )
     words = {**_words(material), **_costs(header + source, {item.name: item.operations for item in statics})}
     files = {f"{library}.h": header, f"{library}.c": source}
     if _EXAMPLE in own:

@@ -13,6 +13,7 @@ from ...quantities import Quantity
 from ...statements import straight_line
 
 _WIDTH = 112
+_TIED = "\N{NO-BREAK SPACE}"
 
 
 class AlgebraPrinter(StrPrinter):
@@ -73,11 +74,10 @@ def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
         arguments += ["*", "xp: ModuleType = numpy"]
     signature = f"def {function.name}({', '.join(arguments)}) -> {_annotation(function.results)}:"
     if len(signature) > _WIDTH and not quantities:
-        listed = textwrap.fill(
-            ", ".join(arguments).replace(": ", ":"), _WIDTH - 8, initial_indent="    ", subsequent_indent="    "
-        )
+        tied = [argument.replace(" ", _TIED) for argument in arguments]  # a type stays on the line of its name
+        listed = textwrap.fill(", ".join(tied), _WIDTH - 4, initial_indent="    ", subsequent_indent="    ").replace(_TIED, " ")
         returned = "tuple[Number, ...]" if isinstance(function.results, tuple) else "Number"
-        signature = f"def {function.name}(\n{listed.replace(':', ': ')},\n) -> {returned}:"
+        signature = f"def {function.name}(\n{listed},\n) -> {returned}:"
     elif len(signature) > _WIDTH:
         listed = "".join(f"    {argument},\n" for argument in arguments)
         signature = f"def {function.name}(\n{listed}) -> {_annotation(function.results)}:"
@@ -102,7 +102,7 @@ def _assigned(expression: sp.Expr) -> str:
 def _annotation(results: Results) -> str:
     if not isinstance(results, tuple):
         return "Number"
-    return f"tuple[{', '.join(_annotation(item) for item in results)}]"
+    return f"tuple[{', '.join(_annotation(item) for item in results) or '()'}]"
 
 
 def _tuple(results: Results) -> str:

@@ -4,7 +4,10 @@
 #define SPRAGSYM_MAX_EQUILIBRIA 4
 
 /** Lift-off or contact: the n-bar of eq. (29). */
-typedef enum { SPRAGSYM_LIFTOFF = 0, SPRAGSYM_CONTACT = 1 } spragsym_regime;
+typedef enum {
+    SPRAGSYM_LIFTOFF = 0,
+    SPRAGSYM_CONTACT = 1
+} spragsym_regime;
 
 /** Stability of an equilibrium: eq. (27). */
 typedef enum {
@@ -64,7 +67,7 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
  * Worst case: @cost:spragsym_equilibria@.
  */
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
-                                    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count);
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count);
 
 /**
  * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
@@ -83,8 +86,8 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * Worst case, for each block or part of one: @cost:spragsym_equilibria_batch@.
  */
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
-                                          spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-                                          spragsym_status statuses[]);
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]);
 
 /**
  * One step of fixed length of the motion (8)-(11) by the classical Runge-Kutta method, of fourth order across the kinks.

@@ -36,8 +36,8 @@ static int allowed(const spragsym_parameters *given) {
     const double pi = 3.14159265358979323846;
     /* Written so that a NaN fails. */
     return given->theta0 > 0.0 && given->theta0 < pi && given->mu0 >= 0.0 && given->kappa > 0.0 && given->alpha >= 0.0 &&
-           given->sigma > 0.0 && given->beta >= 0.0 && isfinite(given->mu0) && isfinite(given->kappa) &&
-           isfinite(given->alpha) && isfinite(given->sigma) && isfinite(given->beta);
+        given->sigma > 0.0 && given->beta >= 0.0 && isfinite(given->mu0) && isfinite(given->kappa) &&
+        isfinite(given->alpha) && isfinite(given->sigma) && isfinite(given->beta);
 }
 
 spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym_model *model) {
@@ -98,7 +98,7 @@ CLONED static void guess_columns(point_columns *p) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
-                             p->alpha[i],       p->sigma[i],     p->beta[i], p->nbar[i]};
+            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
         const Balance line = balance(point);
         const Guesses all = guesses(point, line, UNIT_ROUNDOFF);
         p->cos0[i] = undeformed.cosine;
@@ -157,7 +157,7 @@ static void see(double t, const Root *at, tally *sum) {
 }
 
 static void add(double t, double theta, const Root *at, tally *sum,
-                spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     const int contact = sum->nbar > 0.0;
     const double clear = contact ? -at->y : at->y;
     see(t, at, sum);
@@ -187,7 +187,7 @@ static void clear_from(int count, spragsym_equilibrium equilibria[SPRAGSYM_MAX_E
 }
 
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
-                                    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
     if (!model || !equilibria || !count || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
         return SPRAGSYM_BAD_INPUT;
     }
@@ -237,14 +237,14 @@ static int line_up(int points, const int refused[BLOCK], const point_columns *p,
 
 /* One root out of its columns. */
 static Root taken_from(const root_columns *r, int lane) {
-    const Root root = {r->L[lane],     r->x[lane],        r->y[lane],    r->radius[lane], r->error[lane],
-                       r->member[lane], r->outsider[lane], r->code[lane], r->known[lane]};
+    const Root root = {r->L[lane], r->x[lane], r->y[lane], r->radius[lane], r->error[lane],
+        r->member[lane], r->outsider[lane], r->code[lane], r->known[lane]};
     return root;
 }
 
 /* What is at every root of a block of points, whose guesses are there. */
 static void solve_columns(double nbar, int points, const int refused[BLOCK], const point_columns *p,
-                          root_columns groups[GROUPS]) {
+    root_columns groups[GROUPS]) {
     const int total = line_up(points, refused, p, groups);
     for (int i = 0; i < GROUPS; i++) {
         if (i * LANES < total) {
@@ -255,7 +255,7 @@ static void solve_columns(double nbar, int points, const int refused[BLOCK], con
 
 /* Parameters into columns; points that are refused give way to a harmless one. */
 static void load(double nbar, int points, const spragsym_parameters given[], spragsym_status statuses[],
-                 point_columns *p) {
+    point_columns *p) {
     const spragsym_parameters harmless = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
     for (int i = 0; i < BLOCK; i++) {
         const int good = i < points && allowed(&given[i]);
@@ -288,8 +288,8 @@ static void refuse(int points, const point_columns *p, spragsym_status statuses[
 
 /* The answers back to their points; the largest status. */
 static spragsym_status unload(double nbar, int points, const point_columns *p, const root_columns groups[GROUPS],
-                              spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-                              spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]) {
     spragsym_status worst = SPRAGSYM_OK;
     int next = 0;
     for (int i = 0; i < BLOCK; i++) {
@@ -317,8 +317,8 @@ static spragsym_status unload(double nbar, int points, const point_columns *p, c
 }
 
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
-                                          spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-                                          spragsym_status statuses[]) {
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]) {
     root_columns groups[GROUPS];
     point_columns p;
     int refused[BLOCK];

@@ -1,0 +1,200 @@
+"""Motion of any model: accelerations in each regime in which they are smooth, their derivatives, borders, energy and powers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from . import laws
+from .algebra import difference
+from .emit.function import Function, Module, Results
+from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number
+
+Row = tuple[sp.Expr, ...]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The equations of motion M q″ = forces, solved for q″."""
+
+    model: Mechanics
+
+    @cached_property
+    def friction(self) -> sp.Expr:
+        """μ on either SIDE."""
+        return laws.smooth_friction(self.model)
+
+    @cached_property
+    def centrifugal(self) -> Row:
+        """What Lagrange's equations have beside M q″ where the mass depends on the place: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0."""
+        it = self.model
+        momenta = [sp.diff(it.kinetic, rate) for rate in it.rates]
+        return tuple(
+            sp.expand(it.page.rate(momentum) - sp.diff(it.kinetic, symbol))
+            for momentum, symbol in zip(momenta, it.coordinates, strict=True)
+        )
+
+    @cached_property
+    def pull(self) -> Row:
+        """The right side of M q″ = …, in MU, PUSHING, directions and rates."""
+        it = self.model
+        rows = zip(it.residuals, it.resistance, self.centrifugal, strict=True)
+        return tuple(-static - damped - turned for static, damped, turned in rows)
+
+    @cached_property
+    def accelerations(self) -> Row:
+        """q″ in MU."""
+        it = self.model
+        if it.mass.is_diagonal():
+            return tuple(row / it.mass[i, i] for i, row in enumerate(self.pull))
+        return tuple(it.mass.LUsolve(sp.Matrix(self.pull)).applyfunc(sp.together))
+
+    def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+        """By a coordinate, a rate or a parameter, with μ(v) in the place of MU."""
+        it = self.model
+        through = sp.diff(expression, MU) * it.derivative(self.friction, symbol)
+        return it.tidy(it.derivative(expression, symbol) + through)
+
+    # ------------------------------------------------------------------------------------------------ energy
+
+    @cached_property
+    def stored(self) -> sp.Expr:
+        """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the contact's."""
+        it = self.model
+        work = self.work
+        contact = sp.integrate(it.law, DEPTH)
+        contact = contact - contact.subs(DEPTH, 0)
+        if it.gap is None:
+            contact = sp.S.Zero
+        elif it.polynomial:
+            contact = sp.expand(contact.subs(DEPTH, -it.gap))
+        return it.kinetic + it.potential + self.constant - work + (PUSHING if it.unilateral else 1) * contact
+
+    @cached_property
+    def constant(self) -> sp.Expr:
+        """Half the squares of the undeformed lengths, which make the springs' energy k (l − r)²/2."""
+        it = self.model
+        return sum(
+            (-sp.diff(it.potential, line.l) * line.rest / 2 for line in it.lines),
+            sp.S.Zero,
+        )
+
+    @cached_property
+    def work(self) -> sp.Expr:
+        """A potential of the applied forces: the sum over coordinates of what is not counted yet."""
+        it = self.model
+        total = sp.S.Zero
+        for symbol, force in zip(it.coordinates, it.applied, strict=True):
+            total += sp.integrate(sp.expand(force - sp.diff(total, symbol)), symbol)
+        return sp.expand(total)
+
+    @cached_property
+    def applied_power(self) -> sp.Expr:
+        """Power of applied forces that have no potential; zero for those that have one."""
+        it = self.model
+        rows = zip(it.coordinates, it.rates, it.applied, strict=True)
+        return sp.expand(sum(((force - sp.diff(self.work, symbol)) * rate for symbol, rate, force in rows), sp.S.Zero))
+
+    @cached_property
+    def friction_power(self) -> sp.Expr:
+        """In MU."""
+        it = self.model
+        return sp.S.Zero if it.slide is None else MU * it.normal * it.page.rate(it.slide)
+
+    @cached_property
+    def damper_power(self) -> sp.Expr:
+        """Of all dampers: never positive."""
+        return -2 * self.model.dissipation
+
+    def balances(self) -> bool:
+        """Whether the energy changes by the powers and by nothing else, as exact algebra for every state."""
+        it = self.model
+        change = sp.S.Zero
+        for symbol, rate, acceleration in zip(it.coordinates, it.rates, self.accelerations, strict=True):
+            change += it.derivative(self.stored, symbol) * rate + sp.diff(self.stored, rate) * acceleration
+        powers = self.friction_power + self.damper_power + self.applied_power
+        return difference(change, powers, tuple((line.c, line.s) for line in it.lines)) == 0
+
+    # ------------------------------------------------------------------------------------------------ borders
+
+    @cached_property
+    def borders(self) -> Row:
+        """What is zero on a kink of the field: the gap, the sliding speed."""
+        it = self.model
+        return (sp.S.One if it.gap is None or not it.unilateral else it.gap, laws.slip(it) if it.slide is not None else sp.S.One)
+
+    def rate(self, expression: sp.Expr, accelerations: tuple[sp.Symbol, ...]) -> sp.Expr:
+        """d/dt of an expression in coordinates and rates."""
+        it = self.model
+        turning = zip(it.rates, accelerations, strict=True)
+        return it.page.rate(expression) + sum((sp.diff(expression, rate) * value for rate, value in turning), sp.S.Zero)
+
+
+def module(model: Mechanics) -> Module:
+    """The generated module."""
+    motion = Motion(model)
+    if not motion.balances():
+        raise ArithmeticError("the energy does not balance: the equations of motion are not those of the energies")
+    place = (*model.coordinates, *model.rates)
+    moving = (*place, *model.arguments)
+    felt = laws.near(len(laws.layers(model)))
+    regime = (*moving, PUSHING, SIDE, *felt)
+    direction = {symbol: value for line in model.lines for symbol, value in (
+        (line.l, sp.sqrt(line.dx**2 + line.dy**2)), (line.c, line.dx / line.l), (line.s, line.dy / line.l),
+    )}  # fmt: skip
+    shorthands = {**direction, DEPTH: model.depth, MU: motion.friction}
+    accelerations = tuple(sp.Symbol(f"a{symbol}", real=True) for symbol in model.coordinates)
+    borders = motion.borders
+    layers = laws.layers(model)
+
+    def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
+        return Function(name, summary, "the page", taken, results, returns, shorthands, transcendental=True)
+
+    below, overlap = sp.symbols("below overlap", real=True)
+    everywhere = {
+        below: 1 - sp.sign(borders[0]),
+        overlap: sp.Abs(borders[0]) - borders[0],
+        PUSHING: below / 2 if model.unilateral else sp.S.One,
+        SIDE: sp.sign(borders[1]),
+        DEPTH: overlap / 2 if model.unilateral else model.depth,
+        **dict.fromkeys(felt, sp.S.One),
+    }
+    kinked = {**direction, **everywhere, MU: motion.friction}
+    jacobian = tuple(
+        tuple(motion.derivative(row, symbol) for symbol in (*model.coordinates, *model.rates)) for row in motion.accelerations
+    )
+    by_parameters = tuple(
+        tuple(motion.derivative(row, symbol) for symbol in map(number, model.parameters)) for row in motion.accelerations
+    )
+    return Module(
+        "motion",
+        "The equations of motion: everywhere, and in each regime in which they are smooth.",
+        (
+            Function("rhs", "Accelerations, kinked where a border is zero.", "the page", moving, motion.accelerations, "(q_1″, …)",
+                     kinked, transcendental=True),
+            function("regime_rhs", "Accelerations in a smooth regime, continued beyond its borders.", regime,
+                     motion.accelerations, "(q_1″, …)"),
+            function("regime_jacobian", "Derivatives of regime_rhs by the coordinates and the rates.", regime, jacobian,
+                     "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)"),
+            function("regime_by_parameters", "Derivatives of regime_rhs by all parameters, an angle as the angle.", regime,
+                     by_parameters, "((∂q_1″/∂p_1, …), …)"),
+            function("borders", "The gap and the sliding speed, each zero on a kink of the field; 1 where there is none.", moving,
+                     borders, "gap, slip"),
+            function("border_rates", "How the borders change along a motion with the given accelerations.",
+                     (*place, *accelerations, *model.arguments),
+                     tuple(motion.rate(border, accelerations) for border in borders), "rates of gap, slip"),
+            function("layers", "Minus the exponents of the sliding speed in the friction law: large where they are not felt.",
+                     (*moving, SIDE), layers, "(z_1, …)"),
+            function("layer_rates", "How they change along a motion with the given accelerations.",
+                     (*place, *accelerations, *model.arguments, SIDE),
+                     tuple(motion.rate(layer, accelerations) for layer in layers), "rates of (z_1, …)"),
+            function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.stored,
+                     "energy"),
+            function("friction_power", "Rate at which friction changes that energy.", regime, motion.friction_power, "power"),
+            function("damper_power", "Rate at which dampers change it, never positive.", moving, motion.damper_power, "power"),
+            function("applied_power", "Rate at which applied forces without a potential change it.", moving, motion.applied_power,
+                     "power"),
+        ),
+    )  # fmt: skip

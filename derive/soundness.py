@@ -1,0 +1,229 @@
+"""Whether a page makes sense: its units add up, its contact pushes, its friction opposes, a force acts on every coordinate.
+
+Each error names the line of the page, what was expected there, and what still works without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import TypeAlias
+
+import sympy as sp
+
+from . import laws, units
+from .mechanics import DEPTH, Mechanics
+from .model import Damper, Datum, Page, PageError, Spring, expression_of
+from .units import Dimension, UnitsError, spelled
+
+#: Raises unless an expression has a dimension: what it is in words, and its line.
+Expect: TypeAlias = Callable[[object, Dimension, str, int], None]
+
+_SPEED = sp.Symbol("v", positive=True)
+
+#: Penetrations and speeds at which a law that can't be decided by its form is looked at.
+_PLACES = tuple(sp.Rational(10) ** power for power in range(-6, 3))
+
+
+def check_units(page: Page) -> None:
+    """Every sum of the page adds like to like, and every statement is what it says: an energy, a force, a length, a number."""
+    known = _dimensions(page)
+
+    def expect(expression: object, dimension: Dimension, what: str, line: int) -> None:
+        value = expression_of(expression)
+        unknown = sorted(str(symbol) for symbol in value.free_symbols if symbol not in known)
+        if unknown:
+            raise PageError(line, f"{what} holds {', '.join(unknown)}, which the page does not define; define it above")
+        try:
+            found = units.of(value, known)
+        except UnitsError as error:
+            raise PageError(line, f"{what}: {error}") from error
+        if found not in (None, dimension):
+            raise PageError(line, f"{what} = {value} is in {spelled(found)}; expected is {spelled(dimension)}")
+
+    for spring in page.springs:
+        square = _square(spring, known, expect)
+        expect(spring.stiffness, units.times(units.ENERGY, square, -1), "the stiffness of this spring", spring.line)
+    for damper in page.dampers:
+        square = _square(damper, known, expect)
+        power = units.times(units.times(units.ENERGY, square, -1), units.TIME)
+        expect(damper.coefficient, power, "the coefficient of this damper", damper.line)
+    for energy, line in page.energies:
+        expect(energy, units.ENERGY, "this potential energy", line)
+    if page.inertia is not None:
+        expect(page.inertia[0], units.ENERGY, "the kinetic energy", page.inertia[1])
+    for force in page.forces:
+        place = force.at if force.at is not None else (expression_of(force.along),)
+        for component, where in zip(force.components, place, strict=True):
+            length = units.LENGTH if force.at is not None else known.get(where, units.LENGTH)
+            expect(where, length, "the place of this force", force.line)
+            expect(component, units.times(units.ENERGY, length, -1), "this force", force.line)
+    _laws(page, known, expect)
+
+
+def _laws(page: Page, known: dict[sp.Symbol, Dimension], expect: Expect) -> None:
+    if page.normal is not None:
+        expect(page.normal.gap or sp.S.Zero, units.LENGTH, "the gap", page.normal.line)
+        known[DEPTH] = units.LENGTH
+        expect(page.normal.law(DEPTH), units.FORCE, "the contact law", page.normal.line)
+    if page.sliding is not None:
+        speed = units.times(units.LENGTH, units.TIME, -1)
+        expect(page.sliding.along, units.LENGTH, "the displacement that friction opposes", page.sliding.line)
+        expect(page.sliding.belt, speed, "the belt's speed", page.sliding.line)
+        known[_SPEED] = speed
+        expect(page.sliding.law(_SPEED), units.NONE, "the friction law", page.sliding.line)
+        if page.sliding.at_rest is not None:
+            expect(page.sliding.at_rest, units.NONE, "at_rest", page.sliding.line)
+
+
+def _square(element: Spring | Damper, known: dict[sp.Symbol, Dimension], expect: Expect) -> Dimension:
+    """The dimension of the square that a stiffness multiplies, after a look at both ends."""
+    if element.ends is None:
+        along = units.of(element.along, known) or units.LENGTH
+        return units.times(units.NONE, along, 2)
+    for end in element.ends:
+        for part in end:
+            expect(part, units.LENGTH, "the end of this line", element.line)
+    if isinstance(element, Spring):
+        expect(element.length, units.LENGTH, "the undeformed length of this spring", element.line)
+    return units.times(units.NONE, units.LENGTH, 2)
+
+
+def _dimensions(page: Page) -> dict[sp.Symbol, Dimension]:
+    known: dict[sp.Symbol, Dimension] = {}
+    for entry in (*page.units, *page.parameters, *page.coordinates):
+        try:
+            known[entry.symbol] = units.read(entry.unit)
+        except UnitsError as error:
+            raise PageError(entry.line, str(error)) from error
+    for coordinate in page.coordinates:
+        known[coordinate.rate] = units.times(known[coordinate.symbol], units.TIME, -1)
+    return known
+
+
+def groups(page: Page) -> dict[str, sp.Expr]:
+    """Every dimensionless parameter as its quantity over the product of units of measure that has its dimension."""
+    known = _dimensions(page)
+    measures = tuple(known[unit.symbol] for unit in page.units)
+    found = {}
+    for datum in page.parameters:
+        found[datum.becomes] = datum.symbol / _measure(page, datum, known[datum.symbol], measures)
+    for coordinate in page.coordinates:
+        scale = units.powers(known[coordinate.symbol], measures)
+        if scale is None:
+            raise PageError(
+                coordinate.line, f"no product of {_listed(page)} is in {coordinate.unit}, the unit of {coordinate.symbol}"
+            )
+    return found
+
+
+def scale(page: Page, dimension: Dimension) -> sp.Expr | None:
+    """The product of units of measure that has a dimension."""
+    known = _dimensions(page)
+    exponents = units.powers(dimension, tuple(known[unit.symbol] for unit in page.units))
+    return None if exponents is None else _product(page, exponents)
+
+
+def _measure(page: Page, datum: Datum, dimension: Dimension, measures: tuple[Dimension, ...]) -> sp.Expr:
+    exponents = units.powers(dimension, measures)
+    if exponents is None:
+        raise PageError(
+            datum.line,
+            f"{datum.symbol} is in {datum.unit}, and no product of {_listed(page)}, which become 1, is; make three independent "
+            "quantities units of measure with page.unit(...)",
+        )
+    if datum.becomes != str(datum.symbol) and dimension == units.NONE:
+        raise PageError(
+            datum.line, f"{datum.symbol} is a number already and becomes nothing else; leave out becomes={datum.becomes!r}"
+        )
+    return _product(page, exponents)
+
+
+def _product(page: Page, exponents: tuple[Fraction, ...]) -> sp.Expr:
+    return sp.Mul(*(unit.symbol ** sp.Rational(power) for unit, power in zip(page.units, exponents, strict=True)))
+
+
+def _listed(page: Page) -> str:
+    return ", ".join(str(unit.symbol) for unit in page.units) or "nothing"
+
+
+# ------------------------------------------------------------------------------------------------ laws and forces
+
+
+def check_forces(model: Mechanics) -> None:
+    """A contact that pushes, a friction that opposes, a force and an inertia for every coordinate."""
+    _check_contact(model)
+    _check_friction(model)
+    laws.friction_at_rest(model)
+    for entry, rate in zip(model.page.coordinates, model.rates, strict=True):
+        if all(sp.diff(momentum, rate) == 0 for momentum in (sp.diff(model.kinetic, other) for other in model.rates)):
+            raise PageError(entry.line, f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add it")
+    third = [sp.diff(model.kinetic, one, two, three) for one in model.rates for two in model.rates for three in model.rates]
+    if any(value != 0 for value in third) or model.mass.det() == 0:
+        line = model.page.inertia[1] if model.page.inertia else 0
+        raise PageError(
+            line, "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″"
+        )
+    for row, (entry, force) in enumerate(zip(model.page.coordinates, model.residuals, strict=True)):
+        if force == 0:
+            working = [str(other.symbol) for index, other in enumerate(model.page.coordinates) if index != row]
+            rest = f"; the forces along {', '.join(working)} are well" if working else ""
+            raise PageError(entry.line, f"no force acts on {entry.symbol}; add a spring, a potential or a force along it{rest}")
+
+
+def _check_contact(model: Mechanics) -> None:
+    contact = model.page.normal
+    if contact is None:
+        return
+    if contact.unilateral and model.law.subs(DEPTH, 0) != 0:
+        raise PageError(
+            contact.line,
+            f"the contact law gives {model.law.subs(DEPTH, 0)} where the mass just touches the belt; a force that jumps there is not "
+            "covered: let it begin at 0, or say unilateral=False for a mass that never leaves",
+        )
+    if contact.unilateral:
+        witness = _negative(model, model.law, DEPTH)
+        if witness:
+            raise PageError(contact.line, f"the contact law pulls: {witness}; a belt pushes, law(depth) >= 0 for every depth > 0")
+
+
+def _check_friction(model: Mechanics) -> None:
+    sliding = model.page.sliding
+    if sliding is None:
+        return
+    ahead, behind = (model.scaled(expression_of(sliding.law(sign * _SPEED))) for sign in (1, -1))
+    for side, value in (("ahead", ahead), ("behind", -behind)):
+        at_zero = sp.limit(value, _SPEED, 0)
+        if at_zero != 0:
+            raise PageError(
+                sliding.line,
+                f"the friction law drives at rest: where the belt is just {side} of the mass it is {at_zero}, not 0; write one that "
+                "is continuous, as mu0*(1 - exp(-d*Abs(v)))*sgn(v). Statics alone would do with at_rest",
+            )
+        witness = _negative(model, value, _SPEED)
+        if witness:
+            raise PageError(
+                sliding.line, f"the friction law drives where the belt is {side}: {witness}; friction opposes sliding"
+            )
+
+
+def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
+    """Where a law is negative, in words; empty if its form shows that it is not, or if no place tried shows that it is.
+
+    The places have the base values of the parameters, and 1 where there is none.
+    """
+    if law.is_nonnegative or sp.factor_terms(sp.expand(law)).is_nonnegative:
+        return ""
+    values = dict(_bases(model))
+    for place in _PLACES:
+        value = law.subs(values).subs(variable, place)
+        if value.is_number and value.is_negative:
+            return f"at {variable} = {sp.N(place, 3)} it is {sp.N(value, 3)} times its scale, at the base values"
+    return ""
+
+
+def _bases(model: Mechanics) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    for datum in model.parameters:
+        base = sp.S.One if datum.base is None else sp.Rational(str(datum.base))
+        pair = model.pair(next(symbol for symbol in (model.scaled(datum.symbol),)))
+        yield from zip(pair, (base,) if len(pair) == 1 else (sp.cos(base), sp.sin(base)), strict=True)

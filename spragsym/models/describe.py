@@ -1,0 +1,35 @@
+"""A model in words: its drawing, coordinates and parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+
+def described(about: Mapping[str, Any]) -> str:
+    """Summary, drawing and tables of a ``model.json``."""
+    parts = [f"{about['name']}: {about['summary']}", about["drawing"].strip()]
+    coordinates = [("coordinate", "meaning")]
+    coordinates += [(entry["name"], entry["meaning"]) for entry in about["coordinates"]]
+    parameters = [("parameter", "base", "allowed", "of", "meaning")]
+    parameters += [
+        (
+            entry["name"],
+            "" if entry["base"] is None else f"{entry['base']:g}",
+            entry["domain"],
+            {"both": "statics and motion", "motion": "motion"}[entry["role"]],
+            entry["meaning"] + (", radians" if entry["unit"] == "rad" else _behind(entry)),
+        )
+        for entry in about["parameters"]
+    ]
+    return "\n\n".join([*parts, _table(coordinates), _table(parameters)])
+
+
+def _behind(entry: Mapping[str, Any]) -> str:
+    """The quantity with a unit behind a dimensionless one."""
+    return "" if entry["quantity"] == entry["name"] else f" ({entry['quantity']}, dimensionless)"
+
+
+def _table(rows: Sequence[Sequence[str]]) -> str:
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows)

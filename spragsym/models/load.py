@@ -1,0 +1,122 @@
+"""Models by name or from a folder: shipped ones stand in ``generated/models``, others where ``spragsym derive`` wrote them."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import importlib.util
+import json
+import os
+import sys
+import threading
+from collections.abc import Mapping
+from importlib import resources
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from ..errors import ParameterError, ParameterTypeError, StoreError
+from ..names import hint
+from .model import PARTS, Model
+from .parameters import parameter_class
+
+#: What ``model.json`` says at least.
+_KEYS = frozenset((
+    "name", "summary", "drawing", "source", "coordinates", "parameters", "angles", "arguments", "by_parameters", "contact",
+    "friction", "springs", "files",
+))  # fmt: skip
+
+_LOADED: dict[str, Model] = {}
+_LOCK = threading.RLock()
+
+
+def shipped() -> tuple[str, ...]:
+    """Names of the models that come with the package."""
+    folder = Path(str(resources.files("spragsym.generated") / "models"))
+    return tuple(sorted(path.parent.name for path in folder.glob("*/model.json")))
+
+
+def load(name: str | os.PathLike[str]) -> Model:
+    """A model: a shipped one by its name, or the folder that ``spragsym derive`` wrote.
+
+    Its code was generated before; no SymPy is needed. A folder's files are run as Python: load only what you trust.
+
+    Parameters
+    ----------
+    name : str or path
+        A name such as ``"two_springs"``, or a folder.
+
+    Raises
+    ------
+    ParameterError
+        For a name that no model has, and a folder that holds none.
+    StoreError
+        For a folder whose files are damaged or changed.
+
+    Examples
+    --------
+    >>> import spragsym as ss
+    >>> model = ss.load("two_springs")
+    >>> model.coordinates
+    ('x', 'y')
+    >>> model.Parameters(theta0=1.0, sigma_2=0.02).shape
+    ()
+    """
+    if not isinstance(name, str | os.PathLike):
+        raise ParameterTypeError(f"{name!r} is no model; give a name, one of {', '.join(shipped())}, or a folder")
+    text = os.fspath(name)
+    if text in shipped():
+        folder, where = Path(str(resources.files("spragsym.generated") / "models" / text)), text
+    elif Path(text).is_dir():
+        folder = Path(text).resolve()
+        where = str(folder)
+    else:
+        known = shipped()
+        raise ParameterError(
+            f"{text!r} is neither a shipped model{hint(text, known) or ', one of ' + ', '.join(known)} nor a folder; "
+            "write a folder with: spragsym derive PAGE.py --out DIR"
+        )
+    with _LOCK:
+        about = _about(folder)
+        known_model = _LOADED.get(where)
+        if known_model is None or known_model.about != about:
+            _LOADED[where] = _loaded(folder, where, about)
+        return _LOADED[where]
+
+
+def _about(folder: Path) -> dict[str, Any]:
+    """``model.json``, checked."""
+    path = folder / "model.json"
+    if not path.is_file():
+        raise ParameterError(f"{folder} holds no model.json; give a folder that `spragsym derive PAGE.py --out DIR` wrote")
+    try:
+        about = json.loads(path.read_text(encoding="utf-8"))
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
+        raise StoreError(f"{path} is damaged ({error}); derive the page again") from error
+    if not isinstance(about, dict) or not about.keys() >= _KEYS:
+        missing = ", ".join(sorted(_KEYS - about.keys())) if isinstance(about, dict) else "everything"
+        raise StoreError(f"{path} is not what this version of spragsym writes (without {missing}); derive the page again")
+    return about
+
+
+def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
+    for name, digest in about["files"].items():
+        file = folder / name
+        if not file.is_file() or hashlib.sha256(file.read_bytes()).hexdigest() != digest:
+            state = "is missing" if not file.is_file() else "is not as it was written"
+            raise StoreError(f"{file} {state}; derive the page again")
+    modules = {part: _module(folder, where, part) for part in PARTS if f"{part}.py" in about["files"]}
+    return Model(where, about, modules, parameter_class(about, where))
+
+
+def _module(folder: Path, where: str, part: str) -> ModuleType:
+    """A module of the model: of the package for a shipped one, else of a package of the folder's own."""
+    if where == folder.name:
+        return importlib.import_module(f"spragsym.generated.models.{where}.{part}")
+    digest = hashlib.sha256((where + (folder / "model.json").read_text(encoding="utf-8")).encode()).hexdigest()[:16]
+    package = f"spragsym_model_{digest}"
+    if package not in sys.modules:
+        parent = ModuleType(package)
+        parent.__path__ = [str(folder)]
+        sys.modules[package] = parent
+    return importlib.import_module(f"{package}.{part}")

@@ -1,0 +1,114 @@
+"""A loaded model: its names, parameters and generated functions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..parameters import FloatArray, ParameterSet
+from . import parameters as _parameters
+from .describe import described
+
+if TYPE_CHECKING:
+    from .equilibria import ModelEquilibria
+    from .points import ModelPoints
+
+#: Modules of generated functions.
+PARTS = ("statics", "linearization", "motion")
+
+
+class Model:
+    """A model from a page.
+
+    Attributes
+    ----------
+    name : str
+        Its name.
+    where : str
+        What :func:`spragsym.load` takes for it: the name of a shipped model, or a folder.
+    about : mapping
+        ``model.json``: coordinates, parameters, laws, springs, as the page says them.
+    statics, linearization, motion : module
+        Generated functions.
+    Parameters : type
+        The class of its parameters: ``model.Parameters(**changes_of_base)``.
+    """
+
+    def __init__(self, where: str, about: Mapping[str, Any], modules: Mapping[str, ModuleType], parameters: Any) -> None:
+        self.name: str = about["name"]
+        self.where, self.about, self.Parameters = where, about, parameters
+        self.statics: Any = modules["statics"]
+        self.linearization: Any = modules["linearization"]
+        self.motion: Any = modules.get("motion")
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        return tuple(entry["name"] for entry in self.about["coordinates"])
+
+    @property
+    def rates(self) -> tuple[str, ...]:
+        """Names of their rates."""
+        return tuple(entry["rate"] for entry in self.about["coordinates"])
+
+    @property
+    def parameters(self) -> tuple[str, ...]:
+        """Names of the parameters, in order."""
+        return tuple(entry["name"] for entry in self.about["parameters"])
+
+    @property
+    def base(self) -> dict[str, float]:
+        """Base values; a parameter without one, as the article's θ₀, is not among them."""
+        return _parameters.base(self.about)
+
+    def describe(self) -> str:
+        """The drawing, the coordinates and the parameters, as text."""
+        return described(self.about)
+
+    def arguments(self, p: ParameterSet, kind: str = "statics") -> tuple[FloatArray, ...]:
+        """The parameters as generated functions take them, angles as cosine and sine, each with the common shape.
+
+        ``kind`` is ``"statics"`` for functions of the balance of forces, ``"motion"`` for all others.
+        """
+        angles = {name: (angle, part) for angle, pair in self.about["angles"].items() for part, name in enumerate(pair)}
+        values = []
+        for name in self.about["arguments"][kind]:
+            angle, part = angles.get(name, (name, None))
+            (value,) = p.broadcast(angle)
+            values.append(value if part is None else (np.cos, np.sin)[part](value))
+        return tuple(values)
+
+    def equilibria(self, p: ParameterSet, contact: bool = True) -> ModelEquilibria:
+        """All equilibria, proved: see :func:`spragsym.models.equilibria.equilibria`."""
+        from .equilibria import equilibria
+
+        return equilibria(self, p, contact)
+
+    def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+        """All folds along one parameter, proved: see :func:`spragsym.models.folds.folds`."""
+        from .folds import folds
+
+        return folds(self, p, vary, **options)
+
+    def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
+        """All cusps in the plane of two parameters, proved: see :func:`spragsym.models.cusps.cusps`."""
+        from .cusps import cusps
+
+        return cusps(self, p, vary, **options)
+
+    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+        """All onsets of flutter along one parameter, proved: see :func:`spragsym.models.flutter.flutter_onsets`."""
+        from .flutter import flutter_onsets
+
+        return flutter_onsets(self, p, vary, **options)
+
+    def __repr__(self) -> str:
+        return f"load({self.where!r})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        from .load import load
+
+        return load, (self.where,)

@@ -1,0 +1,76 @@
+"""The class of a model's parameters, made from its ``model.json``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import field, make_dataclass
+from typing import Any
+
+from ..parameters import RANGES, ParameterSet, Range, named
+
+
+def ranges(about: Mapping[str, Any]) -> dict[str, Range]:
+    """Allowed values of every parameter, in order."""
+    return {entry["name"]: _range(entry) for entry in about["parameters"]}
+
+
+def base(about: Mapping[str, Any]) -> dict[str, float]:
+    """The base value of every parameter that has one."""
+    return {entry["name"]: entry["base"] for entry in about["parameters"] if entry["base"] is not None}
+
+
+def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
+    """A class whose fields are the model's parameters with their base values.
+
+    ``where`` is what :func:`spragsym.load` takes for the model, by which a set finds its class again in another process.
+    """
+    values = base(about)
+    names = [entry["name"] for entry in about["parameters"]]
+
+    def reduce(self: ParameterSet) -> tuple[Any, ...]:
+        return _again, (where, {name: getattr(self, name) for name in names})
+
+    made = make_dataclass(
+        "Parameters",
+        [(name, Any, field(default=values.get(name))) for name in names],
+        bases=(ParameterSet,),
+        frozen=True,
+        eq=False,
+        repr=False,
+        namespace={
+            "__doc__": _documentation(about),
+            "__reduce__": reduce,
+            "ranges": ranges(about),
+            "spanned": frozenset(names),
+            "origin": "model.Parameters(...)",
+        },
+    )
+    return named(made)
+
+
+def _again(where: str, values: dict[str, Any]) -> Any:
+    from .load import load
+
+    return load(where).Parameters(**values)
+
+
+def _range(entry: Mapping[str, Any]) -> Range:
+    low, high = (default if entry[end] is None else entry[end] for end, default in (("low", -math.inf), ("high", math.inf)))
+    known = RANGES.get(entry["name"])
+    remedy = known.remedy if known else ("angles are radians; use numpy.radians for degrees" if entry["unit"] == "rad" else "")
+    return Range(low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"])
+
+
+def _documentation(about: Mapping[str, Any]) -> str:
+    lines = [
+        f"Parameters of the model {about['name']}, scalars or arrays that broadcast together.",
+        "",
+        "Parameters",
+        "----------",
+    ]
+    for entry in about["parameters"]:
+        default = "" if entry["base"] is None else f", default {entry['base']:g}"
+        unit = ", radians" if entry["unit"] == "rad" else ""
+        lines += [f"{entry['name']} : array_like{default}", f"    {entry['meaning']}{unit}; allowed: {entry['domain']}"]
+    return "\n".join(lines)

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import contextlib
 import importlib.util
-import inspect
 import json
 import math
-from types import SimpleNamespace
 from typing import Any
 
 import mpmath
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from benchmarks import validate_cycles
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import criteria, exponents, finding, saddles, shooting
 from spragsym.cycles.field import Border, Field
@@ -28,7 +26,6 @@ from spragsym.generated import motion
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
 
 BELT = {"V": 0.5, "d": 10.0}
-FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
 
 
 def at(degrees: float, **changes: float) -> ss.Parameters:
@@ -47,52 +44,11 @@ def branch(slow: ss.Cycle) -> ss.CycleBranch:
     return ss.cycle_branch(slow, "theta0", (np.radians(41.0), np.radians(43.6)), longest=0.3)
 
 
-def by_solve_ivp(cycle: ss.Cycle) -> tuple[np.ndarray, np.ndarray]:
-    """End and derivative of one round by SciPy's own driver and event location, from the generated algebra alone."""
-    rhs, slopes = inspect.unwrap(motion.regime_rhs), inspect.unwrap(motion.regime_jacobian)
-    theta0, *rest = cycle.values
-    constants = (math.cos(theta0), math.sin(theta0), *rest)
-    V = constants[-2]
-    whole, clock = np.concatenate([cycle.state, np.eye(4).ravel()]), 0.0
-    contact, side = int(cycle.state[1] <= 0), 1
-    while clock < cycle.period:
-        mode = (contact, side)
-
-        def rates(_: float, z: np.ndarray, mode: tuple[int, int] = mode) -> np.ndarray:
-            state = z[:4].tolist()
-            lower = np.array(slopes(*state, *constants, *mode, xp=FLOATS), dtype=float) @ z[4:].reshape(4, 4)
-            upper = z[12:20].reshape(2, 4)
-            return np.concatenate([state[2:], rhs(*state, *constants, *mode, xp=FLOATS), upper.ravel(), lower.ravel()])
-
-        def leaves(_: float, z: np.ndarray, mode: tuple[int, int] = mode) -> float:
-            return (1 - 2 * mode[0]) * z[1] + 1e-12
-
-        def turns(_: float, z: np.ndarray, mode: tuple[int, int] = mode) -> float:
-            return mode[1] * (V - z[2]) + 1e-12
-
-        for event in (leaves, turns):
-            event.terminal, event.direction = True, -1  # type: ignore[attr-defined]  # as SciPy wants it
-        part = solve_ivp(rates, (clock, cycle.period), whole, method="DOP853", rtol=3e-14, atol=1e-15, events=(leaves, turns),
-                         max_step=0.5)  # fmt: skip
-        clock, whole = float(part.t[-1]), part.y[:, -1]
-        if len(part.t_events[0]):
-            contact = 1 - contact
-        elif len(part.t_events[1]):
-            side = -side
-    return whole[:4], whole[4:].reshape(4, 4)
-
-
 # ------------------------------------------------------------------------------------------------------------- orbits
 
 
 def test_a_cycle_is_that_of_another_driver(slow: ss.Cycle) -> None:
-    end, matrix = by_solve_ivp(slow)
-    moved = [0, 1, 3]
-    flow = shooting.rate(SPRAG, slow.state, slow.loop.constants)
-    step = np.linalg.solve(np.column_stack([(matrix - np.eye(4))[:, moved], flow]), slow.state - end)
-    assert np.abs(step).max() < 1e-9  # of its state and of its period
-    theirs = np.sort_complex(np.linalg.eigvals(matrix))
-    assert np.abs(theirs - np.sort_complex(slow.multipliers)).max() < 1e-9
+    assert max(validate_cycles.differences(slow)) < 1e-9
 
 
 def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:

@@ -82,7 +82,7 @@ def cycle_near(
     fly, name = carrier(field, backend)
     values = tuple(float(value) for value in values)
     if isinstance(near, Cycle):
-        return _checked(_from_guess(field, fly, Guess(near.loop.guess.states, near.period, values)), fly, name)
+        return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
     settled = isinstance(near, Trajectory)
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
@@ -96,6 +96,18 @@ def cycle_near(
             break
         start = passage.state
     raise ConvergenceError(_why(field, values, start, stage))
+
+
+def _towards(field: Field, fly: Fly, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
+    """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
+    try:
+        return _from_guess(field, fly, Guess(known.states, known.period, values))
+    except ConvergenceError:
+        if halvings == 0 or values == known.values:
+            raise
+    middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
+    between = _towards(field, fly, known, middle, halvings - 1)
+    return _towards(field, fly, between.guess, values, halvings - 1)
 
 
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:

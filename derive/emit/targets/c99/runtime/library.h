@@ -24,7 +24,7 @@ extern "C" {
 /** What became of a call. */
 typedef enum {
     @LIBRARY@_OK = 0,          /**< done, and vouched for */
-    @LIBRARY@_UNCERTAIN = 1,   /**< done, but in double precision the number, the kind or twelve digits can't be vouched for */
+    @LIBRARY@_UNCERTAIN = 1,   /**< done, but the number, the kind or twelve digits can't be vouched for */
     @LIBRARY@_BAD_INPUT = 2,   /**< a null pointer, a NaN, an infinity or a parameter out of its range; no results */
     @LIBRARY@_OUT_OF_RANGE = 3 /**< allowed numbers whose result double can't carry; no results */
 } @library@_status;

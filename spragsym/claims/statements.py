@@ -247,8 +247,8 @@ STATEMENTS: tuple[Statement, ...] = (
         stated="'the sprag-slip oscillation was initiated from the catastrophic behavior': the sliding equilibrium meets the "
         "catastrophe and seeks the adjacent attractor",
         compute=oscillation.lives_below,
-        outcome="the oscillation is there without it: with V = 0.5, d = 10 a stable limit cycle lies beside stable sliding at 10, 20, "
-        "30 and 40 degrees, far below the fold; a knock can start it where the statics see nothing",
+        outcome="the oscillation is there without it: with V = 0.5, d = 10 a stable limit cycle lies beside stable sliding at "
+        "10, 20, 30 and 40 degrees, far below the fold; a knock can start it where the statics see nothing",
         status=Status.NOT_STATED,
         test="test_the_oscillation_far_below_the_fold",
         command="spragsym cycles --theta0 42 --vary theta0 --from 10 --to 60",

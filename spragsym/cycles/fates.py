@@ -23,7 +23,7 @@ from .sprag import SPRAG
 JUDGED = (2000.0, 10_000.0)
 
 #: Bisection by verdicts ends at this share of the bracket where the saddle is an equilibrium.
-NARROW = 1e-6
+NARROW = 1e-4
 
 #: A motion that comes as close as this to an equilibrium hovers at it.
 CLOSE = 0.05

@@ -37,6 +37,9 @@ SEEDS: dict[str, tuple[float, tuple[float, float, float, float]]] = {
     "26": (90.0, (2.32939917, 1.34003954, 0.0, 0.25152749)),
 }
 
+#: Those whose doubled cycles are followed as well.
+DOUBLED = ("34",)
+
 _COLOURS = {"34": BLUE, "165": VERMILION, "130": GREEN, "75": PURPLE, "26": ORANGE}
 
 
@@ -49,14 +52,14 @@ def branches_of(seeds: tuple[str, ...], to_deg: tuple[float, float], points: int
         first = cycle(Parameters.article(theta0=np.radians(angle)), V=V, d=D, near=state, patient=False)
         branch = cycle_branch(first, "theta0", (low, high), points=points)
         found[name] = [branch]
-        for event in branch.of("period_doubling"):
+        for event in branch.of("period_doubling") if name in DOUBLED else ():
             found[name].append(cycle_branch(branch.switch(event), "theta0", (low, high), points=points))
     return found
 
 
 @styled
 def figure_cycles(
-    *, seeds: tuple[str, ...] = tuple(SEEDS), to_deg: tuple[float, float] = (1.0, 179.0), points: int = 150
+    *, seeds: tuple[str, ...] = tuple(SEEDS), to_deg: tuple[float, float] = (1.0, 179.0), points: int = 100
 ) -> Sheet:  # fmt: skip
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
     figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
@@ -144,7 +147,7 @@ def branch_figure(branch: CycleBranch) -> Sheet:
 
 @styled
 def figure_cycles_plane(
-    *, points: int = 30, frictions: tuple[float, ...] = (0.45, 0.5, 0.55, 0.6),
+    *, points: int = 20, frictions: tuple[float, ...] = (0.45, 0.5, 0.55, 0.6),
     curves: tuple[str, ...] = ("fold", "period_doubling"),
 ) -> Sheet:  # fmt: skip
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""

@@ -32,13 +32,13 @@ _angles = inspect.unwrap(_catastrophe.fold_angles)
 class FoldArrays:
     """Folds in contact of many points, in no order: the point of each, and what :class:`~.fold_points.Turn` says of it.
 
-    ``value`` and ``t`` = tan(θ/2) carry proved bounds; ``best`` is ``value`` with fewer roundings. Of points in ``undecided``
-    nothing is listed.
+    ``value`` and ``t`` = tan(θ/2) carry proved bounds; ``best`` is the same as ``value`` with less uncertainty. Of points in
+    ``undecided`` nothing is listed.
     """
 
     row: NDArray[np.intp]
     value: Rounded
-    best: FloatArray
+    best: Rounded
     t: Rounded
     side: NDArray[np.int8]
     upper: NDArray[np.bool_]
@@ -71,7 +71,28 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     value = -at_zero / slope
     here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)} | {vary: value}
     upper = roots.rising * slope.sign()
-    return _kept(roots, value, value.value, (c, s, cos0.rows(roots.row), sin0.rows(roots.row)), here, -roots.rising, upper)
+    best = _settled(roots.t, value, [_rows(part, roots.row) for part in (*without, *change)])
+    return _kept(roots, value, best, (c, s, cos0.rows(roots.row), sin0.rows(roots.row)), here, -roots.rising, upper)
+
+
+def _settled(t: Rounded, value: Rounded, parts: list[Any]) -> Rounded:
+    """The value at the middle of t, and how far it can move over the interval: not far, since dv/dθ = −(f′ f_v − f f_v′)/f_v²."""
+    c, s, _ = on_circle(Rounded(t.value))
+    middle = -(kernel.f(c, s, *parts[:4]) / kernel.f(c, s, *parts[4:]))
+    c, s, _ = on_circle(t)
+    before, slope = kernel.f(c, s, *parts[:4]), kernel.f(c, s, *parts[4:])
+    change = kernel.f_slope(c, s, *parts[:4]) * slope - before * kernel.f_slope(c, s, *parts[4:])
+    return Rounded(middle.value, middle.error + _turn(t) * _size(change / (slope * slope)))
+
+
+def _turn(t: Rounded) -> FloatArray:
+    """How far θ = 2 atan t is from its middle."""
+    return np.asarray(2.01 * t.error)
+
+
+def _size(number: Rounded) -> FloatArray:
+    """The largest size that it may have."""
+    return np.asarray(1.01 * (np.abs(number.value) + number.error))
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
@@ -89,11 +110,21 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     # The true point lies on the unit circle, at most this far from the computed one.
     distance = np.hypot(sin0.error, cos0.error)
     theta0 = Rounded(angle, np.where(distance < 0.1, 1.01 * distance, 4.0) + 1e-15)
-    # f′ = 0 on a fold, so that f at the best θ gives θ₀ to the second order in what θ is off by.
-    exact = [Rounded(part.value) for part in here.values()]
-    mid = kernel.f_coefficients(Rounded(np.cos(angle)), Rounded(np.sin(angle)), *exact, 1)
-    best = angle - kernel.f(Rounded(c.value), Rounded(s.value), *mid).value / change.value
+    best = _turned_back(roots.t, theta0, here, change, kernel.f_slope(c, s, *trig))
     return _kept(roots, theta0, best, (c, s, cos0, sin0), here, -curvature * change.sign(), curvature)
+
+
+def _turned_back(t: Rounded, theta0: Rounded, here: Mapping[str, Rounded], change: Rounded, slope: Rounded) -> Rounded:
+    """θ₀ from f = 0 at the middle of t by Newton's rule, and how far it moves: dθ₀/dθ = −f′/f_θ₀, and f′ = 0 on a fold."""
+    c, s, _ = on_circle(Rounded(t.value))
+    cos0, sin0 = cosine_and_sine(theta0.value)
+    step = kernel.f(c, s, *kernel.f_coefficients(cos0, sin0, *here.values(), 1)) / change
+    # |∂²f/∂θ₀²| is at most the size of what sin θ₀ and cos θ₀ stand with in f.
+    mu0, _, alpha, sigma, beta = here.values()
+    bend = _size((alpha + sigma) * (beta + 1) + alpha * (beta + 1 + sigma) + mu0 * sigma)
+    least = np.abs(change.value) - change.error
+    drift = (bend * theta0.error**2 + _turn(t) * _size(slope)) / np.where(least > 0, least, 0.0)
+    return Rounded(theta0.value - step.value, step.error + drift + 1e-15)
 
 
 def _squares(values: list[Rounded]) -> list[Rounded]:
@@ -121,7 +152,7 @@ def _product(one: list[Rounded], other: list[Rounded]) -> list[Rounded]:
 def _kept(
     roots: bernstein.Roots,
     value: Rounded,
-    best: FloatArray,
+    best: Rounded,
     angles: tuple[Rounded, Rounded, Rounded, Rounded],
     here: Mapping[str, Rounded],
     side: NDArray[np.int8],
@@ -135,7 +166,9 @@ def _kept(
     undecided = roots.undecided.copy()
     undecided[roots.row[vague]] = True
     keep = np.flatnonzero(~out & ~undecided[roots.row])
-    return FoldArrays(roots.row[keep], value.rows(keep), best[keep], roots.t.rows(keep), side[keep], upper[keep] > 0, undecided)
+    return FoldArrays(
+        roots.row[keep], value.rows(keep), best.rows(keep), roots.t.rows(keep), side[keep], upper[keep] > 0, undecided
+    )
 
 
 def _as_rounded(part: Any) -> Rounded:

@@ -7,7 +7,7 @@ isolated by :mod:`spragsym.exact.bernstein`, and every sign that says what a fol
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -71,28 +71,13 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     value = -at_zero / slope
     here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)} | {vary: value}
     upper = roots.rising * slope.sign()
-    best = _settled(roots.t, value, [_rows(part, roots.row) for part in (*without, *change)])
+    old, new = ([_rows(part, roots.row) for part in parts] for parts in (without, change))
+
+    def parts_at(v: Rounded) -> tuple[list[Any], list[Any]]:
+        return [one + v * other for one, other in zip(old, new, strict=True)], new
+
+    best = _sharpened(roots.t, value, parts_at)
     return _kept(roots, value, best, (c, s, cos0.rows(roots.row), sin0.rows(roots.row)), here, -roots.rising, upper)
-
-
-def _settled(t: Rounded, value: Rounded, parts: list[Any]) -> Rounded:
-    """The value at the middle of t, and how far it can move over the interval: not far, since dv/dθ = −(f′ f_v − f f_v′)/f_v²."""
-    c, s, _ = on_circle(Rounded(t.value))
-    middle = -(kernel.f(c, s, *parts[:4]) / kernel.f(c, s, *parts[4:]))
-    c, s, _ = on_circle(t)
-    before, slope = kernel.f(c, s, *parts[:4]), kernel.f(c, s, *parts[4:])
-    change = kernel.f_slope(c, s, *parts[:4]) * slope - before * kernel.f_slope(c, s, *parts[4:])
-    return Rounded(middle.value, middle.error + _turn(t) * _size(change / (slope * slope)))
-
-
-def _turn(t: Rounded) -> FloatArray:
-    """How far θ = 2 atan t is from its middle."""
-    return np.asarray(2.01 * t.error)
-
-
-def _size(number: Rounded) -> FloatArray:
-    """The largest size that it may have."""
-    return np.asarray(1.01 * (np.abs(number.value) + number.error))
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
@@ -110,21 +95,52 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     # The true point lies on the unit circle, at most this far from the computed one.
     distance = np.hypot(sin0.error, cos0.error)
     theta0 = Rounded(angle, np.where(distance < 0.1, 1.01 * distance, 4.0) + 1e-15)
-    best = _turned_back(roots.t, theta0, here, change, kernel.f_slope(c, s, *trig))
+
+    def parts_at(v: Rounded) -> tuple[list[Any], list[Any]]:
+        cos_v, sin_v = cosine_and_sine(v.value)
+        at = [Rounded(one.value, one.error + v.error) for one in (cos_v, sin_v)]
+        return [*kernel.f_coefficients(*at, *here.values(), 1)], [_as_rounded(one) for one in _changes(*at, *here.values())[0]]
+
+    # Twice as wide, so that the surface beside the fold is in it too.
+    best = _sharpened(roots.t, Rounded(theta0.value, 2 * theta0.error), parts_at)
     return _kept(roots, theta0, best, (c, s, cos0, sin0), here, -curvature * change.sign(), curvature)
 
 
-def _turned_back(t: Rounded, theta0: Rounded, here: Mapping[str, Rounded], change: Rounded, slope: Rounded) -> Rounded:
-    """θ₀ from f = 0 at the middle of t by Newton's rule, and how far it moves: dθ₀/dθ = −f′/f_θ₀, and f′ = 0 on a fold."""
-    c, s, _ = on_circle(Rounded(t.value))
-    cos0, sin0 = cosine_and_sine(theta0.value)
-    step = kernel.f(c, s, *kernel.f_coefficients(cos0, sin0, *here.values(), 1)) / change
-    # |∂²f/∂θ₀²| is at most the size of what sin θ₀ and cos θ₀ stand with in f.
-    mu0, _, alpha, sigma, beta = here.values()
-    bend = _size((alpha + sigma) * (beta + 1) + alpha * (beta + 1 + sigma) + mu0 * sigma)
-    least = np.abs(change.value) - change.error
-    drift = (bend * theta0.error**2 + _turn(t) * _size(slope)) / np.where(least > 0, least, 0.0)
-    return Rounded(theta0.value - step.value, step.error + drift + 1e-15)
+def _sharpened(t: Rounded, value: Rounded, parts_at: Callable[[Rounded], tuple[list[Any], list[Any]]]) -> Rounded:
+    """The value v on a fold from f = f′ = 0, by Newton's rule, with a bound on its error.
+
+    ``parts_at`` gives the coefficients of f and of f_v. On the surface f = 0 is dv/dθ = −f′/f_v, which is 0 on the fold: from a
+    direction that is off by ρ ≤ |f′|/|f″| v is off by ρ (|f′| + |f″| ρ)/|f_v| at most. Where that can't be told, infinite.
+    """
+    low, high = t.value - t.error, t.value + t.error
+    at, v = t.value, value.value
+    for _ in range(3):
+        c, s, scale = on_circle(at)
+        trig, change = ([_plain(part) for part in parts] for parts in parts_at(Rounded(v)))
+        v = v - kernel.f(c, s, *trig) / kernel.f(c, s, *change)
+        at = np.clip(at - 0.5 * scale * kernel.f_slope(c, s, *trig) / kernel.f_curvature(c, s, *trig), low, high)
+    c, s, _ = on_circle(Rounded(at))
+    trig, change = parts_at(value)
+    cross = kernel.f_slope(*on_circle(t)[:2], *change)
+    curvature = kernel.f_curvature(*on_circle(t)[:2], *trig)
+    along = kernel.f(c, s, *change)
+    on_surface = Rounded(v) - kernel.f(c, s, *parts_at(Rounded(v))[0]) / along
+    slope = _size(kernel.f_slope(c, s, *parts_at(on_surface)[0]))
+    least = np.abs(along.value) - along.error
+    bend = np.abs(curvature.value) - curvature.error - _size(cross) * slope / least
+    off = slope / bend
+    drift = off * (slope + _size(curvature) * off) / least
+    inside = (np.abs(on_surface.value - value.value) + on_surface.error <= value.error) & (least > 0) & (bend > 0)
+    return Rounded(on_surface.value, np.where(inside, on_surface.error + 1.01 * drift, np.inf))
+
+
+def _plain(part: Any) -> Any:
+    return part.value if isinstance(part, Rounded) else part
+
+
+def _size(number: Rounded) -> FloatArray:
+    """The largest size that it may have."""
+    return np.asarray(1.01 * (np.abs(number.value) + number.error))
 
 
 def _squares(values: list[Rounded]) -> list[Rounded]:

@@ -25,7 +25,7 @@ from ..statics.solver import Equilibria, Stability, equilibria
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 13
-#: Largest relative error of a value, proved; of values below 1e-3, relative to that.
+#: Largest error of a value over max(1, |value|), proved.
 _LARGEST_ERROR = 1e-12
 #: Where θ₀ begins to rise; folds below it are looked for exactly.
 _FIRST_ANGLE = 2.0**-40
@@ -180,7 +180,7 @@ def _walk(
         undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
         jumps = ~grows & ~done[points] & np.where(upper[now], rank[points] >= 1, rank[points] <= 1)
         result[points[jumps]], theta[points[jumps]] = best.value[now[jumps]], at[now[jumps]]
-        coarse = best.error[now] > _LARGEST_ERROR * np.maximum(np.abs(best.value[now]), 1e-3)
+        coarse = best.error[now] > _LARGEST_ERROR * np.maximum(np.abs(best.value[now]), 1.0)
         undecided[points[jumps & coarse]] = True
         done[points[jumps]] = True
         rank[points] = np.where(grows & ~upper[now], 2, 0)

@@ -382,6 +382,18 @@ def test_indices_of_a_product_show_what_acts_together() -> None:
     np.testing.assert_allclose(found.total, [1.0, 1.0, 0.0], atol=0.01)
 
 
+def test_chunks_are_the_parts_of_one_sequence() -> None:
+    def function(u: Any) -> Any:
+        return np.cos(3 * u[:, 0]) * u[:, 1]
+
+    whole = sampling.sums(function, 2, True, sampling.Chunk(0, 77, 0, 1024))
+    parts = [sampling.sums(function, 2, True, sampling.Chunk(0, 77, begin, 256)) for begin in range(0, 1024, 256)]
+    np.testing.assert_allclose(np.sum(parts, axis=0), whole, rtol=1e-12)
+    tasks = sampling.chunks(1 << 20, 4, [1, 2, 3, 4])
+    assert sum(task.size for task in tasks) == 1 << 20
+    assert max(task.size for task in sampling.chunks(10**9, 16, range(16))) <= 1 << 18
+
+
 @pytest.mark.parametrize("share", [0.3, 0.002])
 def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""

@@ -81,13 +81,71 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
-    values = [Rounded(given[name]) for name in NAMES[1:]]
-    mu0, kappa, alpha, sigma, beta = values
+    """With α = 0 cos θ₀ drops out of f: θ₀ and π − θ₀ are folds together, where the second relation holds."""
+    free = np.broadcast_to(given["alpha"] == 0, size)
+    found = []
+    for rows in (np.flatnonzero(~free), np.flatnonzero(free)):
+        if rows.size:
+            values = [Rounded(np.broadcast_to(given[name], size)[rows]) for name in NAMES[1:]]
+            part = _with_alpha(values, rows.size) if not free[rows[0]] else _without_alpha(values, rows.size)
+            found.append((rows, part))
+    return _merged(found, size)
+
+
+def _with_alpha(values: list[Rounded], size: int) -> FoldArrays:
     roots = bernstein.positive_roots(_squares(values), size)
     here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)}
     c, s, _ = on_circle(roots.t)
-    sin0 = _sine(c, s, *here.values())
-    cos0 = _angles(c, s, *here.values())[1]
+    return _at_angles(roots, here, _angles(c, s, *here.values())[1], _sine(c, s, *here.values()))
+
+
+def _without_alpha(values: list[Rounded], size: int) -> FoldArrays:
+    _, cosines = _cubics(*values)
+    roots = bernstein.positive_roots([_as_rounded(part) for part in cosines], size)
+    here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)}
+    c, s, _ = on_circle(roots.t)
+    square = 1 - _sine(c, s, *here.values()) ** 2
+    undecided = roots.undecided.copy()
+    undecided[roots.row[square.sign() == 0]] = True
+    keep = np.flatnonzero(square.sign() > 0)
+    roots = bernstein.Roots(roots.row[keep], roots.t.rows(keep), roots.rising[keep], undecided)
+    here = {name: one.rows(keep) for name, one in here.items()}
+    cos0, sin0 = square.rows(keep).sqrt(), _sine(*on_circle(roots.t)[:2], *here.values())
+    both = [(np.arange(size), _at_angles(roots, here, one, sin0)) for one in (cos0, -cos0)]
+    return _merged(both, size)
+
+
+def _merged(parts: list[tuple[NDArray[np.intp], FoldArrays]], size: int) -> FoldArrays:
+    """Folds of several sets of points, each with the places of its points among ``size``."""
+    undecided = np.zeros(size, dtype=np.bool_)
+    for rows, part in parts:
+        undecided[rows[part.undecided]] = True
+
+    def joined(of: Callable[[FoldArrays], Any]) -> Any:
+        return np.concatenate([of(part) for _, part in parts])
+
+    def numbers(of: Callable[[FoldArrays], Rounded]) -> Rounded:
+        return Rounded(joined(lambda part: of(part).value), joined(lambda part: of(part).error))
+
+    row = np.concatenate([rows[part.row] for rows, part in parts])
+    every = FoldArrays(
+        row, numbers(lambda part: part.value), numbers(lambda part: part.best), numbers(lambda part: part.t),
+        joined(lambda part: part.side), joined(lambda part: part.upper), undecided,
+    )  # fmt: skip
+    keep = np.flatnonzero(~undecided[row])
+    return FoldArrays(
+        row[keep],
+        every.value.rows(keep),
+        every.best.rows(keep),
+        every.t.rows(keep),
+        every.side[keep],
+        every.upper[keep],
+        undecided,
+    )
+
+
+def _at_angles(roots: bernstein.Roots, here: Mapping[str, Rounded], cos0: Rounded, sin0: Rounded) -> FoldArrays:
+    c, s, _ = on_circle(roots.t)
     trig = kernel.f_coefficients(cos0, sin0, *here.values(), 1)
     change = kernel.f(c, s, *(_as_rounded(part) for part in _changes(cos0, sin0, *here.values())[0]))
     curvature = kernel.f_curvature(c, s, *trig).sign()

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import laws, linearization, motion, pages, statics
+from . import laws, linearization, motion, pages, soundness, statics, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -20,6 +20,7 @@ from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
 from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
+from .model import Page
 from .pages import Model
 
 #: Text of a function → the model and the module that have it first.
@@ -118,7 +119,11 @@ def description(model: Model) -> dict[str, Any]:
         "source": hashlib.sha256(model.text.encode()).hexdigest(),
         "units": [{"name": str(unit.symbol), "unit": unit.unit, "meaning": unit.meaning} for unit in model.page.units],
         "coordinates": [
-            {"name": str(entry.symbol), "rate": str(entry.rate), "meaning": entry.meaning, "unit": entry.unit}
+            {
+                "name": str(entry.symbol), "rate": str(entry.rate), "meaning": entry.meaning, "unit": entry.unit,
+                "scale": _scale(model.page, units.read(entry.unit)),
+                "rate_scale": _scale(model.page, units.times(units.read(entry.unit), units.TIME, -1)),
+            }
             for entry in model.page.coordinates
         ],
         "parameters": [
@@ -129,6 +134,10 @@ def description(model: Model) -> dict[str, Any]:
             }
             for datum in it.parameters
         ],
+        "scales": {
+            name: _scale(model.page, dimension)
+            for name, dimension in (("length", units.LENGTH), ("time", units.TIME), ("force", units.FORCE))
+        },
         "angles": {str(angle.symbol): [str(angle.c), str(angle.s)] for angle in it.angles},
         "arguments": {
             "statics": [str(symbol) for symbol in statics.arguments(it)],
@@ -142,6 +151,12 @@ def description(model: Model) -> dict[str, Any]:
         "layers": len(laws.layers(it)),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
+
+
+def _scale(page: Page, dimension: units.Dimension) -> str:
+    """The unit of a dimensionless number: a product of the quantities that become 1."""
+    scale = soundness.scale(page, dimension)
+    return "" if scale is None else str(scale)
 
 
 def _domain(domain: str) -> dict[str, Any]:

@@ -175,6 +175,8 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
     except ConvergenceError as error:
         return f"{told}, which could not be followed: {error}"
     name = outcome.regime.name.lower().replace("_", " ")
-    return f"{told} after {span:g} time units: it is {name}" + (
-        f" at x = {outcome.rest_x:.6g}, y = {outcome.rest_y:.6g}" if np.isfinite(outcome.rest_x) else ""
-    ) + "; give a state nearer to a cycle, or other parameters"
+    return (
+        f"{told} after {span:g} time units: it is {name}"
+        + (f" at x = {outcome.rest_x:.6g}, y = {outcome.rest_y:.6g}" if np.isfinite(outcome.rest_x) else "")
+        + "; give a state nearer to a cycle, or other parameters"
+    )

@@ -112,7 +112,9 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch) -> Iterator[Fin
         if ends[0] - width - 1e-12 <= loop.guess.values[index] <= ends[1] + width + 1e-12:
             yield Finding("grazing", loop, 10 * loop.missed + 1e-12, touch.turn.border)
             return
-    yield Finding("grazing", near.point.loop, abs(other.point.loop.guess.values[one.setting.free[0]] - _value(one)), touch.turn.border)
+    yield Finding(
+        "grazing", near.point.loop, abs(other.point.loop.guess.values[one.setting.free[0]] - _value(one)), touch.turn.border
+    )
 
 
 def _value(seen: Seen) -> float:

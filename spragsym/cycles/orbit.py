@@ -230,7 +230,9 @@ def _top(loop: Loop) -> FloatArray:
     if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
         highest.append(first)
     most = max(float(state[0]) for state in highest)
-    state = max((state for state in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda state: float(state[1])).copy()
+    state = max(
+        (state for state in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda state: float(state[1])
+    ).copy()
     state[n] = 0.0
     return state
 

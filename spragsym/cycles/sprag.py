@@ -71,6 +71,7 @@ _BORDERS = (
     Border("layer", _layer, _layer_rate, lambda mode: 1 - 2 * mode[2], lambda mode: (*mode[:2], 1 - mode[2]), kink=False),
 )  # fmt: skip
 
+
 def _simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
     p = Parameters(**dict(zip(NAMES, values[:-2], strict=True)))
     start = dict(zip(("x0", "y0", "vx0", "vy0"), map(float, state), strict=True))

@@ -74,5 +74,3 @@ def _off(setting: Setting, guess: Guess, step: FloatArray, size: float) -> Loop:
         return rows @ (loop.guess.coordinates(setting.free) - target), rows
 
     return solved(setting.field, setting.fly, begun, conditions, setting.free, reach=20 * size)
-
-

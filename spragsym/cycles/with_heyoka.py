@@ -122,7 +122,6 @@ class Compiled:
             raise ConvergenceError(f"heyoka missed a kink before t = {duration:.6g}; use backend='scipy'")
         return Passage(end, by_state, by_parameters, tuple(self.crossings), tuple(self.turns))
 
-
     def sample(self, state: FloatArray, constants: tuple[float, ...], duration: float) -> tuple[FloatArray, FloatArray]:
         """Times (n,) and states (m, n) at the Lobatto points of the steps of a stretch, ends shared."""
         self._begin(state, constants, np.zeros((2, len(self.field.parameters))))

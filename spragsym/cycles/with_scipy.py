@@ -106,7 +106,9 @@ class Flight:
             yield _Piece(clock + begin, clock + at, whole, _shifted(dense, clock), mode, border, after)
             clock, mode = clock + at, after
 
-    def _rates(self, constants: tuple[float, ...], mode: Mode, directions: FloatArray) -> Callable[[float, FloatArray], FloatArray]:
+    def _rates(
+        self, constants: tuple[float, ...], mode: Mode, directions: FloatArray
+    ) -> Callable[[float, FloatArray], FloatArray]:
         field, m, n = self.field, self.field.size, len(self.field.coordinates)
 
         def rates(_: float, whole: FloatArray) -> FloatArray:

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described
+
+if TYPE_CHECKING:
+    from .trajectory import ModelTrajectory
 
 #: Modules of generated functions.
 PARTS = ("statics", "linearization", "motion")
@@ -76,6 +79,43 @@ class Model:
             (value,) = p.broadcast(angle)
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
+
+    def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
+        """Integrate the motion from an initial state, restarted at every kink of the model's laws.
+
+        Parameters
+        ----------
+        p : Parameters of the model
+            Scalars; V and d are among them.
+        start : array_like, shape (2 n,), optional
+            Coordinates, then rates. Or one by one: ``x0``, ``y0``, …, ``vx0``, …; 0 where nothing is given.
+        t_end, rtol, events, estimate_error, backend, max_steps
+            As for :func:`spragsym.simulate`.
+
+        Returns
+        -------
+        ModelTrajectory
+
+        Raises
+        ------
+        ParameterError, ParameterTypeError
+            For arguments that make no sense, and a start where a spring has no length.
+        ConvergenceError
+            When the integrator cannot go on, or has made ``max_steps``.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> tr = model.simulate(model.Parameters(V=0.2), t_end=200.0)
+        >>> tr.components
+        ('x', 'vx')
+        >>> round(tr.amplitude(), 2)
+        0.59
+        """
+        from .trajectory import simulate
+
+        return simulate(self, p, **options)
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

@@ -142,3 +142,41 @@ def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
     text = (tmp_path / "tr.csv").read_text(encoding="utf-8")
     assert "trolley" in text
     assert "x_a" in text
+
+
+# ------------------------------------------------------------------------------------------------ sweeps
+
+
+def test_a_sweep_of_the_articles_page_is_that_of_the_article() -> None:
+    model, angles = ss.load("kang_nam"), np.radians([30.0, 49.0])
+    ours = model.rms_sweep(model.Parameters(theta0=angles), t_end=120.0, transient=40.0)
+    theirs = ss.rms_sweep(ss.Parameters.article(theta0=angles), 0.5, 10.0, t_end=120.0, transient=40.0)
+    for name in ("rms", "spread", "amplitude", "mean", "mean_y"):
+        np.testing.assert_allclose(getattr(ours, name), getattr(theirs, name), rtol=1e-6)
+    for name in ("contact_lost", "slip_reversed", "regime"):
+        assert getattr(ours, name).tolist() == getattr(theirs, name).tolist()
+
+
+def test_a_sweep_goes_through_a_file_and_other_processes(tmp_path: Any) -> None:
+    """The same bits from two processes; a finished file is read, that of another model refused."""
+    model = ss.load("stick_slip")
+    p = model.Parameters(zeta=[0.1, 0.2, 0.6])
+    one = model.rms_sweep(p, t_end=60.0, x0=0.1)
+    two = model.rms_sweep(p, t_end=60.0, x0=0.1, workers=2, store=tmp_path / "sweep.csv")
+    again = model.rms_sweep(p, t_end=60.0, x0=0.1, store=tmp_path / "sweep.csv")
+    for name in ("rms", "regime", "period", "mean"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
+        np.testing.assert_array_equal(getattr(one, name), getattr(again, name))
+    text = (tmp_path / "sweep.csv").read_text(encoding="utf-8")
+    assert "# model: stick_slip" in text
+    assert text.splitlines()[0].startswith("mu_s,v_s,zeta,V,x0,vx0,rms")
+    with pytest.raises(ss.ParameterError, match="something else"):
+        model.rms_sweep(p.replace(V=0.4), t_end=60.0, x0=0.1, store=tmp_path / "sweep.csv")
+
+
+def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
+    model = ss.load("kang_nam")
+    x0 = np.array([0.1, float(np.cos(1.0))])
+    sweep = model.rms_sweep(model.Parameters(theta0=1.0), t_end=10.0, x0=x0, y0=float(np.sin(1.0)))
+    assert np.isfinite(sweep.rms).tolist() == [True, False]
+    assert "on one point" in sweep.reason[1]

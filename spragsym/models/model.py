@@ -13,6 +13,7 @@ from . import parameters as _parameters
 from .describe import described
 
 if TYPE_CHECKING:
+    from ..sweeps import Sweep
     from .trajectory import ModelTrajectory
 
 #: Modules of generated functions.
@@ -116,6 +117,35 @@ class Model:
         from .trajectory import simulate
 
         return simulate(self, p, **options)
+
+    def rms_sweep(self, p: ParameterSet, **options: Any) -> Sweep:
+        """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
+
+        Parameters
+        ----------
+        p : Parameters of the model
+            Any shape; V and d are among them.
+        x0, vx0, … : array_like, optional
+            Initial state by the names of the model's coordinates; they broadcast with ``p``.
+        t_end, transient, rtol, backend, max_steps, workers, progress, store
+            As for :func:`spragsym.rms_sweep`.
+
+        Returns
+        -------
+        Sweep
+            With ``model``; x is the first coordinate and y the second.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> sweep = model.rms_sweep(model.Parameters(zeta=[0.1, 0.5]), t_end=400.0)
+        >>> [ss.sweeps.Regime(code).name for code in sweep.regime]
+        ['LIMIT_CYCLE', 'EQUILIBRIUM']
+        """
+        from .sweep import rms_sweep
+
+        return rms_sweep(self, p, **options)
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

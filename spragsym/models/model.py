@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,8 @@ from .describe import described
 
 if TYPE_CHECKING:
     from ..sweeps import Sweep
+    from .equilibria import ModelEquilibria
+    from .points import ModelPoints
     from .trajectory import ModelTrajectory
 
 #: Modules of generated functions.
@@ -80,6 +82,30 @@ class Model:
             (value,) = p.broadcast(angle)
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
+
+    def equilibria(self, p: ParameterSet, contact: bool = True) -> ModelEquilibria:
+        """All equilibria, proved: see :func:`spragsym.models.equilibria.equilibria`."""
+        from .equilibria import equilibria
+
+        return equilibria(self, p, contact)
+
+    def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+        """All folds along one parameter, proved: see :func:`spragsym.models.folds.folds`."""
+        from .folds import folds
+
+        return folds(self, p, vary, **options)
+
+    def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
+        """All cusps in the plane of two parameters, proved: see :func:`spragsym.models.cusps.cusps`."""
+        from .cusps import cusps
+
+        return cusps(self, p, vary, **options)
+
+    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+        """All onsets of flutter along one parameter, proved: see :func:`spragsym.models.flutter.flutter_onsets`."""
+        from .flutter import flutter_onsets
+
+        return flutter_onsets(self, p, vary, **options)
 
     def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
         """Integrate the motion from an initial state, restarted at every kink of the model's laws.

@@ -1,0 +1,126 @@
+"""Small systems with known numbers of roots, for the search over boxes.
+
+M. W. Smiley and C. Chun, "An algorithm for finding all solutions of a nonlinear system", J. Comput. Appl. Math. 137 (2001) 293–315,
+examples 2.2, 5.2, 5.4 and 5.5; numbers of roots and regions as in the examples of IntervalRootFinding.jl. Rastrigin's function as in
+that package's tests.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from spragsym.exact import boxes, jets
+from spragsym.exact.interval_arrays import Intervals, stacked
+from spragsym.exact.interval_functions import cos, sin
+
+
+def interval(low: float, high: float) -> Intervals:
+    """One interval."""
+    return Intervals.between([low], [high])
+
+
+#: π, which lies above its float.
+PI = interval(np.pi, np.nextafter(np.pi, 4))
+
+
+@dataclass(frozen=True)
+class Problem(boxes.Plain):
+    """Equations without parameters, by their values; derivatives come from jets."""
+
+    title: str
+    equations: Callable[[Sequence[Any]], Sequence[Any]]
+    region: tuple[tuple[float, float], ...]
+    roots: int
+
+    @property
+    def ends(self) -> NDArray[np.float64]:
+        """The region as −low and high, shape (2, n, 1)."""
+        return np.array([[-low, high] for low, high in self.region]).T[:, :, None]
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """The values over boxes."""
+        shape = unknowns.shape[1:]
+        return stacked(self.equations([unknowns[i] for i in range(len(self.region))]), shape)
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """The slopes over boxes."""
+        n, shape = len(self.region), unknowns.shape[1:]
+        values = self.equations(jets.variables([unknowns[i] for i in range(n)], 1))
+        entries = [entry for value in values for entry in jets.gradient(value, n)]
+        return Intervals(stacked(entries, shape).ends.reshape(2, n, n, *shape))
+
+
+def _wave(function: Callable[[Intervals], Intervals], value: Any) -> Any:
+    return getattr(value, function.__name__)() if isinstance(value, jets.Jet) else function(value)
+
+
+def _example_22(x: Sequence[Any]) -> Sequence[Any]:
+    return (
+        x[0] ** 2 + 4 * x[1] ** 2 - 4,
+        x[1] * (x[0] - interval(*_around("1.995"))) * (x[1] - x[0] ** 2) * (x[1] - x[0] + 1),
+    )
+
+
+def _around(digits: str) -> tuple[float, float]:
+    value = float(digits)
+    return float(np.nextafter(value, -np.inf)), float(np.nextafter(value, np.inf))
+
+
+def _decimal(digits: str) -> Intervals:
+    return interval(*_around(digits))
+
+
+def _example_52(x: Sequence[Any]) -> Sequence[Any]:
+    """Two spheres, two planes, and three planes through a line."""
+    d1, d2 = _decimal("0.2"), _decimal("-0.7")
+    radius = x[0] ** 2 + x[1] ** 2 + x[2] ** 2
+    plane = 0.5 * x[0] + 0.5 * x[1] + x[2]
+    product: Any = 1
+    for i in (1, 2, 3):
+        angle = PI * i / 3
+        c, s = cos(angle), sin(angle)
+        v = -(0.5 * c + 0.5 * s)
+        third = 0.5 * s - 0.5 * c
+        product = product * (x[0] * (0.5 * v - s) + x[1] * (c - 0.5 * v) + x[2] * third - d1 * third)
+    return ((radius - 1) * (radius - 4), (plane - d1) * (plane - d2), product)
+
+
+def _example_54(t: Sequence[Any]) -> Sequence[Any]:
+    """Rescaled, as is usual."""
+    c11, c15, c21 = _decimal("1.069e-5"), _decimal("-1.283e-4"), _decimal("2e-2")
+    return (
+        t[0] ** 4 * c11 + t[0] ** 3 * t[1] * 200 + t[0] ** 3 * 1e5 - t[0] * 1.8e5 + c15,
+        t[0] * t[1] ** 2 * c21 + t[1] ** 2 * 10 - 10,
+    )
+
+
+def _example_55(x: Sequence[Any]) -> Sequence[Any]:
+    """Points of period 1 and 2 of a map: a double pendulum that is kicked."""
+    D = [(-(PI / 5)).exp(), (-(PI * 2 / 5)).exp()]
+    C = [(1 - D[0]) / (PI / 5), (1 - D[1]) / (PI * 2 / 5)]
+
+    def step(x: Sequence[Any]) -> list[Any]:
+        one = x[2] - _wave(sin, x[0]) * _wave(cos, x[1]) * 5
+        two = x[3] - _wave(cos, x[0]) * _wave(sin, x[1]) * 5
+        return [one * C[0] + x[0], two * C[1] + x[1], one * D[0], two * D[1]]
+
+    return [after - before for after, before in zip(step(step(x)), x, strict=True)]
+
+
+def _rastrigin(x: Sequence[Any]) -> Sequence[Any]:
+    return [2 * value + _wave(sin, value * (2 * PI)) * (20 * PI) for value in x]
+
+
+_WIDE, _HIGH = 1.02 * np.pi, 0.5 * np.pi
+PROBLEMS = (
+    Problem("Smiley and Chun 2.2", _example_22, ((-3, 3), (-3, 3)), 8),
+    Problem("Smiley and Chun 5.2", _example_52, ((-3, 3), (-3, 3), (-3, 3)), 24),
+    Problem("Smiley and Chun 5.4", _example_54, ((-510, 1.4), (-510, 1.1)), 7),
+    Problem("Smiley and Chun 5.5", _example_55, ((-_WIDE, _WIDE), (-_WIDE, _WIDE), (-_HIGH, _HIGH), (-_HIGH, _HIGH)), 41),
+    Problem("Rastrigin", _rastrigin, ((-5, 6), (-5, 6)), 529),
+)

@@ -1,0 +1,78 @@
+"""The namespace ``xp`` of generated functions for :class:`spragsym.exact.intervals.Ball`, and balls as float64 intervals."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .interval_arrays import FloatArray
+from .intervals import GUARD_BITS, Ball, Balls
+from .polynomials import Undecided
+
+_BALLS = Balls()
+
+
+def exp(value: Ball) -> Ball:
+    """Exponential: Taylor's series of the argument over 2^halvings, squared as often.
+
+    The argument is cut to at most 2^-8, so that what is dropped after a term is less than that term.
+    """
+    halvings = max(0, value.mid.bit_length() + value.exp, value.rad.bit_length() + value.exp) + 8
+    bits = value.bits + halvings + GUARD_BITS
+    small = Ball(value.mid, value.rad, value.exp - halvings, bits)
+    total, term, order = Ball(1, 0, 0, bits), Ball(1, 0, 0, bits), 0
+    while _size(term) > -bits:
+        order += 1
+        term = term * small / order
+        total = total + term
+    total = total + Ball(0, 1, _size(term) + 1, bits)
+    for _ in range(halvings):
+        total = total * total
+    return Ball(total.mid, total.rad, total.exp, value.bits)
+
+
+def _size(value: Ball) -> int:
+    """n with |x| < 2^n all over the ball."""
+    return (abs(value.mid) + value.rad).bit_length() + value.exp
+
+
+class Functions:
+    """``xp`` for balls."""
+
+    @staticmethod
+    def sqrt(value: Any) -> Any:
+        """Square root."""
+        return _BALLS.sqrt(value)
+
+    @staticmethod
+    def exp(value: Any) -> Any:
+        """Exponential."""
+        return exp(value)
+
+    @staticmethod
+    def sign(value: Any) -> int:
+        """−1 or 1; :class:`Undecided` where the ball holds 0."""
+        found = _BALLS.sign(value)
+        if not found:
+            raise Undecided("the sign of a ball that holds 0")
+        return found
+
+    @classmethod
+    def abs(cls, value: Any) -> Any:
+        """Absolute value."""
+        return value if cls.sign(value) > 0 else -value
+
+
+#: The one that is needed.
+XP = Functions()
+
+
+def as_ends(value: Any) -> FloatArray:
+    """−low and high of a ball or an integer, as floats that lie outside of it or on its ends."""
+    if isinstance(value, int):
+        return np.array([-float(value), float(value)])
+    low, high = _BALLS.ends(value)
+    ends = np.array([-float(low), float(high)])
+    out: FloatArray = np.nextafter(ends, np.inf)
+    return out

@@ -1,0 +1,279 @@
+"""All roots of small systems in a region, proved: branch and prune, over many boxes and many points of parameters at once.
+
+A pair of a box of unknowns and a node of the tree of points is taken from a stack, thousands at a time. Whatever
+:mod:`spragsym.exact.contractors` proves of it holds for all points of the node: so it is dropped, or decided for all of them.
+What is not decided is halved: the box where the width of the unknowns is what keeps it open, the node where the spread of the
+parameters is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import contractors
+from .interval_arrays import FloatArray, Intervals, raised
+from .parameter_tree import Tree, tree
+
+#: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
+CHUNK = 2048
+#: By how much of its width a box is widened before it is asked for a root: so roots on its border are inside of it.
+MARGIN = 0.05
+#: Budget of a point, if no other is given.
+BUDGET = 20000
+#: Boxes of a node of several points after which it is halved in any case.
+NODE_BUDGET = 400
+#: A box is halved unless it has become narrower than this part of itself by contraction.
+ENOUGH = 0.6
+#: Relative width of boxes that are not halved any more.
+NARROW = 2.0**-44
+#: Relative width of boxes that are given up where rounding moves the root by as much as :data:`SPREAD`.
+SMALL = 2.0**-12
+#: A node is halved if its parameters move the root by more than this part of the box.
+SPREAD = 0.35
+
+
+class System(Protocol):
+    """n equations in n unknowns with parameters."""
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """F over N boxes: unknowns of shape (n, N), parameters of shape (P, N), result of shape (n, N)."""
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """F at floats, of which a system may know more digits than over boxes."""
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Enclosure of ∂F/∂x, shape (n, n, N)."""
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes that hold nothing wanted for another reason than F, shape (N,)."""
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """What the methods take as parameters, from the boxes of all nodes of the tree, shape (parameters, nodes)."""
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
+
+
+class Plain:
+    """What a system does that knows nothing beside its residuals and their slopes."""
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """F, which every system has."""
+        raise NotImplementedError
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """The residuals over boxes without width."""
+        return self.residuals(Intervals.point(middles), parameters)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """No box."""
+        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """The parameters themselves."""
+        return bounds
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """The boxes themselves."""
+        return unknowns.ends
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """Boxes, shape (2, n, N), and the nodes that they are looked at for, shape (N,)."""
+
+    ends: FloatArray
+    nodes: NDArray[np.int64]
+
+    def __len__(self) -> int:
+        return int(self.nodes.size)
+
+    def __getitem__(self, which: NDArray[np.bool_] | NDArray[np.int64] | slice) -> Pairs:
+        return Pairs(self.ends[:, :, which], self.nodes[which])
+
+
+@dataclass(frozen=True)
+class Start:
+    """Boxes, shape (2, n, N), and the point of each, shape (N,)."""
+
+    ends: FloatArray
+    point: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What a search ends with: boxes with exactly one root for every point of their node, and boxes that nothing is known of.
+
+    ``unique`` and ``where`` are one list: any root in the first box lies in the second one, too.
+    """
+
+    unique: Pairs
+    where: Pairs
+    undecided: Pairs
+    points: Tree
+    looks: int
+
+
+def joined(parts: list[Pairs], n: int) -> Pairs:
+    """One list of several."""
+    empty = Pairs(np.empty((2, n, 0)), np.empty(0, dtype=np.int64))
+    parts = [empty, *parts]
+    return Pairs(np.concatenate([part.ends for part in parts], axis=2), np.concatenate([part.nodes for part in parts]))
+
+
+def search(
+    system: System,
+    region: FloatArray,
+    low: FloatArray,
+    high: FloatArray,
+    *,
+    limits: FloatArray | None = None,
+    budget: int = BUDGET,
+    start: Start | None = None,
+) -> Outcome:
+    """All roots for all points.
+
+    Parameters
+    ----------
+    system : System
+    region : ndarray
+        Shape (2, n, points) or (2, n, 1): −low and high of the box to search, for every point.
+    low, high : ndarray
+        Shape (parameters, points): a box for each point, mostly without width.
+    limits : ndarray, optional
+        Shape (2, n): beyond them F is not asked for; no limits if it is not given.
+    budget : int
+        Boxes of one point that may be looked at before what is left of it counts as undecided.
+    start : Start, optional
+        Boxes to begin with in place of the region.
+
+    Returns
+    -------
+    Outcome
+    """
+    points, n = tree(low, high), region.shape[1]
+    first = Pairs(region.max(axis=2, keepdims=True), np.zeros(1, dtype=np.int64))
+    if start is not None:
+        first = Pairs(start.ends, points.leaves()[start.point])
+    with np.errstate(all="ignore"):
+        search_state = _Search(system, points, np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None], budget)
+        search_state.run(first)
+    unique, where, undecided = (joined(part, n) for part in (search_state.unique, search_state.where, search_state.undecided))
+    return Outcome(unique, where, undecided, points, search_state.looks)
+
+
+class _Search:
+    """A stack of pairs, and what has been found."""
+
+    def __init__(self, system: System, points: Tree, limits: FloatArray, budget: int) -> None:
+        self.system, self.points, self.limits, self.budget = system, points, limits, budget
+        self.parameters = system.prepared(points.bounds)
+        self.unique: list[Pairs] = []
+        self.where: list[Pairs] = []
+        self.undecided: list[Pairs] = []
+        self.work = np.zeros(points.size.size, dtype=np.int64)
+        self.looks = 0
+
+    def run(self, start: Pairs) -> None:
+        stack = [start]
+        n = start.ends.shape[1]
+        while stack:
+            taken, total = [], 0
+            while stack and total < CHUNK:
+                taken.append(stack.pop())
+                total += len(taken[-1])
+            pairs = joined(taken, n)
+            if len(pairs) > 2 * CHUNK:
+                stack.append(pairs[slice(0, len(pairs) - CHUNK)])
+                pairs = pairs[slice(len(pairs) - CHUNK, None)]
+            left = self.look(pairs)
+            if len(left):
+                stack.append(left)
+
+    def look(self, pairs: Pairs) -> Pairs:
+        """One step: what is left to be looked at."""
+        self.looks += len(pairs)
+        np.add.at(self.work, pairs.nodes, 1)
+        given, pairs, parameters = self._contracted(pairs)
+        # Widened boxes, of which a root on the border of the box is well inside.
+        wide = np.minimum(pairs.ends + MARGIN * Intervals(pairs.ends).width, self.limits)
+        middle = Intervals(pairs.ends).middle
+        at_middle = self.system.at_points(middle, parameters)
+        slopes = self.system.jacobian(Intervals(wide), parameters)
+        keep = np.flatnonzero(~contractors.excluded(at_middle, slopes, _reach(pairs.ends, middle)))
+        given, pairs, wide, middle = given[keep], pairs[keep], wide[:, :, keep], middle[:, keep]
+        at_middle, slopes = at_middle[:, keep], slopes[:, :, keep]
+        step = contractors.newton(at_middle, slopes, middle, _reach(wide, middle))
+        proved = contractors.inside(step.ends, wide)
+        self.unique.append(Pairs(wide, pairs.nodes)[proved])
+        self.where.append(Pairs(step.ends, pairs.nodes)[proved])
+        rest = np.flatnonzero(~proved & ~contractors.apart(step.ends, pairs.ends))
+        narrower = Pairs(_with_room(step.ends, pairs.ends, step.noise), pairs.nodes)
+        closed = np.logical_and.reduce(step.ends < wide)
+        return self._divided(given[rest], narrower[rest], step.noise[:, rest], slopes[:, :, rest], closed[:, rest])
+
+    def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
+        """Pairs whose boxes may hold a root; what is left of the boxes by the system's own contraction; parameters."""
+        parameters = self.parameters[:, given.nodes]
+        ends = self.system.contracted(Intervals(given.ends), parameters)
+        empty = np.logical_or.reduce(ends[0] + ends[1] < 0)
+        boxes = Intervals(_with_room(ends, given.ends, 0.0))
+        values = self.system.residuals(boxes, parameters)
+        keep = np.logical_and.reduce(values.holds_zero()) & ~empty & ~self.system.hopeless(boxes, parameters)
+        rows = np.flatnonzero(keep)
+        return given[rows], Pairs(boxes.ends, given.nodes)[rows], parameters[:, rows]
+
+    def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
+        """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
+        n = now.ends.shape[1]
+        widths = now.ends[0] + now.ends[1]
+        ratio = widths / (before.ends[0] + before.ends[1])
+        single = self.points.size[now.nodes] == 1
+        spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
+        scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
+        stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
+        stuck |= np.logical_and.reduce(widths <= NARROW * scale)
+        self.undecided.append(now[single & (spent | stuck)])
+        split_node = ~single & (spent | ~np.logical_and.reduce(noise < SPREAD * widths))
+        again = ~split_node & ~(single & (spent | stuck))
+        better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < ENOUGH)
+        halve = np.flatnonzero(again & ~better)
+        places, children = self.points.children(now.nodes[split_node])
+        halved_nodes = Pairs(now.ends[:, :, np.flatnonzero(split_node)[places]], children)
+        return joined([halved_nodes, now[better], _halves(now[halve], slopes[:, :, halve], closed[:, halve])], n)
+
+
+def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:
+    """A box narrowed not to the last digit: a component that closes in before the others needs room to be proved with them."""
+    narrowed: FloatArray = np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
+    return narrowed
+
+
+def _reach(ends: FloatArray, middle: FloatArray) -> FloatArray:
+    """|x − m| over a box."""
+    reach: FloatArray = np.maximum(*raised(ends + np.stack([middle, -middle])))
+    return reach
+
+
+def _halves(pairs: Pairs, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
+    """Both halves of each box, cut where the residuals change most in proportion to all that they change.
+
+    A component that interval Newton maps into the interior is not what keeps the box open.
+    """
+    widths = pairs.ends[0] + pairs.ends[1]
+    change = slopes.magnitude * widths[None]
+    share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
+    known = np.isfinite(share).all(axis=0)
+    along = np.where(closed, -1.0, np.where(known, share, widths)).argmax(axis=0)
+    columns = np.arange(len(pairs))
+    # Not in the middle, where symmetric systems have their roots.
+    low, high = -pairs.ends[0, along, columns], pairs.ends[1, along, columns]
+    cut = np.clip(low + 0.4921875 * (high - low), low, high)
+    lower, upper = pairs.ends.copy(), pairs.ends.copy()
+    lower[1, along, columns] = cut
+    upper[0, along, columns] = -cut
+    return Pairs(np.concatenate([lower, upper], axis=2), np.concatenate([pairs.nodes, pairs.nodes]))

@@ -1,0 +1,142 @@
+"""From boxes with one root each to the roots of each point: once each, to full precision, with a bound on the error."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import boxes, contractors
+from .boxes import Outcome, System
+from .interval_arrays import FloatArray, Intervals, raised
+
+#: Steps of interval Newton, of which each doubles the number of digits.
+STEPS = 8
+
+
+@dataclass(frozen=True)
+class Roots:
+    """Roots of many points, sorted by point.
+
+    Attributes
+    ----------
+    ends : ndarray
+        Shape (2, n, roots): −low and high of a box that holds exactly one root, and no other root lies nearer than ``alone``.
+    alone : ndarray
+        Shape (2, n, roots): the larger box in which it is the only root.
+    point : ndarray of int64
+        The point of each.
+    left : ndarray
+        Shape (2, n, boxes): boxes of which it is not known what they hold.
+    left_point : ndarray of int64
+        The point of each.
+    """
+
+    ends: FloatArray
+    alone: FloatArray
+    point: NDArray[np.int64]
+    left: FloatArray
+    left_point: NDArray[np.int64]
+
+    @property
+    def middle(self) -> FloatArray:
+        """Floats inside of the boxes, shape (n, roots)."""
+        return Intervals(self.ends).middle
+
+    @property
+    def error(self) -> FloatArray:
+        """Bound on |error| / max(1, |value|), over the unknowns, shape (roots,)."""
+        return relative_error(self.ends, self.middle)
+
+
+def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
+    """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the components."""
+    reach = np.maximum(*raised(ends + np.stack([middle, -middle])))
+    out: FloatArray = raised((reach / np.maximum(1.0, np.abs(middle))).max(axis=0))
+    return out
+
+
+def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray, high: FloatArray) -> Roots:
+    """The roots of each point, from what a search found; arguments as for :func:`spragsym.exact.boxes.search`.
+
+    A root that can't be told from one on the border of the region is among the boxes that are left.
+    """
+    n = outcome.unique.ends.shape[1]
+    place, point = outcome.points.below(outcome.unique.nodes)
+    alone = outcome.unique.ends[:, :, place]
+    ends = np.minimum(outcome.where.ends[:, :, place], alone)
+    order = np.lexsort((-alone[0, 0], point))
+    point, alone, ends = point[order], alone[:, :, order], ends[:, :, order]
+    with np.errstate(all="ignore"):
+        ends, gone = _refined(system, ends, Intervals(np.stack([-low, high])), point)
+        if gone.any():  # can't happen: each holds a root
+            raise ArithmeticError("a box with a root has none")
+        keep, unclear = _once(ends, alone, point)
+        around = np.broadcast_to(region, (*region.shape[:2], low.shape[1]))
+        keep = keep[~contractors.apart(ends[:, :, keep], around[:, :, point[keep]])]
+        border = ~contractors.within(ends[:, :, keep], around[:, :, point[keep]])
+        keep, unclear = keep[~border], np.concatenate([unclear, keep[border]])
+    place, left_point = outcome.points.below(outcome.undecided.nodes)
+    left = np.concatenate([outcome.undecided.ends[:, :, place], ends[:, :, unclear]], axis=2).reshape(2, n, -1)
+    left_point = np.concatenate([left_point, point[unclear]])
+    return Roots(ends[:, :, keep], alone[:, :, keep], point[keep], left, left_point)
+
+
+def replaced(found: Roots, points: NDArray[np.int64], by: Roots) -> Roots:
+    """Roots in which those of some points are others, numbered by their place among these points."""
+    mine, left = ~np.isin(found.point, points), ~np.isin(found.left_point, points)
+    ends = np.concatenate([found.ends[:, :, mine], by.ends], axis=2)
+    alone = np.concatenate([found.alone[:, :, mine], by.alone], axis=2)
+    boxes_left = np.concatenate([found.left[:, :, left], by.left], axis=2)
+    return Roots(
+        ends, alone, np.concatenate([found.point[mine], points[by.point]]),
+        boxes_left, np.concatenate([found.left_point[left], points[by.left_point]]),
+    )  # fmt: skip
+
+
+def _refined(
+    system: System, ends: FloatArray, parameters: Intervals, point: NDArray[np.int64]
+) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Boxes contracted until they do not get narrower; and whether one was found empty."""
+    ends = ends.copy()
+    empty = np.zeros(point.size, dtype=np.bool_)
+    for begin in range(0, point.size, boxes.CHUNK):
+        rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
+        for _ in range(STEPS):
+            box, at = Intervals(ends[:, :, rows]), system.prepared(parameters[:, point[rows]])
+            middle = box.middle
+            reach = np.maximum(*raised(box.ends + np.stack([middle, -middle])))
+            step = contractors.newton(system.at_points(middle, at), system.jacobian(box, at), middle, reach)
+            empty[rows] |= contractors.apart(step.ends, box.ends)
+            new = np.fmin(step.ends, box.ends)
+            ends[:, :, rows] = new
+            narrower = (new[0] + new[1] < 0.75 * (box.ends[0] + box.ends[1])).any(axis=0)
+            rows = rows[narrower]
+            if not rows.size:
+                break
+    return ends, empty
+
+
+def _once(ends: FloatArray, alone: FloatArray, point: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Rows of different roots, and rows that may be a root already found or another; sorted by point and lower end.
+
+    Two boxes of a point hold the same root if one lies where the other's is alone, and different ones if they do not meet.
+    """
+    keep = np.ones(point.size, dtype=np.bool_)
+    unclear = np.zeros(point.size, dtype=np.bool_)
+    for shift in range(1, point.size):
+        # In the order of the lower ends of the first unknown: boxes that do not overlap in it have no overlap farther on.
+        near = (point[shift:] == point[:-shift]) & (alone[1, 0, :-shift] >= -alone[0, 0, shift:])
+        if not near.any():
+            break
+        first = np.flatnonzero(near)
+        second = first + shift
+        alive = keep[first] & keep[second]
+        first, second = first[alive], second[alive]
+        one, other = ends[:, :, first], ends[:, :, second]
+        same = contractors.within(other, alone[:, :, first]) | contractors.within(one, alone[:, :, second])
+        keep[second[same]] = False
+        unclear[second[~same & ~contractors.apart(one, other)]] = True
+    unclear &= keep
+    return np.flatnonzero(keep & ~unclear), np.flatnonzero(unclear)

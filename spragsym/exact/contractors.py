@@ -1,0 +1,146 @@
+"""What one look at many boxes tells: that there is no root inside, exactly one, or where any root must be.
+
+For a system F of n equations, a box X, its middle m, enclosures J of the Jacobian over X and r of |x − m| for x in X:
+
+- every root in X satisfies 0 ∈ F(X), and |F(m)| ≤ |J| r row by row, the mean value theorem;
+- with any matrix Y, A = Y J and b = Y F(m), it lies in N_i = m_i − (b_i ± Σ_{j≠i} |A_ij| r_j) / A_ii, which is interval Newton
+  with a step of Gauss and Seidel's method in each component;
+- if N lies in the interior of X, there is exactly one root in X. There is one by Miranda's theorem, since component i of Y F has
+  different signs on the two faces of X at the ends of x_i. There is no other since then min A_ii w_i > Σ_{j≠i} |A_ij| w_j for the
+  half-widths w, so that every matrix in A is regular, and the difference of two roots would be in the kernel of one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .interval_arrays import EPS, TINY, FloatArray, Intervals, raised, scaled
+
+
+@dataclass(frozen=True)
+class Newton:
+    """One step for N boxes.
+
+    Attributes
+    ----------
+    ends : ndarray
+        Shape (2, n, N): −low and high of the operator's result.
+    noise : ndarray
+        Shape (n, N): half the width of Y F(m), which does not shrink with the box.
+    dominant : ndarray of bool
+        Shape (n, N): where A_ii is positive, without which a component of the result is unbounded.
+    """
+
+    ends: FloatArray
+    noise: FloatArray
+    dominant: NDArray[np.bool_]
+
+
+def excluded(values: Intervals, slopes: Intervals, reach: FloatArray) -> NDArray[np.bool_]:
+    """Boxes without a root by the mean value theorem: F(m), shape (n, N), J, shape (n, n, N), and r, shape (n, N)."""
+    steps = slopes.magnitude * reach[None]
+    total = steps.sum(axis=1)
+    bound = total * (1 + (2 * reach.shape[0] + 2) * EPS) + TINY
+    out: NDArray[np.bool_] = (values.mignitude > bound).any(axis=0)
+    return out
+
+
+def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
+    """The step of interval Newton; shapes as for :func:`excluded`."""
+    Y = inverse(slopes.middle)
+    return _solved(_product(Y, slopes.ends), _product(Y, values.ends[:, :, None])[:, :, 0], middle, reach)
+
+
+def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> FloatArray:
+    """The same operator with the unit matrix for Y: ends of its result."""
+    return _solved(slopes.ends, values.ends, middle, reach).ends
+
+
+def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray) -> Newton:
+    n = middle.shape[0]
+    magnitude = np.maximum(A[0], A[1])
+    diagonal = np.arange(n)
+    magnitude[diagonal, diagonal] = 0.0
+    around = (magnitude * reach[None]).sum(axis=1) * (1 + (2 * n + 2) * EPS) + TINY
+    least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
+    dominant = least > 0
+    ends = raised(b[::-1] + around)
+    ends = raised(np.where(ends >= 0, ends / least, ends / most))
+    ends = raised(ends + np.stack([-middle, middle]))
+    noise = 0.5 * (b[0] + b[1])
+    return Newton(np.where(dominant, ends, np.inf), noise, dominant)
+
+
+def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
+    """Boxes where G + M u = 0 for no unit vector u of two components: G of shape (n, N), M of shape (n, 2, N).
+
+    With any P, u = −P G − (P M − 1) u, so that |u + P G| is at most the sum of |P M − 1| by rows, since |u_i| ≤ 1.
+    """
+    m = factors.middle
+    gram = np.einsum("kiN,kjN->ijN", m, m)
+    P = np.einsum("ijN,kjN->ikN", inverse(gram), m)
+    off = _product(P, factors.ends)
+    off[:, [0, 1], [0, 1]] = raised(off[:, [0, 1], [0, 1]] + np.array([1.0, -1.0])[:, None, None])
+    slack = np.maximum(off[0], off[1]).sum(axis=1) * (1 + 4 * EPS)
+    u = Intervals(raised(_product(P, rest.ends[:, :, None])[:, :, 0] + slack))
+    square = u[0].squared() + u[1].squared()
+    return (square.low > 1) | (square.high < 1)
+
+
+def inside(inner: FloatArray, outer: FloatArray) -> NDArray[np.bool_]:
+    """Boxes, shape (2, n, N), of which the one lies in the interior of the other."""
+    out: NDArray[np.bool_] = np.logical_and.reduce(inner < outer, axis=(0, 1))
+    return out
+
+
+def within(inner: FloatArray, outer: FloatArray) -> NDArray[np.bool_]:
+    """Boxes of which the one lies in the other, its border included."""
+    out: NDArray[np.bool_] = np.logical_and.reduce(inner <= outer, axis=(0, 1))
+    return out
+
+
+def apart(one: FloatArray, other: FloatArray) -> NDArray[np.bool_]:
+    """Boxes that have no common point."""
+    out: NDArray[np.bool_] = np.logical_or.reduce(one + other[::-1] < 0, axis=(0, 1))
+    return out
+
+
+def inverse(matrices: FloatArray) -> FloatArray:
+    """Inverses of matrices of shape (n, n, N), roughly; the unit matrix where there is none."""
+    n = matrices.shape[0]
+    if n == 1:
+        out = 1 / matrices
+    elif n == 2:
+        (a, b), (c, d) = matrices
+        out = np.array([[d, -b], [-c, a]]) / (a * d - b * c)
+    else:
+        out = _inverse_by_elimination(matrices)
+    good = np.isfinite(out).all(axis=(0, 1))
+    return out if good.all() else np.where(good, out, np.eye(n)[:, :, None])
+
+
+def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
+    stacked = np.moveaxis(matrices, -1, 0)
+    regular = np.logical_and.reduce(np.isfinite(stacked), axis=(1, 2))
+    stacked = np.where(regular[:, None, None], stacked, np.eye(matrices.shape[0]))
+    scale = np.abs(stacked).max(axis=(1, 2))
+    regular &= np.abs(np.linalg.det(stacked / scale[:, None, None])) > 1e-200
+    safe = np.where(regular[:, None, None], stacked, np.eye(matrices.shape[0]))
+    out: FloatArray = np.moveaxis(np.linalg.inv(safe), 0, -1)
+    return out
+
+
+def _product(Y: FloatArray, ends: FloatArray) -> FloatArray:
+    """Ends of Y times a matrix of intervals of shape (2, n, columns, N)."""
+    n = Y.shape[1]
+    total: FloatArray = np.zeros(1)
+    size: FloatArray = np.zeros(1)
+    for k in range(n):
+        part = scaled(ends[:, None, k], Y[None, :, k, None])
+        total, size = total + part, size + np.abs(part)
+    # n products, each rounded, and n − 1 sums: less than n units of 2⁻⁵² of the sum of the sizes.
+    out: FloatArray = total + (size * ((n + 1) * EPS) + TINY)
+    return out

@@ -1,0 +1,201 @@
+"""Taylor polynomials of several variables as a number type: derivatives of whatever the generated functions compute.
+
+A :class:`Jet` holds the coefficients of a polynomial in the variables' small changes, up to an order; the rest is dropped. Its
+coefficients are numbers of any type: arrays of intervals give enclosures of derivatives over boxes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import comb, factorial
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from .interval_arrays import Intervals
+from .interval_functions import cos, sin
+
+#: Numbers of the variables of a product, ascending: () is the constant, (0, 0, 2) is x₀² x₂.
+Term: TypeAlias = tuple[int, ...]
+
+
+class Jet:
+    """A polynomial in small changes of variables, cut off beyond ``order``.
+
+    Examples
+    --------
+    >>> x, y = Jet.variable(3.0, 0, 2), Jet.variable(2.0, 1, 2)
+    >>> (x * x * y).derivative(0), (x * x * y).derivative(0, 1)
+    (12.0, 6.0)
+    """
+
+    __slots__ = ("order", "terms")
+    __array_ufunc__ = None
+
+    def __init__(self, terms: Mapping[Term, Any], order: int) -> None:
+        self.terms, self.order = dict(terms), order
+
+    @classmethod
+    def variable(cls, value: Any, number: int, order: int) -> Jet:
+        """The variable of that number at a value."""
+        return cls({(): value, (number,): 1} if order else {(): value}, order)
+
+    @property
+    def value(self) -> Any:
+        """The constant term."""
+        return self.terms.get((), 0)
+
+    def derivative(self, *variables: int) -> Any:
+        """The derivative by these variables; the integer 0 where it is 0 by structure."""
+        term = tuple(sorted(variables))
+        coefficient = self.terms.get(term, 0)
+        repeats = [factorial(term.count(number)) for number in set(term)]
+        for repeat in repeats:
+            coefficient = coefficient * repeat if repeat > 1 else coefficient
+        return coefficient
+
+    def differentiated(self, variable: int) -> Jet:
+        """The derivative by a variable as a polynomial, of one order less."""
+        terms = {}
+        for term, coefficient in self.terms.items():
+            times = term.count(variable)
+            if times:
+                place = term.index(variable)
+                terms[term[:place] + term[place + 1 :]] = coefficient * times if times > 1 else coefficient
+        return Jet(terms, self.order - 1)
+
+    def __neg__(self) -> Jet:
+        return Jet({term: -coefficient for term, coefficient in self.terms.items()}, self.order)
+
+    def __pos__(self) -> Jet:
+        return self
+
+    def __add__(self, other: Any) -> Jet:
+        if not isinstance(other, Jet):
+            return self if _is_zero(other) else Jet({**self.terms, (): self.value + other}, self.order)
+        order = min(self.order, other.order)
+        terms = {term: value for term, value in self.terms.items() if len(term) <= order}
+        for term, coefficient in other.terms.items():
+            if len(term) <= order:
+                terms[term] = terms[term] + coefficient if term in terms else coefficient
+        return Jet(terms, order)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> Jet:
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> Jet:
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> Jet:
+        if other is self:
+            square: Jet = self**2
+            return square
+        if not isinstance(other, Jet):
+            if _is_zero(other):
+                return Jet({}, self.order)
+            return Jet({term: coefficient * other for term, coefficient in self.terms.items()}, self.order)
+        order = min(self.order, other.order)
+        terms: dict[Term, Any] = {}
+        for one, a in self.terms.items():
+            for two, b in other.terms.items():
+                if len(one) + len(two) <= order:
+                    term = tuple(sorted(one + two))
+                    terms[term] = terms[term] + a * b if term in terms else a * b
+        return Jet(terms, order)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Jet:
+        if isinstance(other, Jet):
+            return self.__mul__(other.reciprocal())
+        return Jet({term: coefficient / other for term, coefficient in self.terms.items()}, self.order)
+
+    def __rtruediv__(self, other: Any) -> Jet:
+        return self.reciprocal().__mul__(other)
+
+    def __pow__(self, power: int) -> Jet:
+        if power < 0:
+            return self.__pow__(-power).reciprocal()
+        a = self.value
+        return self.composed([comb(power, k) * a ** (power - k) for k in range(min(power, self.order) + 1)])
+
+    def composed(self, coefficients: Sequence[Any]) -> Jet:
+        """Σ coefficients[k] hᵏ for the part h of this polynomial that is not constant: a function by its Taylor series."""
+        change = Jet({term: coefficient for term, coefficient in self.terms.items() if term}, self.order)
+        result, power = Jet({(): coefficients[0]}, self.order), None
+        for coefficient in coefficients[1:]:
+            power = change if power is None else _times(power, change)
+            result = result + power * coefficient
+        return result
+
+    def reciprocal(self) -> Jet:
+        """1 / x."""
+        inverse = 1 / self.value
+        return self.composed([inverse ** (k + 1) * (-1) ** k for k in range(self.order + 1)])
+
+    def sqrt(self) -> Jet:
+        """Square root."""
+        root = self.value.sqrt()
+        return self.composed([root, *(factor / root**power for factor, power in _ROOTS[: self.order])])
+
+    def exp(self) -> Jet:
+        """Exponential."""
+        value = self.value.exp()
+        return self.composed([value / factorial(k) if k > 1 else value for k in range(self.order + 1)])
+
+    def sign(self) -> Jet:
+        """−1, 0, 1; its slope is unknown where an interval holds 0."""
+        return self.composed([self.value.sign(), *(_flat(self.value) for _ in range(self.order))])
+
+    def __abs__(self) -> Jet:
+        return self.composed([abs(self.value), self.value.sign(), *(_flat(self.value) for _ in range(self.order - 1))])
+
+    def cos(self) -> Jet:
+        """Cosine."""
+        c, s = cos(self.value), sin(self.value)
+        return self.composed(_wave([c, -s, -c, s], self.order))
+
+    def sin(self) -> Jet:
+        """Sine."""
+        c, s = cos(self.value), sin(self.value)
+        return self.composed(_wave([s, c, -s, -c], self.order))
+
+
+#: Coefficients of √(a + h): factor / √a^power h^k for k = 1, 2, ….
+_ROOTS = ((0.5, 1), (-0.125, 3), (0.0625, 5), (-0.0390625, 7))
+
+
+def variables(values: Sequence[Any], order: int) -> list[Jet]:
+    """All values as variables, numbered from 0."""
+    return [Jet.variable(value, number, order) for number, value in enumerate(values)]
+
+
+def gradient(value: Any, count: int) -> list[Any]:
+    """First derivatives by the variables 0 to count − 1, of a jet or of a constant."""
+    return [value.derivative(number) if isinstance(value, Jet) else 0 for number in range(count)]
+
+
+def constant(value: Any) -> Any:
+    """The value of a jet, and a number itself."""
+    return value.value if isinstance(value, Jet) else value
+
+
+def _times(one: Jet, other: Jet) -> Jet:
+    """A product, also of a thing with itself, without its constant term."""
+    return one * Jet(other.terms, other.order)
+
+
+def _wave(cycle: Sequence[Any], order: int) -> list[Any]:
+    return [cycle[k % 4] / factorial(k) if k > 1 else cycle[k % 4] for k in range(order + 1)]
+
+
+def _flat(value: Intervals) -> Intervals:
+    """0, and nothing known where the interval holds 0."""
+    unknown = np.where(value.holds_zero(), np.nan, 0.0)
+    return Intervals(np.stack([unknown, unknown]))
+
+
+def _is_zero(value: Any) -> bool:
+    return isinstance(value, int) and value == 0

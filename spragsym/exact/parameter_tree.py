@@ -1,0 +1,100 @@
+"""Many points of a space of parameters as a tree of boxes, so that one proof serves all points of a box."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .interval_arrays import FloatArray, Intervals
+
+
+@dataclass(frozen=True)
+class Tree:
+    """A binary tree; node i has the children 2 i + 1 and 2 i + 2, and the root is node 0.
+
+    Attributes
+    ----------
+    bounds : Intervals
+        Shape (parameters, nodes): the smallest box around the points of a node.
+    size : ndarray of int64
+        Number of points below each node; 0 for nodes that are not there.
+    order : ndarray of int64
+        The points' numbers in the order of the leaves, which stand last; −1 for leaves that are not there.
+    depth : int
+        Levels below the root.
+    """
+
+    bounds: Intervals
+    size: NDArray[np.int64]
+    order: NDArray[np.int64]
+    depth: int
+
+    def leaves(self) -> NDArray[np.int64]:
+        """The leaf of each point."""
+        out = np.empty(int(self.size[0]), dtype=np.int64)
+        there = np.flatnonzero(self.order >= 0)
+        out[self.order[there]] = there + (1 << self.depth) - 1
+        return out
+
+    def points(self, node: int) -> NDArray[np.int64]:
+        """Numbers of the points of a node."""
+        level = (node + 1).bit_length() - 1
+        span = 1 << (self.depth - level)
+        begin = (node + 1 - (1 << level)) * span
+        found = self.order[begin : begin + span]
+        return found[found >= 0]
+
+    def below(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Rows (place among ``nodes``, point) for all points of all of these nodes."""
+        if not nodes.size:
+            return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
+        parts = [self.points(int(node)) for node in nodes]
+        places = np.repeat(np.arange(nodes.size), [part.size for part in parts])
+        return places, np.concatenate(parts)
+
+    def children(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """Rows (place among ``nodes``, child) for all children that have points."""
+        children = np.concatenate([2 * nodes + 1, 2 * nodes + 2])
+        there = np.flatnonzero(self.size[children] > 0)
+        return there % nodes.size, children[there]
+
+
+def tree(low: FloatArray, high: FloatArray) -> Tree:
+    """Halve the points by the parameter in which they are spread most, again and again.
+
+    Parameters
+    ----------
+    low, high : ndarray
+        Shape (parameters, points): a box for each point, mostly without width.
+    """
+    count, points = low.shape
+    depth = max(0, int(points - 1).bit_length())
+    leaves = 1 << depth
+    order = np.full(leaves, -1, dtype=np.int64)
+    order[:points] = np.arange(points)
+    low, high = (np.concatenate([part, np.full((count, leaves - points), np.nan)], axis=1) for part in (low, high))
+    whole = np.fmax.reduce(high, axis=1, initial=-np.inf) - np.fmin.reduce(low, axis=1, initial=np.inf)
+    scale = np.where(whole > 0, whole, 1.0)
+    lows, highs, sizes = [], [], []
+    for level in range(depth + 1):
+        blocks = order.reshape(1 << level, -1)
+        least = np.fmin.reduce(low[:, blocks], axis=2)
+        most = np.fmax.reduce(high[:, blocks], axis=2)
+        lows.append(least)
+        highs.append(most)
+        sizes.append((blocks >= 0).sum(axis=1))
+        if level < depth and count:
+            order = _halved(blocks, low, np.nan_to_num((most - least) / scale[:, None], nan=-1.0).argmax(axis=0))
+    bounds = Intervals(np.stack([-np.concatenate(lows, axis=1), np.concatenate(highs, axis=1)]))
+    return Tree(bounds, np.concatenate(sizes), order, depth)
+
+
+def _halved(blocks: NDArray[np.int64], low: FloatArray, along: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Each block in the order of its parameter ``along``, those that are not there last."""
+    keys = np.where(blocks >= 0, low[along[:, None], blocks], np.inf)
+    half = blocks.shape[1] // 2
+    ranks = np.argpartition(keys, half - 1, axis=1) if half > 1 else np.argsort(keys, axis=1, kind="stable")
+    out: NDArray[np.int64] = np.take_along_axis(blocks, ranks, axis=1).reshape(-1)
+    return out

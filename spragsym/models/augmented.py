@@ -1,0 +1,109 @@
+"""Systems whose roots are points at which equilibria change: coordinates and parameters are unknowns together.
+
+The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter is a fold; with two, and
+with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact.interval_arrays import FloatArray, Intervals, stacked
+from ..exact.jets import constant, gradient, variables
+from .balance import Balance, matrix
+
+
+class Condition(Protocol):
+    """What is asked of a state beside the balance."""
+
+    #: Order of the derivatives of the stiffness that it is made of.
+    order: int
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """Values that vanish, as many as parameters are unknowns; from jets of ``order`` more than is asked of the values."""
+
+    def hopeless(self, at: State) -> NDArray[np.bool_]:
+        """Boxes in which an inequality can't hold that is asked for, too."""
+
+
+class State:
+    """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
+
+    def __init__(self, balance: Balance, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> None:
+        self.balance, self.q, self.values, self.shape = balance, q, values, shape
+        self.directions = balance.directions(q, values, shape)
+
+    def forces(self) -> Sequence[Any]:
+        """Rows of the balance."""
+        rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values)
+        return rows
+
+    def stiffness(self) -> list[list[Any]]:
+        """K."""
+        return [list(row) for row in self.balance.call("forces_jacobian", self.q, self.directions, self.values)]
+
+    def mass(self) -> list[list[Any]]:
+        """M."""
+        return [list(row) for row in self.balance.mass(self.q, self.values)]
+
+    def damping(self) -> list[list[Any]]:
+        """C: dampers and slope of the friction law."""
+        return [list(row) for row in self.balance.damping(self.q, self.directions, self.values)]
+
+
+class Augmented:
+    """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""
+
+    def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:
+        self.balance, self.vary, self.condition = balance, list(vary), condition
+        self.n = balance.n + len(self.vary)
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """As for the balance; what is an unknown is replaced at each evaluation."""
+        return self.balance.prepared(bounds)
+
+    def state(self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...]) -> State:
+        """The evaluation at unknowns of any number type."""
+        n = self.balance.n
+        changed = dict(zip(self.vary, unknowns[n:], strict=True))
+        return State(self.balance, unknowns[:n], self.balance.arguments(parameters, changed), shape)
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Forces and condition over boxes."""
+        shape = unknowns.shape[1:]
+        at = self.state(list(unknowns), parameters, shape)
+        extra = at
+        if self.condition.order:
+            # Derivatives that the condition itself is made of.
+            extra = self.state(variables(list(unknowns), self.condition.order), parameters, shape)
+        values = [*at.forces(), *self.condition.equations(extra)]
+        return stacked([constant(value) for value in values], shape)
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """The residuals over boxes without width."""
+        return self.residuals(Intervals.point(middles), parameters)
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Their slopes by coordinates and parameters."""
+        shape = unknowns.shape[1:]
+        at = self.state(variables(list(unknowns), self.condition.order + 1), parameters, shape)
+        values = [*at.forces(), *self.condition.equations(at)]
+        return matrix([gradient(value, self.n) for value in values], shape)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes beyond the contact's border, or without what the condition asks for."""
+        shape = unknowns.shape[1:]
+        at = self.state(list(unknowns), parameters, shape)
+        out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(at)
+        return out
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """The coordinates contracted by the balance over the box of parameters."""
+        n, shape = self.balance.n, unknowns.shape[1:]
+        at = self.state(list(unknowns), parameters, shape)
+        ends = self.balance.with_directions(unknowns[:n], at.values, at.directions)
+        return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)

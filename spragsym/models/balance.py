@@ -1,0 +1,194 @@
+"""The balance of forces of a model over boxes of coordinates and parameters, as the search asks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact import contractors, jets
+from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
+from ..exact.interval_functions import cos, sin
+from .directions import direction
+from .laws import XP
+
+
+class Model(Protocol):
+    """What is needed of a model: generated modules, and what its page says."""
+
+    statics: Any
+    linearization: Any
+    about: Mapping[str, Any]
+
+
+def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The algebra of a generated function, without the common shape given to results."""
+    algebra: Callable[..., Any] = getattr(function, "__wrapped__", function)
+    return algebra
+
+
+class Balance:
+    """Forces of a model in contact or in lift-off; unknowns are the coordinates.
+
+    Parameters of the search are those of the page, in its order; :meth:`prepared` turns them into the arguments of the
+    generated functions, once for each node of the tree of points.
+    """
+
+    def __init__(self, model: Model, contact: bool) -> None:
+        about = model.about
+        self.model, self.contact = model, contact
+        self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
+        self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
+        self.angles: dict[str, Sequence[str]] = dict(about["angles"])
+        self.codes = [code for name in self.parameters for code in self.angles.get(name, (name,))]
+        self.n = len(self.coordinates)
+        self.springs = len(about["springs"])
+        self.pushing = int(contact)
+        #: −low and high of each coordinate: on which side of the border the contact's gap is, where that is a coordinate.
+        self.border = np.full((2, self.n), np.inf)
+        gap = about["contact"]["gap"]
+        self.opens = bool(gap and about["contact"]["unilateral"])
+        if self.opens and gap in self.coordinates:
+            self.border[self.pushing, self.coordinates.index(gap)] = 0.0
+        #: Beyond them the forces are not asked for.
+        self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
+
+    # ------------------------------------------------------------------------------------------- arguments
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """Arguments of the generated functions, shape (arguments, N), from parameters of shape (P, N)."""
+        parts: list[Intervals] = []
+        for place, name in enumerate(self.parameters):
+            value = bounds[place]
+            parts += [cos(value), sin(value)] if name in self.angles else [value]
+        return stacked(parts, bounds.shape[1:])
+
+    def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """By name; ``changed`` are parameters that are unknowns, of any number type."""
+        values: dict[str, Any] = {code: prepared[place] for place, code in enumerate(self.codes)}
+        for name, value in (changed or {}).items():
+            if name in self.angles:
+                cosine, sine = self.angles[name]
+                turned = value if isinstance(value, jets.Jet) else None
+                values[cosine] = turned.cos() if turned is not None else cos(value)
+                values[sine] = turned.sin() if turned is not None else sin(value)
+            else:
+                values[name] = value
+        return values
+
+    def _listed(self, values: Mapping[str, Any], kind: str) -> list[Any]:
+        return [values[name] for name in self.model.about["arguments"][kind]]
+
+    # ---------------------------------------------------------------------------------------------- forces
+
+    def directions(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[Any]:
+        """Cosine, sine and length of every spring."""
+        rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
+        return [part for dx, dy, _ in rows for part in direction(dx, dy, shape)]
+
+    def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
+        """A function of ``statics`` that has the arguments of ``forces``."""
+        mu = undecorated(self.model.statics.friction_at_rest)(*self._listed(values, "motion"), xp=xp)
+        function = undecorated(getattr(self.model.statics, name))
+        return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
+
+    def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
+        """M of the kinetic energy."""
+        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
+
+    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any]) -> Any:
+        """C of dampers and of the slope of the friction law."""
+        function = undecorated(self.model.linearization.damping)
+        return function(*q, *directions, *self._listed(values, "motion"), self.pushing, xp=XP)
+
+    def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
+        """The gap of the contact."""
+        return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=XP)
+
+    def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Forces over boxes, shape (n, N)."""
+        q, values, shape = self._taken(unknowns, parameters)
+        return stacked(self.call("forces", q, self.directions(q, values, shape), values), shape)
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """Forces at floats, shape (n, N)."""
+        return self.residuals(Intervals.point(middles), parameters)
+
+    def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """Stiffness over boxes, shape (n, n, N)."""
+        q, values, shape = self._taken(unknowns, parameters)
+        rows = self.call("forces_jacobian", q, self.directions(q, values, shape), values)
+        return matrix(rows, shape)
+
+    def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes on the other side of the contact's border, or where no unit vector balances the other forces."""
+        return self.nothing_at(*self._taken(unknowns, parameters))
+
+    def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        """The same, of coordinates and arguments."""
+        out = self.beyond_border(q, values, shape)
+        for spring in range(self.springs):
+            out |= self._no_direction(q, values, shape, spring)
+        return out
+
+    def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        """Boxes that lie on the other side of the contact's border."""
+        if not self.opens:
+            return np.zeros(shape, dtype=np.bool_)
+        gap = stacked([self.gap(q, values)], shape)[0]
+        return gap.low > 0 if self.contact else gap.high < 0
+
+    def _no_direction(
+        self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...], spring: int
+    ) -> NDArray[np.bool_]:
+        """Boxes where F = G + M (c, s) is not 0 for any unit vector (c, s) of a spring, wherever its anchor is."""
+        directions = self.directions(q, values, shape)
+        place = 3 * spring
+        cover = Intervals(np.ones((2, *shape)))
+        directions[place], directions[place + 1] = (jets.Jet.variable(cover, number, 1) for number in (0, 1))
+        rows = [jets.gradient(row, 2) for row in self.call("forces", q, directions, values)]
+        M = matrix(rows, shape)
+        directions[place] = directions[place + 1] = Intervals(np.zeros((2, *shape)))
+        G = stacked(self.call("forces", q, directions, values), shape)
+        return contractors.no_unit_vector(G, M)
+
+    # -------------------------------------------------------------------------------------------- contraction
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""
+        q, values, shape = self._taken(unknowns, parameters)
+        return self.with_directions(unknowns, values, self.directions(q, values, shape))
+
+    def with_directions(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+        """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
+        step = contractors.newton(*self._linear(unknowns, unknowns.middle, values, directions))
+        return np.fmin(step.ends, unknowns.ends)
+
+    def by_rows(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+        """The same, each coordinate from the row of its number and from forces near 0, which serves where slopes are unknown."""
+        near = np.clip(0.0, unknowns.low, unknowns.high)
+        return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions)), unknowns.ends)
+
+    def _linear(
+        self, unknowns: Intervals, middle: FloatArray, values: Mapping[str, Any], directions: Sequence[Any]
+    ) -> tuple[Intervals, Intervals, FloatArray, FloatArray]:
+        """Forces at points of the boxes, slopes over the boxes, the points and distances from them, with fixed directions."""
+        shape = unknowns.shape[1:]
+        at_middle = self.call("forces", list(Intervals.point(middle)), directions, values)
+        # With directions fixed: what they change by goes with one over the length, and of these lengths that is 0 to rounding.
+        endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
+        far = [endless if i % 3 == 2 else part for i, part in enumerate(directions)]
+        slopes = matrix(self.call("forces_jacobian", list(unknowns), far, values), shape)
+        reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([middle, -middle])))
+        return stacked(at_middle, shape), slopes, middle, reach
+
+    def _taken(self, unknowns: Intervals, parameters: Intervals) -> tuple[list[Intervals], dict[str, Any], tuple[int, ...]]:
+        return list(unknowns), self.arguments(parameters), unknowns.shape[1:]
+
+
+def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
+    """Rows of entries as one array of intervals, shape (rows, columns, …)."""
+    entries = stacked([entry for row in rows for entry in row], shape)
+    return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))

@@ -1,0 +1,144 @@
+"""What is asked of a state beside the balance: folds, cusps, and the two kinds of onset of flutter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact.jets import Jet
+from .augmented import State
+
+
+class Plain:
+    """A condition without inequalities."""
+
+    def hopeless(self, at: State) -> NDArray[np.bool_]:
+        """No box."""
+        return np.zeros(at.shape, dtype=np.bool_)
+
+
+class Fold(Plain):
+    """det K = 0."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The determinant."""
+        return (determinant(at.stiffness()),)
+
+
+class Cusp(Plain):
+    """det K = 0, and K v = 0 for a direction v along which det K does not change.
+
+    Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. The first is taken: points where that
+    one is 0 are roots as well, which :func:`spragsym.models.cusps.cusps` tells from cusps.
+    """
+
+    order = 1
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The determinant, and its change along the first column."""
+        K = at.stiffness()
+        return determinant(K), change(K, 0)
+
+
+class Flutter(Plain):
+    """Two roots κ = −λ² of det(K − κ M) meet: the discriminant of that polynomial is 0."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The discriminant, but for a factor."""
+        K, M = at.stiffness(), at.mass()
+        n = len(K)
+        coefficients = determinant([[Polynomial([K[i][j], -M[i][j]]) for j in range(n)] for i in range(n)]).padded(n + 1)
+        if n == 2:
+            c, b, a = coefficients
+            return (b * b - 4 * a * c,)
+        return (_resultant(coefficients, [k * coefficients[k] for k in range(1, n + 1)]),)
+
+
+class Hopf(Plain):
+    """Two roots λ of det(λ² M + λ C + K) have the sum 0: the last but one of Hurwitz's determinants is 0."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The determinant."""
+        K, C, M = at.stiffness(), at.damping(), at.mass()
+        n = len(K)
+        rows = [[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
+        a = determinant(rows).padded(2 * n + 1)[::-1]
+        size = 2 * n - 1
+        # Row i, column j: a of index 2 (j + 1) − (i + 1), where there is one.
+        places = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
+        return (determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places]),)
+
+
+def change(K: Sequence[Sequence[Any]], column: int) -> Any:
+    """Change of det K along a column of the adjugate, from entries that are jets in the coordinates first."""
+    value = determinant(K)
+    total: Any = 0
+    for i in range(len(K)):
+        slope = value.differentiated(i) if isinstance(value, Jet) else 0
+        total = total + slope * cofactor(K, column, i)
+    return total
+
+
+def determinant(rows: Sequence[Sequence[Any]]) -> Any:
+    """By the first row; entries of any number type, integers 0 among them."""
+    if not rows:
+        return 1
+    total: Any = 0
+    for j, entry in enumerate(rows[0]):
+        if not (isinstance(entry, int) and entry == 0):
+            total = total + entry * cofactor(rows, 0, j)
+    return total
+
+
+def cofactor(rows: Sequence[Sequence[Any]], i: int, j: int) -> Any:
+    """Cofactor of the entry in row i and column j: entry (j, i) of the adjugate."""
+    minor = determinant([[*row[:j], *row[j + 1 :]] for number, row in enumerate(rows) if number != i])
+    return -minor if (i + j) % 2 else minor
+
+
+class Polynomial:
+    """A polynomial in λ or κ with coefficients of any number type, the lowest first."""
+
+    def __init__(self, coefficients: Sequence[Any]) -> None:
+        self.coefficients = list(coefficients)
+
+    def padded(self, size: int) -> list[Any]:
+        """The coefficients, with zeros up to that number."""
+        return self.coefficients + [0] * (size - len(self.coefficients))
+
+    def __add__(self, other: Any) -> Polynomial:
+        two = other.coefficients if isinstance(other, Polynomial) else [other]
+        size = max(len(self.coefficients), len(two))
+        return Polynomial([a + b for a, b in zip(self.padded(size), Polynomial(two).padded(size), strict=True)])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Polynomial:
+        return Polynomial([-value for value in self.coefficients])
+
+    def __mul__(self, other: Any) -> Polynomial:
+        two = other.coefficients if isinstance(other, Polynomial) else [other]
+        out: list[Any] = [0] * (len(self.coefficients) + len(two) - 1)
+        for i, a in enumerate(self.coefficients):
+            for j, b in enumerate(two):
+                out[i + j] = out[i + j] + a * b
+        return Polynomial(out)
+
+    __rmul__ = __mul__
+
+
+def _resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:
+    """Sylvester's determinant of two polynomials."""
+    m, n = len(one) - 1, len(two) - 1
+    rows = [[0] * shift + list(one[::-1]) + [0] * (n - 1 - shift) for shift in range(n)]
+    rows += [[0] * shift + list(two[::-1]) + [0] * (m - 1 - shift) for shift in range(m)]
+    return determinant(rows)

@@ -1,0 +1,81 @@
+"""All cusps of a model in the plane of two parameters, proved."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ParameterError
+from ..exact.interval_arrays import Intervals
+from ..exact.jets import variables
+from .augmented import Augmented
+from .balance import Balance, Model
+from .conditions import Cusp, change, cofactor
+from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
+
+
+def cusps(model: Model, p: Any, vary: Sequence[str], *, between: Mapping[str, tuple[float, float]] | None = None) -> ModelPoints:
+    """All cusps in contact in the plane of two parameters, the others fixed.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; those that vary are not used.
+    vary : pair of str
+        Two parameters.
+    between : mapping, optional
+        Their ranges, as for :func:`spragsym.models.folds.folds`.
+
+    Returns
+    -------
+    ModelPoints
+        Of the kind ``"cusp"``.
+
+    Notes
+    -----
+    Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K.
+    """
+    if len(vary) != 2 or vary[0] == vary[1]:
+        raise ParameterError(f"vary = {vary!r}; give two different parameters")
+    balance = Balance(model, contact=True)
+    spans = ranges(model, vary, between or {})
+    given = given_column(p, balance.parameters, vary)
+    found = search(balance, vary, Cusp(), given, spans)
+    proved, unclear = _told_apart(balance, vary, found, given)
+    left = np.concatenate([found.roots.left, found.roots.ends[:, :, unclear]], axis=2)
+    left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
+    kept = replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
+    return arranged(balance, vary, given, kept, np.full(int(proved.sum()), "cusp"))
+
+
+def _told_apart(
+    balance: Balance, vary: Sequence[str], found: Found, given: NDArray[np.float64]
+) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which roots are cusps, and of which that is not known.
+
+    A root is a cusp if the column in use is not 0 there, and none if det K changes along another column.
+    """
+    ends = found.roots.ends
+    shape = ends.shape[2:]
+    if not shape[0]:
+        return np.zeros(0, dtype=np.bool_), np.zeros(0, dtype=np.bool_)
+    with np.errstate(all="ignore"):
+        system = Augmented(balance, vary, Cusp())
+        fixed = system.prepared(Intervals.point(np.nan_to_num(given[:, found.roots.point])))
+        at = system.state(variables(list(Intervals(ends)), 1), fixed, shape)
+        K = at.stiffness()
+        n = balance.n
+        nonzero = np.zeros(shape, dtype=np.bool_)
+        for i in range(n):
+            entry = cofactor(K, 0, i)
+            value = getattr(entry, "value", entry)
+            nonzero |= ~value.holds_zero() if isinstance(value, Intervals) else np.full(shape, value != 0)
+        none = np.zeros(shape, dtype=np.bool_)
+        for column in range(1, n):
+            none |= ~change(K, column).value.holds_zero()
+    return nonzero & ~none, ~nonzero & ~none

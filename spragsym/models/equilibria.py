@@ -1,0 +1,183 @@
+"""All equilibria of any model, proved, with bounds on their errors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..exact import boxes, certified_roots
+from ..exact.certified_roots import Roots
+from ..exact.interval_arrays import FloatArray, Intervals
+from . import stability as _stability
+from .balance import Balance, Model
+from .precise import PreciseBalance
+from .regions import region
+
+#: Boxes looked at for one point with many digits, before it counts as undecided.
+PRECISE_BUDGET = 3000
+#: Bound on the error up to which a state counts as settled.
+TOLERANCE = 1e-12
+
+
+@dataclass(frozen=True)
+class Undecided(Result):
+    """A box of one point of which it is not known what it holds: no equilibrium, one, or several."""
+
+    index: tuple[int, ...]  #: of the point in the shape of the parameters
+    low: tuple[float, ...]  #: lower ends, by coordinate
+    high: tuple[float, ...]  #: upper ends
+
+
+@dataclass(frozen=True, eq=False)
+class ModelEquilibria(Result):
+    """Every equilibrium of every parameter point of a model.
+
+    Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
+    equilibria stand in ascending order of the first coordinate, NaN beyond ``count``.
+
+    Attributes
+    ----------
+    count : ndarray of int64
+        Number of equilibria that are proved, in the shape of the parameters.
+    stability : ndarray of int8
+        Codes of :class:`spragsym.Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the friction law.
+    eigenvalues : ndarray of complex
+        The λ of it, on one more axis.
+    growth : ndarray
+        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law.
+    error : ndarray
+        Bound on |error| / max(1, |value|) of the coordinates.
+    region : ndarray
+        Lower and upper ends of the box that was searched, shape (…, coordinates, 2).
+    whole : bool
+        Whether the region is proved to hold all equilibria. If not, there may be others beyond it.
+    decided : ndarray of bool
+        Points of which every box is decided.
+    undecided : tuple of Undecided
+        The other points' boxes.
+    """
+
+    parameters: Any
+    contact: bool
+    count: NDArray[np.int64]
+    stability: NDArray[np.int8]
+    eigenvalues: NDArray[np.complex128]
+    growth: FloatArray
+    error: FloatArray
+    region: FloatArray
+    whole: bool
+    decided: NDArray[np.bool_]
+    undecided: tuple[Undecided, ...]
+    coordinates: Mapping[str, FloatArray] = field(repr=False)
+
+    @property
+    def complete(self) -> bool:
+        """Whether every box of every point is decided: then there is no other equilibrium in the region."""
+        return bool(self.decided.all())
+
+    def __getattr__(self, name: str) -> FloatArray:
+        coordinates = self.__dict__.get("coordinates", {})
+        if name in coordinates:
+            values: FloatArray = coordinates[name]
+            return values
+        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its coordinates are {', '.join(coordinates)}")
+
+
+def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
+    """All equilibria of a model: steady sliding in contact, or at rest in lift-off.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, of any shape.
+    contact : bool
+        True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force.
+
+    Returns
+    -------
+    ModelEquilibria
+
+    Notes
+    -----
+    Source: branch and prune over boxes of coordinates and of parameters, see :mod:`spragsym.exact.boxes`, in a region with all
+    equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.models.regions`. What float64 does not
+    decide is searched again with many digits of the forces, see :mod:`spragsym.models.precise`.
+    """
+    balance = Balance(model, contact)
+    given = columns(p, balance.parameters)
+    found, around, whole = solved(balance, given)
+    return _arranged(model, balance, p, found, around, whole)
+
+
+def columns(p: Any, names: list[str]) -> FloatArray:
+    """Parameters as an array of shape (parameters, points)."""
+    return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), -1)
+
+
+def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool]:
+    """The roots of all points, the region of each and whether it holds all."""
+    around, whole = region(balance, Intervals.point(given))
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits)
+    found = certified_roots.roots(balance, outcome, around, given, given)
+    open_points = np.unique(np.concatenate([found.left_point, found.point[~(found.error <= TOLERANCE)]]))
+    if open_points.size:
+        found = _with_digits(balance, given, around, found, open_points)
+    return found, around, whole
+
+
+def _with_digits(balance: Balance, given: FloatArray, around: FloatArray, found: Roots, open_points: NDArray[np.int64]) -> Roots:
+    """The points that are open searched again, from the boxes that float64 has left and around the roots it has found."""
+    precise = PreciseBalance(balance.model, balance.contact)
+    place = np.full(given.shape[1], -1)
+    place[open_points] = np.arange(open_points.size)
+    some = given[:, open_points]
+    again = np.flatnonzero(place[found.point] >= 0)
+    start = boxes.Start(
+        np.concatenate([found.left, found.alone[:, :, again]], axis=2),
+        np.concatenate([place[found.left_point], place[found.point[again]]]),
+    )
+    near = around[:, :, open_points]
+    outcome = boxes.search(precise, near, some, some, limits=balance.limits, budget=PRECISE_BUDGET, start=start)
+    settled = certified_roots.roots(precise, outcome, near, some, some)
+    return certified_roots.replaced(found, open_points, settled)
+
+
+def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:
+    """Roots in slots by point."""
+    shape = p.shape
+    size = int(np.prod(shape))
+    order = np.lexsort((found.middle[0], found.point))
+    point, states, errors = found.point[order], found.middle[:, order], found.error[order]
+    count = np.bincount(point, minlength=size)
+    slots = max(1, int(count.max(initial=0)))
+    slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
+    types = _stability.classified(balance, states, columns(p, balance.parameters)[:, point], found.ends[:, :, order])
+
+    def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
+        out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
+        out[point, slot] = values
+        return out.reshape(*shape, slots, *values.shape[1:])
+
+    decided = np.ones(size, dtype=np.bool_)
+    decided[found.left_point] = False
+    undecided = tuple(
+        Undecided(
+            tuple(int(i) for i in np.unravel_index(number, shape)) if shape else (),
+            tuple((-found.left[0, :, box]).tolist()),
+            tuple(found.left[1, :, box].tolist()),
+        )
+        for box, number in enumerate(found.left_point)
+    )
+    searched = np.stack([-around[0], around[1]], axis=-1)
+    searched = np.moveaxis(searched, 0, 1).reshape(*shape, balance.n, 2)
+    return ModelEquilibria(
+        p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(types.eigenvalues, np.nan),
+        placed(types.growth, np.nan), placed(errors, np.nan), searched, whole, decided.reshape(shape), undecided,
+        {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
+    )  # fmt: skip

@@ -1,0 +1,36 @@
+"""The namespace ``xp`` of a model's functions over boxes of coordinates."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..exact.interval_arrays import Intervals
+from ..exact.interval_functions import Functions
+from ..exact.jets import Jet
+
+
+class LawFunctions(Functions):
+    """As for any interval, but that a root is taken of what is not negative.
+
+    A law of contact that is no polynomial is asked for on its own side of the border only (``Balance.limits``). So its argument
+    is not negative, and where its enclosure reaches below 0 that is rounding.
+    """
+
+    @staticmethod
+    def sqrt(value: Any) -> Any:
+        """Square root of the part that is not negative."""
+        if isinstance(value, Jet):
+            return Jet({**value.terms, (): _not_negative(value.value)}, value.order).sqrt()
+        return _not_negative(value).sqrt() if isinstance(value, Intervals) else np.sqrt(value)
+
+
+def _not_negative(value: Any) -> Any:
+    if not isinstance(value, Intervals):
+        return value
+    return Intervals(np.stack([np.minimum(value.ends[0], 0.0), value.ends[1]]))
+
+
+#: The one that is needed.
+XP = LawFunctions()

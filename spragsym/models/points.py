@@ -1,0 +1,155 @@
+"""Search for points at which equilibria change, along one or two parameters of a model: one driver for all kinds, one result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ParameterError
+from ..exact import boxes, certified_roots
+from ..exact.certified_roots import Roots
+from ..exact.interval_arrays import FloatArray, Intervals
+from .augmented import Augmented, Condition
+from .balance import Balance, Model
+from .regions import region
+
+#: Boxes looked at for one search.
+BUDGET = 200_000
+#: End of the range of a parameter that has none, over its base value if that is larger than 1.
+FAR = 10.0
+
+
+@dataclass(frozen=True, eq=False)
+class ModelPoints(Result):
+    """Points at which equilibria change, sorted by the first parameter that varies.
+
+    Every parameter and coordinate is an attribute under its own name, one number a point.
+
+    Attributes
+    ----------
+    vary : tuple of str
+        The parameters that were unknowns.
+    kind : ndarray of str
+        What happens there.
+    error : ndarray
+        Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary.
+    region : ndarray
+        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters.
+    whole : bool
+        Whether that box is proved to hold all equilibria for all parameters in it.
+    complete : bool
+        Whether every box of the region is decided: then there are no other points in it.
+    undecided : ndarray
+        Lower and upper ends of the boxes that are not, shape (boxes, unknowns, 2).
+    """
+
+    vary: tuple[str, ...]
+    kind: NDArray[np.str_]
+    error: FloatArray
+    region: FloatArray
+    whole: bool
+    complete: bool
+    undecided: FloatArray
+    values: Mapping[str, FloatArray] = field(repr=False)
+
+    def __len__(self) -> int:
+        return int(self.error.size)
+
+    def __getattr__(self, name: str) -> FloatArray:
+        values = self.__dict__.get("values", {})
+        if name in values:
+            column: FloatArray = values[name]
+            return column
+        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {', '.join(values)}")
+
+
+@dataclass(frozen=True)
+class Found:
+    """Roots of a search, the region and whether it holds all equilibria."""
+
+    roots: Roots
+    region: FloatArray
+    whole: bool
+
+
+def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> FloatArray:
+    """Lower and upper ends of the parameters that vary, shape (number, 2)."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    rows = []
+    for name in vary:
+        if name not in entries:
+            raise ParameterError(f"vary = {name!r} is not a parameter of this model; choose one of {', '.join(entries)}")
+        entry = entries[name]
+        low, high = (entry[end] for end in ("low", "high"))
+        far = FAR * max(1.0, abs(entry["base"] or 0.0))
+        default = (-far if low is None else low, far if high is None else high)
+        rows.append(between.get(name, default))
+        if not rows[-1][0] < rows[-1][1]:
+            raise ParameterError(f"between[{name!r}] = {rows[-1]} is no range; give its lower and upper end")
+    for name in between:
+        if name not in vary:
+            raise ParameterError(f"between has a range for {name!r}, which does not vary; {', '.join(vary)} does")
+    return np.array(rows, dtype=float).reshape(-1, 2)
+
+
+def search(
+    balance: Balance, vary: Sequence[str], condition: Condition, given: FloatArray, spans: FloatArray, *, budget: int = BUDGET
+) -> Found:
+    """All points of a kind.
+
+    Parameters
+    ----------
+    given : ndarray
+        Shape (parameters, points); rows of parameters that vary are not used.
+    spans : ndarray
+        Their ranges, shape (number, 2).
+    """
+    places = [balance.parameters.index(name) for name in vary]
+    low, high = given.copy(), given.copy()
+    low[places], high[places] = spans[:, :1], spans[:, 1:]
+    around, whole = region(balance, Intervals.between(low, high))
+    sides = np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(vary), given.shape[1]))
+    around = np.concatenate([around, sides], axis=1)
+    limits = np.concatenate([balance.limits, np.full((2, len(vary)), np.inf)], axis=1)
+    system = Augmented(balance, vary, condition)
+    fixed = given.copy()
+    fixed[places] = spans[:, :1]
+    outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
+    return Found(certified_roots.roots(system, outcome, around, fixed, fixed), around, whole)
+
+
+def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
+    """Scalar parameters as one column, NaN for those that vary."""
+    fixed = [name for name in names if name not in vary]
+    values = dict(zip(fixed, p.scalars(*fixed), strict=True))
+    return np.array([[values.get(name, np.nan)] for name in names])
+
+
+def picked(roots: Roots, which: NDArray[np.bool_]) -> Roots:
+    """Some of the roots, and all of the boxes that are left."""
+    return replace(roots, ends=roots.ends[:, :, which], alone=roots.alone[:, :, which], point=roots.point[which])
+
+
+def arranged(
+    balance: Balance,
+    vary: Sequence[str],
+    given: FloatArray,
+    found: Found,
+    kind: NDArray[np.str_],
+    more: Mapping[str, FloatArray] | None = None,
+) -> ModelPoints:
+    """The points as a result, sorted by the parameters that vary; given parameters of shape (parameters, 1)."""
+    n, middle = balance.n, found.roots.middle
+    order = np.lexsort(middle[n:][::-1])
+    values: dict[str, FloatArray] = {name: np.full(order.size, given[i, 0]) for i, name in enumerate(balance.parameters)}
+    values |= {name: middle[n + i, order] for i, name in enumerate(vary)}
+    values |= {name: middle[i, order] for i, name in enumerate(balance.coordinates)}
+    values |= {name: column[order] for name, column in (more or {}).items()}
+    box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
+    left = np.moveaxis(np.stack([-found.roots.left[0], found.roots.left[1]], axis=-1), 1, 0)
+    return ModelPoints(tuple(vary), kind[order], found.roots.error[order], box, found.whole, not left.shape[0], left, values)

@@ -1,0 +1,86 @@
+"""Type of an equilibrium by the roots λ of its linearization, with and without damping."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact.interval_arrays import FloatArray
+from ..statics.solver import Stability
+from .balance import Balance, undecorated
+
+
+@dataclass(frozen=True)
+class Types:
+    """Of N states: codes, the 2 n roots without damping, and the largest real part with it."""
+
+    stability: NDArray[np.int8]
+    eigenvalues: NDArray[np.complex128]
+    growth: FloatArray
+
+
+def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray) -> Types:
+    """States of shape (n, N), parameters of shape (P, N), and boxes around the states, shape (2, n, N).
+
+    The code is by the sign of det K where interval arithmetic knows it: an odd number of negative roots is divergence.
+    """
+    n, count = states.shape
+    if not count:
+        return Types(np.zeros(0, dtype=np.int8), np.zeros((0, 2 * n), dtype=complex), np.zeros(0))
+    M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
+    squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
+    roots = np.sqrt(squares)
+    real = np.abs(squares.imag) <= 1e-13 * np.abs(squares).max(axis=1, keepdims=True)
+    divergent = (real & (squares.real > 0)).any(axis=1)
+    code = np.where((~real).any(axis=1), Stability.FLUTTER, np.where(divergent, Stability.DIVERGENT, Stability.STABLE))
+    return Types(code.astype(np.int8), np.concatenate([roots, -roots], axis=1), growth(M, C, K))
+
+
+def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
+    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n)."""
+    n = M.shape[-1]
+    zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
+    companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
+    out: NDArray[np.complex128] = np.linalg.eigvals(companion).astype(complex)
+    return out
+
+
+def growth(M: FloatArray, C: FloatArray, K: FloatArray) -> FloatArray:
+    """Largest real part of the roots of det(λ² M + λ C + K), of matrices of shape (N, n, n)."""
+    out: FloatArray = roots(M, C, K).real.max(axis=-1)
+    return out
+
+
+def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
+    shape = states.shape[1:]
+    values: dict[str, Any] = {}
+    for name, value in zip(balance.parameters, given, strict=True):
+        if name in balance.angles:
+            cosine, sine = balance.angles[name]
+            values |= {cosine: np.cos(value), sine: np.sin(value)}
+        else:
+            values[name] = value
+    q = list(states)
+    model = balance.model
+    statics, motion = ([values[name] for name in model.about["arguments"][kind]] for kind in ("statics", "motion"))
+    directions: list[Any] = []
+    for dx, dy, _ in undecorated(model.statics.geometry)(*q, *statics, xp=np):
+        length = np.hypot(dx, dy)
+        directions += [dx / length, dy / length, length]
+    mass = undecorated(model.linearization.mass_matrix)(*q, *motion, xp=np)
+    damping = undecorated(model.linearization.damping)(*q, *directions, *motion, balance.pushing, xp=np)
+    return (
+        _filled(mass, shape),
+        _filled(damping, shape),
+        _filled(balance.call("forces_jacobian", q, directions, values, np), shape),
+    )
+
+
+def _filled(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> FloatArray:
+    return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])

@@ -1,0 +1,144 @@
+"""The search over boxes: others' problems with known roots, and what is not decidable or lies on borders."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+
+from benchmarks.box_problems import PROBLEMS, Problem
+from spragsym.exact import boxes, certified_roots, contractors
+from spragsym.exact.interval_arrays import Intervals, stacked
+from spragsym.exact.parameter_tree import tree
+
+NONE = np.zeros((0, 1))
+
+
+def solved(problem, region=None, low=NONE, high=None, budget=boxes.BUDGET):
+    region = problem.ends if region is None else region
+    outcome = boxes.search(problem, region, low, low if high is None else high, budget=budget)
+    return certified_roots.roots(problem, outcome, region, low, low if high is None else high)
+
+
+@pytest.mark.parametrize("problem", [one for one in PROBLEMS if not one.title.endswith("5.5")], ids=lambda one: one.title)
+def test_all_roots_of_known_problems(problem):
+    found = solved(problem)
+    assert found.point.size == problem.roots
+    assert found.left_point.size == 0
+    assert found.error.max() < 1e-13
+    values = problem.residuals(Intervals(found.ends), Intervals(np.zeros((2, 0, 1))))
+    assert values.holds_zero().all()
+
+
+class Quadratic(boxes.Plain):
+    """x² + p x + q = 0 and y = x³: one or two parameters for each point, roots known in closed form."""
+
+    def residuals(self, unknowns, parameters):
+        x, y = unknowns[0], unknowns[1]
+        return stacked([x**2 + parameters[0] * x + parameters[1], y - x**3], x.shape)
+
+    def jacobian(self, unknowns, parameters):
+        x = unknowns[0]
+        entries = stacked([2 * x + parameters[0], 0, -3 * x**2, 1], x.shape)
+        return Intervals(entries.ends.reshape(2, 2, 2, *x.shape))
+
+
+WIDE = np.full((2, 2, 1), 30.0)
+
+
+def test_many_points_at_once():
+    rng = np.random.default_rng(1)
+    p, q = rng.uniform(-2, 2, (2, 3000))
+    q[:1000] = 0.25 * p[:1000] ** 2 * (1 + rng.choice([1, -1], 1000) * 10.0 ** rng.uniform(-9, -2, 1000))
+    found = solved(Quadratic(), WIDE, np.stack([p, q]))
+    square = p**2 - 4 * q
+    counts = np.bincount(found.point, minlength=3000)
+    left = np.unique(found.left_point)
+    decided = np.ones(3000, dtype=bool)
+    decided[left] = False
+    assert (counts == np.where(square > 0, 2, 0))[decided].all()
+    # Only at points whose two roots are closer than float64 can tell is anything left.
+    assert (np.abs(square[left]) < 1e-10).all()
+    assert left.size < 200
+    x = found.middle[0]
+    assert (np.abs(x**2 + p[found.point] * x + q[found.point]) < 1e-14).all()
+
+
+def test_exact_double_root_stays_undecided_with_a_small_box():
+    found = solved(Quadratic(), WIDE, np.array([[-2.0], [1.0]]))
+    assert found.point.size == 0
+    assert found.left_point.size
+    assert (np.abs(Intervals(found.left).middle[0] - 1) < 1e-5).all()
+
+
+def test_a_line_of_roots_costs_no_more_than_the_budget():
+    line = Problem("line", lambda x: (x[0] + x[1], (x[0] + x[1]) * x[0]), ((-1, 1), (-1, 1)), 0)
+    begin = time.perf_counter()
+    outcome = boxes.search(line, line.ends, NONE, NONE, budget=3000)
+    assert time.perf_counter() - begin < 10
+    assert len(outcome.undecided)
+    assert outcome.looks < 20000
+    for x in np.linspace(-0.99, 0.99, 41):
+        both = [outcome.undecided.ends, outcome.unique.ends]
+        assert any(((-ends[0].T <= [x, -x]) & (ends[1].T >= [x, -x])).all(axis=1).any() for ends in both)
+
+
+@pytest.mark.parametrize("corner", [(0.0, 0.0), (0.0, 1.0), (-0.15625, 0.4)])
+def test_roots_on_borders_are_found_once(corner):
+    a, b = corner
+    # Four roots, in the middle of the region, where it is cut, or on a cut of its halves.
+    product = Problem("grid", lambda x: ((x[0] - a) * (x[0] - 5), (x[1] - b) * (x[1] + 5)), ((-10, 10), (-10, 10)), 4)
+    found = solved(product)
+    assert found.point.size == 4
+    assert found.left_point.size == 0
+
+
+def test_roots_outside_of_the_region_are_none_of_its_roots():
+    product = Problem("grid", lambda x: ((x[0] - 1.001) * x[0], x[1]), ((-1, 1), (-1, 1)), 1)
+    assert solved(product).point.size == 1
+    on_border = Problem("grid", lambda x: ((x[0] - 1) * x[0], x[1]), ((-1, 1), (-1, 1)), 1)
+    found = solved(on_border)
+    assert found.point.size == 1
+    assert found.left_point.size == 1
+
+
+def test_boxes_of_parameters_are_proved_for_all_of_their_points():
+    low = np.array([[0.9], [-2.1]])
+    high = np.array([[1.1], [-1.9]])
+    found = solved(Quadratic(), WIDE, low, high)
+    assert found.point.size == 2
+    rng = np.random.default_rng(2)
+    for p, q in rng.uniform(low.T, high.T, (200, 2)):
+        roots = np.sort(np.roots([1, p, q]).real)
+        order = np.argsort(found.middle[0])
+        inside = (-found.ends[0, 0, order] <= roots) & (roots <= found.ends[1, 0, order])
+        assert inside.all()
+
+
+def test_tree_holds_every_point_once():
+    rng = np.random.default_rng(3)
+    for count in (1, 2, 3, 7, 64, 1000):
+        values = rng.normal(size=(3, count))
+        made = tree(values, values)
+        leaves = made.order[made.order >= 0]
+        assert sorted(leaves) == list(range(count))
+        for node in rng.integers(0, made.size.size, 30):
+            inside = made.points(int(node))
+            assert inside.size == made.size[node]
+            if inside.size:
+                assert (made.bounds.low[:, node] == values[:, inside].min(axis=1)).all()
+                assert (made.bounds.high[:, node] == values[:, inside].max(axis=1)).all()
+
+
+def test_inverses():
+    rng = np.random.default_rng(4)
+    for n in (1, 2, 3, 4):
+        matrices = rng.normal(size=(n, n, 50))
+        matrices[:, :, 0] = 0
+        matrices[:, :, 1] = np.nan
+        with np.errstate(all="ignore"):
+            inverses = contractors.inverse(matrices)
+        product = np.einsum("ijN,jkN->ikN", matrices, inverses)
+        assert np.allclose(product[:, :, 2:], np.eye(n)[:, :, None])
+        assert (inverses[:, :, :2] == np.eye(n)[:, :, None]).all()

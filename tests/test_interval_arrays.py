@@ -1,0 +1,207 @@
+"""Arrays of intervals against exact fractions and 60 digits, on numbers of every size, NaN and infinities among them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import operator
+from fractions import Fraction
+
+import mpmath
+import numpy as np
+import pytest
+
+from spragsym.exact.interval_arrays import TINY, Intervals, stacked
+from spragsym.exact.interval_functions import cos, length, sin, unit_vector
+
+NUMBERS = [
+    0.0,
+    -0.0,
+    5e-324,
+    -5e-324,
+    2.3e-308,
+    1e-300,
+    1e-160,
+    -1e-10,
+    0.1,
+    1 / 3,
+    1.0,
+    np.nextafter(1, 2),
+    -3.7,
+    1e10,
+    -1e155,
+    1.7e308,
+]
+HUGE = Fraction(2) ** 5000
+
+
+@pytest.fixture(autouse=True)
+def _silent():
+    with np.errstate(all="ignore"):
+        yield
+
+
+def boxes(seed: int, count: int) -> Intervals:
+    """Intervals between all pairs of the numbers above, and random ones of all sizes, some without width."""
+    rng = np.random.default_rng(seed)
+    pairs = np.array([(min(a, b), max(a, b)) for a, b in itertools.product(NUMBERS, NUMBERS)])
+    values = rng.normal(size=(count, 2)) * 10.0 ** rng.integers(-30, 30, size=(count, 1))
+    values[::3, 1] = values[::3, 0]
+    values[1::3, 1] = values[1::3, 0] * (1 + 1e-15)
+    both = np.concatenate([pairs, np.sort(values, axis=1)])
+    return Intervals.between(both[:, 0], both[:, 1])
+
+
+def exact(value: float) -> Fraction:
+    return Fraction(value) if math.isfinite(value) else (HUGE if value > 0 else -HUGE)
+
+
+def holds(result: Intervals, row: int, value: Fraction) -> bool:
+    """Whether the interval has the value, where an end that is NaN or infinite bounds nothing."""
+    low, high = float(result.low[row]), float(result.high[row])
+    return not (math.isfinite(low) and low > value) and not (math.isfinite(high) and high < value)
+
+
+def members(x: Intervals, row: int) -> list[Fraction]:
+    low, high = Fraction(x.low[row]), Fraction(x.high[row])
+    inner = [low, high, (low + high) / 2, low + (high - low) / 7]
+    return inner + ([Fraction(0)] if low <= 0 <= high else [])
+
+
+@pytest.mark.parametrize("operation", [operator.add, operator.sub, operator.mul, operator.truediv])
+def test_operations_hold_every_exact_result(operation):
+    x, y = boxes(1, 300), boxes(2, 300)[np.random.default_rng(3).permutation(len(NUMBERS) ** 2 + 300)]
+    result = operation(x, y)
+    for row in range(x.shape[0]):
+        for a, b in itertools.product(members(x, row), members(y, row)):
+            if operation is operator.truediv and Fraction(y.low[row]) <= 0 <= Fraction(y.high[row]):
+                assert math.isnan(result.low[row])
+                assert math.isnan(result.high[row])
+            else:
+                assert holds(result, row, operation(a, b)), (row, a, b)
+
+
+@pytest.mark.parametrize("power", [0, 1, 2, 3, 4, 5, 7, -1, -2, -3])
+def test_powers(power):
+    x = boxes(4, 300)
+    result = x**power
+    for row in range(x.shape[0]):
+        for a in members(x, row):
+            if a or power >= 0:
+                assert holds(result, row, a**power), (row, a)
+    if power > 0 and power % 2 == 0:
+        assert (result.low[np.isfinite(result.low)] >= 0).all()
+
+
+def test_results_are_no_wider_than_two_units():
+    values = np.random.default_rng(5).normal(size=(2, 1000))
+    x, y = Intervals.point(values[0]), Intervals.point(values[1])
+    for result in (x + y, x - y, x * y, x / y, x**3, abs(x).sqrt(), x.squared()):
+        assert (result.high - result.low <= 8 * 2.0**-52 * result.magnitude + 2.1 * TINY).all()
+    assert ((-x).ends == Intervals.point(-values[0]).ends).all()
+    assert (abs(x).low == np.abs(values[0])).all()
+
+
+def test_scalars_and_arrays_act_as_intervals():
+    x = boxes(6, 50)
+    column = np.linspace(-2, 2, x.shape[0])
+    for number in (3, -3, 0, 1, -1, 0.1, -0.1):
+        for row in range(x.shape[0]):
+            for a in members(x, row):
+                assert holds(number * x, row, a * Fraction(number))
+                assert holds(number - x, row, Fraction(number) - a)
+                assert holds(x + number, row, Fraction(number) + a)
+    for row in range(x.shape[0]):
+        for a in members(x, row):
+            assert holds(x * column, row, a * Fraction(column[row]))
+            assert holds(column + x, row, a + Fraction(column[row]))
+    with pytest.raises(ValueError, match="no float"):
+        x * (2**53 + 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "low", "high"),
+    [
+        ("sqrt", 0, 1e300),
+        ("exp", -800, 700),
+        ("cos", -9e4, 9e4),
+        ("sin", -9e4, 9e4),
+        ("sin", -4, 4),
+        ("cos", -4, 4),
+        ("sin", -1e-9, 1e-9),
+    ],
+)
+def test_functions_against_sixty_digits(name, low, high):
+    rng = np.random.default_rng(7)
+    start = rng.uniform(low, high, 1500)
+    widths = rng.choice([0.0, 1e-12, 1e-3, 0.7, 3.0, 10.0], 1500) * min(1.0, high)
+    x = Intervals.between(start, np.minimum(start + widths, high))
+    result = {"cos": cos, "sin": sin, "sqrt": Intervals.sqrt, "exp": Intervals.exp}[name](x)
+    assert np.isfinite(result.low).all()
+    with mpmath.workdps(60):
+        for row in range(1500):
+            for part in (0, 0.25, 0.5, 0.75, 1):
+                a = min(x.low[row] + part * (x.high[row] - x.low[row]), x.high[row])
+                value = getattr(mpmath, name)(mpmath.mpf(a))
+                assert mpmath.mpf(float(result.low[row])) <= value, (row, a)
+                assert not math.isfinite(result.high[row]) or value <= mpmath.mpf(float(result.high[row])), (row, a)
+    narrow = x.width == x.width.min()
+    assert (result.width[narrow] <= 1e-14 * np.maximum(1, result.magnitude[narrow])).all()
+
+
+def test_waves_reach_their_extremes():
+    turns = np.arange(-40, 40) * np.pi / 2
+    for width in (1e-9, 1e-3, 0.5):
+        around = Intervals.between(turns - width, turns + width)
+        odd = np.arange(-40, 40) % 4
+        assert (cos(around).high[odd == 0] == 1).all()
+        assert (cos(around).low[odd == 2] == -1).all()
+        assert (sin(around).high[odd == 1] == 1).all()
+        assert (sin(around).low[odd == 3] == -1).all()
+    beyond = cos(Intervals.between([1e6, np.nan, -np.inf], [1e6, 1.0, 0.0]))
+    assert (beyond.low == -1).all()
+    assert (beyond.high == 1).all()
+
+
+def test_roots_and_unknown_ends_bound_nothing():
+    assert np.isnan(Intervals.between([-1.0], [4.0]).sqrt().ends).all()
+    unknown = Intervals.between([np.nan, 1.0], [1.0, np.nan])
+    assert not (unknown.low > -9e99)[0]
+    assert not (unknown.high < 9e99)[1]
+    assert (unknown * 0.5 + 1).holds_zero().tolist() == [True, False]
+    assert Intervals.between([1.0], [np.nan]).mignitude != 0.5  # NaN, which no comparison takes for a bound
+    product = Intervals.between([0.0], [0.0]) * Intervals.between([1.0], [np.inf])
+    assert product.holds_zero().all()
+    assert (Intervals.between([1e308], [1.7e308]) * 10).high == np.inf
+    assert not (Intervals.between([1e308], [1.7e308]) * 10).low > 1e309
+
+
+def test_directions_are_sharp_and_hold_all():
+    rng = np.random.default_rng(8)
+    corner, size = rng.normal(size=(2, 400)), 10.0 ** rng.uniform(-8, 0.5, size=(2, 400))
+    dx, dy = (Intervals.between(corner[i], corner[i] + size[i]) for i in (0, 1))
+    c, s = unit_vector(dx, dy)
+    l = length(dx, dy)
+    best = np.full((2, 2, 400), -np.inf)
+    with mpmath.workdps(40):
+        for i, j in itertools.product(np.linspace(0, 1, 7), np.linspace(0, 1, 7)):
+            x, y = np.minimum(dx.low + i * size[0], dx.high), np.minimum(dy.low + j * size[1], dy.high)
+            for row in range(400):
+                L = mpmath.sqrt(mpmath.mpf(x[row]) ** 2 + mpmath.mpf(y[row]) ** 2)
+                for enclosure, value in ((c, x[row] / L), (s, y[row] / L), (l, L)):
+                    assert mpmath.mpf(float(enclosure.low[row])) <= value <= mpmath.mpf(float(enclosure.high[row]))
+            best[0] = np.maximum(best[0], np.stack([-x, x]) / np.hypot(x, y))
+    # Grown towards the corners the hull is met where 0 is not between: no wider than the largest and least value of a fine grid.
+    clear = (dx.mignitude > 0) & (dy.mignitude > 0)
+    assert (c.ends - best[0])[:, clear].max() < 1e-14
+    everywhere = unit_vector(Intervals.between([-1.0], [1.0]), Intervals.between([-0.5], [0.5]))
+    assert all((part.ends == 1).all() for part in everywhere)
+    assert length(Intervals.point([0.0]), Intervals.point([0.0])).low == 0
+
+
+def test_stacks():
+    x = boxes(9, 5)
+    both = stacked([x, 0, 2.5], x.shape)
+    assert both.shape == (3, *x.shape)
+    assert (both[2].low == 2.5).all()
+    assert (both[0].ends == x.ends).all()

@@ -38,6 +38,7 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
     alone = shared is None
     files = {f"{module.name}.py": _module(model, module, header, shared) for module in modules(model.mechanics)}
     if alone:
+        files["page.py"] = model.text
         files["_broadcast.py"] = runtime(python_target.__file__, "_broadcast.py").replace("@header@", header)
     digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     entries = {**description(model), "files": digests}
@@ -69,8 +70,8 @@ def _module(model: Model, module: Module, header: str, shared: Shared | None) ->
         else:
             borrowed.setdefault(home, []).append(function.name)
     symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
-    meanings = _meanings(model.mechanics)
-    table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", 110, subsequent_indent="    ") for name in symbols)
+    known = meanings(model.mechanics)
+    table = "\n".join(textwrap.fill(f"{name} : {known[name]}", 110, subsequent_indent="    ") for name in symbols)
     imports = ["from types import ModuleType\n\nimport numpy\n"] if own else []
     local = [f"from {'._broadcast' if shared is None else '..._broadcast'} import Number, broadcasting"] if own else []
     local += [f"from ..{home}.{part} import {', '.join(sorted(names))}" for (home, part), names in sorted(borrowed.items())]
@@ -84,7 +85,7 @@ def _module(model: Model, module: Module, header: str, shared: Shared | None) ->
     return "\n\n\n".join([head, *own]) + "\n"
 
 
-def _meanings(model: Mechanics) -> Mapping[str, str]:
+def meanings(model: Mechanics) -> Mapping[str, str]:
     """What every argument of the generated functions is."""
     entries: dict[str, str] = {}
     for coordinate in model.page.coordinates:
@@ -116,7 +117,7 @@ def description(model: Model) -> dict[str, Any]:
         "name": model.name,
         "summary": model.page.summary,
         "drawing": model.docstring,
-        "source": hashlib.sha256(model.text.encode()).hexdigest(),
+        "source": model.digest,
         "units": [{"name": str(unit.symbol), "unit": unit.unit, "meaning": unit.meaning} for unit in model.page.units],
         "coordinates": [
             {

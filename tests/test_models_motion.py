@@ -180,3 +180,40 @@ def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
     sweep = model.rms_sweep(model.Parameters(theta0=1.0), t_end=10.0, x0=x0, y0=float(np.sin(1.0)))
     assert np.isfinite(sweep.rms).tolist() == [True, False]
     assert "on one point" in sweep.reason[1]
+
+
+# ------------------------------------------------------------------------------------------------ the command line
+
+
+def command(*arguments: str) -> int:
+    from spragsym.cli import main
+
+    with pytest.raises(SystemExit) as ended:
+        main(list(arguments))
+    return int(ended.value.code or 0)
+
+
+def test_commands_take_a_model(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20", "--x_a0", "0.1", "--json") == 0
+    assert '"model": "trolley"' in capsys.readouterr().out
+    target = tmp_path / "s.csv"
+    assert (
+        command("sweep", "--model=stick_slip", "--zeta", "0.1:0.6:2", "-V", "0.5", "-q", "--t-end", "50", "-o", str(target)) == 0
+    )
+    assert target.is_file()
+    capsys.readouterr()
+    assert command("equilibria", "--model", "stick_slip", "-V", "0.3") == 0
+    shown = capsys.readouterr().out
+    friction = 2 * 0.5 * 0.3 * 0.1 / (0.3**2 + 0.1**2)  # x = μ(V) N_0/k
+    assert float(shown.split()[-2]) == pytest.approx(friction, abs=1e-9)
+    assert command("bifurcation", "--model", "kang_nam", "--along", "") == 0
+    assert "44.559317" in capsys.readouterr().out
+
+
+def test_commands_name_what_is_wrong_with_a_model(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("simulate", "--model", "troley") == 2
+    assert "did you mean trolley" in capsys.readouterr().err
+    assert command("simulate", "--model", "trolley", "--theta0", "49", "--alphaa", "1") == 2
+    assert "did you mean --alpha_a" in capsys.readouterr().err
+    assert command("simulate", "--model", "trolley") == 2
+    assert "--theta0" in capsys.readouterr().err

@@ -275,3 +275,46 @@ def test_what_does_not_vary_is_refused():
         model("kang_nam").folds(p, "mu0", between={"theta0": (0, 1)})
     with pytest.raises(ss.ParameterError, match="is no range"):
         model("kang_nam").folds(p, "mu0", between={"mu0": (1, 0)})
+
+
+# -------------------------------------------------------------------------------------- the plane, and paths in it
+
+
+def test_bifurcation_set_is_the_articles():
+    found = model("kang_nam").bifurcation_set(model("kang_nam").Parameters(theta0=1.0), n=12, between={"mu0": (0.0, 1.0)})
+    assert found.complete
+    assert len(found) == 2
+    assert np.allclose(found.cusps.mu0, 0.200931781805090, atol=1e-12)
+    for curve in found.curves:
+        for theta0, mu0, x in zip(curve.theta0, curve.mu0, curve.x, strict=True):
+            known = ss.folds(ss.Parameters.article(theta0=theta0), "mu0")
+            # At the cusp, which is no fold of its own, the two folds have met.
+            assert np.abs(known.mu0 - mu0).min(initial=np.inf) < 1e-7 or np.abs(found.cusps.mu0 - mu0).min() < 1e-12, (theta0, x)
+        # From point to point no farther than to the next line, but for the steep ends.
+        assert np.abs(np.diff(curve.theta0)).max() < 2.1 * np.pi / 12
+    # All folds of a line are on the curves.
+    line = found.lines["theta0"][4]
+    on_line = np.concatenate([curve.mu0[curve.theta0 == line] for curve in found.curves])
+    known = ss.folds(ss.Parameters.article(theta0=line), "mu0").mu0
+    assert np.allclose(np.sort(on_line), known[known < 1], atol=1e-12)
+
+
+def test_path_is_the_articles_with_its_jump():
+    values = np.radians(np.arange(1.0, 180.0, 6.0))
+    p = model("kang_nam").Parameters(theta0=1.0, mu0=0.7)
+    found = model("kang_nam").quasi_static_path(p, "theta0", values)
+    known = ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", values)
+    assert np.allclose(found.x, known.x, atol=1e-12)
+    assert (found.stability == known.stability).all()
+    assert [jump.kind for jump in found.jumps] == ["fold"]
+    assert np.isclose(found.jumps[0].value, known.jumps[0].value, atol=1e-12)
+    assert abs(found.jumps[0].before["x"] - known.jumps[0].x_before) < 1e-9
+    assert abs(found.jumps[0].after["x"] - known.jumps[0].x_after) < 1e-2
+
+
+def test_path_errors_name_the_remedy():
+    p = model("kang_nam").Parameters(theta0=1.0)
+    with pytest.raises(ss.ParameterError, match="do not go one way"):
+        model("kang_nam").quasi_static_path(p, "theta0", [0.1, 0.3, 0.2])
+    with pytest.raises(ss.ParameterError, match="give 'small'"):
+        model("kang_nam").quasi_static_path(p, "theta0", [1.2, 1.3], start="middle")

@@ -1,4 +1,4 @@
-"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``."""
+"""Derive, check, emit: ``python -m derive [--out DIR] [--variant]``, or one page: ``--model PAGE.py --out DIR``."""
 
 from __future__ import annotations
 
@@ -32,17 +32,27 @@ from .kang_nam import (
 
 T = TypeVar("T")
 
+#: Where everything is written unless told otherwise.
+DEFAULT = Path(__file__).parent.parent / "generated"
+
 
 def main(arguments: list[str] | None = None) -> int:
     """Exit code 0: written; 1: a check failed and nothing was written; 2: usage."""
     parser = argparse.ArgumentParser(prog="python -m derive", description="Derive the model, check the article, emit generated/.")
-    parser.add_argument("--out", type=Path, default=Path(__file__).parent.parent / "generated", help="folder to write")
+    parser.add_argument("--out", type=Path, default=DEFAULT, help="folder to write")
     parser.add_argument(
         "--variant",
         action="store_true",
         help="write even if printed rows no longer hold, as when an assumption in mechanics.py was changed on purpose",
     )
+    parser.add_argument("--model", type=Path, metavar="PAGE.py", help="derive this page only, and write its folder to --out")
     options = parser.parse_args(arguments)
+    if options.model is not None:
+        if options.out == DEFAULT or options.variant:
+            parser.error("--model needs a folder of its own, --out DIR, and no --variant")
+        count = _step(f"{options.model.name}", lambda: folder.write_page(options.model, options.out))
+        print(f"wrote {count} files to {options.out}/")
+        return 0
 
     _step("equations of motion (1)–(11)", mechanics.motion)
     _step("balance and matrix form (12)–(25)", equilibrium.matrix_form)

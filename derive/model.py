@@ -31,9 +31,14 @@ Law = Callable[[sp.Expr], sp.Expr]
 class PageError(ArithmeticError):
     """A page that can't be carried through: which line, what was expected, and what still works."""
 
-    def __init__(self, line: int, message: str) -> None:
-        super().__init__(f"line {line}: {message}" if line else message)
-        self.line = line
+    def __init__(self, line: int, message: str, page: str = "") -> None:
+        place = ", ".join(part for part in (page, f"line {line}" if line else "") if part)
+        super().__init__(f"{place}: {message}" if place else message)
+        self.line, self.message = line, message
+
+    def of(self, page: str) -> PageError:
+        """The same with the name of the page."""
+        return PageError(self.line, self.message, page)
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import ast
+import hashlib
+import traceback
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -26,6 +28,11 @@ class Model:
     page: Page
     mechanics: Mechanics
 
+    @property
+    def digest(self) -> str:
+        """SHA-256 of the page's text."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
 
 def shipped() -> tuple[Path, ...]:
     """The pages that come with the package, the article's first."""
@@ -34,24 +41,49 @@ def shipped() -> tuple[Path, ...]:
 
 
 @cache
-def read(path: Path) -> Model:
-    """Read a page, once: it is run as a module of this package, wherever it stands."""
+def read(path: Path, name: str = "") -> Model:
+    """Read a page, once: it is run as a module of this package, wherever it stands. The model has the file's name, or another.
+
+    Raises
+    ------
+    PageError
+        Where it can't be carried through, with the page's name and the line.
+    """
     text = path.read_text(encoding="utf-8")
+    try:
+        return _model(path, text, name or path.stem)
+    except PageError as error:
+        raise error.of(path.name) from error
+
+
+def _model(path: Path, text: str, name: str) -> Model:
+    page, docstring = _run(path, text)
+    soundness.check_units(page)
+    soundness.groups(page)
+    model = mechanics.of(page)
+    soundness.check_forces(model)
+    return Model(name, text, docstring, page, model)
+
+
+def _run(path: Path, text: str) -> tuple[Page, str]:
+    """The page that a file makes, and its docstring."""
     try:
         tree = _Imports().visit(ast.parse(text, str(path)))
     except SyntaxError as error:
         raise PageError(error.lineno or 0, f"the page is no Python: {error.msg}") from error
     package = __name__.rpartition(".")[0]
     names: dict[str, Any] = {"__name__": f"{package}.models.{path.stem}", "__package__": f"{package}.models"}
-    exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
+    try:
+        exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
+    except PageError:
+        raise
+    except Exception as error:
+        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
+        raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}") from error
     page = names.get("page")
     if not isinstance(page, Page):
-        raise PageError(0, f"{path.name} makes no page; begin it with page = Page('…')")
-    soundness.check_units(page)
-    soundness.groups(page)
-    model = mechanics.of(page)
-    soundness.check_forces(model)
-    return Model(path.stem, text, ast.get_docstring(tree) or "", page, model)
+        raise PageError(0, "the file makes no page; begin it with page = Page('…')")
+    return page, ast.get_docstring(tree) or ""
 
 
 class _Imports(ast.NodeTransformer):

@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 import sympy as sp
 
-from . import units
+from . import laws, units
 from .mechanics import DEPTH, Mechanics
 from .model import Damper, Datum, Page, PageError, Spring, expression_of
 from .units import Dimension, UnitsError, spelled
@@ -154,6 +154,7 @@ def check_forces(model: Mechanics) -> None:
     """A contact that pushes, a friction that opposes, a force and an inertia for every coordinate."""
     _check_contact(model)
     _check_friction(model)
+    laws.friction_at_rest(model)
     for entry, rate in zip(model.page.coordinates, model.rates, strict=True):
         if all(sp.diff(momentum, rate) == 0 for momentum in (sp.diff(model.kinetic, other) for other in model.rates)):
             raise PageError(entry.line, f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add it")

@@ -47,6 +47,7 @@ def module(model: Mechanics) -> Module:
     place = (*model.coordinates, *arguments(model))
     state = (*model.coordinates, *model.directions, *arguments(model), MU, PUSHING)
     depth = {DEPTH: model.depth}
+    friction = laws.friction_at_rest(model)
 
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, depth, transcendental=True)
@@ -60,7 +61,10 @@ def module(model: Mechanics) -> Module:
             function("contact_gap", "The gap: contact where it is not positive.", place,
                      sp.S.Zero if model.gap is None else model.gap, "gap"),
             function("friction_at_rest", "The friction coefficient at steady sliding.", model.arguments,
-                     laws.friction_at_rest(model), "mu"),
+                     friction, "mu"),
+            function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
+                     tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
+                     "(∂mu/∂p_1, …)"),
             function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
             function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,
                      jacobian(model), "((∂F_1/∂q_1, …), …)"),

@@ -52,8 +52,12 @@ class StoreError(SpragsymError, OSError):
 
 
 class DamagedError(StoreError, TargetError):
-    """A file stands where a result belongs, and is none: damaged, or written by something else."""
+    """The file is not a result of this library: it is damaged, or something else wrote it."""
 
 
 class DamageWarning(UserWarning):
     """Part of a file is damaged and left out; the rest is good and used."""
+
+
+class UndecidedWarning(UserWarning):
+    """Some of many points have no answer; the others do."""

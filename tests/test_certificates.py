@@ -253,7 +253,7 @@ def test_refinement_of_intervals_doubles_the_digits(arith: Arithmetic) -> None:
         square = tuple(arith.exact(Fraction(value)) for value in (-2, 0, 1))
         [(low, high)] = polynomials.real_roots(square, Fraction(-1, 7), Fraction(13, 7), arith.sign, number, 1000)
     assert low**2 < 2 < high**2
-    assert high - low <= Fraction(1, 2**1000)
+    assert Fraction(1, 2**1001) <= high - low <= Fraction(1, 2**1000)
     assert len(asked) < 60
 
 
@@ -269,6 +269,45 @@ def test_common_factors_are_exact_also_where_a_prime_divides_the_leading_coeffic
     # The same modulo the prime, but different: (t − 1)(t − 2) and (t − 1 − p)(t − 3).
     one, other = _with_roots(Fraction(1), Fraction(2)), _with_roots(Fraction(1 + prime), Fraction(3))
     assert len(polynomials.common_divisor(one, other)) == 1
+
+
+def test_residues_prove_what_has_no_common_factor() -> None:
+    """Integer roots, so that a common factor is a root in common; degrees as different as they come."""
+    rng = random.Random(9)
+    for _ in range(300):
+        roots = [[Fraction(rng.randint(-9, 9)) for _ in range(rng.randint(0, 6))] for _ in range(2)]
+        one, other = (_with_roots(*some) for some in roots)
+        apart = set(roots[0]).isdisjoint(roots[1])
+        assert polynomials._coprime(one, other) == apart
+        assert (len(polynomials.common_divisor(one, other)) == 1) == apart
+    prime = polynomials._PRIME
+    assert not polynomials._coprime((1, 1), (1, prime))  # of the residue 1 there is nothing to tell
+    assert polynomials._coprime((1, prime), (1, 1))
+    assert not polynomials._coprime((1, 1), ())
+    assert polynomials.squarefree(()) == ()
+
+
+def test_a_root_counts_at_the_upper_end_only_and_once() -> None:
+    double, line = _with_roots(Fraction(1), Fraction(1)), _with_roots(Fraction(1))
+    for polynomial in (double, line, tuple(-value for value in line)):
+        assert polynomials.has_root(polynomial, Fraction(0), Fraction(2))
+        assert polynomials.has_root(polynomial, Fraction(0), Fraction(1))
+        assert polynomials.has_root(polynomial, Fraction(1), Fraction(1))
+        assert not polynomials.has_root(polynomial, Fraction(1), Fraction(2))
+        assert not polynomials.has_root(polynomial, Fraction(2), Fraction(2))
+        assert not polynomials.has_root(polynomial, Fraction(3), Fraction(4))
+    assert not polynomials.has_root((5,), Fraction(0), Fraction(1))
+
+
+def test_a_polynomial_between_0_and_1_is_a_positive_multiple() -> None:
+    rng = random.Random(10)
+    for _ in range(20):
+        polynomial = tuple(rng.randint(-9, 9) for _ in range(rng.randint(1, 7)))
+        low, high = Fraction(rng.randint(-9, 0), rng.randint(1, 9)), Fraction(rng.randint(1, 9), rng.randint(1, 9))
+        unit = descartes._between_0_and_1(polynomial, low, high)
+        common = math.lcm(low.denominator, high.denominator) ** (len(polynomial) - 1)
+        for u in (Fraction(-1), Fraction(0), Fraction(1, 3), Fraction(1)):
+            assert polynomials.evaluate(unit, u) == common * polynomials.evaluate(polynomial, low + (high - low) * u)
 
 
 def test_an_end_that_is_no_root_must_be_seen_to_be_none(arith: Arithmetic) -> None:

@@ -8,6 +8,7 @@ must.
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from typing import Any
@@ -514,6 +515,59 @@ def test_guesses_say_where_a_pair_may_have_been_missed() -> None:
                 assert int(got.count) == (3 if certain else 1) + (0 if nbar else 1)
 
 
+def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Next to where the slope of the resolvent vanishes, as at a triple root, a step of either sign leads anywhere."""
+    rng, taken = np.random.default_rng(33), set()
+    for _ in range(200):
+        a, b, d, m = rng.normal(0, 1, 4)
+        r0, r1, r2 = kernel.resolvent(a, b, d, m)
+        if r2 * r2 <= 3 * r1:
+            continue
+        z = math.sqrt(r2 * r2 / 9 - r1 / 3) * (1 + rng.choice([-1, 1]) * 10.0 ** rng.uniform(-9, -3))
+        monkeypatch.setattr(kernel, "outermost", lambda P, Q, z=z: z)
+        x = z - r2 / 3
+        step = (((x + r2) * x + r1) * x + r0) / ((3 * x + 2 * r2) * x + r1)
+        if abs(step) > 2 * abs(z):
+            assert kernel.simple_root(a, b, d, m) == x
+            taken.add(step > 0)
+    assert taken == {False, True}
+
+
+def test_a_step_of_both_factors_is_newtons_and_keeps_their_signs() -> None:
+    """Against the linear equations for the changes; one that would turn q₁ < 0 or q₂ > 0 about is not taken."""
+    rng, seen = np.random.default_rng(35), set()
+    for _ in range(2000):
+        p1, p2, A1, A2, A3 = rng.normal(0, 2, 5)
+        q1, q2 = -np.exp(rng.normal()), np.exp(rng.normal())
+        matrix = [[1, 0, 1, 0], [p2, 1, p1, 1], [q2, p2, q1, p1], [0, q2, 0, q1]]
+        lack = [A3 - p1 - p2, A2 - q1 - q2 - p1 * p2, A1 - p1 * q2 - p2 * q1, -1 - q1 * q2]
+        if abs(np.linalg.det(matrix)) < 1e-2:
+            continue
+        dp1, dq1, dp2, dq2 = np.linalg.solve(matrix, lack)
+        if min(abs(q1 + dq1), abs(q2 + dq2)) < 1e-6:
+            continue
+        good = q1 + dq1 < 0 < q2 + dq2
+        seen.add((q1 + dq1 < 0, q2 + dq2 > 0))
+        wanted = np.array([p1, q1, p2, q2]) + good * np.array([dp1, dq1, dp2, dq2])
+        smaller = 1 if -wanted[1] < wanted[3] else 3
+        wanted[smaller] = -1 / wanted[4 - smaller]
+        np.testing.assert_allclose(kernel.polish(A1, A2, A3, p1, q1, p2, q2), wanted, rtol=1e-9, atol=1e-9)
+    assert seen == {(True, True), (True, False), (False, True)}  # never both: q₁ q₂ changes towards −1
+
+
+def test_factors_that_share_a_root_stay_as_they_are() -> None:
+    """(t − 1)(t + 1) and (t − 1)(t − 2): what a step would be is infinite or no number."""
+    rng = np.random.default_rng(34)
+    for _ in range(300):
+        shared = float(2.0 ** rng.integers(-3, 4))
+        first, second = -float(2.0 ** rng.integers(-3, 4)), float(2.0 ** rng.integers(-3, 4))
+        given = (-shared - first, shared * first, -shared - second, shared * second)
+        got = kernel.polish(*rng.normal(0, 3, 3), *map(np.float64, given))
+        wanted = np.array(given)
+        wanted[1 if -given[1] < given[3] else 3] = -1 / (given[3] if -given[1] < given[3] else given[1])
+        np.testing.assert_array_equal(got, wanted)
+
+
 def test_polish_squares_the_error() -> None:
     """From factors a little off, one step leaves the square of that; the exact factors stay."""
     rng = np.random.default_rng(12)
@@ -601,6 +655,37 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
     with mpmath.workdps(50):
         for value, angle in zip(t, kernel.arctangent(t), strict=True):
             assert abs(mpmath.mpf(float(angle)) - mpmath.atan(float(value))) <= 0.9 * math.ulp(float(angle))
+
+
+def test_arc_tangents_are_off_to_neither_side() -> None:
+    """Over every piece errors have no mean: low parts of the constants that are off by a third would give them one."""
+    rng = np.random.default_rng(31)
+    ends = np.array([0.01, 0.4375, 0.6875, 1.1875, math.tan(1), 2.4375, 8.0])  # from an arc tangent of 1 on units are larger
+    with mpmath.workdps(40):
+        for low, high in itertools.pairwise(ends):
+            t = rng.uniform(low, high, 4000)
+            found = kernel.arctangent(t)
+            off = [float((mpmath.mpf(angle) - mpmath.atan(value)) / math.ulp(angle))
+                   for value, angle in zip(t.tolist(), found.tolist(), strict=True)]  # fmt: skip
+            assert abs(np.mean(off)) < 0.03
+            np.testing.assert_array_equal(kernel.arctangent(-t), -found)
+    assert math.copysign(1, kernel.arctangent(0.0)) == 1
+
+
+def test_the_rest_of_an_angle_counts_once_and_only_once() -> None:
+    """Errors of sine and cosine don't go with what the reduced angle lacks, z tail: half of it in the sine's last term."""
+    rng = np.random.default_rng(32)
+    with mpmath.workdps(40):
+        for low, high, k in ((0.25, 0.75, 1), (0.75, 0.99, 2)):
+            x = rng.uniform(low * math.pi + 0.01, high * math.pi - 0.01, 12000)
+            reduced = [mpmath.mpf(value) - k * mpmath.pi / 2 for value in x.tolist()]
+            r = np.array([float(value) for value in reduced])
+            tail = np.array([float(value - float(value)) for value in reduced])
+            sine = -kernel.cosine_and_sine(x)[k - 1]  # cos x = −sin r for k = 1, sin x = −sin r for k = 2
+            off = np.array([float(value - mpmath.sin(angle)) for value, angle in zip(sine.tolist(), reduced, strict=True)])
+            unit = np.spacing(np.abs(sine))
+            lever = r * r * tail / unit
+            assert abs((off / unit * lever).sum() / (lever * lever).sum()) < 0.1
 
 
 def test_directions() -> None:
@@ -989,3 +1074,22 @@ def test_margins_are_not_much_wider_than_they_must_be(name: str) -> None:
         border = min(border, abs(trace) / (kernel.COUNT_K * (entries + pull)) / 1.01)
     assert kernel.stability(Direction(c, s), L, 1.0, border, point).certain
     assert kernel.stability(Direction(c, s), L, -1.0, 1e9, point) == (2.0, True)  # det K < 0 is proved with the root
+
+
+def test_both_stiffnesses_may_be_negative() -> None:
+    """Friction can make both eigenvalues negative: det K > 0, no flutter, and it diverges all the same."""
+    point = Point(0.0, 1.0, 1.9, 1.0, 1.0, 0.5, 0.0, 1.0)
+    c, s, L = -math.sqrt(0.5), math.sqrt(0.5), 0.125
+    eigenvalues = np.linalg.eigvals([
+        [0.5 * (1 - s * s / L) + 1.0, 0.5 / L * s * c + 1.9], [0.5 / L * s * c, 0.5 * (1 - c * c / L) + 1.0],
+    ])  # fmt: skip
+    assert (eigenvalues < 0).all()
+    assert kernel.stability(Direction(c, s), L, 1.0, 1e-9, point) == (2.0, True)
+
+
+def test_at_a_border_nothing_is_certain_even_of_exact_numbers() -> None:
+    """K = diag(2, 2) and diag(1, −1): the discriminant and the trace are 0."""
+    for alpha, beta, L in ((1.0, 2.0, 1.0), (0.0, 0.0, 0.5)):
+        point = Point(0.0, 1.0, 0.0, 1.0, alpha, 1.0, beta, 0.0)
+        assert not kernel.stability(Direction(1.0, 0.0), L, 1.0, 0.0, point).certain
+        assert kernel.stability(Direction(1.0, 0.0), L, 1.0, 0.0, point._replace(alpha=alpha + 0.5)).certain

@@ -65,7 +65,9 @@ def flat(result: Any) -> Iterator[Any]:
 MODULES = [
     module.name
     for module in pkgutil.iter_modules(generated.__path__)
-    if not module.name.startswith("_") and module.name not in ("kernel", "quantities")  # they have tests of their own
+    if not module.ispkg
+    and not module.name.startswith("_")
+    and module.name not in ("kernel", "quantities")  # they have tests of their own
 ]
 FUNCTIONS = [
     Generated(name, function, getattr(module, function))
@@ -86,6 +88,7 @@ _RANGES: dict[str, tuple[float, float]] = {
     "L": (0.3, 1.8), "mu0": (0.05, 1.5), "mu": (0.05, 1.5), "n": (0, 0.5), "kappa": (0.002, 0.3),
     "alpha": (0.005, 0.9), "sigma": (0.02, 1.5),
     "beta": (0, 2), "a_f": (-1, 1), "b_f": (-1, -0.01), "d_f": (-1, 1), "m_f": (0, 1),
+    "a_v": (-1, 1), "b_v": (-1, 1), "d_v": (-1, 1), "m_v": (-1, 1),
     "K11": (-1, 1), "K12": (-1, 1), "K21": (-1, 1), "K22": (-1, 1), "C11": (-0.1, 0.1), "T": (0.1, 4),
     "x": (-0.2, 0.3), "y": (-0.3, -0.01), "vx": (-0.4, 0.4), "vy": (-0.4, 0.4), "V": (0.5, 1), "d": (0.5, 3),
     "m": (0.2, 5), "k_c": (5, 500), "L_0": (0.1, 2), "F_L": (0.1, 3), "k_x": (0.1, 10), "k": (0.5, 50),

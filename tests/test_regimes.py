@@ -169,6 +169,22 @@ def test_a_cycle_that_is_only_passed_is_not_approached() -> None:
 
 
 @needs_heyoka
+def test_a_motion_that_turns_slowly_beside_a_cycle_does_not_approach_it() -> None:
+    """Found by ``python -m benchmarks.validate_regimes 1500 2``: 0.04 of its extent away, and nearing at the cycle's rate.
+
+    The multipliers turn the motion round to where the return map leads it off by 8 times what it lacked.
+    """
+    p = ss.Parameters(
+        theta0=1.4661050573918262, mu0=0.704433572192638, kappa=0.007961682141338761, alpha=0.0018814884956209125,
+        sigma=0.10317293103160925, beta=0.0,
+    )  # fmt: skip
+    start = {"x0": 0.2714634292726191, "vx0": 0.10965500606789719, "vy0": 0.0035522816723789845}
+    for t_end in (1990.0, 2000.0, 2050.0, 2200.0, 4e4):
+        found = rms_sweep(p, 0.9861542875626136, 2.5348098135216137, **start, t_end=t_end, transient=t_end - 500.0)
+        assert found.regime == Regime.UNSETTLED
+
+
+@needs_heyoka
 @pytest.mark.parametrize("t_end", [8000.0, 20_000.0])
 def test_a_cycle_that_grazes_the_belt_is_one_whatever_the_phase(t_end: float) -> None:
     """Found by ``python -m benchmarks.validate_regimes 6000 1``: differences over too long a step called it unstable.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import re
@@ -24,7 +25,7 @@ from spragsym.cli.motion import sweep as sweep_command
 from spragsym.dynamics import Event, Regime, simulate
 from spragsym.files import storage
 from spragsym.statics.solver import equilibria
-from spragsym.sweeps import Sweep, basin, rms_sweep, sensitivity
+from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
 
 pytest.importorskip("xarray")
@@ -152,7 +153,7 @@ def _interrupt(path: Path, points: int) -> None:
                 raise KeyboardInterrupt
             lines = path.with_name(path.name + ".partial").read_bytes().count(b"\n")
             written.append(lines)  # each point is in the file before the next is asked for
-            yield function(task)  # type: ignore[operator]
+            yield function(task)  # type: ignore[operator]  # a callable
 
     with pytest.raises(KeyboardInterrupt):
         rms_sweep(P, **SHORT, store=path, workers=some)
@@ -175,7 +176,7 @@ def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int)
     def counting(function: object, tasks: list[object]) -> Iterator[object]:
         for task in tasks:
             computed.append(task)
-            yield function(task)  # type: ignore[operator]
+            yield function(task)  # type: ignore[operator]  # a callable
 
     assert_same(expected, rms_sweep(P, **SHORT, store=path, workers=counting))
     assert len(computed) == (3 if cut else 2)
@@ -195,6 +196,56 @@ def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
     with pytest.raises(ss.ParameterError, match="holds something else"):
         rms_sweep(P, **{**SHORT, "V": 0.4}, store=path)
     assert path.read_bytes() == before
+
+
+def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "rms.nc"
+    _interrupt(path, 2)
+    monkeypatch.setattr(code, "digest", lambda: "of other code")
+    with pytest.raises(ss.ParameterError, match="other code"):
+        rms_sweep(P, **SHORT, store=path)
+    monkeypatch.undo()
+    rms_sweep(P, **SHORT, store=path)
+    monkeypatch.setattr(code, "digest", lambda: "of other code")
+    with pytest.raises(ss.ParameterError, match="other code"):
+        rms_sweep(P, **SHORT, store=path)
+
+
+def test_every_module_that_decides_a_record_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A change in any of them changes the digest; line ends and other modules don't."""
+    package = Path(ss.__file__).parent
+    for file in _imported(package, "sweeps/measure.py") | _imported(package, "sweeps/result.py"):
+        (tmp_path / file).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / file).write_bytes((package / file).read_bytes())
+    monkeypatch.setattr(code, "files", lambda _: tmp_path)
+    monkeypatch.setattr(code, "DECIDING", [place for place in code.DECIDING if (tmp_path / place).exists()])
+    digest = code.digest.__wrapped__
+    before = digest()
+    for file in tmp_path.rglob("*.py"):
+        text = file.read_bytes()
+        file.write_bytes(text.replace(b"\n", b"\r\n"))
+        assert digest() == before
+        file.write_bytes(text + b"_ = 0\n")
+        undecided = {"display.py", "errors.py", "names.py", "_version.py", "assumed.py"} & {file.name}
+        assert (digest() == before) == bool(undecided or file.parent.name == "files"), file
+        file.write_bytes(text)
+
+
+def _imported(package: Path, start: str) -> set[str]:
+    """A module and those of the package that it imports, anywhere in it, and so on; files relative to the package."""
+    found, pending = set(), [start]
+    while pending:
+        file = pending.pop()
+        if file in found or not (package / file).is_file():
+            continue
+        found.add(file)
+        for node in ast.walk(ast.parse((package / file).read_text(encoding="utf-8"))):
+            if isinstance(node, ast.ImportFrom) and node.level:
+                room = Path(file).parent.parts[: len(Path(file).parts) - node.level]
+                parts = [*room, *(node.module or "").split(".")] if node.module else room
+                pending += ["/".join([*parts[:-1], f"{parts[-1]}.py"])] if parts else []
+                pending += ["/".join([*parts, f"{alias.name}.py"]) for alias in node.names]
+    return found
 
 
 GRID = ["--theta0", "1:179:61", "--t-end", "2000", "-q"]

@@ -71,7 +71,7 @@ def fold_relations() -> dict[sp.Symbol, sp.Expr]:
 def fold_residuals() -> tuple[sp.Expr, sp.Expr]:
     """b − b(fold) and d − d(fold): both zero exactly where f = f′ = 0, and linear in each of μ₀, κ, α, σ and β."""
     coefficients = elimination.f_coefficients()
-    return tuple((symbol - value).subs(coefficients) for symbol, value in fold_relations().items())  # type: ignore[return-value]
+    return tuple((symbol - value).subs(coefficients) for symbol, value in fold_relations().items())
 
 
 @cache
@@ -108,6 +108,34 @@ def _coefficients_in_M(condition: sp.Expr) -> tuple[sp.Expr, ...]:
     if denominator.free_symbols:
         raise ArithmeticError("the fold condition is not a polynomial in M")
     return tuple(value / denominator for value in reversed(sp.Poly(numerator, nm.M).all_coeffs()))
+
+
+#: Coefficients of ∂f/∂v, of the form of f: f is linear in every parameter v but θ₀.
+_CHANGE = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
+
+
+@cache
+def fold_sextic() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of (1 + t²)³ (f′ f_v − f f_v′), t = tan(θ/2): its roots are all folds along v.
+
+    With f = f₀ + v f_v the surface is v(θ) = −f₀/f_v, and v′ is minus this over f_v²; f for any value of v gives the same.
+    """
+    change, t = f_form.subs(_CHANGE), nm.tt
+    condition = circles.reduce_circles(sp.expand(slope * change - f_form * circles.rotate_derivative(change)))
+    half_angle = {nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)}
+    polynomial = sp.Poly(sp.cancel(sp.together((1 + t**2) ** 3 * condition.subs(half_angle))), t)
+    return tuple(reversed(polynomial.all_coeffs()))
+
+
+def fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """Coefficients, lowest power first, of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀ on the fold through t at friction M."""
+    t, rows = nm.tt, []
+    half_angle = {nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)}
+    s0, c0 = fold_angles()
+    for value in (nm.p * nm.B * s0, nm.p * nm.B * nm.q * nm.alpha * c0.subs(nm.s0, s0)):
+        polynomial = sp.Poly(sp.cancel(sp.together((1 + t**2) ** 3 * sp.cancel(value).subs(half_angle))), t)
+        rows.append(tuple(map(sp.factor_terms, reversed(polynomial.all_coeffs()))))
+    return rows[0], rows[1]
 
 
 # ------------------------------------------------------------------------------------------------------ cusps

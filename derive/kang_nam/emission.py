@@ -17,6 +17,9 @@ PUBLIC = (
     "spring_length", "friction", "rhs", "regime_rhs", "regime_jacobian", "energy",
 )  # fmt: skip
 
+SUMMARY = "Equilibria, stability and motion of the sprag-slip oscillator, for real-time use."
+_RUNTIME = Path(__file__).parent / "runtime"
+
 
 def render(outcome: ledger.Ledger) -> dict[str, str]:
     """The text of every file, by its path below ``generated/``."""
@@ -44,4 +47,15 @@ def material(digest: str) -> targets.Material:
         variant=bool(mechanics.further_parameters()),
         digest=digest,
         header=write.header(),
+        summary=SUMMARY,
+        runtime=own_files(),
+        arithmetic=language.read(Path(language.__file__).parent / "double_double.py"),
     )
+
+
+def own_files() -> dict[str, dict[str, str]]:
+    """What the article's model offers besides algebra, by language: the files of ``runtime/<language>/``."""
+    return {
+        folder.name: {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.iterdir()) if path.is_file()}
+        for folder in sorted(_RUNTIME.iterdir())
+    }

@@ -104,6 +104,7 @@ fm = _define("m_f", "m", "coefficient of −sin² θ in f")
 side = _local("side", "sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead")
 T = _define("T", "T", "tan θ₀", domain="> 0")
 C11 = _local("C11", "damping ∂F_x/∂x'")
+fa_v, fb_v, fd_v, fm_v = (_local(f"{name}_v", f"derivative of {name} of f by the parameter that varies") for name in "abdm")
 K11, K12, K21, K22 = (
     _local(f"K{place}", f"entry {place[0]}, {place[1]} of the stiffness matrix") for place in ("11", "12", "21", "22")
 )

@@ -6,6 +6,7 @@ motion still lacks. The smallest k comes first, so that a cycle is never counted
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -29,11 +30,17 @@ NEUTRAL = 1e-4
 #: Differences of the return map are not taken over less than this, where the integrator's errors show.
 FINEST = 1e-6
 
+#: What the linearized map may miss of a return, relative to what lacked before.
+MISSED = 0.25
+
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
 
-#: x, y, y' where x' = 0 on the way down.
-SECTION = [0, 1, 3]
+
+def _section(states: FloatArray) -> FloatArray:
+    """States where x' = 0 without that rate: x, y, y' for two coordinates."""
+    section: FloatArray = np.delete(states, states.shape[-1] // 2, axis=-1)
+    return section
 
 
 @dataclass(frozen=True)
@@ -47,12 +54,11 @@ class _Returns:
 
     def __call__(self, state: FloatArray) -> tuple[FloatArray, float, Course]:
         """The return after about a period, when it was, and the way there."""
-        x, y, vy = state * self.scale
-        course = self.flow(np.array([x, y, 0.0, vy]), 1.1 * self.period)
+        course = self.flow(np.insert(state * self.scale, (len(state) + 1) // 2, 0.0), 1.1 * self.period)
         late = np.flatnonzero(course.maxima_t > 0.5 * self.period)
         if not len(late):
             raise ConvergenceError("the motion does not come back")
-        returns = course.maxima[late][:, SECTION] / self.scale
+        returns = _section(course.maxima[late]) / self.scale
         off = np.abs(returns - state).max(axis=1) + np.abs(course.maxima_t[late] / self.period - 1)
         best = int(np.argmin(off))
         return returns[best], float(course.maxima_t[late[best]]), course
@@ -60,7 +66,7 @@ class _Returns:
     def slope(self, state: FloatArray, image: FloatArray | None = None) -> FloatArray:
         """Derivative of the map: by central differences, or by forward ones where the image of the state is given."""
         columns = []
-        for h in self.step * np.eye(3):
+        for h in self.step * np.eye(len(state)):
             back, width = (self(state - h)[0], 2 * self.step) if image is None else (image, self.step)
             columns.append((self(state + h)[0] - back) / width)
         return np.array(columns).T
@@ -96,7 +102,7 @@ def on_cycle(course: Course, problem: Problem, flow: Flow, tol: float) -> Outcom
     if len(course.maxima) < 3:
         return None
     scale = _scale(course)
-    states = course.maxima[:, SECTION] / scale
+    states = _section(course.maxima) / scale
     for k in _candidates(states):
         period = float(course.maxima_t[-1] - course.maxima_t[-1 - k])
         step = float(np.clip((10 * problem.rtol) ** 0.4, 1e-5, 1e-2))
@@ -108,10 +114,9 @@ def on_cycle(course: Course, problem: Problem, flow: Flow, tol: float) -> Outcom
             continue
         if cycle is None:
             continue
-        values, vectors = np.linalg.eig(cycle.slope)
-        largest = float(np.abs(values).max())
+        largest = float(np.abs(np.linalg.eigvals(cycle.slope)).max())
         off = states[::-1][::k] - cycle.state  # latest first
-        if largest < 1 - NEUTRAL and _contracts(off, cycle.slope, vectors, largest, tol):
+        if largest < 1 - NEUTRAL and _nears(cycle, off, _Returns(flow, cycle.period, scale, step), tol):
             distance = float(np.abs(off[0]).max())
             regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
             return _described(cycle, scale, regime, -math.log(largest) / cycle.period, distance)
@@ -120,7 +125,7 @@ def on_cycle(course: Course, problem: Problem, flow: Flow, tol: float) -> Outcom
 
 def _scale(course: Course) -> FloatArray:
     """Extents of x, y and y' over all its turning points, those across the belt at least 1 % of that along it."""
-    turns = np.vstack([course.maxima, course.minima])[:, SECTION]
+    turns = _section(np.vstack([course.maxima, course.minima]))
     extent: FloatArray = np.ptp(turns, axis=0)
     scale: FloatArray = np.maximum(extent, 1e-2 * extent[0] + 1e-300)
     return scale
@@ -147,7 +152,7 @@ def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle |
     """The fixed point near ``start``, whose image is known, by Broyden's method; None where there is none near."""
     state, slope = start, returns.slope(start, image)
     for _ in range(12):
-        step = np.linalg.solve(np.eye(3) - slope, image - state)
+        step = np.linalg.solve(np.eye(len(state)) - slope, image - state)
         if not np.abs(state + step - start).max() < 4 * CLOSE:
             return None
         state, before = state + step, image
@@ -157,7 +162,7 @@ def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle |
         if missed <= 10 * returns.step**2:
             slope = returns.settled_slope(state)
             # What is missed counts many times over where a multiplier is near 1: once more, with the best slope.
-            state = state + np.linalg.solve(np.eye(3) - slope, image - state)
+            state = state + np.linalg.solve(np.eye(len(state)) - slope, image - state)
             _, period, course = returns(state)
             return _Cycle(state, period, slope, course)
         if size > returns.step**2:
@@ -169,7 +174,7 @@ def _once_round(cycle: _Cycle, k: int, flow: Flow, scale: FloatArray, step: floa
     """The same orbit over its least period, with the number of its largest x."""
     course = cycle.course
     within = (course.maxima_t > 1e-3 * cycle.period) & (course.maxima_t < (1 - 1e-3) * cycle.period)
-    states = course.maxima[within][:, SECTION] / scale
+    states = _section(course.maxima[within]) / scale
     for row in np.flatnonzero(np.abs(states - cycle.state).max(axis=1) <= 1e-4):
         if k % (row + 1) == 0:
             period = float(course.maxima_t[within][row])
@@ -179,22 +184,65 @@ def _once_round(cycle: _Cycle, k: int, flow: Flow, scale: FloatArray, step: floa
     return cycle, k
 
 
-def _contracts(off: FloatArray, slope: FloatArray, vectors: NDArray[np.complex128], largest: float, tol: float) -> bool:
-    """Whether the motion nears the cycle as the linearized map says; ``off`` is what lacked at its returns, latest first."""
+def _nears(cycle: _Cycle, off: FloatArray, returns: _Returns, tol: float) -> bool:
+    """Whether the motion is at the cycle, or nears it as the linearized map says and will go on doing so.
+
+    ``off`` is what lacked at its returns, latest first.
+    """
     sizes = np.abs(off).max(axis=1)
     if sizes[: max(2, len(sizes) // 2)].max() <= tol:
         return True
-    # Farther out the linearization decides nothing: motions have passed a cycle at 0.16 of its extent, and left it.
-    if sizes[0] > 2 * CLOSE or np.abs(off[0] - slope @ off[1]).max() > 0.25 * sizes[1] + tol:
+    if np.abs(off[0] - cycle.slope @ off[1]).max() > MISSED * sizes[1] + tol:
         return False
+    modes = _modes(cycle.slope)
+    return _contracted(modes, off, sizes) and _goes_on(returns, cycle, modes, off[0], tol)
+
+
+def _modes(slope: FloatArray) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Multipliers and their vectors; the three directions themselves where the vectors tell nothing apart."""
+    values, vectors = np.linalg.eig(slope)
+    return values.astype(complex), (vectors if abs(np.linalg.det(vectors)) > 1e-9 else np.eye(len(vectors))).astype(complex)
+
+
+def _contracted(modes: tuple[NDArray[np.complex128], NDArray[np.complex128]], off: FloatArray, sizes: FloatArray) -> bool:
+    """Whether what lacks has become smaller at least half as fast as the slowest multiplier says, while it was small."""
+    values, vectors = modes
     far = np.flatnonzero(sizes > 4 * CLOSE)
     last = (far[0] if len(far) else len(sizes)) - 1
     if last < 1:
         return False
-    parts = np.abs(np.linalg.solve(vectors, off[[0, last]].T)) if abs(np.linalg.det(vectors)) > 1e-9 else np.abs(off[[0, last]].T)
-    now, then = np.linalg.norm(parts, axis=0)
-    # At least half as fast as the slowest multiplier says.
-    return bool(now <= then * largest ** (last / 2))
+    now, then = np.linalg.norm(np.linalg.solve(vectors, off[[0, last]].T), axis=0)
+    return bool(now <= then * np.abs(values).max() ** (last / 2))
+
+
+def _goes_on(
+    returns: _Returns, cycle: _Cycle, modes: tuple[NDArray[np.complex128], NDArray[np.complex128]], off: FloatArray, tol: float
+) -> bool:
+    """Whether the return map itself contracts wherever its linearization leads, half as fast at least on the average.
+
+    The linearization maps the states none of whose modal parts is larger than the motion's now into themselves, and a motion
+    that decays slowly turns through all of them. Motions have neared a cycle at its rate 0.04 of its extent away, and left it.
+    """
+    values, vectors = modes
+    slowest = int(np.argmax(np.abs(values)))
+    left = np.abs(np.linalg.solve(vectors, off))[slowest]
+    growth = []
+    for place in _same_size(off, *modes):
+        image = returns(cycle.state + place)[0] - cycle.state
+        if not np.abs(image - cycle.slope @ place).max() <= MISSED * np.abs(place).max() + tol:
+            return False
+        growth.append(math.log(max(np.abs(np.linalg.solve(vectors, image))[slowest], tol) / max(left, tol)))
+    return left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest]))
+
+
+def _same_size(off: FloatArray, values: NDArray[np.complex128], vectors: NDArray[np.complex128]) -> Iterator[FloatArray]:
+    """Differences whose modal parts have the sizes of those of ``off``: either sign of real ones, eight phases of a pair."""
+    parts = np.linalg.solve(vectors, off)
+    turns = np.exp(0.25j * np.pi * np.arange(8)) if values.imag.any() else np.ones(1)
+    for turn, *signs in itertools.product(turns, *[(1, -1)] * int(np.sum(values.imag == 0))):
+        factors = np.where(values.imag > 0, turn, np.conj(turn))
+        factors[values.imag == 0] = signs
+        yield (vectors @ (factors * parts)).real
 
 
 def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, rate: float, distance: float) -> Outcome:
@@ -205,11 +253,17 @@ def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, rate: float, di
     round_once = course.maxima[(course.maxima_t > 1e-3 * cycle.period) & (course.maxima_t <= course.maxima_t[row])]
     # Of maxima that agree but for rounding the one highest above the belt, so that a cycle has one such state.
     top = round_once[round_once[:, 0] >= round_once[:, 0].max() - 1e-6 * scale[0]]
-    x, y, _, vy = (float(value) for value in top[np.argmax(top[:, 1])])
+    x, y, vy = _first_two(top[np.argmax(top[:, 1])])
     return Outcome(
         regime, rate=rate, distance=distance, period=cycle.period, cycle_mean=mean, cycle_rms=math.hypot(mean, spread),
         cycle_x=x, cycle_y=y, cycle_vy=vy,
     )  # fmt: skip
+
+
+def _first_two(state: FloatArray) -> tuple[float, float, float]:
+    """x, y and y' of a state; NaN for a second coordinate that is not there."""
+    n = len(state) // 2
+    return (float(state[0]), float(state[1]), float(state[n + 1])) if n > 1 else (float(state[0]), math.nan, math.nan)
 
 
 def same_orbit(one: Any, other: Any) -> bool:

@@ -63,19 +63,19 @@ def _isolated(polynomial: tuple[int, ...], low: Fraction, high: Fraction) -> tup
     Source: Descartes' rule in (0, 1) and halves of it: no change of sign, no root; one change, one root (Collins, Akritas 1976).
     """
     unit = _between_0_and_1(polynomial, low, high)
-    found = [Cell(1, 1, 0, 1)] if sum(unit) == 0 else []
+    found = [Cell(1, 1, 0)] if sum(unit) == 0 else []
     pending = [(unit, 0, 0)]
     while pending:
         local, n, k = pending.pop()
         changes = _sign_changes(_shifted_by_1(local[::-1]))
         if changes == 1:
             found.append(Cell(n, n + 1, k, -sign(local[0] or local[1])))
-        elif changes > 1:
+        elif changes:
             degree = len(local) - 1
             left = [value << (degree - power) for power, value in enumerate(local)]
             right = _shifted_by_1(left)
             if right[0] == 0:
-                found.append(Cell(2 * n + 1, 2 * n + 1, k + 1, 1))
+                found.append(Cell(2 * n + 1, 2 * n + 1, k + 1))
             pending += [(left, 2 * n, k + 1), (right, 2 * n + 1, k + 1)]
     return unit, found
 
@@ -94,7 +94,7 @@ def _between_0_and_1(polynomial: tuple[int, ...], low: Fraction, high: Fraction)
 def _shifted_by_1(coefficients: Sequence[int]) -> list[int]:
     """Coefficients of the polynomial at u + 1."""
     values = list(coefficients)
-    for start in range(len(values) - 1):
+    for start in range(len(values)):
         for power in range(len(values) - 2, start - 1, -1):
             values[power] += values[power + 1]
     return values

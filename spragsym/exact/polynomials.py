@@ -56,8 +56,6 @@ def sturm_chain(polynomial: Polynomial, sign: Sign) -> list[Polynomial]:
 def common_divisor(one: Polynomial, other: Polynomial) -> tuple[int, ...]:
     """The greatest common divisor with coprime integer coefficients; () if both are zero. Exact coefficients only."""
     dividend, divisor = primitive(one), primitive(other)
-    if len(dividend) < len(divisor):
-        dividend, divisor = divisor, dividend
     if _coprime(dividend, divisor):
         return (1,)
     while divisor:
@@ -70,16 +68,16 @@ _PRIME = 2**61 - 1
 
 
 def _coprime(one: tuple[int, ...], other: tuple[int, ...]) -> bool:
-    """Whether residues prove that there is no common factor: it would be one of the residues as well."""
+    """Whether residues prove that there is no common factor: it would be one of the residues as well, of the same degree."""
     dividend, divisor = ([value % _PRIME for value in polynomial] for polynomial in (one, other))
-    if not (divisor and dividend[-1] and divisor[-1]):
+    if not (divisor and divisor[-1]):
         return False
     while len(divisor) > 1:
         inverse = pow(divisor[-1], -1, _PRIME)
         while len(dividend) >= len(divisor):
-            factor, shift = dividend.pop() * inverse % _PRIME, len(dividend) + 1 - len(divisor)
-            for power, value in enumerate(divisor[:-1]):
-                dividend[shift + power] = (dividend[shift + power] - factor * value) % _PRIME
+            factor = dividend.pop() * inverse % _PRIME
+            for power, value in enumerate(divisor[:-1], start=1 - len(divisor)):  # from the end
+                dividend[power] = (dividend[power] - factor * value) % _PRIME
         while dividend and not dividend[-1]:
             dividend.pop()
         dividend, divisor = divisor, dividend
@@ -94,8 +92,8 @@ def squarefree(polynomial: Polynomial) -> tuple[int, ...]:
 def without(polynomial: Polynomial, divisor: tuple[int, ...]) -> tuple[int, ...]:
     """A polynomial over one of coprime integers that divides it: coprime integers again (Gauss). Exact coefficients only."""
     rest, quotient = list(primitive(polynomial)), list[int]()
-    if len(divisor) <= 1:
-        return tuple(rest)
+    if not divisor:
+        return ()
     for shift in range(len(rest) - len(divisor), -1, -1):
         factor = rest.pop() // divisor[-1]
         quotient.append(factor)
@@ -120,7 +118,7 @@ def has_root(polynomial: Polynomial, low: Fraction, high: Fraction) -> bool:
     at_low, at_high = (descartes.sign_at(integers, end) for end in (low, high))
     if at_high == 0 or at_low * at_high < 0:
         return True
-    return len(integers) > 1 and low < high and count_between(sturm_chain(integers, exact_sign), low, high, exact_sign) > 0
+    return len(integers) > 1 and count_between(sturm_chain(integers, exact_sign), low, high, exact_sign) > 0
 
 
 def _is_exact(polynomial: Polynomial) -> bool:
@@ -153,7 +151,7 @@ def _negated_remainder(dividend: Polynomial, divisor: Polynomial) -> Polynomial:
 
 def _sign_at(polynomial: Polynomial, t: Any, sign: Sign) -> int:
     """Sign of a polynomial, in integers where all is exact."""
-    if isinstance(t, Fraction) and _is_exact(polynomial):
+    if _is_exact(polynomial):
         return descartes.sign_at(polynomial, t)
     return sign(evaluate(polynomial, t))
 

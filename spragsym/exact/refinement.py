@@ -7,12 +7,15 @@ from typing import Any, NamedTuple
 
 
 class Cell(NamedTuple):
-    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k; ``above`` is the polynomial's sign between it and m/2^k."""
+    """One root in the open interval (n, m)/2^k, or at n/2^k = m/2^k.
+
+    ``above`` is the polynomial's sign between the root and m/2^k; of a root that is known it is not asked.
+    """
 
     n: int
     m: int
     k: int
-    above: int
+    above: int = 0
 
 
 def refine(
@@ -35,7 +38,7 @@ def refine(
     sign : callable
         Of a value. Only an exact one may be 0; for others this raises.
     share : callable
-        Of values at both ends, and j: about the part of 2^j, from below, in which the chord crosses zero.
+        Of values at both ends, and j: about the part of 2^j, from 0 to 2^j − 1, in which the chord crosses zero.
     lacking : callable
         Of n and k: how many times (n, n + 1)/2^k has to be halved yet; at most 0 if never.
 
@@ -54,15 +57,15 @@ def refine(
         if wanted <= 0 and open_ends:
             return Cell(n, n + 1, k, above)
         j = min(j, wanted) if open_ends else 1
-        guess = (n << j) + (1 if j == 1 else min(max(share(low, high, j), 1), (1 << j) - 1))
+        guess = (n << j) + (1 if j == 1 else share(low, high, j))
         middle = value(guess, k + j)
-        side = sign(middle) * above
+        side = sign(middle)
         if side == 0:
-            return Cell(guess, guess, k + j, above)
-        step = -1 if side > 0 else 1
-        other = value(guess + step, k + j)
-        if j == 1 or sign(other) * side * above < 0:
-            n, k, j = guess + min(step, 0), k + j, 2 * j
-            low, high = (other, middle) if step < 0 else (middle, other)
+            return Cell(guess, guess, k + j)
+        left = side == above
+        other = value(guess - 1 if left else guess + 1, k + j)
+        if j == 1 or sign(other) == -side:
+            n, k, j = guess - 1 if left else guess, k + j, 2 * j
+            low, high = (other, middle) if left else (middle, other)
         else:
             j //= 2

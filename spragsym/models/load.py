@@ -79,7 +79,7 @@ def load(name: str | os.PathLike[str]) -> Model:
     with _LOCK:
         about = _about(folder)
         known_model = _LOADED.get(where)
-        if known_model is None or known_model.about["files"] != about["files"]:
+        if known_model is None or known_model.about != about:
             _LOADED[where] = _loaded(folder, where, about)
         return _LOADED[where]
 

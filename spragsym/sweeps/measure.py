@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -18,13 +20,13 @@ from ..parameters import NAMES
 #: What is measured of every motion after its transient.
 AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
 
-#: What is said of its limit, in the order of a record after those.
+#: What a record says, after those, about the limit of the motion.
 LIMITS = ("period", "rate", "distance", "cycle_mean", "cycle_rms", "cycle_x", "cycle_y", "cycle_vy")
 
 #: Numbers that a file and a result hold.
 REPORTED = (*AVERAGES, *LIMITS)
 
-#: A record: these, then the code of the regime, and where the equilibrium is.
+#: A record holds these numbers, then the code of the regime and the place of the equilibrium.
 MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
 
 INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
@@ -41,20 +43,25 @@ class Settings:
     max_steps: int = MAX_STEPS
 
 
-def measured(settings: Settings, point: tuple[float, ...]) -> Record:
+#: The motion of a point whose values were validated with the whole sweep's; to be sent to other processes.
+ProblemOf: TypeAlias = Callable[[Settings, tuple[float, ...]], Problem]
+
+
+def measured(problem_of: ProblemOf, settings: Settings, point: tuple[float, ...]) -> Record:
     """One record. What the motion itself makes impossible is its reason; whatever else goes wrong is raised."""
     try:
-        problem = _problem(settings, point)
+        problem = problem_of(settings, point)
     except ParameterError as error:  # arrays were validated before: what is left is a start at the anchor
         return _no_result(error)
     try:
-        with np.errstate(all="ignore"):  # numbers out of range are told by the result
+        with np.errstate(all="ignore"):  # numbers out of range show in the result
             values = _values(problem, settings.backend)
     except ConvergenceError as error:
         return _no_result(error)
     except ArithmeticError:
         return _no_result(out_of_range())
-    if not np.isfinite(values[: len(AVERAGES)]).all():
+    needed = [value for name, value in zip(AVERAGES, values, strict=False) if name != "mean_y" or len(problem.start) > 2]
+    if not np.isfinite(needed).all():
         return _no_result(out_of_range())
     return values, ""
 
@@ -63,8 +70,8 @@ def _no_result(error: Exception) -> Record:
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def _problem(settings: Settings, point: tuple[float, ...]) -> Problem:
-    """The motion of a point whose values were validated with the whole sweep's."""
+def article_problem(settings: Settings, point: tuple[float, ...]) -> Problem:
+    """The motion of a point of the article's model."""
     *parameters, V, d, x0, y0, vx0, vy0 = point
     check_start(parameters[0], x0, y0)
     constants = constants_of(tuple(parameters), V, d)
@@ -79,9 +86,9 @@ def _values(problem: Problem, backend: str) -> list[float]:
 
 
 def _averages(course: Course) -> list[float]:
-    """The measured values of what follows the transient, in the order of AVERAGES."""
+    """The measured values after the transient, in the order of AVERAGES."""
     mean, spread = course.moments()
     amplitude = float(np.abs(course.x_extrema).max())
-    mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin)
+    mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin) if len(course.first) > 2 else math.nan
     lost, _, *reversals = course.events.tolist()
     return [math.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)]

@@ -35,11 +35,13 @@ SURVIVED, KILLED, BROKEN = 0, 1, 3
 class Runner:
     """A pytest plugin that puts its own loop over mutants in the place of the run of the tests."""
 
-    def __init__(self, module: str, functions: list[str], results: Path, jobs: int, only: list[str], again: bool) -> None:
-        self.module, self.results, self.jobs, self.only = importlib.import_module(module), results, jobs, set(only)
-        self.functions, self.again = functions, again
+    def __init__(self, subject: dict[str, Any], results: Path, jobs: int, only: list[str], again: bool, last: set[str]) -> None:
+        self.module, self.results, self.jobs, self.only = importlib.import_module(subject["module"]), results, jobs, set(only)
+        self.last = last  #: keys that are run last: what probably survives takes longest
+        self.functions, self.prepare, self.again = subject.get("functions", []), subject.get("prepare", []), again
         self.tree = _parsed(str(self.module.__file__))
         self.failed = ""
+        self.killers: dict[str, list[str]] = {}
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Remember a failure."""
@@ -53,12 +55,16 @@ class Runner:
         sources = [self.tree, *map(_parsed, sorted({str(item.path) for item in items}))]
         text = " ".join([*map(ast.unparse, sources), *(item.nodeid for item in items)])  # layout changes nothing
         digest = hashlib.sha256(text.encode()).hexdigest()[:16]
+        if self.prepare:
+            module, function = self.prepare
+            getattr(sys.modules[module], function)()
         took, reached = self._baseline(items)
         items = sorted(items, key=lambda item: took[item.nodeid])
         known = self._known(digest)
         every = [mutant for mutant in mutants(self.tree) if not self.functions or mutant.scope in self.functions]
         waiting = [mutant for mutant in every if mutant.key not in known]
         waiting = [mutant for mutant in waiting if not self.only or mutant.key in self.only]
+        waiting.sort(key=lambda mutant: mutant.key in self.last)
         gc.collect()
         gc.freeze()  # forks then share what is loaded
         gc.disable()
@@ -72,6 +78,7 @@ class Runner:
                     if pid == 0:
                         try:
                             some = [item for item in items if not mutant.scope or mutant.scope in reached[item.nodeid]]
+                            some.sort(key=lambda item: self._rank(mutant.scope, item.nodeid))
                             self._run(mutant, some, [SECONDS + TIMES * took[item.nodeid] for item in some], write)
                         finally:
                             os._exit(BROKEN)
@@ -84,10 +91,16 @@ class Runner:
                 if os.WIFEXITED(status) and os.WEXITSTATUS(status) not in (SURVIVED, KILLED):
                     pytest.exit(f"the tool itself failed on {mutant.key}", 1)
                 seconds = round(time.monotonic() - begun, 2)
+                self.killers.setdefault(mutant.scope, []).insert(0, by)
                 row = dict(key=mutant.key, line=mutant.line, killed=status != 0, by=by, seconds=seconds, digest=digest)
                 out.write(json.dumps(row, ensure_ascii=False) + "\n")
                 out.flush()
         return True
+
+    def _rank(self, scope: str, test: str) -> int:
+        """How many mutants of a function ago a test killed one: what noticed a fault there notices the next one soon."""
+        killers = self.killers.get(scope, [])
+        return killers.index(test) if test in killers else len(killers)
 
     def _known(self, digest: str) -> set[str]:
         """Mutants with a result for the module and the tests as they are, or killed by earlier ones; other results go."""

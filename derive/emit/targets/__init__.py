@@ -4,8 +4,9 @@ A target turns the same material, generated algebra and the kernel, into files o
 
 - ``__init__.py``: ``TARGET``, and ``render``, which puts the files together;
 - printers: for the algebra (:mod:`..statements` gives assignments), and for the kernel (:mod:`..language` reads it);
-- ``runtime/``: what is not algebra, in files of the target language with ``@name@`` where emitted text goes;
-- ``tests/``: the driver with which ``tests/`` runs the target, if it needs one.
+- ``runtime/``: what is not algebra, in files of the target language with ``@name@`` where emitted text goes.
+
+What only one model has in a language stands with that model, and comes with the material: see :attr:`Material.runtime`.
 
 ``generated/`` gets a folder for each, with ``target.json``, by which ``spragsym export`` finds it.
 """
@@ -16,11 +17,12 @@ import importlib
 import json
 import pkgutil
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 from ..function import Function, Module
-from ..language import Source
+from ..language import NOTHING, Source
 from ..quantities import Quantity
 
 
@@ -38,6 +40,11 @@ class Material:
     variant: bool  #: whether there are parameters that the published model does not have
     digest: str  #: SHA-256 of the derivation
     header: str  #: one sentence for the head of every file: where it comes from
+    library: str = "spragsym"  #: names of files and functions begin with it in languages without modules of their own
+    summary: str = ""  #: one sentence: what the library computes
+    #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
+    runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    arithmetic: Source = NOTHING  #: double-double numbers, on which the kernel is printed a second time
 
     @property
     def algebra(self) -> dict[str, Function]:
@@ -47,7 +54,11 @@ class Material:
 
 @dataclass(frozen=True)
 class Target:
-    """A language: its name on the command line, its title, its folder below ``generated/``, how its files are made, which are exported."""
+    """A language.
+
+    Its name on the command line, its title, its folder below ``generated/``, how its files are made, and the names of those that are
+    exported, with ``{library}`` for that of the library and ``*`` for any text; of these a model without an example, say, may lack some.
+    """
 
     language: str
     title: str
@@ -80,7 +91,9 @@ def files(target: Target, material: Material) -> dict[str, str]:
     """Every file of a target, by its path below ``generated/``."""
     rendered = target.render(material)
     if target.exported:
-        entry = {"language": target.language, "title": target.title, "files": list(target.exported)}
+        patterns = [pattern.format(library=material.library) for pattern in target.exported]
+        names = [name for pattern in patterns for name in rendered if fnmatchcase(name, pattern)]
+        entry = {"language": target.language, "title": target.title, "files": names}
         rendered["target.json"] = json.dumps(entry, indent=1) + "\n"
     prefix = f"{target.folder}/" if target.folder else ""
     return {f"{prefix}{name}": text for name, text in rendered.items()}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ...emit.function import Function, Module
-from .. import catastrophe, circles, elimination, equilibrium
+from .. import catastrophe, circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
 from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
 
@@ -33,6 +33,7 @@ def module() -> Module:
         for symbol in nm.PARAMETERS
     )  # fmt: skip
     friction, quartic, quartic_names = _fold_quartic(s0, c0)
+    sextic, sextic_names = _fold_sextic()
     cusp_polynomial, cusp_names = _cusp_polynomial()
     cusp_s0, cusp_ratio = _cusp_angles()
     cusp_mu = catastrophe.cusp_friction() / nm.c / nm.sigma
@@ -58,6 +59,18 @@ def module() -> Module:
                      (*ANGLE, nm.kappa, nm.sigma, nm.beta),
                      tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
                      "e0, e1, e2", shorthands(equilibrium.CONTACT, nm.B)),
+            Function("f_changes", "Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn.", "(12), (13) eliminated",
+                     (*ANGLE0, *nm.PARAMETERS), _changes(), "((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β))",
+                     shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)),
+            Function("f_in_differences", "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept "
+                     "together: over a box of parameters, or near small deformation, little is lost.", "(12), (13) eliminated",
+                     (*ANGLE, *ANGLE0, *nm.PARAMETERS), _in_differences(), "f, f′, f_μ₀, f′_μ₀", shorthands(equilibrium.CONTACT, nm.B)),
+            Function("fold_sextic", "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are "
+                     "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.", "f = f′ = 0",
+                     (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v), sextic, "e0, …, e6", sextic_names),
+            Function("fold_cubics", "Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold "
+                     "through θ at friction μ₀.", "f = f′ = 0", nm.PARAMETERS, _fold_cubics(), "(S0, …, S6), (C0, …, C6)",
+                     shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q, nm.fa, nm.fm)),
             Function("cusp_polynomial", "Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. "
                      "Needs α > 0 and α ≠ 1 + β.", "f = f′ = f″ = 0", (nm.kappa, *STIFFNESS),
                      cusp_polynomial, "e0, …, e9", cusp_names),
@@ -93,6 +106,76 @@ def _fold_conic() -> tuple[sp.Expr, ...]:
     ours = conic[0] + conic[1] * nm.s0 + conic[2] * nm.s0**2 + conic[3] * nm.c0
     require_same("fold conic", (ours.subs(a, elimination.f_coefficients()[a]),), (u1 * w2 - u2 * w1,))
     return conic
+
+
+def _changes() -> tuple[tuple[sp.Expr, ...], ...]:
+    """How a, b, d and m change with each parameter, in the order of f."""
+    rows = []
+    for parameter in (nm.theta0, *nm.PARAMETERS):
+        row = []
+        for symbol in F_COEFFICIENTS:
+            value = elimination.f_coefficients()[symbol]
+            value = value.subs(equilibrium.SHORTHANDS).subs(equilibrium.SHORTHANDS).subs(equilibrium.CONTACT)
+            if parameter == nm.theta0:
+                change = sp.diff(value, nm.s0) * nm.c0 - sp.diff(value, nm.c0) * nm.s0
+            else:
+                change = sp.diff(value, parameter)
+            row.append(sp.factor_terms(change))
+        rows.append(tuple(row))
+    return tuple(rows)
+
+
+def _in_differences() -> tuple[sp.Expr, ...]:
+    """q sin θ F_x as a sum over springs: the inclined one, the one along the belt, and friction."""
+    if not all(step.holds for step in theorem.smallest_without_friction()):
+        raise ArithmeticError("the state of small deformation without friction is not what certificates over boxes take it to be")
+    c, s, c0, s0, B = nm.c, nm.s, nm.c0, nm.s0, nm.B
+    rise, push = B * (s - s0) - nm.kappa, -(nm.sigma * (s - s0) + nm.kappa)
+    along = B * (s * c0 - c * s0) + nm.sigma * s * (c0 - c) - nm.kappa * c
+    along_slope = B * (c * c0 + s * s0) + nm.sigma * (c * (c0 - c) + s**2) + nm.kappa * s
+    friction, friction_slope = s * push, c * (push - nm.sigma * s)
+    value = nm.sigma * c * rise + nm.alpha * along + nm.mu0 * friction
+    slope = nm.sigma * (B * c**2 - s * rise) + nm.alpha * along_slope + nm.mu0 * friction_slope
+    f = equilibrium.spell_out(elimination.f_in_parameters()).subs(equilibrium.CONTACT)
+    by_friction = sp.diff(f, nm.mu0)
+    derived = (f, circles.rotate_derivative(f), by_friction, circles.rotate_derivative(by_friction))
+    arranged = (value, slope, friction, friction_slope)
+    require_same("f in differences", arranged, derived, shorthands(equilibrium.CONTACT, nm.B))
+    return arranged
+
+
+def _fold_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:
+    """In the six minors of the coefficients of f and of f_v: c³ ab − s³ ad + s² am − bd + s (2 − s²) bm + s² c dm."""
+    pairs = (("ab", nm.fa, nm.fb), ("ad", nm.fa, nm.fd), ("am", nm.fa, nm.fm), ("bd", nm.fb, nm.fd), ("bm", nm.fb, nm.fm),
+             ("dm", nm.fd, nm.fm))  # fmt: skip
+    change = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
+    ab, ad, am, bd, bm, dm = (sp.Symbol(name) for name, _, _ in pairs)
+    names = {sp.Symbol(name): one * change[other] - other * change[one] for name, one, other in pairs}
+    sextic = (
+        ab - bd,
+        4 * bm,
+        4 * (am + dm) - 3 * (ab + bd),
+        -8 * ad,
+        4 * (am - dm) + 3 * (ab - bd),
+        4 * bm,
+        -ab - bd,
+    )
+    require_same("fold sextic", sextic, catastrophe.fold_sextic(), names)
+    return sextic, names
+
+
+def _fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """With p B sin θ₀ = a s³ + m s² c − p κ = S, p B q α cos θ₀ = p B (m s (1 + c²) − a c³ + M κ) − m S."""
+    a, m, width, load = nm.fa, nm.fm, nm.p * nm.B, nm.p * nm.kappa
+    sine = (-load, sp.S.Zero, 4 * m - 3 * load, 8 * a, -4 * m - 3 * load, sp.S.Zero, -load)
+    push = nm.M * nm.kappa
+    bare = (push - a, 4 * m, 3 * (a + push), 0, 3 * (push - a), 4 * m, a + push)
+    cosine = tuple(width * one - m * other for one, other in zip(bare, sine, strict=True))
+    spelled = {nm.fa: elimination.f_coefficients()[nm.fa], nm.fm: elimination.f_coefficients()[nm.fm]}
+    for ours, derived in zip((sine, cosine), catastrophe.fold_cubics(), strict=True):
+        derived = tuple(value.subs(nm.fa, spelled[nm.fa]).subs(nm.fm, spelled[nm.fm]) for value in derived)
+        require_same("fold cubics", tuple(sp.sympify(value) for value in ours), derived, spelled)
+    return sine, cosine
 
 
 def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:

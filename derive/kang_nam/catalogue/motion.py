@@ -29,6 +29,7 @@ def module() -> Module:
     regimes_of_force = {nm.mu: mechanics.friction(), nm.n: _contact_force()}
     everywhere = tuple(value.subs(regimes_of_force, simultaneous=True) for value in arranged)
     jacobian, jacobian_names = _regime_jacobian(in_regime, side)
+    slopes = _by_parameters(in_regime, length)
     parameters = (*ANGLE0, *nm.PARAMETERS, nm.V, nm.creep)
     moving = (*state, *parameters, nm.nbar, side)
     energy = mechanics.energy()
@@ -51,6 +52,9 @@ def module() -> Module:
             Function("regime_jacobian", "Derivatives of regime_rhs with respect to x, y, x', y'.", "(8)–(10)",
                      moving, jacobian, "((∂x″/∂x, …), (∂y″/∂x, …))", jacobian_names, transcendental=True,
                      further=further(state, jacobian, jacobian_names)),
+            Function("regime_by_parameters", "Derivatives of regime_rhs with respect to θ₀ (in radians), μ₀, κ, α, σ, β, V, d.", "(8)–(10)",
+                     moving, slopes, "((∂x″/∂θ₀, …), (∂y″/∂θ₀, …))", lengths, transcendental=True,
+                     further=further(state, slopes, lengths)),
             Function("energy", "Kinetic and stored energy, the preload's included, over k_c L_0².", "(1), (2)",
                      (*state, *ANGLE0, nm.kappa, *STIFFNESS, nm.nbar), energy, "energy", lengths, transcendental=True),
             Function("friction_power", "Rate at which friction changes that energy.", "(8)",
@@ -63,7 +67,7 @@ def module() -> Module:
 def _regime_jacobian(
     accelerations: tuple[sp.Expr, ...], side: sp.Symbol
 ) -> tuple[tuple[tuple[sp.Expr, ...], ...], dict[sp.Symbol, sp.Expr]]:
-    """Derivatives of the accelerations in terms of −K and of the friction and its slope, held against direct differentiation."""
+    """Derivatives of the accelerations in terms of −K, the friction and its slope; compared with direct differentiation."""
     state = (nm.x, nm.y, nm.vx, nm.vy)
     mu, slope, pull = sp.Symbol("mu", real=True), sp.Symbol("slope"), sp.Symbol("pull")
     length = mechanics.spring_length(nm.x, nm.y, sp.S.One)
@@ -101,6 +105,19 @@ def _regime_jacobian(
         surplus = added(spelled, tuple(sp.sympify(entry).subs(polar) for entry in theirs))
         rows.append(tuple(map(sp.Add, ours, surplus)))
     return tuple(rows), names
+
+
+def _by_parameters(accelerations: tuple[sp.Expr, ...], length: sp.Expr) -> tuple[tuple[sp.Expr, ...], ...]:
+    """Derivatives of the accelerations by the parameters, written in L: cos θ₀ and sin θ₀ both follow θ₀."""
+
+    def total(value: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+        return sp.diff(value, symbol) + sp.diff(value, nm.L) * mechanics.replace_length(sp.diff(length, symbol))
+
+    def by_angle(value: sp.Expr) -> sp.Expr:
+        return nm.c0 * total(value, nm.s0) - nm.s0 * total(value, nm.c0)
+
+    others = (*nm.PARAMETERS, nm.V, nm.creep)
+    return tuple((by_angle(value), *(sp.diff(value, symbol) for symbol in others)) for value in accelerations)
 
 
 def _contact_force() -> sp.Expr:

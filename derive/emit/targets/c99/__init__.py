@@ -1,26 +1,25 @@
-"""C99: the algebra, the kernel for one point and for blocks of points, and the motion; no allocation, no global state."""
+"""C99: the algebra, the kernel if there is one, and what the model brings with it; no allocation, no global state."""
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Mapping
 
 from ...function import Function
-from ...language import Kinds, Routine
+from ...language import Kinds, Routine, Source
 from .. import Material, Target, runtime
-from . import algebra, cost, kernel
+from . import algebra, cost, kernel, wide
+from .layout import plain
 
-#: Functions whose cost stands at the head of the source.
-_TABLE = (
-    "spragsym_prepare", "spragsym_equilibria", "spragsym_equilibria_batch", "spragsym_step",
-    "balance", "guesses", "at_root", "runge_kutta",
-)  # fmt: skip
-_FILES = ("spragsym.h", "spragsym.c", "Makefile", "main.c")
+
+_EXAMPLE = "main.c"
 
 
 def render(material: Material) -> dict[str, str]:
-    """The header, the source, and an example with its makefile."""
-    texts = {name: runtime(__file__, name) for name in _FILES}
+    """The header and the source, and for a model that has an example the example with its makefile."""
+    library = material.library
+    own = material.runtime.get("c", {})
     known = material.algebra
     used = _called(material, known)
     statics = [
@@ -29,33 +28,52 @@ def render(material: Material) -> dict[str, str]:
     public = [known[name] for name in material.public]
     parts = {
         "algebra": "\n".join(item.text for item in statics),
+        "primitives": runtime(__file__, "kernel.c") if material.kernel.routines else "",
         "kernel": _kernel(material, known),
-        "wrappers": "\n".join(algebra.wrapper(function) for function in public),
-        "prototypes": "".join(algebra.prototype(function, material.quantities) for function in public),
+        "declarations": own.get("declarations.h", ""),
+        "definitions": "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE),
+        "wrappers": "\n".join(algebra.wrapper(function, library) for function in public),
+        "prototypes": "".join(algebra.prototype(function, material.quantities, library) for function in public),
     }
-    source = _filled(texts["spragsym.c"], parts)
-    counted = cost.costs(texts["spragsym.h"] + source, {item.name: item.operations for item in statics})
-    words = {f"cost:{name}": cost.describe(value) for name, value in counted.items()}
-    words["block"] = str(cost.constants(source)["BLOCK"])
-    words["table"] = "\n".join(f" * - {name}: {words[f'cost:{name}']}" for name in _TABLE)
-    words["source"] = material.digest[:16]
-    words["header"] = textwrap.fill(material.header.replace("``", ""), 118, subsequent_indent=" * ")
-    texts["spragsym.h"] = _filled(texts["spragsym.h"], parts)
-    texts["spragsym.c"] = source
-    return {name: _spoken(text, words) for name, text in texts.items()}
+    names = {"library": library, "LIBRARY": library.upper()}
+    header, source = (
+        _spoken(_filled(runtime(__file__, name), parts), names).rstrip() + "\n" for name in ("library.h", "library.c")
+    )
+    words = {**_words(material), **_costs(header + source, {item.name: item.operations for item in statics})}
+    files = {f"{library}.h": header, f"{library}.c": source}
+    if _EXAMPLE in own:
+        files |= {"Makefile": _spoken(runtime(__file__, "Makefile"), names), _EXAMPLE: own[_EXAMPLE]}
+    return {name: _spoken(text, words) for name, text in files.items()}
+
+
+def _words(material: Material) -> dict[str, str]:
+    """What stands in comments: where the library comes from, what it is, and the nomenclature's words."""
+    words = {
+        "source": material.digest[:16],
+        "header": textwrap.fill(material.header.replace("``", ""), 118, subsequent_indent=" * "),
+        "summary": textwrap.fill(plain(material.summary), 118, subsequent_indent=" * "),
+    }
+    for name, quantity in material.quantities.items():
+        words[f"meaning:{name}"] = plain(quantity.meaning)
+        words[f"range:{name}"] = f"in {quantity.domain}" if quantity.domain[0] in "([{" else quantity.domain
+    return words
+
+
+def _costs(source: str, emitted: dict[str, int]) -> dict[str, str]:
+    """What every function costs, and whole numbers that the source defines."""
+    words = {f"cost:{name}": cost.describe(value) for name, value in cost.costs(source, emitted).items()}
+    return words | {f"constant:{name}": str(value) for name, value in cost.constants(source).items()}
 
 
 def _spoken(text: str, words: Mapping[str, str]) -> str:
     """Put the words in the places that ``@name@`` marks."""
-    for name, word in words.items():
-        text = text.replace(f"@{name}@", word)
-    return text
+    return re.sub(r"@([\w:]+)@", lambda place: words.get(place[1], place[0]), text)
 
 
 def _filled(text: str, parts: Mapping[str, str]) -> str:
-    """Put emitted text in the places that ``/* @name@ */`` marks."""
+    """Put emitted text in the places that ``/* @name@ */`` marks, of which a part may have others."""
     for name, part in parts.items():
-        text = text.replace(f"/* @{name}@ */", part)
+        text = text.replace(f"/* @{name}@ */\n", f"{part}\n" if part else "")
     return text
 
 
@@ -66,19 +84,26 @@ def _called(material: Material, known: Mapping[str, Function]) -> set[str]:
 
 def _kernel(material: Material, known: Mapping[str, Function]) -> str:
     source = material.kernel
-    kinds = Kinds(source)
     numbers = {item.name: (item.value, item.comment) for item in source.constants}
     numbers |= {name: (value, "") for name, value in material.counts.items()}
+    once = _printed(source, numbers)
+    if not material.arithmetic.routines:
+        return once
+    numbers = {item.name: (item.value, item.comment) for item in material.arithmetic.constants}
+    return "\n".join([once, _printed(material.arithmetic, numbers), wide.render(material)])
+
+
+def _printed(source: Source, numbers: Mapping[str, tuple[float, str]]) -> str:
+    """Constants, records and functions."""
     return "\n".join([
         kernel.constants(numbers),
         *(kernel.structure(record) for record in source.records.values()),
-        *(kernel.routine(it, kinds, "algebra_") for it in _in_order(material)),
+        *(kernel.routine(it, Kinds(source), "algebra_") for it in _in_order(source)),
     ])  # fmt: skip
 
 
-def _in_order(material: Material) -> list[Routine]:
+def _in_order(source: Source) -> list[Routine]:
     """Routines, each after those that it calls."""
-    source = material.kernel
     kinds = Kinds(source)
     ordered: dict[str, Routine] = {}
 
@@ -95,4 +120,4 @@ def _in_order(material: Material) -> list[Routine]:
     return list(ordered.values())
 
 
-TARGET = Target("c", "C99", "c", render, exported=_FILES)
+TARGET = Target("c", "C99", "c", render, exported=("{library}.h", "{library}.c", "Makefile", _EXAMPLE))

@@ -1,0 +1,123 @@
+"""Expressions of the kernel's language in a target's syntax, with brackets where its operators need them."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from .function import Results
+from .language import KernelError, Source
+
+_ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
+_COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
+#: Binding strength of what is printed, to place brackets by.
+_CHOICE, _OR, _AND, _COMPARE, _SUM, _PRODUCT, _UNARY, _ATOM = range(8)
+_STRENGTH = {ast.BitOr: _OR, ast.BitAnd: _AND, ast.Add: _SUM, ast.Sub: _SUM, ast.Mult: _PRODUCT, ast.Div: _PRODUCT}
+
+
+@dataclass(frozen=True)
+class Syntax:
+    """How a language writes what is not alike in all of them."""
+
+    primitives: Mapping[str, str]  #: names of the functions that stand for the language's primitives but ``where``
+    logic: Mapping[type[ast.operator] | type[ast.unaryop], str]  #: the signs for ``&``, ``|`` and ``~``
+    algebra: Callable[[str], str]  #: how a generated function is called
+    routine: Callable[[str], str]  #: how a function of the kernel is called
+    arithmetic: Mapping[str, str]  #: signs for + − * / that differ, as ``.*`` for arrays
+    comparisons: Mapping[str, str]  #: signs for comparisons that differ
+    ternary: bool  #: whether ``c ? a : b`` chooses; otherwise a function does that ``primitives`` names
+
+
+@dataclass(frozen=True)
+class Expressions:
+    """Prints expressions of a kernel."""
+
+    source: Source
+    syntax: Syntax
+
+    def print(self, node: ast.expr, least: int = _CHOICE) -> str:
+        """The text of an expression, in brackets where it binds more weakly than what stands around it."""
+        text, strength = self._expression(node)
+        return f"({text})" if strength < least else text
+
+    def listed(self, nodes: list[ast.expr]) -> str:
+        """Arguments, separated by commas."""
+        return ", ".join(self.print(node) for node in nodes)
+
+    def _expression(self, node: ast.expr) -> tuple[str, int]:
+        match node:
+            case ast.Constant(value=float() as value):
+                return number(value), _ATOM
+            case ast.Name(id=name):
+                return name, _ATOM
+            case ast.Attribute(value=value, attr=attribute):
+                return f"{self.print(value, _ATOM)}.{attribute}", _ATOM
+            case ast.UnaryOp(op=ast.USub(), operand=operand):
+                return f"-{self.print(operand, _UNARY)}", _UNARY
+            case ast.UnaryOp(op=ast.Invert(), operand=operand):
+                return f"{self.syntax.logic[ast.Invert]}{self.print(operand, _UNARY)}", _UNARY
+            case ast.BinOp(left=left, op=op, right=right):
+                return self._binary(left, op, right)
+            case ast.Compare(left=left, ops=[op], comparators=[right]):
+                sign = _COMPARISONS[type(op)]
+                sign = self.syntax.comparisons.get(sign, sign)
+                return f"{self.print(left, _SUM)} {sign} {self.print(right, _SUM)}", _COMPARE
+            case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if self.syntax.ternary:
+                return f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}", _CHOICE
+            case ast.Call(func=ast.Name(id=name), args=args):
+                return f"{self.called(name)}({self.listed(args)})", _ATOM
+        raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
+
+    def called(self, name: str) -> str:
+        """What a primitive, a routine or generated algebra is called by."""
+        if name in self.syntax.primitives:
+            return self.syntax.primitives[name]
+        return self.syntax.routine(name) if name in self.source.routines else self.syntax.algebra(name)
+
+    def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
+        strength = _STRENGTH[type(op)]
+        if isinstance(op, ast.BitAnd | ast.BitOr):
+            # Brackets on both sides, except in a chain of the same sign: no reader needs to know which binds more strongly.
+            chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
+            sides = self.print(left, strength if chained else _UNARY), self.print(right, _UNARY)
+            return f"{sides[0]} {self.syntax.logic[type(op)]} {sides[1]}", strength
+        sign = _ARITHMETIC[type(op)]
+        sign = self.syntax.arithmetic.get(sign, sign)
+        return f"{self.print(left, strength)} {sign} {self.print(right, strength + 1)}", strength
+
+
+def number(value: float) -> str:
+    """The shortest decimal that reads back as the same double."""
+    text = repr(value)
+    return text if re.search(r"[.en]", text) else f"{text}.0"
+
+
+def assigned(node: ast.stmt) -> Iterator[str]:
+    """Names that a statement gives a value, twice where a loop does."""
+    match node:
+        case ast.Assign(targets=[target]):
+            yield from (name for name, _ in places(target))
+        case ast.For(body=body):
+            for statement in [*body, *body]:
+                yield from assigned(statement)
+
+
+def places(target: ast.expr, place: tuple[int, ...] = ()) -> Iterator[tuple[str, tuple[int, ...]]]:
+    """Names on the left of an assignment, each with its place among the results, which may be nested."""
+    if isinstance(target, ast.Tuple):
+        for index, item in enumerate(target.elts):
+            yield from places(item, (*place, index))
+    else:
+        assert isinstance(target, ast.Name)
+        yield target.id, place
+
+
+def result_places(results: Results, place: tuple[int, ...] = ()) -> Iterator[tuple[int, ...]]:
+    """The place of every result of a function, in order."""
+    if isinstance(results, tuple):
+        for index, item in enumerate(results):
+            yield from result_places(item, (*place, index))
+    else:
+        yield place

@@ -1,0 +1,43 @@
+/**
+ * @file @library@.h
+ * @summary@
+ * C99, no allocation, no global state.
+ *
+ * @header@
+ *
+ * Every function returns a status, and writes results only with @LIBRARY@_OK or @LIBRARY@_UNCERTAIN: no NaN ever leaves this
+ * library. For gcc, clang and MSVC, as C99 or C++11; link with -lm where there is one. The same bits on every machine, since no
+ * operations are fused, or a refusal to compile: -ffast-math, /fp:fast and x87 arithmetic are refused. The error bounds rest on
+ * IEEE 754, with rounding to nearest and gradual underflow, as every program starts with.
+ */
+#ifndef @LIBRARY@_H
+#define @LIBRARY@_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The derivation that this was generated from: the head of a hash of its sources. */
+#define @LIBRARY@_SOURCE "@source@"
+
+/** What became of a call. */
+typedef enum {
+    @LIBRARY@_OK = 0,          /**< done, and vouched for */
+    @LIBRARY@_UNCERTAIN = 1,   /**< done, but the number, the kind or twelve digits can't be vouched for */
+    @LIBRARY@_BAD_INPUT = 2,   /**< a null pointer, a NaN, an infinity or a parameter out of its range; no results */
+    @LIBRARY@_OUT_OF_RANGE = 3 /**< allowed numbers whose result double can't carry; no results */
+} @library@_status;
+
+/* @declarations@ */
+/*
+ * Algebra: each function is generated from the derivation and agrees with the Python function of that name, operation for
+ * operation. Matrices are row by row.
+ */
+/* @prototypes@ */
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,75 @@
+"""JavaScript: one ES module without dependencies, its types, and for a model that has one an example."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import textwrap
+
+from .. import Material, Target, runtime
+from . import algebra, kernel
+
+_EXAMPLE = "example.mjs"
+_DECLARATIONS = "declarations.d.ts"
+
+
+def render(material: Material) -> dict[str, str]:
+    """The module, its declarations, and an example."""
+    own = material.runtime.get("javascript", {})
+    parts = [text for name, text in sorted(own.items()) if name.endswith(".mjs") and name != _EXAMPLE]
+    solver = [runtime(__file__, "kernel.mjs"), kernel.render(material)] if material.kernel.routines else []
+    module = [runtime(__file__, "library.mjs"), *solver, *([runtime(__file__, "input.mjs")] if parts else []), *parts]
+    words = {**_words(material), "declarations": own.get(_DECLARATIONS, "")}
+    library = material.library
+    texts = {
+        f"{library}.mjs": "\n".join(module),
+        f"{library}.d.ts": runtime(__file__, "library.d.ts"),
+        f"{library}.d.mts": runtime(__file__, "library.d.mts"),
+        **{name: text for name, text in own.items() if name == _EXAMPLE},
+    }
+    return {name: _spoken(text, words) for name, text in texts.items()}
+
+
+def _words(material: Material) -> dict[str, str]:
+    """What stands for ``@name@``, or for a comment that holds nothing else."""
+    functions = material.algebra
+    return {
+        "library": material.library,
+        "summary": textwrap.fill(material.summary, 121, subsequent_indent=" * "),
+        "header": material.header.replace("``", "`"),
+        "source": material.digest[:16],
+        "names": json.dumps(list(material.parameters)),
+        "typed_names": ", ".join(f'"{name}"' for name in material.parameters),
+        "base": json.dumps(dict(material.base_values)),
+        "typed_base": " ".join(f"{name}: number;" for name in material.base_values),
+        "ranges": _ranges(material),
+        "algebra": "\n".join(algebra.definition(it, material.quantities, f"algebra_{name}") for name, it in functions.items()),
+        "table": "".join(f"  {name}: algebra_{name},\n" for name in functions),
+        "members": "".join(algebra.declaration(it) for it in functions.values()),
+    }
+
+
+def _spoken(text: str, words: dict[str, str]) -> str:
+    return re.sub(r"// @(\w+)@\n|@(\w+)@", lambda place: words.get(place[1] or place[2], place[0]), text)
+
+
+def _ranges(material: Material) -> str:
+    """The allowed values of all that the algebra takes, one a line; infinite ends are left out."""
+    taken = {str(symbol) for function in material.algebra.values() for symbol in function.accepted}
+    lines = []
+    for name in [*material.parameters, *sorted(taken - set(material.parameters))]:
+        allowed = material.quantities[name].interval
+        ends: dict[str, float | bool] = {}
+        if math.isfinite(allowed.low):
+            ends |= {"low": allowed.low, "low_open": allowed.low_open}
+        if math.isfinite(allowed.high):
+            ends |= {"high": allowed.high, "high_open": allowed.high_open}
+        lines.append(f"  {name}: {json.dumps(ends)},\n")
+    return "{\n" + "".join(lines) + "}"
+
+
+TARGET = Target(
+    "javascript", "JavaScript", "javascript", render,
+    exported=("{library}.mjs", "{library}.d.ts", "{library}.d.mts", _EXAMPLE),
+)  # fmt: skip

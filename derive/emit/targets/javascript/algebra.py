@@ -1,0 +1,81 @@
+"""Generated algebra in JavaScript: the statements of the Python target, operation for operation, for one number at a time."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...function import Function, Results
+from ...quantities import Quantity
+from ...statements import straight_line
+from ..python.algebra import AlgebraPrinter
+
+_WIDTH = 124
+
+
+class JavaScriptPrinter(AlgebraPrinter):
+    """Differs from Python in the names of functions, and in rationals: a division of two whole numbers rounds once."""
+
+    def _print_Rational(self, expression: sp.Rational) -> str:
+        return f"({expression.p}/{expression.q})"
+
+    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
+        if expression.exp == 2:  # of a name: straight_line() names what is squared
+            factor = self._print(expression.base)
+            return f"{factor}*{factor}"
+        return super()._print_Pow(expression, rational=rational).replace("xp.", "Math.")
+
+    def _print_exp(self, expression: sp.exp) -> str:
+        return f"Math.exp({self._print(expression.args[0])})"
+
+    def _print_Abs(self, expression: sp.Abs) -> str:
+        return f"Math.abs({self._print(expression.args[0])})"
+
+    def _print_sign(self, expression: sp.sign) -> str:
+        return f"Math.sign({self._print(expression.args[0])})"
+
+
+_PRINTER = JavaScriptPrinter({"order": None})
+
+
+def definition(function: Function, quantities: Mapping[str, Quantity], name: str) -> str:
+    """One function with its documentation: one result is returned as a number, several as an array, nested as in Python."""
+    body = straight_line(function)
+    given = [f"{symbol} = 0" if symbol in function.further else str(symbol) for symbol in function.accepted]
+    return "\n".join([
+        documentation(function, quantities, body.operations),
+        _wrapped(f"function {name}({', '.join(given)}) {{"),
+        *(_wrapped(f"  const {symbol} = {_PRINTER.doprint(expression)};") for symbol, expression in body.assignments),
+        _wrapped(f"  return {_nested(body.results)};"),
+        "}\n",
+    ])  # fmt: skip
+
+
+def documentation(function: Function, quantities: Mapping[str, Quantity], operations: int) -> str:
+    """The comment above a function, as TypeScript and editors read it."""
+    said = textwrap.wrap(f"{function.summary} Source: {function.equations}. Operations: {operations}.", _WIDTH - 4)
+    said += [f"@param {{number}} {symbol} {quantities[str(symbol)].meaning}" for symbol in function.accepted]
+    said.append(f"@returns {{{_type(function.results)}}} {function.returns}")
+    return "/**\n" + "".join(f" * {line}\n" for line in said) + " */"
+
+
+def declaration(function: Function) -> str:
+    """Its type, as a member of an object."""
+    further = set(function.further)
+    given = ", ".join(f"{symbol}{'?' if symbol in further else ''}: number" for symbol in function.accepted)
+    said = f"  /** {function.summary} Source: {function.equations}. Returns {function.returns}. */"
+    return f"{said}\n  {function.name}({given}): {_type(function.results)};\n"
+
+
+def _type(results: Results) -> str:
+    return f"[{', '.join(map(_type, results))}]" if isinstance(results, tuple) else "number"
+
+
+def _nested(results: Results) -> str:
+    return f"[{', '.join(map(_nested, results))}]" if isinstance(results, tuple) else str(_PRINTER.doprint(results))
+
+
+def _wrapped(line: str) -> str:
+    return textwrap.fill(line, _WIDTH, subsequent_indent="    ", break_long_words=False, break_on_hyphens=False)

@@ -1,0 +1,35 @@
+/**
+ * @summary@
+ * One ES module without dependencies, for node and browsers.
+ *
+ * @header@
+ *
+ * Names are those of the Python package and of the C library. Bad input throws: TypeError for what is no number or has an unknown
+ * name, RangeError for a number out of its range.
+ *
+ * Where no sine, exponential or square root is written below, every engine gives the same bits: ECMAScript rounds each of + - * /
+ * to double. Math.sqrt is that of IEEE 754 in the engines known; Math.exp may differ in its last bit from engine to engine.
+ *
+ * @module @library@
+ */
+
+/** The derivation that this was generated from: the head of a hash of its sources. */
+export const SOURCE = "@source@";
+
+/** Names of the parameters, in the order in which the algebra takes them. */
+export const NAMES = Object.freeze(@names@);
+
+/** Base values of the parameters that have one. */
+export const BASE = Object.freeze(@base@);
+
+/** Allowed values of all that the algebra takes, from low to high; an end that is not there is infinite. */
+export const RANGES = Object.freeze(@ranges@);
+
+// ------------------------------------------------------------------------------------------------ generated algebra
+
+// @algebra@
+
+/** The generated algebra, by the names that it has in Python. */
+export const algebra = Object.freeze({
+// @table@
+});

@@ -1,0 +1,129 @@
+"""Pseudo-arclength continuation: the next closed orbit on a branch, through folds of the branch."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
+from .field import Field
+from .passage import Fly
+from .shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, divided, growth, looped, rate, solved
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length."""
+
+    field: Field
+    fly: Fly
+    free: tuple[int, ...]
+    period: float
+    spans: tuple[float, ...]
+
+    def weights(self, stretches: int) -> FloatArray:
+        """Of states, period and parameters in the length of the arc."""
+        size = stretches * self.field.size
+        return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
+
+
+@dataclass(frozen=True)
+class Point:
+    """A closed orbit on a branch, and the direction in which the branch goes on: of length 1 in the branch's units."""
+
+    loop: Loop
+    tangent: FloatArray
+
+    @property
+    def coordinates(self) -> FloatArray:
+        """States and period."""
+        return self.loop.guess.vector
+
+
+def point_of(setting: Setting, loop: Loop, along: FloatArray | None = None) -> Point:
+    """A point with its tangent, turned so that it goes along a direction; by default to larger values of the parameter."""
+    matrix = np.vstack([loop.slopes(len(setting.free)), phase_row(setting, loop)])
+    weights = setting.weights(len(loop.guess.states))
+    _, _, vectors = np.linalg.svd(matrix / weights)
+    tangent = vectors[-1] / weights
+    if along is None:
+        along = np.zeros(len(tangent))
+        along[-1] = 1.0
+    if (tangent * weights) @ (along * weights) < 0:
+        tangent = -tangent
+    return Point(loop, tangent)
+
+
+def phase_row(setting: Setting, loop: Loop) -> FloatArray:
+    """The row of Newton's matrix that keeps the first state in the plane across the flow."""
+    row = np.zeros((1, loop.guess.states.size + 1 + len(setting.free)))
+    flow = rate(setting.field, loop.guess.states[0], loop.constants)
+    row[0, : setting.field.size] = flow / np.linalg.norm(flow)
+    return row
+
+
+def corrected(setting: Setting, point: Point, length: float, *, reach: float = np.inf) -> Point:
+    """The point on the branch a length of arc from a point, negative lengths backward."""
+    step = length * point.tangent
+    guess = point.loop.guess.moved(step, setting.free)
+    weights = setting.weights(len(guess.states))
+    target, phase = guess.coordinates(setting.free), phase_row(setting, point.loop)
+    arc = (point.tangent * weights**2)[None]
+    rows = np.vstack([phase, arc])
+
+    def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        return rows @ (loop.guess.coordinates(setting.free) - target), rows
+
+    loop = solved(setting.field, setting.fly, guess, conditions, setting.free, reach=reach, iterations=7)
+    return point_of(setting, loop, point.tangent)
+
+
+def fixed(setting: Setting, loop: Loop, value: float) -> Loop:
+    """The closed orbit near a loop at a given value of the one free parameter."""
+    target, phase = loop.guess.coordinates(setting.free), phase_row(setting, loop)
+    last = np.zeros_like(phase)
+    last[0, -1] = 1.0
+
+    def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:
+        there = now.guess.coordinates(setting.free)
+        return np.array([*(phase @ (there - target)), there[-1] - value]), np.vstack([phase, last])
+
+    return solved(setting.field, setting.fly, loop.guess, conditions, setting.free)
+
+
+def cut_finer(setting: Setting, point: Point) -> Point:
+    """The same point in more stretches, where the derivatives over one of them have grown large."""
+    loop = point.loop
+    pieces = len(loop.guess.states)
+    if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
+        return point
+    guess = divided(setting.field, setting.fly, loop.guess, 2 * pieces)
+    finer = looped(setting.field, setting.fly, guess, setting.free)
+    # The old tangent by its first state, period and parameter.
+    along = np.zeros(finer.guess.states.size + 1 + len(setting.free))
+    size = setting.field.size
+    along[:size], along[finer.guess.states.size :] = point.tangent[:size], point.tangent[loop.guess.states.size :]
+    return point_of(setting, finer, along)
+
+
+def angle(setting: Setting, one: Point, other: Point) -> float:
+    """Cosine between two tangents."""
+    weights = setting.weights(len(one.loop.guess.states))
+    return float((one.tangent * weights) @ (other.tangent * weights))
+
+
+def between(setting: Setting, one: Point, other: Point) -> float:
+    """Length of the chord from one point to the other along the first one's tangent."""
+    weights = setting.weights(len(one.loop.guess.states))
+    way = other.loop.guess.coordinates(setting.free) - one.loop.guess.coordinates(setting.free)
+    return float((way * weights) @ (one.tangent * weights))
+
+
+def started(setting: Setting, guess: Guess) -> Point:
+    """The first point of a branch, from a closed orbit."""
+    loop = looped(setting.field, setting.fly, guess, setting.free)
+    if loop.missed > 1e-9:
+        raise ConvergenceError("a branch begins at a closed orbit")
+    return point_of(setting, loop)

@@ -1,0 +1,319 @@
+"""Branches of cycles in one parameter, with all that happens on them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ConvergenceError, ParameterError
+from ..parameters import FINITE, FloatArray, as_number
+from .arclength import Point, Setting, angle, between, corrected, cut_finer, fixed, point_of, started
+from .flows import carrier
+from .inspection import Finding, Seen, findings, halved, repeats
+from .orbit import Cycle, cycle_of
+from .shooting import Guess, Loop, divided, extent, looped, rate
+
+#: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
+FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
+
+#: Largest angle between the tangents of neighbours, as its cosine.
+STRAIGHT = 0.97
+
+#: Of the period of the first cycle: beyond it, a branch ends if it comes to rest somewhere.
+LONG = 6.0
+
+#: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
+SHRUNK = 0.1
+
+#: Slowest part of an orbit that is said to come to rest.
+STILL = 2e-3
+
+
+MERGES = "it meets the cycle of half its period, which doubles there"
+
+
+@dataclass(frozen=True, eq=False)
+class CycleEvent(Result):
+    """Something that happens on a branch.
+
+    Attributes
+    ----------
+    kind : {"fold", "period_doubling", "torus", "grazing", "homoclinic", "end"}
+    value : float
+        Of the parameter.
+    cycle : Cycle
+        The cycle there, or the last one before it.
+    error : float
+        How well the value is known.
+    how : str
+        What is touched, or why the branch ends.
+    """
+
+    kind: str
+    value: float
+    cycle: Cycle
+    error: float
+    how: str = ""
+    border: int = field(default=-1, repr=False)
+    loop: Loop | None = field(default=None, repr=False)
+
+
+@dataclass(frozen=True, eq=False)
+class CycleBranch(Result):
+    """A branch of cycles, from one of its ends to the other.
+
+    Attributes
+    ----------
+    vary : str
+        The parameter.
+    values, periods, rms, amplitude : ndarray, shape (n,)
+        Of the parameter and of the cycles.
+    stable : ndarray of bool, shape (n,)
+    cycles : tuple of Cycle
+    events : tuple of CycleEvent
+        In the order of the branch.
+    """
+
+    vary: str
+    values: FloatArray
+    periods: FloatArray
+    rms: FloatArray
+    amplitude: FloatArray
+    stable: NDArray[np.bool_]
+    cycles: tuple[Cycle, ...] = field(repr=False)
+    events: tuple[CycleEvent, ...]
+    to: tuple[float, float] = field(repr=False)
+
+    def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
+        """A cycle on the other branch that begins at an event: the doubled cycle of a period doubling.
+
+        The start of :func:`cycle_branch` for it.
+        """
+        from .switching import switched
+
+        return switched(self, event, step)
+
+    def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
+        """The events of some kinds only."""
+        return tuple(event for event in self.events if event.kind in kinds)
+
+
+def cycle_branch(
+    cycle: Cycle, vary: str, to: tuple[float, float], *, points: int = 400, longest: float = LONGEST
+) -> CycleBranch:  # fmt: skip
+    """Follow a cycle as a parameter varies, through folds, to both ends of a range or to where the branch ends.
+
+    Parameters
+    ----------
+    cycle : Cycle
+        Where to begin.
+    vary : str
+        One of the parameters: theta0 (radians), V, d, mu0, kappa, alpha, sigma, beta; of other models their own.
+    to : tuple of float
+        The range; the branch is followed both ways from the cycle.
+    points : int
+        Most points each way.
+    longest : float
+        Longest step, as a length in states, shares of the period and halves of the range.
+
+    Returns
+    -------
+    CycleBranch
+
+    Raises
+    ------
+    ParameterError
+        For a parameter that the model does not have, or a range without the cycle's own value.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(42)), V=0.5, d=10.0)
+    >>> branch = ss.cycle_branch(found, "theta0", np.radians([41.5, 42.5]))
+    >>> [event.kind for event in branch.events]
+    ['end', 'end']
+    """
+    model = cycle.field
+    if vary not in model.parameters:
+        raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
+    index = model.parameters.index(vary)
+    low, high = (as_number("to", value, FINITE) for value in to)
+    value = cycle.values[index]
+    if not low <= value <= high or low == high:
+        raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
+    fly, backend = carrier(model, cycle.backend)
+    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,))
+    start = started(setting, cycle.loop.guess)
+    trace = _Trace(setting, (low, high), points, longest, backend)
+    back = list(trace.follow(start, -1.0))
+    forth = list(trace.follow(start, 1.0))
+    closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
+    items = [*reversed(back), start, *([] if closed else forth)]
+    cycles: list[Cycle] = []
+    events: list[CycleEvent] = []
+    for item in items:
+        if isinstance(item, Point):
+            cycles.append(cycle_of(item.loop, fly, backend))
+        elif item.kind != "closed":
+            events.append(trace.event(item))
+    return CycleBranch(
+        vary, np.array([each.values[index] for each in cycles]), np.array([each.period for each in cycles]),
+        np.array([each.rms for each in cycles]), np.array([each.amplitude for each in cycles]),
+        np.array([each.stable for each in cycles]), tuple(cycles), tuple(events), (low, high),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True)
+class End(Finding):
+    """Where a branch ends, and why."""
+
+    how: str = ""
+    value: float | None = None
+
+
+@dataclass(frozen=True)
+class _Trace:
+    """One walk along a branch."""
+
+    setting: Setting
+    to: tuple[float, float]
+    points: int
+    longest: float
+    backend: str
+
+    def value(self, loop: Loop) -> float:
+        """Of the free parameter."""
+        return loop.guess.values[self.setting.free[0]]
+
+    def event(self, found: Finding) -> CycleEvent:
+        """An event as users see it."""
+        how = found.how if isinstance(found, End) else ""
+        if found.border >= 0:
+            how = self.setting.field.borders[found.border].name
+        cycle = cycle_of(found.loop, self.setting.fly, self.backend)
+        value = self.value(found.loop)
+        if isinstance(found, End) and found.value is not None:
+            value = found.value
+        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop)
+
+    def follow(self, start: Point, direction: float) -> Iterator[Point | Finding]:
+        """Points and findings in one direction, an end the last of them."""
+        point = Point(start.loop, direction * start.tangent)
+        setting, length, before = self.setting, FIRST, None
+        seen = Seen(setting, point)
+        for count in range(self.points):
+            try:
+                ahead = corrected(setting, point, length, reach=0.5)
+            except ConvergenceError as error:
+                length /= 3
+                if length < SHORTEST:
+                    yield self._lost(point, error)
+                    return
+                continue
+            straight = angle(setting, point, ahead)
+            if straight < STRAIGHT and length > 1e-6:
+                length /= 2.5
+                continue
+            stop = self._beyond(point, ahead)
+            if stop is not None:
+                ahead = stop
+            if repeats(ahead.loop) and not repeats(point.loop):
+                # A long step has gone over the place where the branch ends, on to a shorter cycle twice round.
+                merged = halved(setting, ahead.loop) or halved(setting, point.loop)
+                if merged is not None:
+                    yield End("end", merged, 1e-11, how=MERGES)
+                    return
+            after = Seen(setting, ahead)
+            arc = length if stop is None else between(setting, point, ahead)
+            for found in findings(seen, after, arc, before):
+                if found.kind == "merging":
+                    yield End("end", found.loop, found.error, how=MERGES)
+                    return
+                if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
+                    yield self._shrunk(before, seen)
+                    return
+                yield found
+            yield ahead
+            if stop is not None:
+                yield End("end", ahead.loop, 0.0, how="the range ends")
+                return
+            end = self._ends(start, point, ahead, count)
+            if end is not None:
+                yield end
+                return
+            finer = cut_finer(setting, ahead)
+            before = seen if finer is ahead else None
+            point, seen = finer, after if finer is ahead else Seen(setting, finer)
+            length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
+        yield End("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
+
+    def _shrunk(self, before: Seen | None, last: Seen) -> End:
+        """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
+        how, value = "it shrinks onto an equilibrium", self.value(last.point.loop)
+        if before is None:
+            return End("end", last.point.loop, abs(value), how=how)
+        first, squares = self.value(before.point.loop), [extent(each.point.loop) ** 2 for each in (before, last)]
+        there = value - squares[1] * (value - first) / (squares[1] - squares[0])
+        return End("end", last.point.loop, abs(there - value) * squares[1] / squares[0], how=how, value=there)
+
+    def _beyond(self, point: Point, ahead: Point) -> Point | None:
+        """The point at the end of the range, if it was passed."""
+        now = self.value(ahead.loop)
+        if self.to[0] <= now <= self.to[1]:
+            return None
+        bound = self.to[0] if now < self.to[0] else self.to[1]
+        if self.value(point.loop) == bound:
+            return point
+        share = (bound - self.value(point.loop)) / (now - self.value(point.loop))
+        step = share * (ahead.loop.guess.coordinates(self.setting.free) - point.loop.guess.coordinates(self.setting.free))
+        guess = point.loop.guess.moved(step, self.setting.free)
+        near = looped(self.setting.field, self.setting.fly, guess, self.setting.free)
+        return point_of(self.setting, fixed(self.setting, near, bound), point.tangent)
+
+    def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
+        loop = ahead.loop
+        if extent(loop) < 1e-3:
+            return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
+        error = abs(self.value(loop) - self.value(point.loop))
+        if loop.guess.period > LONG * self.setting.period and slowest(loop) < STILL:
+            return End("homoclinic", loop, error, how=f"it comes to rest near {np.round(stillest(loop), 6).tolist()}")
+        if count > 10 and self._passes(start, point, ahead):
+            return End("closed", loop, 0.0)
+        return None
+
+    def _passes(self, start: Point, point: Point, ahead: Point) -> bool:
+        """Whether the start lies on the step from one point to the next: a branch that closes."""
+        if not len(start.loop.guess.states) == len(point.loop.guess.states) == len(ahead.loop.guess.states):
+            return False
+        weights = self.setting.weights(len(start.loop.guess.states))
+        begin, end, there = (weights * each.loop.guess.coordinates(self.setting.free) for each in (point, ahead, start))
+        way, off = end - begin, there - begin
+        share = float(way @ off) / float(way @ way)
+        aside = float(np.linalg.norm(off - share * way))
+        return 0 <= share <= 1 and aside < 0.05 * float(np.linalg.norm(way)) and angle(self.setting, start, ahead) > 0.9
+
+    def _lost(self, point: Point, error: ConvergenceError) -> End:
+        loop = point.loop
+        if slowest(loop) < STILL and loop.guess.period > 2 * self.setting.period:
+            return End("homoclinic", loop, 1e-6, how=f"it comes to rest near {np.round(stillest(loop), 6).tolist()}")
+        return End("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
+
+
+def slowest(loop: Loop) -> float:
+    """Least size of the field at the turns of an orbit."""
+    return min(float(np.linalg.norm(rate(loop.field, turn.state, loop.constants))) for turn in loop.turns())
+
+
+def stillest(loop: Loop) -> FloatArray:
+    """Where that is."""
+    return min(loop.turns(), key=lambda turn: float(np.linalg.norm(rate(loop.field, turn.state, loop.constants)))).state
+
+
+def recut(setting: Setting, guess: Guess, pieces: int) -> Loop:
+    """A loop in another number of stretches."""
+    return looped(setting.field, setting.fly, divided(setting.field, setting.fly, guess, pieces), setting.free)

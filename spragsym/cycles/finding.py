@@ -1,0 +1,193 @@
+"""A cycle from a state near it, or from a motion that approaches it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..dynamics import Trajectory
+from ..dynamics.problem import BELT_SPEED, CREEP
+from ..errors import ConvergenceError, ParameterError
+from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from .field import Field
+from .flows import carrier, flow
+from .orbit import Cycle, cycle_of
+from .passage import Fly, Turn
+from .shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
+from .sprag import SPRAG
+
+#: Returns of a motion are looked at over this time, then over longer ones.
+STAGES = (400.0, 3000.0, 20000.0)
+
+#: Returns that are tried, of one stretch of motion.
+TRIES = 8
+
+#: A return as far as this, relative to the extent of the motion, is not tried.
+FAR = 0.3
+
+
+def cycle(
+    p: Parameters, *, V: float, d: float, near: Any = None, backend: str | None = None, patient: bool = True
+) -> Cycle:  # fmt: skip
+    """The cycle near a state, or the one that a motion approaches.
+
+    Newton's method on the flow and its derivatives, by multiple shooting; the orbit may cross y = 0 and x' = V as often
+    as it likes, as the field is continuous there.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars.
+    V, d : float
+        As for :func:`~spragsym.simulate`.
+    near : array_like of 4 numbers, Trajectory or Cycle, optional
+        A state x, y, x', y' near the cycle, stable or not; or a motion whose end approaches it; or a cycle for other values
+        of the parameters. Rest at x = y = 0 where left out.
+    backend : {"heyoka", "scipy"}, optional
+        As for :func:`~spragsym.simulate`.
+    patient : bool
+        Whether to follow the motion from a state that is not near a cycle, for up to 20 000 time units.
+
+    Returns
+    -------
+    Cycle
+
+    Raises
+    ------
+    ConvergenceError
+        Where there is no cycle near: it says what the motion comes to instead.
+
+    Notes
+    -----
+    Source: (8)–(11). What is found is a cycle to the error that is told; that there are no others is not.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(42)), V=0.5, d=10.0)
+    >>> round(found.period, 6), found.stable
+    (34.26737, True)
+    """
+    values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
+    return cycle_near(SPRAG, values, near, backend, patient=patient)
+
+
+def cycle_near(
+    field: Field, values: Sequence[float], near: Any = None, backend: str | None = None, *, patient: bool = True
+) -> Cycle:  # fmt: skip
+    """As :func:`cycle`, of any field."""
+    fly, name = carrier(field, backend)
+    values = tuple(float(value) for value in values)
+    if isinstance(near, Cycle):
+        return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
+    settled = isinstance(near, Trajectory)
+    start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
+    constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
+    follow = flow(field, name, derivatives=False)
+    for stage in STAGES if patient or settled else STAGES[:1]:
+        passage = follow.fly(start, constants, stage, none)
+        found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0])
+        if found is not None:
+            return _checked(found, fly, name)
+        if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
+            break
+        start = passage.state
+    raise ConvergenceError(_why(field, values, start, stage))
+
+
+def _towards(field: Field, fly: Fly, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
+    """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
+    try:
+        return _from_guess(field, fly, Guess(known.states, known.period, values))
+    except ConvergenceError:
+        if halvings == 0 or values == known.values:
+            raise
+    middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
+    between = _towards(field, fly, known, middle, halvings - 1)
+    return _towards(field, fly, between.guess, values, halvings - 1)
+
+
+def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
+    if not extent(loop) > 1e-7:
+        raise ConvergenceError(
+            "there is no cycle near: what Newton's method finds is rest, at "
+            f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
+        )
+    return cycle_of(loop, fly, name)
+
+
+def _state(field: Field, near: Any) -> FloatArray:
+    state = np.zeros(field.size) if near is None else np.asarray(near, dtype=object)
+    if state.shape != (field.size,):
+        raise ParameterError(f"near has the shape {state.shape}; give a state of {field.size} numbers, a trajectory or a cycle")
+    return np.array([as_number("near", value, FINITE) for value in state.tolist()])
+
+
+def _by_returns(field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool) -> Loop | None:
+    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
+    highest = [turn for turn in turns if turn.border == -1 and turn.direction < 0]
+    tried = 0
+    for first, second in _pairs(highest, from_start):
+        tried += 1
+        if tried > TRIES:
+            break
+        guess = Guess(first.state[None], second.t - first.t, values)
+        try:
+            loop = _from_guess(field, fly, guess)
+        except ConvergenceError:
+            continue
+        if extent(loop) > 1e-6:
+            return loop
+    return None
+
+
+def _pairs(highest: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]:
+    """Pairs of alike states: from the first one on, nearest first, and from the last one back, fewest returns first."""
+    if len(highest) < 3:
+        return
+    states = np.array([turn.state for turn in highest])
+    scale = np.ptp(states, axis=0)
+    scale = np.maximum(scale, 1e-2 * scale.max() + 1e-300)
+    if from_start:
+        away = np.abs((states[1:] - states[0]) / scale).max(axis=1)
+        for i in np.argsort(away)[: TRIES // 2]:
+            if away[i] < FAR:
+                yield highest[0], highest[i + 1]
+    away = np.abs((states[:-1] - states[-1]) / scale).max(axis=1)[::-1]
+    best = np.inf
+    for k, distance in enumerate(away[: min(len(away), 60)]):
+        if distance < min(FAR, 0.5 * best):
+            best = distance
+            yield highest[-2 - k], highest[-1]
+
+
+def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
+    """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
+    size = field.size
+    loop = looped(field, fly, guess)
+    pieces = len(guess.states)
+    while growth(loop) > LARGEST_GROWTH and pieces < 32:
+        pieces *= 2
+        loop = looped(field, fly, divided(field, fly, Guess(guess.states[:1], guess.period, guess.values), pieces))
+    turns = [turn.state for turn in loop.turns()]
+    reach = 0.5 * float(np.ptp(turns, axis=0).max()) if turns else np.inf
+    condition = across(field, loop.guess.states[0], loop.constants, pieces * size + 1)
+    return solved(field, fly, loop.guess, condition, reach=reach)
+
+
+def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float) -> str:
+    """What became of a motion that no cycle was found for."""
+    told = "no cycle was found near the motion"
+    try:
+        outcome = field.simulate(values, state, 2000.0).outcome(0.0)
+    except ConvergenceError as error:
+        return f"{told}, which could not be followed: {error}"
+    name = outcome.regime.name.lower().replace("_", " ")
+    return (
+        f"{told} after {span:g} time units: it is {name}"
+        + (f" at x = {outcome.rest_x:.6g}, y = {outcome.rest_y:.6g}" if np.isfinite(outcome.rest_x) else "")
+        + "; give a state nearer to a cycle, or other parameters"
+    )

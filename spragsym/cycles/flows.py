@@ -1,0 +1,22 @@
+"""Which integrator carries a cycle's variational equations."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from ..dynamics.integrators import choose
+from . import with_heyoka, with_scipy
+from .field import Field
+from .passage import Fly
+
+
+def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
+    """An integrator of a field: it has ``fly`` and ``sample``."""
+    return with_heyoka.compiled(field, derivatives) if backend == "heyoka" else with_scipy.flight(field, derivatives)
+
+
+def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
+    """``fly`` of an integrator, and the integrator's name."""
+    name = choose(backend)
+    fly: Fly = flow(field, name).fly
+    return fly, name

@@ -1,0 +1,274 @@
+"""A cycle: a closed orbit with its multipliers, its events, and what is measured over one period."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..dynamics.lobatto import PiecewisePolynomial
+from ..dynamics.problem import Event
+from ..dynamics.trajectory import Events
+from ..errors import ConvergenceError
+from ..files import storage
+from ..parameters import FloatArray
+from .criteria import multipliers
+from .field import Field
+from .flows import flow
+from .passage import Fly
+from .shooting import (
+    LARGEST_GROWTH,
+    MOST_STRETCHES,
+    Guess,
+    Loop,
+    at_rest_along,
+    divided,
+    growth,
+    looped,
+    solved,
+)
+
+#: A multiplier this close to 1 in size decides nothing about stability.
+NEUTRAL = 1e-7
+
+#: Largest x that differ by less than this are one: the state highest above the belt is chosen.
+SAME = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Cycle(Result):
+    """A cycle: a motion that repeats itself.
+
+    ``spring_force`` and ``contact_force`` are ranges over one period, computed when they are asked for.
+
+    Attributes
+    ----------
+    period : float
+        The least one.
+    state : ndarray, shape (m,)
+        Where the first coordinate is largest; for the article's model x, y, x' = 0, y'.
+    multipliers : ndarray of complex, shape (m,)
+        Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding; then by size.
+    stable : bool
+        Whether all others are inside of the unit circle.
+    error : float
+        Estimated error of state and period: what does not close, with what rounding adds, times the sensitivity of the orbit.
+    residual : float
+        By how much the orbit does not close.
+    events : Events
+        Where it passes a kink: ``t`` from ``state`` on.
+    rms, mean, amplitude : float
+        Of the first coordinate over one period: root mean square about zero, mean, half of its range.
+    backend : str
+        The integrator.
+    loop : Loop
+        The orbit as it was solved for, with its derivatives.
+    """
+
+    period: float
+    state: FloatArray
+    multipliers: NDArray[np.complex128]
+    stable: bool
+    error: float
+    residual: float
+    events: Events
+    rms: float
+    mean: float
+    amplitude: float
+    backend: str
+    loop: Loop = dataclasses.field(repr=False)
+
+    @property
+    def field(self) -> Field:
+        """The model."""
+        return self.loop.field
+
+    @property
+    def values(self) -> tuple[float, ...]:
+        """The parameters, in the order of ``field.parameters``."""
+        return self.loop.guess.values
+
+    @cached_property
+    def samples(self) -> PiecewisePolynomial:
+        """One period by the polynomials through its samples."""
+        return sampled(self.loop, self.backend)
+
+    @cached_property
+    def spring_force(self) -> tuple[float, float]:
+        """Least and largest tension of the inclined spring, over k_c L_0."""
+        return self._range("spring_force")
+
+    @cached_property
+    def contact_force(self) -> tuple[float, float]:
+        """Least and largest force of the contact, over k_c L_0."""
+        return self._range("contact_force")
+
+    def _range(self, name: str) -> tuple[float, float]:
+        force = dict(self.field.forces)[name]
+        return _range(self.samples, lambda states: force(states, self.loop.constants))
+
+    @cached_property
+    def parameters(self) -> dict[str, float]:
+        """The parameters by name."""
+        return dict(zip(self.field.parameters, self.values, strict=True))
+
+    def trajectory(self, periods: float = 1.0, **options: Any) -> Any:
+        """The motion over one period, or more of them, as :func:`~spragsym.simulate` gives it."""
+        chosen = {"rtol": 1e-13, "backend": self.backend} | options
+        return self.field.simulate(self.values, self.state, periods * self.period, **chosen)
+
+    def to_dataset(self) -> Any:
+        """An ``xarray.Dataset``: the samples of one period, with everything else as attributes (extra ``sweep``)."""
+        dataset = self.trajectory().to_dataset()
+        dataset.attrs |= {
+            "cycle_period": self.period, "cycle_stable": int(self.stable), "cycle_error": self.error,
+            "cycle_residual": self.residual, "cycle_multipliers_real": self.multipliers.real,
+            "cycle_multipliers_imaginary": self.multipliers.imag, "cycle_rms": self.rms, "cycle_mean": self.mean,
+        }  # fmt: skip
+        return dataset
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write one period to ``*.nc`` (extra ``sweep``), or its samples alone to ``*.csv``."""
+        path = Path(path)
+        if path.suffix == ".nc":
+            storage.write(path, self.to_dataset, dict, {})
+        else:
+            self.trajectory().save(path)
+
+    def __repr__(self) -> str:
+        return (
+            f"Cycle(period={self.period:.10g}, state={np.round(self.state, 8).tolist()}, stable={self.stable}, "
+            f"largest multiplier={np.abs(self.multipliers[1:]).max():.6g})"
+        )
+
+
+def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
+    """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
+    loop = refined(once_round(loop, fly), fly)
+    guess, found = loop.guess, multipliers(loop)
+    samples = sampled(loop, backend)
+    x, weights = samples.states[0], samples.weights() / guess.period
+    turning = [turn.state[0] for turn in loop.turns() if turn.border == -1]
+    return Cycle(
+        period=guess.period, state=guess.states[0].copy(), multipliers=found,
+        stable=bool((np.abs(found[1:]) < 1 - NEUTRAL).all()), error=_error(loop), residual=loop.missed,
+        events=_events(loop), rms=float(np.sqrt((weights * x**2).sum())), mean=float((weights * x).sum()),
+        amplitude=float(np.ptp([*turning, x[0]])) / 2,
+        backend=backend, loop=loop,
+    )  # fmt: skip
+
+
+def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
+    """One round by the polynomials through its samples."""
+    flier = flow(loop.field, backend, derivatives=False)
+    return PiecewisePolynomial(*flier.sample(loop.guess.states[0], loop.constants, loop.guess.period))
+
+
+def refined(loop: Loop, fly: Fly) -> Loop:
+    """The same orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
+    field, size = loop.field, loop.field.size
+    top = _top(loop)
+    guess = Guess(top[None], loop.guess.period, loop.guess.values)
+    pieces = len(loop.guess.states)
+    while True:
+        cut = divided(field, fly, guess, pieces)
+        try:
+            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=7, precision=1e-15)
+        except ConvergenceError:
+            found = _least_steps(field, fly, cut)
+        if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
+            return found
+        pieces *= 2
+
+
+def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
+    """The closed orbit by the shortest steps of Newton's method: at a fold of a branch its matrix is singular."""
+    loop = looped(field, fly, guess)
+    for _ in range(3):
+        values, rows = at_rest_along(field, guess.states.size + 1)(loop)
+        matrix, residual = np.vstack([loop.slopes(0), rows]), np.concatenate([loop.gaps.ravel(), values])
+        step, *_ = np.linalg.lstsq(matrix, -residual, rcond=1e-7)
+        ahead = looped(field, fly, loop.guess.moved(step, ()))
+        if ahead.missed >= loop.missed:
+            break
+        loop = ahead
+    if loop.missed > 1e-10:
+        raise ConvergenceError("the orbit does not close")
+    return loop
+
+
+def once_round(loop: Loop, fly: Fly) -> Loop:
+    """The same orbit over its least period."""
+    period, turns = loop.guess.period, [turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    if not turns:
+        return loop
+    scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
+    first = turns[0]
+    for other in turns[1:]:
+        share = period / (other.t - first.t)
+        if np.abs((other.state - first.state) / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
+            guess = Guess(first.state[None], period / round(share), loop.guess.values)
+            try:
+                shorter = solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
+            except ConvergenceError:
+                continue
+            return shorter
+    return loop
+
+
+def _top(loop: Loop) -> FloatArray:
+    """The state where the first coordinate is largest, and among several the one farthest along the second."""
+    n, first = len(loop.field.coordinates), loop.guess.states[0]
+    highest = [turn.state for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
+        highest.append(first)
+    most = max(float(state[0]) for state in highest)
+    state = max(
+        (state for state in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda state: float(state[1])
+    ).copy()
+    state[n] = 0.0
+    return state
+
+
+def _events(loop: Loop) -> Events:
+    crossings = loop.crossings()
+    kinds = []
+    for crossing in crossings:
+        name = loop.field.borders[crossing.border].crossings[0 if crossing.sign > 0 else 1].upper()
+        kinds.append(Event[name] if name in Event.__members__ else -1)
+    states = np.array([crossing.state for crossing in crossings]).reshape(-1, loop.field.size)
+    return Events(np.array([crossing.t for crossing in crossings]), states, np.array(kinds, dtype=np.intp))
+
+
+def _error(loop: Loop) -> float:
+    """Largest row sum of the inverse of Newton's matrix, times what does not close and what rounding adds to that."""
+    size = loop.field.size
+    _, rows = at_rest_along(loop.field, loop.guess.states.size + 1)(loop)
+    inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
+    wanted = np.r_[0:size, -1]
+    rounding = 4e-16 * float(np.abs(loop.guess.states).max()) * np.sqrt(loop.guess.period)
+    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding))
+
+
+def _range(samples: PiecewisePolynomial, force: Any) -> tuple[float, float]:
+    """Least and largest value: the extreme sample, refined between its neighbours."""
+    from scipy.optimize import minimize_scalar
+
+    values = force(samples.states)
+    ends = []
+    for sign in (1.0, -1.0):
+        best = int(np.argmin(sign * values))
+        low, high = samples.t[max(best - 1, 0)], samples.t[min(best + 1, len(values) - 1)]
+        found = minimize_scalar(
+            lambda t, sign=sign: sign * float(force(samples(np.array([t])))[0]), bounds=(low, high), method="bounded",
+            options={"xatol": 1e-9},
+        )  # fmt: skip
+        ends.append(sign * min(float(found.fun), float(sign * values[best])))
+    return ends[0], ends[1]

@@ -1,0 +1,229 @@
+"""Closed orbits by multiple shooting: Newton's method on the states between equal stretches of one round, and the period."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..errors import ConvergenceError, ParameterError
+from ..parameters import FloatArray
+from .field import Field
+from .passage import Crossing, Fly, Passage, Turn
+
+#: Closed to this, relative to the largest number of the orbit.
+CLOSED = 1e-12
+
+#: A stretch whose derivatives grow beyond this is cut in two.
+LARGEST_GROWTH = 100.0
+
+#: Stretches in one round, at most.
+MOST_STRETCHES = 64
+
+
+@dataclass(frozen=True)
+class Guess:
+    """A loop that need not close: states (k, m) between its k equal stretches, period, and values of the parameters."""
+
+    states: FloatArray
+    period: float
+    values: tuple[float, ...]
+
+    @property
+    def vector(self) -> FloatArray:
+        """States and period in a row."""
+        return np.append(self.states.ravel(), self.period)
+
+    def moved(self, step: FloatArray, free: tuple[int, ...]) -> Guess:
+        """After a step in states, period and the free parameters."""
+        size = self.states.size
+        values = list(self.values)
+        for index, change in zip(free, step[size + 1 :], strict=True):
+            values[index] += float(change)
+        return Guess(self.states + step[:size].reshape(self.states.shape), self.period + float(step[size]), tuple(values))
+
+    def coordinates(self, free: tuple[int, ...]) -> FloatArray:
+        """What Newton's method moves: states, period, free parameters."""
+        return np.append(self.vector, [self.values[i] for i in free])
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A guess with its stretches integrated."""
+
+    field: Field
+    guess: Guess
+    constants: tuple[float, ...]
+    passages: tuple[Passage, ...]
+
+    @cached_property
+    def gaps(self) -> FloatArray:
+        """Ends of the stretches less the beginnings of the next, shape (k, m)."""
+        return np.array([each.state for each in self.passages]) - np.roll(self.guess.states, -1, axis=0)
+
+    @property
+    def missed(self) -> float:
+        """Largest gap."""
+        return float(np.abs(self.gaps).max())
+
+    @cached_property
+    def monodromy(self) -> FloatArray:
+        """Derivative of one round by its start."""
+        product = np.eye(self.field.size)
+        for each in self.passages:
+            product = each.by_state @ product
+        return product
+
+    def slopes(self, parameters: int) -> FloatArray:
+        """Derivatives of the gaps by states, period and ``parameters`` directions: shape (k m, k m + 1 + parameters)."""
+        k, m = self.guess.states.shape
+        matrix = np.zeros((k * m, k * m + 1 + parameters))
+        for i, each in enumerate(self.passages):
+            rows, after = slice(i * m, (i + 1) * m), (i + 1) % k
+            matrix[rows, i * m : (i + 1) * m] += each.by_state
+            matrix[rows, after * m : (after + 1) * m] -= np.eye(m)
+            matrix[rows, k * m] = rate(self.field, each.state, self.constants) / k
+            matrix[rows, k * m + 1 :] = each.by_parameters[:, :parameters]
+        return matrix
+
+    def crossings(self) -> tuple[Crossing, ...]:
+        """All crossings of one round, in time from its start."""
+        stretch = self.guess.period / len(self.passages)
+        return tuple(c._replace(t=c.t + i * stretch) for i, each in enumerate(self.passages) for c in each.crossings)
+
+    def turns(self) -> tuple[Turn, ...]:
+        """All turns of one round, with derivatives by the start of the round."""
+        stretch, found, before = self.guess.period / len(self.passages), [], np.eye(self.field.size)
+        shift = np.zeros((self.field.size, 2))
+        for i, each in enumerate(self.passages):
+            found += [
+                turn._replace(
+                    t=turn.t + i * stretch, by_state=turn.by_state @ before,
+                    by_parameters=turn.by_parameters + turn.by_state @ shift,
+                )
+                for turn in each.turns
+            ]  # fmt: skip
+            before, shift = each.by_state @ before, each.by_parameters + each.by_state @ shift
+        return tuple(found)
+
+
+#: Further equations: ``conditions(loop)`` gives their values (r,) and slopes (r, unknowns).
+Conditions: TypeAlias = Callable[[Loop], tuple[FloatArray, FloatArray]]
+
+
+def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
+    """The derivative of a state in time."""
+    mode = field.initial_mode(state, constants)
+    n = len(field.coordinates)
+    numbers = [float(value) for value in state]
+    return np.array([*numbers[n:], *field.acceleration(numbers, constants, mode, math)])
+
+
+def directions_of(field: Field, free: tuple[int, ...]) -> FloatArray:
+    """Unit directions of the free parameters, two rows."""
+    directions = np.zeros((2, len(field.parameters)))
+    for row, index in enumerate(free):
+        directions[row, index] = 1.0
+    return directions
+
+
+def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> Loop:
+    """A guess integrated."""
+    try:
+        for index in free:
+            field.check(field.parameters[index], guess.values[index])
+    except ParameterError as error:
+        raise ConvergenceError(f"Newton's method leaves the parameters that there are: {error}") from error
+    if not guess.period > 0:
+        raise ConvergenceError("the period is not positive")
+    constants = field.constants(guess.values)
+    stretch, directions = guess.period / len(guess.states), directions_of(field, free)
+    return Loop(field, guess, constants, tuple(fly(state, constants, stretch, directions) for state in guess.states))
+
+
+def solved(
+    field: Field, fly: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, reach: float = np.inf,
+    iterations: int = 12, precision: float = 1e-13,
+) -> Loop:  # fmt: skip
+    """The closed loop near a guess under further conditions, as many as there are free parameters and one.
+
+    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as small as rounding, end it.
+    Raises ConvergenceError where there is none.
+    """
+    start, size, before = guess, guess.states.size, np.inf
+    loop = looped(field, fly, guess, free)
+    for iteration in range(iterations):
+        values, rows = conditions(loop)
+        residual = np.concatenate([loop.gaps.ravel(), values])
+        step = newton_step(np.vstack([loop.slopes(len(free)), rows]), residual)
+        width = float(np.abs(step).max())
+        scale = 1 + float(np.abs(loop.guess.vector).max())
+        small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
+        if small and float(np.abs(residual).max()) <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
+            return loop
+        if iteration and width > 1e3 * before:
+            break
+        guess = loop.guess.moved(step, free)
+        if np.abs(guess.states - start.states).max() > reach or not np.isfinite(step[:size]).all():
+            break
+        if not 0.5 < guess.period / start.period < 2:
+            break
+        loop, before = looped(field, fly, guess, free), width
+    raise ConvergenceError("Newton's method finds no closed orbit there")
+
+
+def newton_step(matrix: FloatArray, residual: FloatArray) -> FloatArray:
+    """−matrix⁻¹ residual."""
+    try:
+        return np.asarray(np.linalg.solve(matrix, -residual), dtype=float)
+    except np.linalg.LinAlgError as error:
+        raise ConvergenceError("Newton's method meets a singular matrix") from error
+
+
+def across(field: Field, state: FloatArray, constants: tuple[float, ...], unknowns: int) -> Conditions:
+    """The first state stays in the plane through ``state`` across the flow there: the phase of the orbit."""
+    normal = rate(field, state, constants)
+    normal = normal / np.linalg.norm(normal)
+
+    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        row = np.zeros((1, unknowns))
+        row[0, : field.size] = normal
+        return np.array([normal @ (loop.guess.states[0] - state)]), row
+
+    return condition
+
+
+def at_rest_along(field: Field, unknowns: int) -> Conditions:
+    """The first coordinate's speed is zero at the start: the phase at which it is largest."""
+    n = len(field.coordinates)
+
+    def condition(loop: Loop) -> tuple[FloatArray, FloatArray]:
+        row = np.zeros((1, unknowns))
+        row[0, n] = 1.0
+        return loop.guess.states[0, n : n + 1].copy(), row
+
+    return condition
+
+
+def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
+    """The same loop cut into ``pieces`` equal stretches, from its first state on."""
+    constants, states = field.constants(guess.values), [guess.states[0]]
+    none = np.zeros((2, len(field.parameters)))
+    for _ in range(pieces - 1):
+        states.append(fly(states[-1], constants, guess.period / pieces, none).state)
+    return Guess(np.array(states), guess.period, guess.values)
+
+
+def extent(loop: Loop) -> float:
+    """How far apart the turns of an orbit are: the largest of all components."""
+    states = [*(turn.state for turn in loop.turns()), *loop.guess.states]
+    return float(np.ptp(states, axis=0).max())
+
+
+def growth(loop: Loop) -> float:
+    """Largest derivative over one stretch."""
+    return max(float(np.abs(each.by_state).max()) for each in loop.passages)

@@ -1,0 +1,163 @@
+"""Motion with its variational equations by heyoka's Taylor method, borders as terminal events."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ..dynamics.lobatto import unit_points
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
+from .field import GAP, Field, Mode
+from .passage import Crossing, Passage, Turn
+
+#: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.
+TOLERANCE = 1e-17
+
+#: Derivatives are carried in this unit, so that they stay below the state.
+UNIT = 1e-4
+
+#: Steps after which a stretch is given up, and between two looks at signals.
+MAX_STEPS, CHUNK = 2_000_000, 20_000
+
+
+class Compiled:
+    """One compiled integrator of a field, used again and again: constants, mode and directions are its ``par[]``."""
+
+    def __init__(self, field: Field, derivatives: bool) -> None:
+        import heyoka as hy
+
+        self.field, self.m, self.derivatives = field, field.size, derivatives
+        n, m = len(field.coordinates), field.size
+        state = hy.make_vars(*(f"q{i}" for i in range(m)))
+        self.constants = len(field.constants([1.0] * len(field.parameters)))
+        width, parameters = len(field.modes[0]), len(field.parameters)
+        constants = [hy.par[i] for i in range(self.constants)]
+        mode = [hy.par[self.constants + i] for i in range(width)]
+        accelerations = list(field.acceleration(state, constants, mode, hy))
+        system = list(zip(state, [*state[n:], *accelerations], strict=True))
+        if derivatives:
+            jacobian = field.jacobian(state, constants, mode, hy)
+            slopes = field.by_parameters(state, constants, mode, hy)
+            for column in range(m + 2):
+                part = hy.make_vars(*(f"d{i}_{column}" for i in range(m)))
+                rates = [_dot(row, part) for row in jacobian]
+                if column >= m:
+                    begin = self.constants + width + (column - m) * parameters
+                    weights = [hy.par[begin + i] for i in range(parameters)]
+                    rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
+                system += zip(part, [*part[n:], *rates], strict=True)
+        borders = [1e-3 * (b.sign(mode) * b.level(state, constants, mode) + GAP * b.kink) for b in field.borders]
+        rates = [(-1, state[n])] + [
+            (i, b.rate(state, accelerations, constants, mode)) for i, b in enumerate(field.borders) if b.kink
+        ]
+        self.crossings: list[Crossing] = []
+        self.turns: list[Turn] = []
+        self.mode: Mode = field.modes[0]
+        self.solver = hy.taylor_adaptive(
+            system, [0.0] * len(system),
+            tol=TOLERANCE, compact_mode=True,
+            t_events=[
+                hy.t_event(value, callback=partial(self._cross, i), cooldown=0.0, direction=hy.event_direction.negative)
+                for i, value in enumerate(borders)
+            ],
+            nt_events=[hy.nt_event(1e-3 * value, partial(self._turn, i)) for i, value in rates],
+        )  # fmt: skip
+
+    def __deepcopy__(self, _: object) -> Compiled:
+        """heyoka copies its callbacks; they must go on to write here."""
+        return self
+
+    def _set(self, begin: int, values: Sequence[float]) -> None:
+        """Set parameters; those at the end that the model does not use are not there."""
+        end = min(begin + len(values), len(self.solver.pars))
+        if end > begin:
+            self.solver.pars[begin:end] = values[: end - begin]
+
+    def _cross(self, index: int, solver: Any, _: int) -> bool:
+        border = self.field.borders[index]
+        self.mode = after = border.beyond(self.mode)
+        self._set(self.constants, after)
+        if border.kink:
+            self.crossings.append(Crossing(solver.time, index, int(border.sign(after)), solver.state[: self.m].copy()))
+        return True
+
+    def _turn(self, border: int, solver: Any, t: float, direction: int) -> None:
+        solver.update_d_output(t)
+        self.turns.append(Turn(t, border, direction, *self._split(solver.d_output)))
+
+    def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        m = self.m
+        if not self.derivatives:
+            return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
+        columns = values[m:].reshape(m + 2, m).T / UNIT
+        return values[:m].copy(), columns[:, :m], columns[:, m:]
+
+    def _begin(self, state: FloatArray, constants: tuple[float, ...], directions: FloatArray) -> None:
+        solver, m = self.solver, self.m
+        self.crossings, self.turns = [], []
+        solver.time = 0.0
+        solver.state[:] = 0.0
+        solver.state[:m] = state
+        if self.derivatives:
+            solver.state[m : m + m * m : m + 1] = UNIT
+        self.mode = self.field.initial_mode(state, constants)
+        self._set(0, (*constants, *self.mode, *np.ravel(directions)))
+        solver.reset_cooldowns()
+
+    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        """Carry a state on for a while."""
+        import heyoka as hy
+
+        self._begin(state, constants, directions)
+        solver = self.solver
+        steps, outcome = 0, hy.taylor_outcome.step_limit
+        while outcome == hy.taylor_outcome.step_limit:
+            if steps >= MAX_STEPS:
+                raise ConvergenceError(f"{MAX_STEPS} steps were made by t = {solver.time:.6g} of {duration:.6g}: too stiff")
+            outcome, _, _, made, *_ = solver.propagate_until(duration, max_steps=CHUNK)
+            steps += made
+        end, by_state, by_parameters = self._split(solver.state)
+        if outcome != hy.taylor_outcome.time_limit or not np.isfinite(end).all():
+            raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}")
+        if not self.field.is_inside(end, constants, self.mode):
+            raise ConvergenceError(f"heyoka missed a kink before t = {duration:.6g}; use backend='scipy'")
+        return Passage(end, by_state, by_parameters, tuple(self.crossings), tuple(self.turns))
+
+    def sample(self, state: FloatArray, constants: tuple[float, ...], duration: float) -> tuple[FloatArray, FloatArray]:
+        """Times (n,) and states (m, n) at the Lobatto points of the steps of a stretch, ends shared."""
+        self._begin(state, constants, np.zeros((2, len(self.field.parameters))))
+        solver, unit = self.solver, unit_points()
+        powers = unit ** np.arange(solver.order + 1)[:, None]
+        times, states = [np.zeros(1)], [np.asarray(state, dtype=float)[:, None]]
+        for _ in range(MAX_STEPS):
+            begin = solver.time
+            if begin >= duration:
+                return np.concatenate(times), np.concatenate(states, axis=1)
+            _, made = solver.step(duration - begin, write_tc=True)
+            if not made > 0 or not np.isfinite(solver.state[: self.m]).all():
+                break
+            scaled = solver.tc[: self.m] * made ** np.arange(solver.order + 1)
+            times.append(begin + made * unit[1:])
+            states.append((scaled @ powers)[:, 1:])
+        raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g}")
+
+
+def _dot(one: Any, other: Any) -> Any:
+    products = [a * b for a, b in zip(one, other, strict=True) if not (isinstance(a, int) and a == 0)]
+    return sum(products[1:], products[0]) if products else 0.0 * other[0]
+
+
+_CACHE = threading.local()
+
+
+def compiled(field: Field, derivatives: bool = True) -> Compiled:
+    """Compiled once per field and thread."""
+    known: dict[tuple[str, bool], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
+    if (field.name, derivatives) not in known:
+        known[field.name, derivatives] = Compiled(field, derivatives)
+    return known[field.name, derivatives]

@@ -1,0 +1,227 @@
+"""Motion with its variational equations by SciPy's DOP853, restarted at every border."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, partial
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from ..dynamics.lobatto import unit_points
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
+from .field import GAP, Field, Mode
+from .passage import Crossing, Passage, Turn
+
+#: As tight as DOP853 goes.
+RTOL, ATOL = 2.3e-14, 1e-15
+
+MAX_STEPS = 200_000
+
+# The continuation of a mode grows without bound far outside it; trial steps that go there are rejected.
+_FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
+
+#: Each step is searched for zeros on this many intervals.
+_SEARCH = np.linspace(0.0, 1.0, 13)
+
+
+@dataclass(frozen=True)
+class Flight:
+    """A field, carried on by DOP853 with or without derivatives."""
+
+    field: Field
+    derivatives: bool = True
+
+    def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        """Carry a state on for a while."""
+        m = self.field.size
+        crossings: list[Crossing] = []
+        turns: list[Turn] = []
+        whole = np.asarray(state, dtype=float)
+        if self.derivatives:
+            whole = np.concatenate([whole, np.hstack([np.eye(m), np.zeros((m, 2))]).ravel()])
+        for piece in self._pieces(whole, constants, duration, directions):
+            turns += self._turns(piece, constants)
+            if piece.border is not None and self.field.borders[piece.border].kink:
+                sign = int(self.field.borders[piece.border].sign(piece.after))
+                crossings.append(Crossing(piece.end, piece.border, sign, piece.state[:m].copy()))
+            whole = piece.state
+        return Passage(*self._split(whole), tuple(crossings), tuple(turns))
+
+    def sample(self, state: FloatArray, constants: tuple[float, ...], duration: float) -> tuple[FloatArray, FloatArray]:
+        """Times (n,) and states (m, n) at the Lobatto points of the steps of a stretch, ends shared."""
+        unit, none = unit_points(), np.zeros((2, len(self.field.parameters)))
+        times, states = [np.zeros(1)], [np.asarray(state, dtype=float)[:, None]]
+        flight = Flight(self.field, derivatives=False)
+        for piece in flight._pieces(np.asarray(state, dtype=float), constants, duration, none):
+            local = piece.begin + unit[1:] * (piece.end - piece.begin)
+            values = piece.dense(local)
+            values[:, -1] = piece.state
+            times.append(local)
+            states.append(values)
+        return np.concatenate(times), np.concatenate(states, axis=1)
+
+    def _split(self, values: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+        m = self.field.size
+        if not self.derivatives:
+            return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
+        columns = values[m:].reshape(m, m + 2)
+        return values[:m].copy(), columns[:, :m].copy(), columns[:, m:].copy()
+
+    def _pieces(self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Any:
+        """Steps, none of which leaves its mode; a step that would is cut at the border."""
+        from scipy.integrate import DOP853
+
+        m, clock, first = self.field.size, 0.0, None
+        mode = self.field.initial_mode(whole[:m], constants)
+        options = {"rtol": RTOL, "atol": ATOL}
+        steps = 0
+        while clock < duration:
+            rates = self._rates(constants, mode, directions)
+            bound = duration - clock
+            solver = DOP853(rates, 0.0, whole, bound, first_step=None if first is None else min(first, bound), **options)
+            found = None
+            while solver.status == "running" and found is None:
+                before = solver.y.copy()
+                message = solver.step()
+                steps += 1
+                if solver.status == "failed" or steps > MAX_STEPS:
+                    raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message or 'too many steps'}")
+                dense, begin, end = solver.dense_output(), solver.t_old, solver.t
+                found = self._leaves(constants, mode, dense, begin, end)
+                if found is None:
+                    yield _Piece(clock + begin, clock + end, solver.y.copy(), _shifted(dense, clock), mode, None, mode)
+            whole = solver.y.copy()
+            if found is None:
+                clock += solver.t
+                continue
+            # The state at the border by a step of its own: the interpolant is of lower order than the method.
+            at, border = found
+            first, whole = solver.step_size, _stepped(rates, begin, before, at, options)
+            after = self.field.borders[border].beyond(mode)
+            yield _Piece(clock + begin, clock + at, whole, _shifted(dense, clock), mode, border, after)
+            clock, mode = clock + at, after
+
+    def _rates(
+        self, constants: tuple[float, ...], mode: Mode, directions: FloatArray
+    ) -> Callable[[float, FloatArray], FloatArray]:
+        field, m, n = self.field, self.field.size, len(self.field.coordinates)
+
+        def rates(_: float, whole: FloatArray) -> FloatArray:
+            state = whole[:m].tolist()
+            own = np.array([*state[n:], *field.acceleration(state, constants, mode, _FLOATS)])
+            if not self.derivatives:
+                return own
+            columns = whole[m:].reshape(m, m + 2)
+            lower = np.array(field.jacobian(state, constants, mode, _FLOATS), dtype=float) @ columns
+            lower[:, m:] += np.array(field.by_parameters(state, constants, mode, _FLOATS), dtype=float) @ directions.T
+            return np.concatenate([own, columns[n:].ravel(), lower.ravel()])
+
+        return rates
+
+    def _clearance(self, border: int, state: Any, constants: tuple[float, ...], mode: Mode) -> tuple[float, float]:
+        """Distance from a border, negative beyond it, and its rate."""
+        numbers, that = state.tolist(), self.field.borders[border]
+        sign = that.sign(mode)
+        accelerations = self.field.acceleration(numbers, constants, mode, _FLOATS)
+        level = sign * that.level(numbers, constants, mode) + GAP * that.kink
+        return level, sign * that.rate(numbers, accelerations, constants, mode)
+
+    def _leaves(
+        self, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
+    ) -> tuple[float, int] | None:
+        """When, within a step, the motion first leaves its mode, and through which border."""
+        m, grid = self.field.size, begin + _SEARCH * (end - begin)
+        states = dense(grid)[:m].T
+        found: list[tuple[float, int]] = []
+        for border in range(len(self.field.borders)):
+            values = [self._clearance(border, state, constants, mode) for state in states]
+
+            def at(t: float, part: int, border: int = border) -> float:
+                return self._clearance(border, dense(t)[:m], constants, mode)[part]
+
+            for i in range(len(grid) - 1):
+                high = float(grid[i + 1])
+                if values[i + 1][0] >= 0:
+                    if not values[i][1] < 0 < values[i + 1][1]:
+                        continue
+                    high = _zero(partial(at, part=1), float(grid[i]), high)
+                    if at(high, 0) >= 0:
+                        continue
+                found.append((_zero(partial(at, part=0), float(grid[i]), high), border))
+                break
+        return min(found, default=None)
+
+    def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
+        """Zeros of the rates within a step."""
+        m, n = self.field.size, len(self.field.coordinates)
+        grid = piece.begin + _SEARCH * (piece.end - piece.begin)
+        states = piece.dense(grid)[:m].T
+        found = []
+
+        def at(value: Callable[[Any], float], t: float) -> float:
+            return value(piece.dense(t)[:m])
+
+        for border in (-1, *(i for i, each in enumerate(self.field.borders) if each.kink)):
+
+            def value(state: Any, border: int = border) -> float:
+                if border < 0:
+                    return float(state[n])
+                numbers = state.tolist()
+                accelerations = self.field.acceleration(numbers, constants, piece.mode, _FLOATS)
+                return float(self.field.borders[border].rate(numbers, accelerations, constants, piece.mode))
+
+            values = [value(state) for state in states]
+            for i in range(len(grid) - 1):
+                if (values[i] < 0) != (values[i + 1] < 0) and values[i] != 0:
+                    t = _zero(partial(at, value), float(grid[i]), float(grid[i + 1]))
+                    found.append(Turn(t, border, 1 if values[i] < 0 else -1, *self._split(piece.dense(t))))
+        return sorted(found, key=lambda turn: turn.t)
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """One step within a mode."""
+
+    begin: float
+    end: float
+    state: FloatArray
+    dense: Callable[[Any], FloatArray]
+    mode: Mode
+    border: int | None
+    after: Mode
+
+
+def _shifted(dense: Callable[[Any], FloatArray], clock: float) -> Callable[[Any], FloatArray]:
+    return lambda t: dense(t - clock)
+
+
+def _zero(function: Callable[[float], float], begin: float, end: float) -> float:
+    from scipy.optimize import brentq
+
+    if function(begin) * function(end) > 0:
+        return begin  # beyond the border by rounding: it is left at once
+    return float(brentq(function, begin, end, xtol=1e-15, rtol=8.9e-16))
+
+
+def _stepped(rates: Any, begin: float, state: FloatArray, end: float, options: dict[str, float]) -> FloatArray:
+    """A state carried on to the end of a part of a step."""
+    from scipy.integrate import DOP853
+
+    if end <= begin:
+        return state
+    solver = DOP853(rates, begin, state, end, first_step=end - begin, **options)
+    while solver.status == "running":
+        solver.step()
+    reached: FloatArray = solver.y
+    return reached
+
+
+@cache
+def flight(field: Field, derivatives: bool = True) -> Flight:
+    """For symmetry with heyoka's, which are compiled."""
+    return Flight(field, derivatives)

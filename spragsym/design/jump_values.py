@@ -1,0 +1,208 @@
+"""Where the state of small deformation jumps first as one parameter moves, for many points at once.
+
+All folds along the parameter are found with proof (:mod:`spragsym.catastrophe.fold_arrays`). Between two folds the equilibria
+keep their order in θ, and each fold says which two of them meet and on which side: so the state followed is a rank, and it
+jumps at the first fold at which it is one of the two that vanish. Points that float64 can't decide go the same way in exact
+arithmetic.
+"""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..catastrophe import fold_arrays
+from ..catastrophe.fold_points import turns
+from ..catastrophe.paths import quasi_static_path
+from ..errors import ConvergenceError, ParameterError, UndecidedWarning
+from ..parameters import NAMES, RANGES, FloatArray, Parameters
+from ..statics.solver import Equilibria, Stability, equilibria
+
+#: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
+BLOCK = 1 << 13
+#: Largest error of a value over max(1, |value|), proved.
+_LARGEST_ERROR = 1e-12
+#: Where θ₀ begins to rise; folds below it are looked for exactly.
+_FIRST_ANGLE = 2.0**-40
+#: Parameters that rise from their lower end; the others move from the value that they have.
+FROM_LOWER_END = {"theta0": _FIRST_ANGLE, "mu0": 0.0}
+
+
+@dataclass(frozen=True)
+class FirstJumps:
+    """For many points the value at which the state jumps and the direction of the spring there; NaN where it never does.
+
+    ``reasons`` says of which points, by their position in ``value.flat``, nothing is known, and why.
+    """
+
+    value: FloatArray
+    theta: FloatArray
+    reasons: Mapping[int, str]
+
+
+def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> float | FloatArray:
+    """Where the state of small deformation jumps first as one parameter moves.
+
+    Parameters
+    ----------
+    p : Parameters
+        Any shape. Of ``theta0`` and ``mu0`` the one that varies is not used, and may be left out.
+    vary : str
+        ``"mu0"`` and ``"theta0"`` rise from their lower end, 0; ``"kappa"``, ``"alpha"``, ``"sigma"`` and ``"beta"`` move
+        from the value in ``p``, to the end of their range.
+    direction : {"up", "down"}
+        Which way; only ``"up"`` for ``mu0`` and ``theta0``.
+
+    Returns
+    -------
+    float or ndarray
+        Of the shape of the parameters that are used; NaN where the state never jumps.
+
+    Raises
+    ------
+    ParameterError
+        For a ``vary`` that is not a parameter or a direction that it can't take.
+    ConvergenceError
+        For a single point whose folds can't be told apart by any number of digits; in an array such a point is NaN, with an
+        :class:`~spragsym.errors.UndecidedWarning`.
+
+    Notes
+    -----
+    Source: f = f′ = 0; the first jump of :func:`spragsym.quasi_static_path` from ``start="small"``, to 1e-12: the state that is
+    followed is the stable equilibrium of smallest \\|x\\| at the first value.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> p = Parameters.article(theta0=np.radians([30.0, 44.5593177, 80.0]))
+    >>> np.round(jump_value(p), 6)
+    array([0.850303, 0.5     ,      nan])
+    >>> round(float(np.degrees(jump_value(Parameters.article(mu0=0.7), "theta0"))), 6)
+    35.353706
+    """
+    found = told(first_jumps(p, vary, direction))
+    return found.value if found.value.ndim else float(found.value)
+
+
+def told(found: FirstJumps) -> FirstJumps:
+    """Itself; an error for a single point of which nothing is known, and a warning for some of many."""
+    for reason in found.reasons.values():
+        if not found.value.shape:
+            raise ConvergenceError(reason)
+        what = f"{len(found.reasons)} points have no answer and are NaN; the first: {reason}"
+        warnings.warn(what, UndecidedWarning, stacklevel=3)
+        break
+    return found
+
+
+def first_jumps(p: Parameters, vary: str, direction: str = "up") -> FirstJumps:
+    """As :func:`jump_value`, with the direction of the spring on the fold at which the state ends."""
+    forward = _checked(p, vary, direction)
+    shape = p.replace(**{vary: None}).shape if vary in FROM_LOWER_END else p.shape
+    size = math.prod(shape)
+    needed = [name for name in NAMES if not (name == vary and vary in FROM_LOWER_END)]
+    given = {name: np.broadcast_to(getattr(p, name), shape).reshape(-1) for name in needed}
+    value, theta = np.empty(size), np.empty(size)
+    hopeless: dict[int, str] = {}
+    for begin in range(0, size, BLOCK):
+        part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
+        here = slice(begin, begin + BLOCK)
+        value[here], theta[here], reasons = _block(part, vary, forward)
+        hopeless |= {begin + i: reason for i, reason in reasons.items()}
+    return FirstJumps(value.reshape(shape), theta.reshape(shape), hopeless)
+
+
+def _checked(p: Parameters, vary: str, direction: str) -> int:
+    if vary not in NAMES:
+        raise ParameterError(f"vary = {vary!r} is not a parameter; choose one of {', '.join(NAMES)}")
+    if direction not in ("up", "down"):
+        raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
+    if vary in FROM_LOWER_END and direction == "down":
+        raise ParameterError(f"direction = 'down': {vary} rises from its lower end; leave the direction out")
+    p.require(*(name for name in ("theta0", "mu0") if name != vary))
+    return 1 if direction == "up" else -1
+
+
+def _block(given: Mapping[str, FloatArray], vary: str, forward: int) -> tuple[FloatArray, FloatArray, dict[int, str]]:
+    size = next(iter(given.values())).size
+    start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
+    eq = equilibria(Parameters(**{**given, vary: start}))
+    others = {name: column for name, column in given.items() if name != vary}
+    found = fold_arrays.folds(vary, others, size)
+    undecided = found.undecided | eq.undecided | eq.fold
+    value, theta = _walk(found, start, forward, small(eq), eq.count, undecided)
+    reasons = {}
+    for i in np.flatnonzero(undecided):
+        point = Parameters(**{name: float(column[i]) for name, column in given.items()})
+        try:
+            value[i], theta[i] = exactly(point, vary, forward)
+        except ConvergenceError as reason:
+            value[i] = theta[i] = np.nan
+            reasons[int(i)] = str(reason)
+    return value, theta, reasons
+
+
+def small(eq: Equilibria) -> NDArray[np.intp]:
+    """The slot of the stable equilibrium of smallest \\|x\\|, or of the smallest if none is stable, of each of many points."""
+    size = np.where(np.isnan(eq.x), np.inf, np.abs(eq.x))
+    stable = np.where(eq.stability == Stability.STABLE, size, np.inf)
+    return np.asarray(np.argmin(np.where(np.isfinite(stable).any(axis=-1, keepdims=True), stable, size), axis=-1))
+
+
+def _walk(
+    found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: NDArray[np.intp], count: NDArray[np.int8],
+    undecided: NDArray[np.bool_],
+) -> tuple[FloatArray, FloatArray]:  # fmt: skip
+    """Carry ranks over the folds in their order; points whose order is not certain are added to ``undecided``."""
+    ahead = forward * (found.value.value - start[found.row])
+    near = np.abs(ahead) <= found.value.error * 1.01 + 1e-300
+    undecided[found.row[near]] = True
+    keep = np.flatnonzero((ahead > 0) & ~near)
+    keep = keep[np.lexsort((ahead[keep], found.row[keep]))]
+    row, value, best = found.row[keep], found.value.rows(keep), found.best.rows(keep)
+    same = row[1:] == row[:-1]
+    apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
+    undecided[row[1:][same & ~apart]] = True
+    result, theta = np.full(start.size, np.nan), np.full(start.size, np.nan)
+    rank, count = rank.astype(np.int64), count.astype(np.int64)
+    place = np.arange(row.size) - np.searchsorted(row, row)  # which fold of its point
+    at = 2 * np.arctan(found.t.value[keep])
+    opens, upper = forward * found.side[keep], found.upper[keep]
+    done = np.zeros(start.size, dtype=np.bool_)
+    for k in range(int(place.max(initial=-1)) + 1):
+        now = np.flatnonzero(place == k)
+        points, grows = row[now], opens[now] > 0
+        undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
+        jumps = ~grows & ~done[points] & np.where(upper[now], rank[points] >= 1, rank[points] <= 1)
+        result[points[jumps]], theta[points[jumps]] = best.value[now[jumps]], at[now[jumps]]
+        coarse = best.error[now] > _LARGEST_ERROR * np.maximum(np.abs(best.value[now]), 1.0)
+        undecided[points[jumps & coarse]] = True
+        done[points[jumps]] = True
+        rank[points] = np.where(grows & ~upper[now], 2, 0)
+        count[points] = np.where(grows, 3, 1)
+    return result, theta
+
+
+def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
+    """The value of one point and the direction of the spring there, by exact arithmetic throughout."""
+    found = [turn.values[NAMES.index(vary)] for turn in turns(p, vary)]
+    if vary == "theta0":
+        start = min([_FIRST_ANGLE, *(value / 2 for value in found)])
+    else:
+        start = FROM_LOWER_END[vary] if vary in FROM_LOWER_END else float(getattr(p, vary))
+    ahead = [value for value in found if forward * (value - start) >= 0]
+    if not ahead:
+        return math.nan, math.nan
+    if forward > 0:
+        high = RANGES[vary].high
+        end = 2 * max(ahead) + 1 if math.isinf(high) else (max(ahead) + high) / 2
+    else:
+        end = min(ahead) / 2
+    path = quasi_static_path(p, vary, [start, end])
+    jump = next(iter(path.jumps), None)
+    return (jump.value, jump.theta_before) if jump else (math.nan, math.nan)

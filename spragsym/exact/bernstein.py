@@ -1,0 +1,209 @@
+"""The positive roots of many polynomials of one degree, isolated with proof in float64: Descartes' rule in Bernstein's basis.
+
+With t = τ w/(1 − w) the half line t > 0 is 0 < w < 1, and the coefficients of a polynomial in t over the binomials are those of
+Bernstein's basis in w. On any part of it they are averages of these (de Casteljau), and no root or exactly one is known by the
+signs of them (Descartes, Vincent). Each coefficient carries a bound on its error; where one leaves a sign open that is needed,
+the row is given back as undecided.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .rounded import UNIT, Rounded
+
+FloatArray = NDArray[np.float64]
+
+#: Halvings after which a row is undecided: roots closer than 2^-30 are for exact arithmetic.
+DEPTH = 30
+#: τ: no round number, so that roots of symmetric polynomials, at t = 1, lie inside of a part and not at an end.
+SCALE = 1.0703125
+
+
+class Parts(NamedTuple):
+    """Parts of 0 < w < 1, each with the coefficients of its row's polynomial there, of shape (degree + 1, parts)."""
+
+    row: NDArray[np.intp]
+    low: FloatArray
+    width: FloatArray
+    value: FloatArray
+    error: FloatArray
+
+
+@dataclass(frozen=True)
+class Roots:
+    """Roots of many polynomials: rows, t with a radius that is proved, and the sign of the slope there; and undecided rows."""
+
+    row: NDArray[np.intp]
+    t: Rounded
+    rising: NDArray[np.int8]
+    undecided: NDArray[np.bool_]
+
+
+def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
+    """Every positive root of each of ``size`` polynomials.
+
+    Parameters
+    ----------
+    coefficients : list of Rounded
+        Lowest power first, each an array of ``size`` or one number.
+
+    Returns
+    -------
+    Roots
+        Of rows that are not undecided all roots, each simple, in no order.
+    """
+    pending = _beginning(coefficients, size)
+    undecided = np.asarray(~np.isfinite(pending.value + pending.error).all(axis=0))
+    found = []
+    for depth in range(DEPTH + 1):
+        pending = _select(pending, ~undecided[pending.row])
+        none, one = _descartes(pending)
+        found.append(_select(pending, one))
+        pending = _select(pending, ~(none | one))
+        if not pending.row.size:
+            break
+        if depth == DEPTH:
+            undecided[pending.row] = True
+            break
+        pending = _halved(pending)
+        undecided[pending.row[_open_at_the_cut(pending)]] = True
+    parts = _joined(found)
+    parts = _select(parts, ~undecided[parts.row])
+    return _refined(parts, undecided)
+
+
+def _beginning(coefficients: list[Rounded], size: int) -> Parts:
+    degree = len(coefficients) - 1
+    value, error = np.empty((degree + 1, size)), np.empty((degree + 1, size))
+    for power, coefficient in enumerate(coefficients):
+        scaled = coefficient * (SCALE**power / math.comb(degree, power))
+        value[power], error[power] = scaled.value, scaled.error
+        error[power] += 2 * degree * UNIT * np.abs(value[power])  # the factor is rounded itself
+    largest = np.abs(value).max(axis=0)
+    exponent = -np.frexp(np.where((largest > 0) & np.isfinite(largest), largest, 1.0))[1]
+    return Parts(np.arange(size), np.zeros(size), np.ones(size), np.ldexp(value, exponent), np.ldexp(error, exponent))
+
+
+def _select(parts: Parts, which: NDArray[np.bool_]) -> Parts:
+    if which.all():
+        return parts
+    index = np.flatnonzero(which)
+    return Parts(parts.row[index], *(column[..., index] for column in parts[1:]))
+
+
+def _joined(parts: list[Parts]) -> Parts:
+    rows, *others = (np.concatenate(columns, axis=-1) for columns in zip(*parts, strict=True))
+    return Parts(rows, *others)
+
+
+def _signs(parts: Parts) -> NDArray[np.int8]:
+    above, below = parts.value > parts.error, parts.value < -parts.error
+    return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
+
+
+def _descartes(parts: Parts) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Where no root is in a part, and where exactly one is, a simple one. One open sign between two that differ is no matter."""
+    signs = _signs(parts)
+    unknown = signs == 0
+    number = unknown.sum(axis=0, dtype=np.int8)
+    # Of an open sign the one before it, so that it is no change; at the first place it stays 0 and counts as one.
+    filled = signs.copy()
+    filled[1:][unknown[1:]] = signs[:-1][unknown[1:]]
+    changes = (filled[1:] != filled[:-1]).sum(axis=0, dtype=np.int8)
+    between = ((signs[2:] * signs[:-2] < 0) & unknown[1:-1]).any(axis=0)
+    inside = ~unknown[0] & ~unknown[-1]
+    return (changes == 0) & (number == 0), (changes == 1) & inside & ((number == 0) | ((number == 1) & between))
+
+
+def _halved(parts: Parts) -> Parts:
+    """Both halves of each part, the lower ones first. A halving rounds ``degree`` times, at most by the largest value there."""
+    low_value, high_value = _de_casteljau(parts.value)
+    degree = len(parts.value) - 1
+    # Each average is rounded relative to itself; the averages of the sizes bound those of the values.
+    spread = (parts.error + 1.01 * degree * UNIT * np.abs(parts.value)) * (1 + 2 * degree * UNIT)
+    low_error, high_error = _de_casteljau(spread)
+    half = 0.5 * parts.width
+    return Parts(
+        np.concatenate([parts.row, parts.row]), np.concatenate([parts.low, parts.low + half]), np.concatenate([half, half]),
+        np.concatenate([low_value, high_value], axis=1), np.concatenate([low_error, high_error], axis=1),
+    )  # fmt: skip
+
+
+def _de_casteljau(value: FloatArray) -> tuple[FloatArray, FloatArray]:
+    upper, lower = value.copy(), np.empty_like(value)
+    lower[0] = upper[0]
+    for step in range(1, len(value)):
+        upper[:-step] += upper[1 : len(value) - step + 1]
+        upper[:-step] *= 0.5
+        lower[step] = upper[0]
+    return lower, upper
+
+
+def _open_at_the_cut(parts: Parts) -> NDArray[np.intp]:
+    """Lower halves whose value at the cut has no sign: more halvings would not give it one."""
+    half = parts.row.size // 2
+    return np.flatnonzero(np.abs(parts.value[-1, :half]) <= parts.error[-1, :half])
+
+
+def _at(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Polynomials at a place between 0 and 1, and their slopes, by de Casteljau's rule.
+
+    It rounds the value no more than 4 · degree times, each relative to the largest coefficient.
+    """
+    value, degree = value.copy(), len(value) - 1
+    for step in range(1, degree):
+        value[:-step] += (value[1 : degree - step + 2] - value[:-step]) * place
+    rise = value[1] - value[0]
+    return value[0] + rise * place, degree * rise
+
+
+def _refined(parts: Parts, undecided: NDArray[np.bool_]) -> Roots:
+    """Each root by Newton's rule, or by halving where that leaves its part; and a radius at whose ends the signs differ."""
+    degree = len(parts.value) - 1
+    noise = parts.error.max(axis=0) + 8 * degree * UNIT * np.abs(parts.value).max(axis=0)
+    rising = np.where(parts.value[-1] > 0, 1, -1).astype(np.int8)
+    low, high = np.zeros(parts.row.size), np.ones(parts.row.size)
+    place, slope = parts.value[0] / (parts.value[0] - parts.value[-1]), np.empty(parts.row.size)
+    active = np.arange(parts.row.size)
+    for _ in range(60):
+        here = place[active]
+        value, slope[active] = _at(parts.value[:, active], here)
+        below = value * rising[active] < 0
+        low[active], high[active] = np.where(below, here, low[active]), np.where(below, high[active], here)
+        fresh = here - value / slope[active]
+        inside = (fresh > low[active]) & (fresh < high[active])
+        place[active] = np.where(inside, fresh, 0.5 * (low[active] + high[active]))
+        done = (np.abs(value) <= noise[active]) | (np.abs(place[active] - here) < UNIT)
+        place[active[done]] = here[done]
+        active = active[~done]
+        if not active.size:
+            break
+    return _bracketed(parts, place, slope, noise, rising, undecided)
+
+
+def _bracketed(
+    parts: Parts, place: FloatArray, slope: FloatArray, noise: FloatArray, rising: NDArray[np.int8],
+    undecided: NDArray[np.bool_],
+) -> Roots:  # fmt: skip
+    """The bracket of each root, proved by two signs."""
+    radius = 4 * noise / np.abs(slope) + 8 * UNIT
+    for _ in range(5):
+        left, right = np.maximum(place - radius, 0.0), np.minimum(place + radius, 1.0)
+        # At the ends of a part the signs are known.
+        proved = (left == 0.0) | (_at(parts.value, left)[0] * rising < -noise)
+        proved &= (right == 1.0) | (_at(parts.value, right)[0] * rising > noise)
+        if proved.all():
+            break
+        radius = np.where(proved, radius, 8 * radius)
+    undecided = undecided.copy()
+    undecided[parts.row[~proved]] = True
+    keep = ~undecided[parts.row]
+    w = Rounded((parts.low + parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT)
+    complement = Rounded(((1 - parts.low) - parts.width * place)[keep], (parts.width * radius)[keep] + 2 * UNIT)
+    return Roots(parts.row[keep], w / complement * SCALE, rising[keep], undecided)

@@ -1,0 +1,200 @@
+"""Pages: what is refused and in which words, what a folder holds, and that the article's page is the article's model."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("sympy")
+
+import sympy as sp
+
+import spragsym as ss
+from spragsym.derive import folder, pages, soundness
+from spragsym.derive import units as measured
+from spragsym.derive.kang_nam import generality
+from spragsym.derive.model import PageError
+
+ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
+NAMES = [path.stem for path in pages.shipped()]
+
+
+def changed(tmp_path: Path, *changes: tuple[str, str]) -> Path:
+    """The article's page with pieces of text replaced, as a user's file."""
+    text = ARTICLE.replace("from ..model import", "from spragsym.derive.model import")
+    for before, after in changes:
+        assert text.count(before) == 1, before
+        text = text.replace(before, after)
+    path = tmp_path / "mine.py"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def line_of(path: Path, piece: str) -> int:
+    lines = path.read_text(encoding="utf-8").splitlines()
+    (number,) = [number for number, line in enumerate(lines, 1) if piece in line]
+    return number
+
+
+LAW = "lambda depth: k_c * depth"
+FRICTION = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
+REFUSED = {
+    "a contact that pulls": (LAW, "lambda depth: -k_c * depth", "page.contact(", "pulls"),
+    "a contact that pulls further in": (LAW, "lambda depth: k_c * depth - k_c * depth**2 / L_0", "page.contact(", "pulls"),
+    "a contact that jumps": (LAW, "lambda depth: k_c * depth + F_L", "page.contact(", "just touches"),
+    "friction that drives at rest": (FRICTION, "lambda v: mu0 + 0 * v", "page.friction(", "drives at rest"),
+    "Coulomb's friction": (FRICTION, "lambda v: mu0 * sgn(v)", "page.friction(", "drives at rest"),
+    "friction along the sliding": (FRICTION, "lambda v: -mu0 * d * v", "page.friction(", "opposes sliding"),
+    "another limit": ("at_rest=mu0", "at_rest=2 * mu0", "page.friction(", "at fast sliding is mu0"),
+    "units of a law": (LAW, "lambda depth: k_c * depth**2", "page.contact(", "kg m^2 s^-2"),
+    "units of a sum": ("page.force(0, -F_L,", "page.force(0, -F_L - k_c,", "page.force(", "adds what can't be added"),
+    "units of a spring": ("page.spring(k_y, along=y)", "page.spring(F_L, along=y)", "page.spring(F_L", "expected is kg s^-2"),
+    "units of an exponent": ("exp(-d * Abs(v))", "exp(-Abs(v))", "page.friction(", "not a number"),
+    "no such unit": ('"s/m", "steepness', '"h/m", "steepness', '"h/m"', "is not a unit"),
+    "no inertia": ("page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)", "page.kinetic(m * page.rate(x) ** 2 / 2)",
+                   'page.coordinate("y"', "no inertia"),
+    "no domain": ('"steepness of the friction law in creep", "> 0"', '"steepness of the friction law in creep", "positive"',
+                  "positive", "is not a domain"),
+    "a base value outside": ('">= 0", 0.5, latex', '">= 0", -0.5, latex', "-0.5", "not in its domain"),
+    "twice": ('page.coordinate("y"', 'page.coordinate("x"', 'y = page.coordinate("x"', "defined twice"),
+    "a name that is not there": ("page.spring(k_y, along=y)", "page.spring(k_z, along=y)", "k_z", "NameError"),
+    "one end": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y))", "page.spring(k_y", "two ends"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_a_page_that_makes_no_sense_is_refused_by_its_line(case: str, tmp_path: Path) -> None:
+    before, after, place, words = REFUSED[case]
+    path = changed(tmp_path, (before, after))
+    with pytest.raises(PageError, match=rf"^mine\.py, line {line_of(path, place)}: .*{words.replace('^', '.')}"):
+        pages.read(path)
+
+
+def test_a_coordinate_that_no_force_acts_on(tmp_path: Path) -> None:
+    path = changed(
+        tmp_path,
+        ("\npage.kinetic(m * (", '\nz = page.coordinate("z", "m", "free")\npage.kinetic(m * (page.rate(z) ** 2 + '),
+    )
+    message = rf"^mine\.py, line {line_of(path, 'free')}: no force acts on z; .* the forces along x, y are well"
+    with pytest.raises(PageError, match=message):
+        pages.read(path)
+
+
+def test_a_page_is_not_written_unless_it_is_carried_through(tmp_path: Path) -> None:
+    path = changed(tmp_path, (LAW, "lambda depth: -k_c * depth"))
+    with pytest.raises(PageError):
+        folder.write_page(path, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+# ------------------------------------------------------------------------------------------------ units and groups
+
+
+@pytest.mark.parametrize(
+    ("text", "powers"),
+    [("N/m", (1, 0, -2)), ("N s/m", (1, 0, -1)), ("kg m/s^2", (1, 1, -2)), ("1", (0, 0, 0)),
+     ("N/m^(3/2)", (1, sp.Rational(-1, 2), -2)), ("J", (1, 2, -2)), ("m/s/s", (0, 1, -2))],
+)  # fmt: skip
+def test_units_are_read(text: str, powers: tuple[int, ...]) -> None:
+    assert tuple(sp.Rational(power.numerator, power.denominator) for power in measured.read(text)) == powers
+
+
+def test_groups_follow_from_the_units() -> None:
+    """As the article defines them after (9)."""
+    groups = {name: str(value) for name, value in soundness.groups(pages.read(pages.SHIPPED / "kang_nam.py").page).items()}
+    assert groups["kappa"] == "F_L/(L_0*k_c)"
+    assert groups["sigma"] == "k/k_c"
+    assert groups["d"] == "L_0*d*sqrt(k_c)/sqrt(m)"
+    hertz = soundness.groups(pages.read(pages.SHIPPED / "hertz_contact.py").page)
+    assert str(hertz["sigma"]) == "k/(sqrt(L_0)*k_h)"
+
+
+# ------------------------------------------------------------------------------------------------ the article's page
+
+
+def test_the_general_way_gives_the_article() -> None:
+    assert all(generality.identities().values())
+
+
+def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The comparison can fail: what the pages add is not added for nothing."""
+    monkeypatch.setattr(generality, "ADDED", {"cubic_contact": (), "damped": ("zeta_x", "zeta_y")})
+    held = generality.identities()
+    assert sum(held.values()) == 3
+    assert len(held) == 5
+
+
+# ------------------------------------------------------------------------------------------------ folders and load
+
+
+def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path) -> None:
+    folder.write_page(changed(tmp_path), tmp_path / "out")
+    ours, shipped = ss.load(tmp_path / "out"), ss.load("kang_nam")
+    assert ours.parameters == shipped.parameters
+    assert ours.base == shipped.base
+    state = (0.1, -0.2, 0.3, 0.4)
+    for model in (ours, shipped):
+        p = model.Parameters(theta0=0.8)
+        assert p.sigma == 0.1
+    rates = [model.motion.rhs(*state, *model.arguments(model.Parameters(theta0=0.8), "motion")) for model in (ours, shipped)]
+    assert rates[0] == rates[1]
+
+
+def test_a_folder_that_was_derived_again_is_loaded_again(tmp_path: Path) -> None:
+    folder.write_page(changed(tmp_path), tmp_path / "out")
+    first = ss.load(tmp_path / "out")
+    other = tmp_path / "other"
+    other.mkdir()
+    folder.write_page(changed(other, ('">= 0", 0.5, latex', '">= 0", 0.6, latex')), tmp_path / "out")
+    second = ss.load(tmp_path / "out")
+    assert (first.base["mu0"], second.base["mu0"]) == (0.5, 0.6)
+
+
+@pytest.mark.parametrize("damage", ["code", "json", "missing", "foreign", "keys"])
+def test_a_damaged_folder_says_so(damage: str, tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    folder.write_page(changed(tmp_path), out)
+    if damage == "code":
+        (out / "statics.py").write_text((out / "statics.py").read_text(encoding="utf-8") + "\n", encoding="utf-8")
+    elif damage == "json":
+        (out / "model.json").write_text("{", encoding="utf-8")
+    elif damage == "missing":
+        (out / "motion.py").unlink()
+    elif damage == "keys":
+        about = json.loads((out / "model.json").read_text(encoding="utf-8"))
+        del about["angles"]
+        (out / "model.json").write_text(json.dumps(about), encoding="utf-8")
+    else:
+        out = tmp_path
+    expected = ss.ParameterError if damage == "foreign" else ss.SpragsymError
+    words = {
+        "code": "not as it was written",
+        "json": "damaged",
+        "missing": "missing",
+        "foreign": "no model.json",
+        "keys": "angles",
+    }
+    with pytest.raises(expected, match=words[damage]):
+        ss.load(out)
+
+
+def test_a_name_that_no_model_has() -> None:
+    with pytest.raises(ss.ParameterError, match="did you mean two_springs"):
+        ss.load("two_spring")
+    with pytest.raises(ss.ParameterTypeError, match="is no model"):
+        ss.load(3)  # type: ignore[arg-type]  # on purpose
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_model_describes_itself(name: str) -> None:
+    model = ss.load(name)
+    text = model.describe()
+    assert all(word in text for word in (*model.parameters, *model.coordinates))
+    assert model.name == name
+    p = model.Parameters()
+    assert p.shape == ()
+    assert {key: float(getattr(p, key)) for key in model.base} == model.base
+    with pytest.raises(ss.ParameterError):
+        model.Parameters(**{model.parameters[-1]: float("nan")})

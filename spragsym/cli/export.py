@@ -11,7 +11,7 @@ import click
 
 from ..errors import MissingExtraError
 from .targets import force, holds, refuse
-from .with_model import TEXT
+from .with_model import TEXT, page_of
 
 
 def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
@@ -80,5 +80,4 @@ def _of_model(name: str, language: str) -> dict[str, str]:
         from ..derive import pages
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym export --model", error.name or "sympy", "derive") from error
-    page = pages.SHIPPED / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
-    return translation.export(page, model.name, language)
+    return translation.export(page_of(model, pages.SHIPPED), model.name, language)

@@ -35,11 +35,20 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         print_table("", ("state", "stability", *model.coordinates, "error"), [
             (row["state"], row["stability"], *(row[name] for name in model.coordinates), f"{row['error']:.1e}") for row in rows
         ])  # fmt: skip
-        for box in open_boxes:
-            click.echo(f"{box['state']}, undecided: from {box['low']} to {box['high']}")
+        for place in ("contact", "lift-off"):
+            if boxes := [box for box in open_boxes if box["state"] == place]:
+                click.echo(_summed(model, place, boxes))
 
     options = [*parameter_options(model, Number), click.Option(["--json", "json_output"], is_flag=True, help=_JSON)]
     return options, equilibria, "All equilibria at one point, in contact and in lift-off, stable and unstable, proved."
+
+
+def _summed(model: Model, state: str, boxes: list[dict[str, Any]]) -> str:
+    """How many boxes are undecided, and what holds them all; --json lists each."""
+    low = [min(ends) for ends in zip(*(box["low"] for box in boxes), strict=True)]
+    high = [max(ends) for ends in zip(*(box["high"] for box in boxes), strict=True)]
+    hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(model.coordinates, low, high, strict=True))
+    return f"{state}: not complete, {len(boxes)} boxes are undecided, within {hull}"
 
 
 def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import math
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -102,6 +103,11 @@ def without(model: Model, vary: Sequence[str], values: dict[str, Any]) -> Any:
         if name not in model.parameters:
             raise ParameterError(f"{name} is not a parameter of {model.name}; choose among {', '.join(model.parameters)}")
     return model.Parameters(**{name: None if name in vary else value for name, value in parameters_of(model, values).items()})
+
+
+def page_of(model: Model, shipped: Path) -> Path:
+    """Where the page of a model stands: among the shipped ones, or in its folder."""
+    return shipped / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
 
 
 def made_for(command: Any, module: str, function: str) -> None:

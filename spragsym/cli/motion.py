@@ -18,8 +18,8 @@ from .targets import force, refuse, set_aside
 
 _BACKEND = click.option(
     "--backend",
-    type=click.Choice(["heyoka", "scipy"]),
-    help="Integrator. Default: heyoka where it is installed.",
+    type=click.Choice(["heyoka", "compiled", "scipy"]),
+    help="Integrator. Default: heyoka where it is installed, else the compiled one.",
 )
 _RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 

@@ -1,6 +1,6 @@
 """The integrators that there are, and which of them runs.
 
-Both are existing ones, restarted wherever the field of (8)–(11) has a kink: they integrate the analytic continuation of
+All are existing methods, restarted wherever the field of (8)–(11) has a kink: they integrate the analytic continuation of
 one mode of the field (:mod:`~spragsym.dynamics.problem`), find where the motion leaves it, and go on in the next.
 """
 
@@ -13,32 +13,39 @@ from types import ModuleType
 
 import numpy as np
 
-from ..errors import MissingExtraError, ParameterError
+from ..errors import BackendError, MissingExtraError, ParameterError
 from ..parameters import FloatArray
-from . import with_heyoka, with_scipy
+from . import with_compiled, with_heyoka, with_scipy
 from .course import Course, Flow, course_of
 from .problem import Event, Problem
 from .solution import Solution
 
-BACKENDS = ("heyoka", "scipy")
+BACKENDS = ("heyoka", "compiled", "scipy")
 
-_INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "scipy": with_scipy}
+_INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_compiled, "scipy": with_scipy}
 
 
 def choose(backend: str | None) -> str:
-    """The backend that will run: heyoka where it is installed, else SciPy; a named one or an error."""
+    """The backend that will run: heyoka where it is installed, else the compiled one, else SciPy; a named one or an error."""
     if backend is None:
-        return "heyoka" if importlib.util.find_spec("heyoka") else "scipy"
+        if importlib.util.find_spec("heyoka"):
+            return "heyoka"
+        return "compiled" if with_compiled.available() else "scipy"
     if backend not in BACKENDS:
         raise ParameterError(f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest")
     if backend == "heyoka" and not importlib.util.find_spec("heyoka"):
         raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
+    if backend == "compiled" and not with_compiled.available():
+        raise BackendError(
+            "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+            "install spragsym again, with a compiler, or install a wheel"
+        )
     return backend
 
 
 def version(backend: str) -> str:
     """Name and version of the integrator, which decide the last bits of a result."""
-    return f"{backend} {importlib.metadata.version(backend)}"
+    return with_compiled.version() if backend == "compiled" else f"{backend} {importlib.metadata.version(backend)}"
 
 
 def integrate(problem: Problem, backend: str) -> Solution:
@@ -48,10 +55,10 @@ def integrate(problem: Problem, backend: str) -> Solution:
 
 
 def measure(problem: Problem, backend: str) -> Course:
-    """What is measured of the motion after ``t_record``: by heyoka on the way, by SciPy from the samples."""
+    """What is measured of the motion after ``t_record``: by heyoka on the way, by the others from the samples."""
     if backend == "heyoka":
         return with_heyoka.watch(problem)
-    solution = with_scipy.integrate(problem)
+    solution = integrate(problem, backend)
     return course_of(solution.samples, np.bincount(solution.event_kinds, minlength=len(Event)))
 
 

@@ -52,7 +52,7 @@ def rms_sweep(
         Until when to integrate, and what to leave out of every result, by default three quarters of it.
     rtol : float
         Relative tolerance.
-    backend : {"heyoka", "scipy"}, optional
+    backend : {"heyoka", "compiled", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     max_steps : int
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.

@@ -26,7 +26,7 @@ CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --error-exitcode=1 --std=c
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 
-.PHONY: help derive test check lint coverage mutants regenerate installs package bench figures docs check-claims clean
+.PHONY: help derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
@@ -41,6 +41,7 @@ help:
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
 	@echo "make figures       draw the article's figures into figures/"
+	@echo "make explorer      bundle the explorer's drawings and libraries anew, with node"
 	@echo "make docs          build the documentation into docs/_build/"
 	@echo "make check-claims  hold the article's statements against computation"
 	@echo "make clean         remove what the other targets made, .venv included"
@@ -110,7 +111,12 @@ bench: $(TEST)
 figures: $(TEST)
 	$(BIN)/spragsym figures --out figures --force
 
+# Libraries as the lock file says, then the committed bytes. Users need no node: the package carries the bundle.
+explorer:
+	cd explorer && npm ci --no-audit --no-fund && node build.mjs
+
 docs: $(DOCS)
+	$(BIN)/spragsym explore --no-open --force --out docs/_build/explorer.html
 	$(BIN)/sphinx-build -W docs docs/_build
 
 check-claims: $(TEST)

@@ -25,12 +25,14 @@ from .catastrophe import linear_sprag as linear_sprag
 from .catastrophe import quasi_static_path as quasi_static_path
 from .catastrophe import sliding_friction as sliding_friction
 from .catastrophe import surface as surface
+from .cycles import BasinBoundary as BasinBoundary
 from .cycles import Cycle as Cycle
 from .cycles import CycleBranch as CycleBranch
 from .cycles import CycleEvent as CycleEvent
 from .cycles import EventCurve as EventCurve
 from .cycles import FateBoundary as FateBoundary
 from .cycles import Lyapunov as Lyapunov
+from .cycles import basin_boundary as basin_boundary
 from .cycles import cycle as cycle
 from .cycles import cycle_branch as cycle_branch
 from .cycles import cycle_events as cycle_events
@@ -39,10 +41,12 @@ from .cycles import lyapunov as lyapunov
 from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient
 from .design import JumpMargin as JumpMargin
+from .design import JumpProbability as JumpProbability
 from .design import Redesign as Redesign
 from .design import certify as certify
 from .design import jump_gradient as jump_gradient
 from .design import jump_margin as jump_margin
+from .design import jump_probability as jump_probability
 from .design import jump_value as jump_value
 from .design import redesign as redesign
 from .dynamics import Event as Event

@@ -285,6 +285,39 @@ def test_circles_and_lines_are_traced_whatever_the_grid(monkeypatch: pytest.Monk
     assert tried >= 4
 
 
+@pytest.mark.parametrize("enters", [0.41, 0.45, 0.49, 0.55])
+@pytest.mark.parametrize("leaves", [0.42, 0.47, 0.5, 0.58])
+@pytest.mark.parametrize("born", [0.43, 0.48, 0.53, 2.0])
+def test_events_that_share_a_cell_are_told_apart(
+    monkeypatch: pytest.MonkeyPatch, enters: float, leaves: float, born: float
+) -> None:
+    """A line comes in, another one leaves, a pair is born, in any order, between two values of θ or two cells of them."""
+
+    def roots(theta: np.ndarray, _: object = None) -> tuple[np.ndarray, np.ndarray]:
+        rows = []
+        for angle in theta:
+            row = [0.1 * (angle - enters)] if angle > enters else []
+            row += [2 + way * math.sqrt(angle - born) for way in (-1, 1)] if angle > born else []
+            rows.append(row + ([5 + 0.1 / (leaves - angle)] if angle < leaves else []))
+        return _padded(rows)
+
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (theta - enters, leaves - theta, math.inf))
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - born)
+    for theta in (np.array([0.1, 0.4, 0.6, 0.9]), np.array([0.1, 0.4, 0.46, 0.6, 0.9])):
+        strands = sorted(fold_curves._trace(theta, FAMILY), key=lambda strand: strand.theta0.max())
+        assert len(strands) == 2 + (born < 1)
+        first, *pair, last = strands
+        np.testing.assert_allclose(np.tan(first.theta0 / 2), 0.1 * (first.theta - enters), atol=1e-12)
+        assert first.theta[[0, -1]] == pytest.approx([enters, 0.9], abs=1e-12)
+        assert last.theta[[0, -1]] == pytest.approx([0.1, leaves], abs=1e-12)
+        for strand in pair:
+            v = np.tan(strand.theta0 / 2)
+            np.testing.assert_allclose((v - 2) ** 2, strand.theta - born, atol=1e-9)
+            assert (np.diff(v) > 0).all() or (np.diff(v) < 0).all()
+            assert strand.theta[[0, -1]].tolist() == [0.9, 0.9]
+
+
 #: θ(v) = T₅(v − 2) with a tilt: one curve, of which one to five pass a θ; up, and down.
 _WAVE = np.polynomial.Chebyshev([0.75, 0.05, 0, 0, 0, 0.35], domain=[1, 3]).convert(kind=np.polynomial.Polynomial)
 
@@ -392,11 +425,15 @@ def test_angles_gather_where_curves_are_long(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def _drawn(monkeypatch: pytest.MonkeyPatch, friction: object, n: int = 41) -> fold_curves.Strand:
-    """A strand θ₀ = 1 + θ with that friction, and another one beside it which is not to be taken for it."""
+    """A strand θ₀ = 1 + θ with that friction, and others close beside it which are not to be taken for it."""
     monkeypatch.setattr(
-        fold_curves, "positive_roots", lambda theta, _: _padded([[math.tan(0.1), math.tan((1 + t) / 2)] for t in theta])
+        fold_curves,
+        "positive_roots",
+        lambda theta, _: _padded([[math.tan((1 + t + off) / 2) for off in (-0.02, 0, 0.02)] for t in theta]),
     )
-    monkeypatch.setattr(fold_curves, "friction", lambda theta, theta0, fixed: np.where(theta0 > 0.5, friction(theta), 1.0))
+    monkeypatch.setattr(
+        fold_curves, "friction", lambda theta, theta0, fixed: np.where(np.abs(theta0 - theta - 1) < 0.005, friction(theta), 1.0)
+    )
     theta = np.linspace(0.1, 1.4, n)
     return fold_curves.Strand(theta, 1 + theta, friction(theta))
 
@@ -428,6 +465,16 @@ def test_strands_through_infinity_get_no_zero(monkeypatch: pytest.MonkeyPatch) -
     assert [len(some) for some in parts] == [1, 1]
     assert sum(some[0].theta.size for some in parts) == strand.theta.size
     assert all(np.abs(some[0].mu0).min() > 1e3 for some in parts)
+
+
+def test_a_zero_next_to_a_steep_rise_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only where friction is large on both sides does it pass through infinity."""
+    at = np.linspace(0.1, 1.4, 41)[20] + 2.5e-4
+    strand = _drawn(monkeypatch, lambda theta: 2e5 * (theta - at))
+    for side, end in ((1.0, 0), (-1.0, -1)):
+        (part,) = fold_curves._one_sign(strand, FAMILY, side)
+        assert part.theta[end] == pytest.approx(at, abs=1e-12)
+        assert part.mu0[end] == 0
 
 
 def test_a_zero_that_is_not_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:

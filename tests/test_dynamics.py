@@ -348,7 +348,7 @@ BAD = [
     ({"x0": np.nan}, "x0 = nan"),
     ({"vy0": np.inf}, "vy0 = inf"),
     ({"x0": float(np.cos(BASE.theta0)), "y0": float(np.sin(BASE.theta0))}, "anchor .* start anywhere else"),
-    ({"backend": "euler"}, "backend = 'euler' is not one of heyoka, scipy"),
+    ({"backend": "euler"}, "backend = 'euler' is not one of heyoka, compiled, scipy"),
 ]
 
 
@@ -385,7 +385,12 @@ def test_measures_refuse_what_they_cannot_measure(base: dict[str, Trajectory]) -
 
 def test_scipy_is_the_fallback(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(integrators.importlib.util, "find_spec", lambda name: None)
+    if with_compiled.available():
+        assert simulate(BASE, **BELT, t_end=5.0).backend == "compiled"
+    monkeypatch.setattr(with_compiled, "available", lambda: False)
     assert simulate(BASE, **BELT, t_end=5.0).backend == "scipy"
+    with pytest.raises(ss.BackendError, match="was not built"):
+        simulate(BASE, **BELT, t_end=5.0, backend="compiled")
     with pytest.raises(ss.MissingExtraError, match=r"spragsym\[fast\]"):
         simulate(BASE, **BELT, t_end=5.0, backend="heyoka")
 

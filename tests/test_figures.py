@@ -48,10 +48,12 @@ P = ss.Parameters.article()
 #: Panels of each figure, and options that make it quick.
 PANELS = {
     "3": 2, "4": 4, "5": 4, "6": 2, "7": 2, "8": 1, "9": 1, "10": 1, "11": 1, "12": 1, "13": 2, "14": 2,
-    "cusp-friction": 4, "false-double-root": 2, "rms-map": 1, "sensitivity": 3,
+    "cusp-friction": 4, "cycles": 1, "cycles-plane": 1, "false-double-root": 2, "rms-map": 1, "sensitivity": 3,
 }  # fmt: skip
 QUICK: dict[str, dict[str, Any]] = {
     "7": {"step_deg": 30.0}, "11": {"detail": 0.3}, "14": {"detail": 0.3}, "cusp-friction": {"n": 4},
+    "cycles": {"seeds": ("34",), "to_deg": (41.5, 42.5), "points": 3},
+    "cycles-plane": {"points": 1, "frictions": (), "curves": ()},
     "rms-map": {"step_deg": 45.0, "step_mu0": 0.5, "levels": 1}, "sensitivity": {"step_deg": 10.0},
 }  # fmt: skip
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import shutil
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
@@ -15,19 +14,15 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import c_target
-from benchmarks.families import FAMILIES
+from benchmarks import c_target, languages
+from benchmarks.languages import NODE, STABILITY, answers, values
 from spragsym import generated
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
 from tests.test_documents import ROOT, fenced
 
 MODULE = ROOT / "generated" / "javascript" / "spragsym.mjs"
-DRIVER = ROOT / "derive" / "kang_nam" / "runtime" / "javascript" / "tests" / "driver.mjs"
 PAGE = ROOT / "docs" / "howto_javascript.md"
-NODE = shutil.which("node")
-STATUS = {"ok": 0, "uncertain": 1, "out_of_range": 3}
-STABILITY = ("none", "stable", "divergent", "flutter")
 POINT = {"theta0": math.radians(49.0), "mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
 DRIVE = {"V": 0.5, "d": 10.0}
 START = [0.0, 0.0, 0.0, 0.0]
@@ -44,70 +39,23 @@ SETS: tuple[dict[str, float], ...] = (
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is not on this machine")
 
 
-def encoded(value: Any) -> Any:
-    """A value for the driver: what JSON has no number for becomes an object."""
-    if isinstance(value, dict):
-        return {name: encoded(part) for name, part in value.items()}
-    if isinstance(value, list | tuple):
-        return [encoded(part) for part in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return {"number": {math.inf: "Infinity", -math.inf: "-Infinity"}.get(value, "NaN")}
-    return value
-
-
-def decoded(found: dict[str, Any]) -> Any:
-    return float(found["number"].replace("Infinity", "inf")) if found.keys() == {"number"} else found
-
-
-def answers(calls: Sequence[tuple[Any, ...]]) -> list[dict[str, Any]]:
-    """What the module returns for calls (name, arguments …), or how it throws."""
-    text = json.dumps([{"name": name, "given": encoded(given)} for name, *given in calls])
-    done = subprocess.run([str(NODE), DRIVER, MODULE], input=text, capture_output=True, text=True, timeout=60, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
-    return list(json.loads(done.stdout, object_hook=decoded))
-
-
-def values(calls: Sequence[tuple[Any, ...]]) -> list[Any]:
-    found = answers(calls)
-    assert all("value" in answer for answer in found), next(answer for answer in found if "value" not in answer)
-    return [answer["value"] for answer in found]
-
-
-def points(p: ss.Parameters) -> list[dict[str, float]]:
-    return [dict(zip(NAMES, map(float, row), strict=True)) for row in c_target.table(p)]
-
-
-def solved(p: ss.Parameters, contact: bool) -> list[dict[str, Any]]:
-    return values([("equilibria", point, {"contact": contact}) for point in points(p)])
-
-
 # -------------------------------------------------------------------------------------------------- equilibria
 
 
 @pytest.fixture(scope="module")
-def everything() -> dict[bool, tuple[ss.Parameters, list[dict[str, Any]]]]:
+def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
     """Points of all families and what the module says about them, in contact and in lift-off."""
-    parts = [points(np.random.default_rng([18, place]), 120) for place, points in enumerate(FAMILIES.values())]
-    p = ss.Parameters(*np.concatenate([np.stack(part.broadcast(*NAMES)) for part in parts], axis=1))
-    return {contact: (p, solved(p, contact)) for contact in (True, False)}
+    p = languages.adversarial(120)
+    return {contact: (p, languages.in_node(p, contact)) for contact in (True, False)}
 
 
 @pytest.mark.parametrize("contact", [True, False])
 def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: bool) -> None:
     """Counts, kinds and errors within the bounds of both, against the ladder's digits; and most points are vouched for."""
-    p, answers_here = everything[contact]
-    eq = ss.equilibria(p, contact=contact)
-    vouched = [i for i, found in enumerate(answers_here) if found["status"] == "ok"]
-    assert len(vouched) > 0.7 * len(answers_here)
-    for i in vouched:
-        found = answers_here[i]
-        assert found["count"] == len(found["states"]) == eq.count[i], i
-        for k, state in enumerate(found["states"]):
-            assert STABILITY.index(state["stability"]) == eq.stability[i, k], i
-            for coordinate in ("theta", "L", "x", "y"):
-                exact = float(getattr(eq, coordinate)[i, k])
-                error = abs(state[coordinate] - exact) / max(1.0, abs(exact))
-                assert error <= state["error"] + eq.error[i, k], (i, coordinate)
+    p, found = everything[contact]
+    assert np.mean(found.status == 0) > 0.7
+    assert languages.against_python(found, p, contact).wrong == 0
+    assert 0 < languages.against_python(found, p, contact).largest <= 1
 
 
 @pytest.mark.skipif(c_target.compiler() is None, reason="no C compiler on this machine")
@@ -115,14 +63,7 @@ def test_every_bit_is_that_of_c(everything: Any) -> None:
     """Statuses, counts, states and bounds, of what is not vouched for as well: one kernel, no operation of it different."""
     library = c_target.build(str(c_target.compiler()), ("-O1",))
     for contact, (p, found) in everything.items():
-        out = c_target.room(p.shape[0])
-        c_target.solve(library, c_target.table(p), out, contact, batch=False)
-        assert [STATUS[answer["status"]] for answer in found] == out.status.tolist()
-        assert [answer["count"] for answer in found] == out.count.tolist()
-        for answer, theirs in zip(found, out.equilibria, strict=True):
-            for state, row in zip(answer["states"], theirs, strict=False):
-                assert STABILITY.index(state["stability"]) == row["stability"]
-                assert all(state[column] == row[column] for column in ("theta", "L", "x", "y", "error"))
+        assert not languages.unlike_c(found, library, p, contact).any()
 
 
 def test_numbers_that_double_cannot_carry() -> None:

@@ -178,7 +178,8 @@ def _trace(theta: FloatArray, fixed: Fixed) -> list[Strand]:
     roots, number = positive_roots(theta, fixed)
     finished: list[_Curve] = []
     open_ends: list[_End] = [(deque(), True) for _ in range(number[0])]
-    starts = [0, *(np.flatnonzero(np.diff(number)) + 1)]
+    passes = [np.diff(np.sign(end)) != 0 for end in _ends(theta, fixed)[:2]]
+    starts = [0, *(np.flatnonzero((np.diff(number) != 0) | passes[0] | passes[1]) + 1)]
     for begin, end in zip(starts, [*starts[1:], theta.size], strict=True):
         if begin:
             cell = float(theta[begin - 1]), float(theta[begin]), int(number[begin - 1]), int(number[begin])
@@ -210,15 +211,20 @@ def _reversed(curve: _Curve) -> _Curve:
 def _change(
     low: float, high: float, before: int, after: int, fixed: Fixed, open_ends: list[_End], finished: list[_Curve]
 ) -> list[_End]:
-    """Carry the open ends over a cell of θ in which the number of roots goes from ``before`` to ``after``."""
-    if before == after:
+    """Carry the open ends over a cell of θ in which the number of roots goes from ``before`` to ``after``.
+
+    By what changes sign there: one of the two end values, or the indicator, is one event; a cell with more of them is halved.
+    """
+    passes = sum(bool(end[0] * end[1] <= 0) for end in _ends(np.array([low, high]), fixed)[:2])
+    if before == after and not passes:
         return open_ends
-    if abs(after - before) == 1:
-        return _through_an_end(low, high, fixed, open_ends, finished, enters=after > before)
-    if abs(after - before) == 2 and _meeting(low, high, fixed) is not None:
-        return _pair(low, high, max(before, after), fixed, open_ends, finished, born=after > before)
+    meets = _meeting(low, high, fixed) is not None
     middle = 0.5 * (low + high)
-    if not low < middle < high:
+    if not low < middle < high or (passes + meets == 1 and abs(after - before) == 1 + meets):
+        if before == after:
+            return open_ends
+        if abs(after - before) == 1:
+            return _through_an_end(low, high, fixed, open_ends, finished, enters=after > before)
         return _pair(low, high, max(before, after), fixed, open_ends, finished, born=after > before)
     between = _number(middle, fixed)
     open_ends = _change(low, middle, before, between, fixed, open_ends, finished)
@@ -230,13 +236,12 @@ def _number(theta: float, fixed: Fixed) -> int:
 
 
 def _meeting(low: float, high: float, fixed: Fixed) -> float | None:
-    """The θ between two others at which two roots meet, if it is the only event there."""
+    """A θ between two others at which two roots meet, where the indicator says that an odd number of pairs do."""
 
     def value(theta: float) -> float:
         return float(indicator(np.array([theta]), fixed)[0])
 
-    ends = _ends(np.array([low, high]), fixed)[:2]
-    if value(low) * value(high) >= 0 or any(end[0] * end[1] <= 0 for end in ends):
+    if value(low) * value(high) > 0:
         return None
     return float(brentq(value, low, high, xtol=1e-15, rtol=1e-15))
 
@@ -246,13 +251,13 @@ def _through_an_end(
 ) -> list[_End]:
     """A root enters or leaves at θ₀ = 0 or at the other end, where one of the two end values changes sign."""
     at_zero, _, other = _ends(np.array([low, high]), fixed)
-    first = bool(at_zero[0] * at_zero[1] < 0)
+    first = bool(at_zero[0] * at_zero[1] <= 0)
 
     def value(theta: float) -> float:
         at_start, at_end, _ = _ends(np.array([theta]), fixed)
         return float((at_start if first else at_end)[0])
 
-    theta = float(brentq(value, low, high, xtol=1e-15, rtol=1e-15)) if value(low) * value(high) < 0 else 0.5 * (low + high)
+    theta = float(brentq(value, low, high, xtol=1e-15, rtol=1e-15)) if value(low) * value(high) <= 0 else low
     point = np.array([[theta], [0.0 if first else other]])
     if enters:
         end: _End = (deque([point]), True)
@@ -328,7 +333,7 @@ def _concatenated(chunks: list[Strand]) -> Strand:
 
 def _zero_friction(strand: Strand, outer: int, inner: int, fixed: Fixed) -> Strand | None:
     """Where a strand crosses μ₀ = 0 between two of its points; nothing where it passes through infinity instead."""
-    if min(abs(strand.mu0[outer]), abs(strand.mu0[inner])) > 1e3 * (1 + max(abs(np.diff(strand.theta0[[outer, inner]])))):
+    if min(abs(strand.mu0[outer]), abs(strand.mu0[inner])) > 1e3:
         return None
     far, near = float(strand.theta[outer]), float(strand.theta[inner])
     ends = float(strand.theta0[outer]), float(strand.theta0[inner])

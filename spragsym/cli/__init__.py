@@ -25,14 +25,16 @@ COMMANDS = {
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, cusps, flutter onsets, critical frictions."),
     "simulate": ("motion", "Integrate the motion from an initial state."),
+    "cycles": ("cycles", "Cycles of the motion, and branches of them."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
     "figures": ("figures", "Draw the article's figures, and more."),
+    "explore": ("explore", "Write the explorer, a page for the browser."),
     "derive": ("derive", "Carry the page of a model through to code."),
     "export": ("export", "Write the solver in another language."),
 }
 
 #: Module that may be missing → the extra that brings it.
-EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast",
+EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "flint": "certify",
           "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 

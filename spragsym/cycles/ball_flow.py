@@ -18,8 +18,8 @@ from flint import acb, arb, arb_mat
 from .field import Field, Mode
 from .jets import Functions, Jet
 
-#: Radii of polydiscs that are tried, of positions and of speeds.
-RADII = ((0.6, 0.6), (0.4, 0.25), (0.3, 0.12), (0.2, 0.08), (0.1, 0.05), (0.05, 0.02))
+#: Radii of convergence that are tried.
+TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)
 
 #: Steps are this share of the radius of convergence that is proved.
 SHARE = 1 / 7
@@ -74,29 +74,36 @@ class Balls:
         derivative = _fundamental(self.field, within, self.constants, self.mode, self.order, step)
         m, spread = self.field.size, (slope * radius).exp() * tail
         derivative += arb_mat(m, m, [_around(spread)] * (m * m))
-        self.point = [polynomial(each, self.order, step) + _around(bound * tail) for each, bound in zip(point, bounds, strict=True)]
+        self.point = [
+            polynomial(each, self.order, step) + _around(bound * tail) for each, bound in zip(point, bounds, strict=True)
+        ]
         self.matrix = derivative * self.matrix
 
     def _disc(self, box: list[Any]) -> tuple[Any, list[Any], Any]:
-        """A radius of convergence about all states, the radii of the polydisc, and a bound on the derivative of the field there."""
-        best: tuple[Any, list[Any], Any] | None = None
+        """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
         n = len(self.field.coordinates)
-        for place, speed in RADII:
-            radii = [arb(place)] * n + [arb(speed)] * n
-            disc = [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
-            rates = [*disc[n:], *self.field.acceleration(disc, self.constants, self.mode, Functions)]
-            sizes = [abs(rate).abs_upper() for rate in map(acb, rates)]
-            if not all(size.is_finite() for size in sizes):
-                continue
-            radius = _least([r / size for r, size in zip(radii, sizes, strict=True)])
-            if best is None or radius > best[0]:
-                rows = self.field.jacobian(disc, self.constants, self.mode, Functions)
-                slope = _most([arb(1), *(sum((abs(acb(v)).abs_upper() for v in row), arb(0)) for row in rows)])
-                if slope.is_finite():
-                    best = radius, radii, slope
-        if best is None:
-            raise NotProved("the field could not be bounded about the orbit")
-        return best
+
+        def disc(radii: list[Any]) -> list[Any]:
+            return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
+
+        def sizes(radii: list[Any]) -> list[Any]:
+            about = disc(radii)
+            rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, Functions)]
+            return [abs(acb(rate)).abs_upper() for rate in rates]
+
+        still = sizes([arb(1e-3)] * len(box))
+        for length in TIMES:
+            radii = [arb(float(length * 1.1 * size.mid())) + arb(1e-3) for size in still]
+            for _ in range(6):
+                found = sizes(radii)
+                if not all(size.is_finite() for size in found):
+                    break
+                if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
+                    rows = self.field.jacobian(disc(radii), self.constants, self.mode, Functions)
+                    slope = _most([arb(1), *(sum((abs(acb(v)).abs_upper() for v in row), arb(0)) for row in rows)])
+                    return arb(length), radii, slope
+                radii = [arb(float(length * 1.05 * size.mid())) + arb(1e-3) for size in found]
+        raise NotProved("the field could not be bounded about the orbit")
 
     def _stays(self, within: list[Jet], step: Any, tails: list[Any]) -> None:
         """Show that no state leaves the mode during a step."""
@@ -215,13 +222,6 @@ def _widened(value: Any, radius: Any) -> Any:
 def _exact(value: Any) -> Any:
     """A short number at most as large as a ball's."""
     return arb(float(value.lower()) * (1 - 1e-12))
-
-
-def _least(values: list[Any]) -> Any:
-    found = values[0]
-    for value in values[1:]:
-        found = found.min(value)
-    return found.lower()
 
 
 def _most(values: list[Any]) -> Any:

@@ -8,6 +8,8 @@ from __future__ import annotations
 import json
 import math
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
@@ -29,9 +31,8 @@ WINDOW = 1e5
 
 
 def proved(claim: dict[str, Any]) -> dict[str, Any]:
-    """What is shown of a claim, all numbers as decimal strings."""
+    """What is shown of a claim, all numbers as decimal strings; within :func:`bits` of :func:`bits_for` its digits."""
     field, digits = FIELDS[claim["field"]], int(claim["digits"])
-    ctx.prec = math.ceil(3.33 * (2.6 * digits + 20))
     radius, order = arb(10) ** -digits, math.ceil(1.9 * digits)
     radius = arb(float(radius.mid()))
     constants = list(field.constants([arb(value) for value in claim["values"]], Functions))
@@ -55,6 +56,22 @@ def proved(claim: dict[str, Any]) -> dict[str, Any]:
     if balls.mode != mode:
         raise NotProved("the motion does not come back in the smooth piece in which it began")
     return _krawczyk(balls, state, period, radius, inverse, moved)
+
+
+def bits_for(digits: int) -> int:
+    """Precision that a proof to so many digits works with."""
+    return math.ceil(3.33 * (2.6 * digits + 20))
+
+
+@contextmanager
+def bits(count: int) -> Iterator[None]:
+    """Balls of ``count`` bits for as long as the context lasts."""
+    before = ctx.prec
+    ctx.prec = count
+    try:
+        yield
+    finally:
+        ctx.prec = before
 
 
 def _exactly(value: Any) -> Any:
@@ -148,8 +165,7 @@ def _krawczyk(
     widths = []
     for i in range(m):
         row = [
-            (1 if i == column else 0)
-            - sum((inverse[i][k] * (monodromy[k, j] - int(k == j)) for k in range(m)), arb(0))
+            (1 if i == column else 0) - sum((inverse[i][k] * (monodromy[k, j] - int(k == j)) for k in range(m)), arb(0))
             for column, j in enumerate(moved)
         ]
         row.append((1 if i == m - 1 else 0) - sum((inverse[i][k] * rates[k] for k in range(m)), arb(0)))
@@ -194,7 +210,8 @@ def main() -> None:
     """Read a claim, write what was proved or why not."""
     claim = json.load(sys.stdin)
     try:
-        found = {"proved": True, **proved(claim)}
+        with bits(bits_for(int(claim["digits"]))):
+            found = {"proved": True, **proved(claim)}
     except NotProved as reason:
         found = {"proved": False, "reason": str(reason)}
     json.dump(found, sys.stdout)

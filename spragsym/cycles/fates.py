@@ -23,7 +23,7 @@ from .sprag import SPRAG
 JUDGED = (2000.0, 10_000.0)
 
 #: Bisection by verdicts ends at this share of the bracket where the saddle is an equilibrium.
-NARROW = 1e-6
+NARROW = 1e-4
 
 #: A motion that comes as close as this to an equilibrium hovers at it.
 CLOSE = 0.05
@@ -99,9 +99,9 @@ def fate_boundary(
     >>> import numpy as np
     >>> import spragsym as ss
     >>> p = ss.Parameters.article()
-    >>> found = ss.fate_boundary(p, vary="theta0", bracket=np.radians([41, 42]), V=0.5, d=10.0)
-    >>> round(np.degrees(found.value), 6), found.saddle
-    (41.311..., 'equilibrium')
+    >>> found = ss.fate_boundary(p, vary="theta0", bracket=(0.72101, 0.72102), V=0.5, d=10.0)
+    >>> round(found.value, 9), found.saddle
+    (0.721011728, 'equilibrium')
     """
     if vary not in SPRAG.parameters:
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(SPRAG.parameters)}")
@@ -114,7 +114,8 @@ def fate_boundary(
 
 
 def boundary_of(
-    field: Field, values: tuple[float, ...], vary: str, bracket: tuple[float, float], start: FloatArray, backend: str | None = None
+    field: Field, values: tuple[float, ...], vary: str, bracket: tuple[float, float], start: FloatArray,
+    backend: str | None = None,
 ) -> FateBoundary:  # fmt: skip
     """As :func:`fate_boundary`, of any field."""
     index = field.parameters.index(vary)
@@ -131,7 +132,7 @@ def boundary_of(
     below, above = judged(low), judged(high)
     if fate(below) == fate(above):
         raise ParameterError(
-            f"bracket = ({low:g}, {high:g}): the start comes to {below.regime.name} at both ends; give values with different fates"
+            f"bracket = ({low:g}, {high:g}): the start comes to {below.regime.name} at both ends; give values of different fates"
         )
     width = high - low
 
@@ -178,7 +179,9 @@ def verdict(field: Field, values: tuple[float, ...], start: FloatArray, backend:
     return outcome
 
 
-def _hovering(field: Field, fly: Fly, values: tuple[float, ...], start: FloatArray, span: float) -> tuple[FloatArray, float, float]:
+def _hovering(
+    field: Field, fly: Fly, values: tuple[float, ...], start: FloatArray, span: float
+) -> tuple[FloatArray, float, float]:
     """The state nearest to an equilibrium that the motion passes, when, and how far from it: among its turns."""
     best = (np.array(start), 0.0, np.inf)
     none = np.zeros((2, len(field.parameters)))

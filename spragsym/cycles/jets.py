@@ -30,10 +30,12 @@ class Jet:
         return Jet(lambda k: -self[k])
 
     def __sub__(self, other: Any) -> Jet:
-        return self + (-other)
+        difference: Jet = self + (-other)
+        return difference
 
     def __rsub__(self, other: Any) -> Jet:
-        return (-self) + other
+        difference: Jet = (-self) + other
+        return difference
 
     def __mul__(self, other: Any) -> Jet:
         if isinstance(other, Jet):

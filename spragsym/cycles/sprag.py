@@ -76,8 +76,8 @@ _BORDERS = (
 
 def _simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
     p = Parameters(**dict(zip(NAMES, values[:-2], strict=True)))
-    start = dict(zip(("x0", "y0", "vx0", "vy0"), map(float, state), strict=True))
-    return simulate(p, V=values[-2], d=values[-1], t_end=t_end, **start, **options)
+    x0, y0, vx0, vy0 = map(float, state)
+    return simulate(p, V=values[-2], d=values[-1], t_end=t_end, x0=x0, y0=y0, vx0=vx0, vy0=vy0, **options)
 
 
 def _spring_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:
@@ -88,7 +88,8 @@ def _spring_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:
 
 def _contact_force(states: FloatArray, _: Sequence[float]) -> FloatArray:
     """(11)."""
-    return np.maximum(-states[1], 0.0)
+    force: FloatArray = np.maximum(-states[1], 0.0)
+    return force
 
 
 #: (8)–(11), over (contact, side, near).

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
@@ -11,6 +12,8 @@ import numpy as np
 from ..errors import ParameterError
 from ..generated import scales as _scales
 from ..parameters import NAMES, POSITIVE, RANGES, FloatArray, Parameters, PhysicalParameters, Range, as_number, range_of
+
+_groups = inspect.unwrap(_scales.dimensionless_groups)
 
 #: Physical quantities that the dimensionless parameters depend on.
 PHYSICAL = ("k", "k_x", "k_y", "k_c", "F_L", "L_0", "theta0", "mu0")
@@ -38,7 +41,7 @@ class Space:
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:
         """Dimensionless parameters of designs z."""
-        return _dimensionless(self.base, self.quantities(z))
+        return dimensionless(self.quantities(z))
 
     def slopes(self, z: FloatArray) -> FloatArray:
         """∂(parameters)/∂z at one design, of shape (6, number of names): by a complex step, exact to rounding."""
@@ -106,11 +109,12 @@ def _range(base: Parameters | PhysicalParameters, name: str) -> Range:
     return RANGES[name] if name in RANGES or isinstance(base, Parameters) else range_of(name)
 
 
-def _dimensionless(base: Parameters | PhysicalParameters, values: Mapping[str, Any]) -> dict[str, Any]:
-    if isinstance(base, Parameters):
-        return dict(values)
+def dimensionless(values: Mapping[str, Any]) -> dict[str, Any]:
+    """The six parameters from themselves, or from physical quantities, which the name of the contact's stiffness shows."""
+    if "k_c" not in values:
+        return {name: values[name] for name in NAMES}
     # Mass, speed and creep enter their own groups only.
-    groups = _scales.dimensionless_groups.__wrapped__(  # type: ignore[attr-defined]  # of functools.wraps
+    kappa, alpha, sigma, beta, *_ = _groups(
         1.0, values["k_c"], values["L_0"], values["F_L"], values["k_x"], values["k"], values["k_y"], 0.0, 0.0
     )
-    return dict(zip(NAMES, (values["theta0"], values["mu0"], *groups[:4]), strict=True))
+    return dict(zip(NAMES, (values["theta0"], values["mu0"], kappa, alpha, sigma, beta), strict=True))

@@ -313,6 +313,7 @@ static int carry_on(job *it) {
             keep(it, &polynomial, share, left);
             state_at(&polynomial, share, it->state);
             it->clock[0] = left;
+            it->clock[1] = polynomial.length; /* as SciPy begins anew */
             return PASSED;
         }
         keep(it, &polynomial, 1.0, end);

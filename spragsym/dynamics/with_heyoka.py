@@ -40,7 +40,7 @@ class Compiled:
         ax, ay = acceleration(x, y, vx, vy, *constants, nbar, side, xp=xp)
         borders = {
             self._contact: y + GAP * (1 - 2 * nbar),
-            # heyoka's error is relative to the largest of the states and of these: it must not be one of these.
+            # heyoka's error is relative to the largest of the states and these functions, which are scaled down to be smaller.
             self._slip: 1e-3 * (V - vx + GAP * side),
             self._layer: 1e-3 * ((d * side * (V - vx) - WIDTH * near) / reach - 1),
         }
@@ -52,14 +52,14 @@ class Compiled:
             shift, scale = x - hy.par[13], hy.par[14]
             system += zip(hy.make_vars("s", "ss", "sy"), (scale * shift, scale * shift * shift, scale * y), strict=True)
             turns = [hy.nt_event(1e-3 * vx, self._turn)]
-        # The gap keeps one crossing from being found twice, which is what a cooldown is for.
+        # The gap prevents one crossing from being found twice, so that no cooldown is needed.
         self.solver = hy.taylor_adaptive(
             system, [0.0] * len(system), pars=[0.0] * (15 if watch else 13), tol=rtol, nt_events=turns,
             t_events=[hy.t_event(border, callback=call, cooldown=0.0) for call, border in borders.items()],
         )  # fmt: skip
 
     def __deepcopy__(self, _: object) -> Compiled:
-        """heyoka copies its callbacks; they must go on to write here."""
+        """heyoka deep-copies its callbacks; the copies must still write to this object."""
         return self
 
     def _turn(self, solver: Any, t: float, direction: int) -> None:
@@ -80,7 +80,7 @@ class Compiled:
         return self._switch(solver, 11, int(direction > 0), int(direction < 0), None)
 
     def _switch(self, solver: Any, par: int, before: int, after: int, kind: Event | None) -> bool:
-        """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
+        """Change to the next mode; stop if the motion is not on the side it should come from: a crossing was missed."""
         if solver.pars[par] != before:
             self.stray = solver.time
             return False
@@ -90,11 +90,11 @@ class Compiled:
         return True
 
     def begin(self, problem: Problem) -> None:
-        """Stand at the start of a motion."""
+        """Go to the start of a motion."""
         self.place(0.0, problem.start, (*problem.constants, *initial_mode(problem), problem.reach))
 
     def place(self, t: float, state: Any, pars: Any) -> None:
-        """Stand anywhere, with nothing noted."""
+        """Start from any time and state, with no events recorded."""
         solver = self.solver
         self.log, self.turns, self.stray = [], [], None
         solver.time = t

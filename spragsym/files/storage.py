@@ -216,6 +216,11 @@ def _settle(folder: Path) -> None:
             os.close(number)
 
 
+def write_text(path: Path, text: str) -> None:
+    """Write lines of text with the checksum after them, whole or not at all."""
+    _replace(path, _sealed(text.encode()))
+
+
 # ------------------------------------------------------------------------------------------------------ to read
 
 #: The last line of a file.
@@ -237,6 +242,15 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
         raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
     content = _verified(path, data)
     return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
+
+
+def read_text(path: Path) -> str:
+    """What :func:`write_text` wrote; errors as of :func:`read`."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
+    return _verified(path, data).decode()
 
 
 def _verified(path: Path, data: bytes) -> bytes:

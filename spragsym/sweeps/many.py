@@ -160,10 +160,10 @@ def _records(
     keep = done.__setitem__ if keep is None else keep
     missing = {i: point for i, point in enumerate(points) if i not in done}
     found = processes.results(workers, partial(measured, settings), missing, _told)
-    with _advance(progress, len(points), len(done)) as advance, closing(found):
+    with advance(progress, len(points), len(done)) as step, closing(found):
         for i, record in found:
             keep(i, record)
-            advance()
+            step()
     return [done[i] for i in range(len(points))]
 
 
@@ -172,7 +172,7 @@ def _told(point: tuple[float, ...]) -> str:
 
 
 @contextmanager
-def _advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
+def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
     """A function to call after every point, which moves the bar if there is one."""
     if not progress:
         yield lambda: None

@@ -38,8 +38,8 @@ _TOKENS = "|".join(re.escape(token) for token in sorted(_SWAPS, key=len, reverse
 _TOKEN = re.compile(_TOKENS + r"|(?<![\w.\[])\d+\.\d+(?!\w)")
 _FUNCTION = re.compile(r"^(?:INLINE|CLONED|static|spragsym_status)\s[^;{}]*?(\w+)\([^;{}]*\)\s*\{.*?(?:^\}|\}$)", re.M | re.S)
 SECONDS = 20
-#: An index beyond an array ends the process.
-FLAGS = ("-O1", "-w", "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error")
+#: An index beyond an array ends the process, and what was not written is no 0.
+FLAGS = ("-O1", "-w", "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error", "-ftrivial-auto-var-init=pattern")
 #: Next to folds, three equilibria of which double precision sees one root and a pair that is just not real.
 UNCERTAIN = (
     (1.2583725526692275, 0.9727285282098654, 0.0014415578928869272, 0.027528229942740796, 0.711415357262657, 1.538440875454435),

@@ -120,14 +120,14 @@ def _lengths(module: ModuleType) -> None:
             except ValueError:
                 fits = False
             assert fits == (size == 1 and place < 6), "length of a buffer"
-    for bad in ((9, [np.ones(n)] * 5), (10, [np.ones(n)] * 6)):
-        given = arguments()
-        given[bad[0]] = bad[1]
+    good = arguments()
+    first, further = tuple(good[9]), tuple(good[10])
+    for bad in ((first[:5], further), (first, further[:6]), (good[9], further), (first, good[10])):
         try:
-            call(given)
+            module.solve(*good[:9], *bad)
         except TypeError:
             continue
-        raise AssertionError("tuples of too few")
+        raise AssertionError("tuples of too few, or lists")
 
 
 def _stays_inside(module: ModuleType, columns: list[Any], counts: Any) -> None:

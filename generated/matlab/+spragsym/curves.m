@@ -2,10 +2,10 @@ function found = curves(kind, directions, given)
 %CURVES  Curves of folds or of flutter onsets in the plane of theta0 and mu0: what bifurcation_set and flutter_boundary stand on.
 %  found = spragsym.curves('folds' or 'onsets', directions, given)
 %
-%  In a direction theta friction is eliminated; all points there are the positive roots of a polynomial in tan(theta0/2). Between
-%  neighbouring directions with the same number of roots the k-th belongs to the k-th. Where their number changes, more
-%  directions are put in between until the place is known to rounding; two roots that are born or vanish together are joined there.
-%  In double precision and without proof: what two curves that all but touch do, rounding may decide.
+%  In a direction theta friction is eliminated; all points there are the positive roots of a polynomial in tan(theta0/2).
+%  Between neighbouring directions with the same number of roots the k-th belongs to the k-th. Where their number changes, more
+%  directions are put in between until the place is known to rounding; two roots that are born or vanish together are joined
+%  there. In double precision and without proof: what two curves that all but touch do, rounding may decide.
   columns = refined(kind, columns_at(directions(:)', kind, given), given);
   parts = joined(columns);
   found = struct('theta0', {}, 'mu0', {}, 'theta', {}, 'L', {}, 'x', {}, 'y', {});

@@ -55,19 +55,18 @@ def _contents(material: Material, own: dict[str, str]) -> str:
     for name, text in own.items():
         if not name.startswith(_EXAMPLE):
             first = re.search(r"^%\w+\s+(.*)$", text, re.MULTILINE)
-            lines.append(f"  {name.removesuffix('.m'):18} - {first[1] if first else ''}".rstrip())
+            lines += _listed(f"{name.removesuffix('.m'):18} - {first[1] if first else ''}", 2)
     lines += ["", f"  {material.library}.algebra holds the generated algebra:"]
     for module in material.modules:
-        lines += textwrap.wrap(
-            ", ".join(it.name for it in module.functions), algebra.WIDTH, initial_indent="    ", subsequent_indent="    "
-        )
+        lines += _listed(", ".join(it.name for it in module.functions), 4)
     if material.kernel.routines:
         said = (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
-        lines += [
-            "",
-            *textwrap.wrap(f"{material.library}.kernel: {said}", algebra.WIDTH, initial_indent="  ", subsequent_indent="  "),
-        ]
+        lines += ["", *_listed(f"{material.library}.kernel: {said}", 2)]
     return "".join(f"% {line}".rstrip() + "\n" for line in lines)
+
+
+def _listed(text: str, indent: int) -> list[str]:
+    return textwrap.wrap(text, algebra.WIDTH, initial_indent=" " * indent, subsequent_indent=" " * (indent + 2))
 
 
 def _ranges(material: Material) -> str:

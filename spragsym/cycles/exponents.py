@@ -100,7 +100,9 @@ def lyapunov(
     return exponents_of(SPRAG, values, state, as_number("t_end", t_end, POSITIVE), backend)
 
 
-def exponents_of(field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str | None = None) -> Lyapunov:
+def exponents_of(
+    field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str | None = None
+) -> Lyapunov:
     """As :func:`lyapunov`, of any field."""
     fly, _ = carrier(field, backend)
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))

@@ -185,9 +185,9 @@ def simulate(
         Keep the events.
     estimate_error : bool
         Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``.
-    backend : {"heyoka", "scipy"}, optional
-        Taylor series (extra ``fast``) or DOP853; by default heyoka where it is installed. They agree to the
-        tolerance.
+    backend : {"heyoka", "compiled", "scipy"}, optional
+        Taylor series (extra ``fast``), or DOP853 in compiled code or in Python; by default the first of these that
+        is installed. They agree to the tolerance.
     max_steps : int
         Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d, up to d times the
         friction, as it creeps. Ten million take heyoka some ten seconds to a minute, and several GB to keep.

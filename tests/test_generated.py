@@ -546,7 +546,7 @@ def test_motion_is_newtons_second_law() -> None:
 
             names = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta", "V", "d")
             slopes = [
-                mpmath.diff(lambda value, i=i, name=name: acceleration(*state, changed(name, value))[i], point.get(name, 0))
+                mpmath.diff(lambda value, i=i, name=name, s=state: acceleration(*s, changed(name, value))[i], point.get(name, 0))
                 for i in range(2) for name in names
             ]  # fmt: skip
             for ours, theirs in zip(function(point, mpmath), slopes, strict=True):

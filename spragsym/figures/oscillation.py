@@ -177,7 +177,7 @@ def figure_cycles_plane(
     ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(
         f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
-        equilibria, at μ₀. Blue: the period doubling of the cycle of period 34; red: its fold, where it ends. Dots: where the
+        equilibria, at μ₀. Blue: the period doubling of the cycle of period 34; orange: its fold, where it ends. Dots: where the
         motion from rest at x = y = 0 changes its fate. Other cycles have curves of their own.""",
         **tables,
     )

@@ -436,6 +436,10 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
             for j in range(4):
                 assert abs(there.by_state[i, j] - float(balls.matrix[i, j].mid())) <= float(balls.matrix[i, j].rad()) + 1e-12
         assert max(float(balls.matrix[i, j].rad()) for i in range(4) for j in range(4)) < 1e-7
+        both = begun()
+        both.point = [flint.arb(value) for value in (1.0, 1e-9, 0.5 - 1e-8, -0.5)]
+        with pytest.raises(ball_flow.NotProved, match="x' = V is too near"):
+            both.cross(0, flint.arb(1e-8))
         stuck = begun()
         with pytest.raises(ball_flow.NotProved, match="y = 0"):
             stuck.carry(flint.arb(0.2))  # it leaves the mode on the way

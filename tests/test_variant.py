@@ -14,7 +14,7 @@ from tests.test_documents import ROOT, assert_shown, commands, run
 
 pytest.importorskip("sympy")
 
-PAGE = ROOT / "docs/howto_model.md"
+PAGE = ROOT / "docs/howto_article.md"
 
 
 def sections() -> dict[str, str]:

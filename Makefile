@@ -18,23 +18,30 @@ COMPILED := spragsym/statics/_compiled.c generated/c/spragsym.c generated/c/spra
 # A source distribution comes without symbolic links.
 LINKS := spragsym/derive spragsym/generated
 
+# Generated C, as a reader finds it, and C that is written by hand; what the printer fills in is checked where it is filled.
+C_FILES := $(wildcard generated/c/*.c generated/c/*.h) spragsym/statics/_compiled.c $(wildcard derive/kang_nam/runtime/c/tests/*.c)
+CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --error-exitcode=1 --std=c11 --enable=warning,style,performance,portability \
+	-I generated/c -I $$($(BIN)/python -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
+
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 
-.PHONY: help derive test check lint coverage mutants regenerate package bench figures docs check-claims clean
+.PHONY: help derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make derive        derive, check against the article, write generated/"
-	@echo "make test          run the tests"
-	@echo "make lint          ruff with its formatter, and mypy in strict mode"
-	@echo "make coverage      the tests, and the lines and branches that they reach"
+	@echo "make test          run the tests, without those marked thorough"
+	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
+	@echo "make coverage      all tests, and the lines and branches that they reach"
 	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
 	@echo "make check         what CI runs: lint, types, tests with coverage, generated/ as committed"
+	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, if a registry can be reached"
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
 	@echo "make figures       draw the article's figures into figures/"
+	@echo "make explorer      bundle the explorer's drawings and libraries anew, with node"
 	@echo "make docs          build the documentation into docs/_build/"
 	@echo "make check-claims  hold the article's statements against computation"
 	@echo "make clean         remove what the other targets made, .venv included"
@@ -65,16 +72,19 @@ derive: $(DERIVE)
 	$(BIN)/python -m derive
 
 test: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS)
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m "not thorough"
 
 lint: $(TEST)
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
+	$(BIN)/clang-format --dry-run --Werror $(C_FILES)
+	@if command -v cppcheck >/dev/null; then $(CPPCHECK) $(filter %.c,$(C_FILES)); \
+	else echo "cppcheck is not installed: skipped, C is checked for its layout only"; fi
 
-# The tests again, with the lines and branches of spragsym that they reach.
+# All tests, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --cov --cov-branch --cov-report=term
+	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --cov --cov-branch --cov-report=term
 
 # Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
 mutants: $(TEST)
@@ -86,7 +96,11 @@ regenerate: $(DERIVE)
 	git diff --exit-code -- generated/
 	@test -z "$$(git status --porcelain -- generated/)" || { git status --short -- generated/; exit 1; }
 
-check: lint coverage regenerate
+check: lint coverage regenerate installs
+
+# Every extra from wheels alone, on each machine and Python: where a registry can be reached.
+installs: $(TEST)
+	$(BIN)/python .ci/installs.py
 
 package: $(TEST)
 	$(BIN)/python -m build --no-isolation --outdir dist .
@@ -97,7 +111,12 @@ bench: $(TEST)
 figures: $(TEST)
 	$(BIN)/spragsym figures --out figures --force
 
+# Libraries as the lock file says, then the committed bytes. Users need no node: the package carries the bundle.
+explorer:
+	cd explorer && npm ci --no-audit --no-fund && node build.mjs
+
 docs: $(DOCS)
+	$(BIN)/spragsym explore --no-open --force --out docs/_build/explorer.html
 	$(BIN)/sphinx-build -W docs docs/_build
 
 check-claims: $(TEST)

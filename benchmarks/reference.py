@@ -7,6 +7,7 @@ cotangent; counts are decided in Arb balls; states are refined on the un-elimina
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from fractions import Fraction
 
 import mpmath
@@ -14,24 +15,57 @@ import mpmath
 
 def count_contact(theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float) -> int:
     """Number of equilibria in contact, decided with as many bits as it takes."""
+    return _decided(_count, theta0, mu0, kappa, alpha, sigma, beta)
+
+
+def count_liftoff(theta0: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float) -> int:
+    """Number of equilibria in lift-off, by certified roots of the quartic, decided with as many bits as it takes."""
+    return _decided(_count_liftoff, theta0, mu0, kappa, alpha, sigma, beta)
+
+
+def _decided(count: Callable[[list[object]], int | None], *parameters: float) -> int:
     import flint
 
     bits = 128
     while bits <= 4096:
         flint.ctx.prec = bits
-        values = [flint.arb(flint.fmpq(*Fraction(v).as_integer_ratio())) for v in (theta0, mu0, kappa, alpha, sigma, beta)]
-        decided = _count(values)
+        values = [flint.arb(flint.fmpq(*Fraction(v).as_integer_ratio())) for v in parameters]
+        decided = count(values)
         if decided is not None:
             return decided
         bits *= 2
     raise ArithmeticError("no precision decides the count")
 
 
-def _quartic(values: list[object]) -> tuple[list[object], object]:
+def _count_liftoff(values: list[object]) -> int | None:
+    import flint
+
+    e, _ = _quartic(values, push=0)
+    theta0, _, kappa, _, sigma, beta = values  # type: ignore[misc]  # balls, of which mypy knows nothing
+    s0 = theta0.sin()  # type: ignore[attr-defined]  # a ball
+    try:
+        roots = flint.acb_poly(e).roots(tol=flint.arb(2) ** (-flint.ctx.prec // 2))
+    except ValueError:  # not isolated with these bits
+        return None
+    found = 0
+    for root in roots:
+        if not root.imag.contains(0):
+            continue
+        # Roots are isolated and come in conjugate pairs: one whose ball meets the real axis is real.
+        s = 2 * root.real / (1 + root.real**2)
+        L = (sigma * s + beta * s0 + kappa) / ((beta + sigma) * s)
+        inside, outside = [L > 0, s0 - L * s > 0], [L < 0, s0 - L * s < 0]
+        if not all(inside) and not any(outside):
+            return None
+        found += all(inside)
+    return found
+
+
+def _quartic(values: list[object], push: int = 1) -> tuple[list[object], object]:
     """Coefficients of the equation for r = cot(θ/2), and s*; from F_x q sin θ = 0 with (1 + r²)² cleared."""
-    theta0, mu, kappa, alpha, sigma, beta = values  # type: ignore[misc]
-    s0, c0 = theta0.sin_cos()  # type: ignore[attr-defined]
-    big = beta + 1
+    theta0, mu, kappa, alpha, sigma, beta = values  # type: ignore[misc]  # balls, of which mypy knows nothing
+    s0, c0 = theta0.sin_cos()  # type: ignore[attr-defined]  # balls, of which mypy knows nothing
+    big, mu = beta + push, mu * push  # type: ignore[operator]  # balls
     q = big + sigma
     # F_x = σ c + α c0 + μ s0 − L (p c + μ s), L = (σ s + B s0 + κ)/(q s); times q s. sin θ = 2r/(1+r²), cos θ = (r²−1)/(1+r²).
     sc = sigma * q - sigma * (alpha + sigma)
@@ -73,9 +107,9 @@ def _variations(coefficients: list[object]) -> int | None:
     """Changes of sign; a coefficient whose sign is open counts if both signs give the same number, as next to opposite ones."""
     choices = []
     for value in coefficients:
-        if value > 0:  # type: ignore[operator]
+        if value > 0:  # type: ignore[operator]  # balls, of which mypy knows nothing
             choices.append((1,))
-        elif value < 0:  # type: ignore[operator]
+        elif value < 0:  # type: ignore[operator]  # balls, of which mypy knows nothing
             choices.append((-1,))
         else:
             choices.append((1, -1))

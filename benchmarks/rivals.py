@@ -11,6 +11,7 @@ import scipy.optimize
 from numpy.typing import NDArray
 
 import spragsym as ss
+from spragsym.catastrophe.companion import eigenvalues
 from spragsym.generated.equilibrium import (
     contact_matrix,
     contact_quartic,
@@ -27,15 +28,9 @@ Array: TypeAlias = NDArray[np.float64]
 
 def companion_roots(coefficients: Array) -> NDArray[np.complex128]:
     """Roots of quartics, (n, 5) ascending coefficients → (n, 4), as eigenvalues of companion matrices; NaN where these overflow."""
-    companion = np.zeros((len(coefficients), 4, 4))
-    companion[:, [1, 2, 3], [0, 1, 2]] = 1.0
     with np.errstate(all="ignore"):
-        companion[:, :, 3] = -coefficients[:, :4] / coefficients[:, 4:]
-    finite = np.isfinite(companion).all(axis=(1, 2))
-    if finite.all():
-        return np.linalg.eigvals(companion).astype(np.complex128)
-    roots = np.full((len(coefficients), 4), np.nan + 0j)
-    roots[finite] = np.linalg.eigvals(companion[finite])
+        roots = eigenvalues(coefficients).astype(np.complex128, copy=False)
+        roots[~np.isfinite(coefficients[:, :4] / coefficients[:, 4:]).all(axis=1)] = np.nan
     return roots
 
 
@@ -72,7 +67,7 @@ def fsolve_starts(p: ss.Parameters) -> list[int]:
         found: list[Array] = []
 
         def balance(z: Array, c0: float = c0, s0: float = s0, values: list[float] = values) -> tuple[float, float]:
-            return residuals(np.cos(z[0]), np.sin(z[0]), z[1], c0, s0, *values, 1)  # type: ignore[return-value]
+            return residuals(np.cos(z[0]), np.sin(z[0]), z[1], c0, s0, *values, 1)  # type: ignore[return-value]  # a pair for SciPy
 
         for start in np.linspace(0.2, 2.9, 8):
             outcome = scipy.optimize.root(balance, (start, 1.0))

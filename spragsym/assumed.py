@@ -1,4 +1,4 @@
-"""What the article does not state and its figures and claims need: our assumptions, in one place."""
+"""Our assumptions, in one place: values that the figures and claims need and the article does not state."""
 
 from __future__ import annotations
 

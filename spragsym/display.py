@@ -47,6 +47,9 @@ class Result(Shown):
 
 def tables(thing: Any) -> Iterator[Table]:
     """The tables of a dataclass: one of its columns, and one of each part that has columns itself."""
+    if hasattr(thing, "as_table"):  # one whose columns are no quantities
+        yield thing.as_table()
+        return
     name = type(thing).__name__
     if name == "Equilibria":
         yield _equilibria(thing)
@@ -138,7 +141,7 @@ def _extents(values: Mapping[str, Any]) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for key, value in values.items():
         if isinstance(value, np.ndarray) and value.ndim:
-            out |= {f"{key} from": value.min(initial=np.inf), f"{key} to": value.max(initial=-np.inf)}
+            out |= {f"{key} from": value.min() if value.size else np.inf, f"{key} to": value.max() if value.size else -np.inf}
         else:
             out[key] = value
     return out
@@ -161,7 +164,7 @@ def _fields(thing: Any) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for field in fields(thing):
         value = getattr(thing, field.name)
-        if not field.repr:  # what a result works with, and tells nobody
+        if not field.repr:  # private attributes are not shown
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
@@ -199,7 +202,7 @@ def _pairs(single: Mapping[str, Any]) -> tuple[tuple[str, ...], tuple[tuple[str,
 
 
 def _shown(count: int) -> tuple[list[int], int | None]:
-    """Rows to show, and the place among them where others are left out, if any are."""
+    """Rows to show, and the place of the gap if rows are left out."""
     if count <= ROWS:
         return list(range(count)), None
     half = ROWS // 2

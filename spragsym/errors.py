@@ -52,7 +52,7 @@ class StoreError(SpragsymError, OSError):
 
 
 class DamagedError(StoreError, TargetError):
-    """A file stands where a result belongs, and is none: damaged, or written by something else."""
+    """The file is not a result of this library: it is damaged, or something else wrote it."""
 
 
 class DamageWarning(UserWarning):

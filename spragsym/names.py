@@ -27,7 +27,7 @@ def closest(given: str, allowed: Iterable[str]) -> str | None:
     for candidate in (word, word.removesuffix("deg"), word.removesuffix("rad")):
         if (known := _WORDS.get(candidate, candidate)) in plain:
             return plain[known]
-    # A name of one letter resembles every short one: only its own spelling means it.
+    # A one-letter name resembles every short name, so only its exact spelling counts.
     found = difflib.get_close_matches(word, [name for name in plain if len(name) > 1], n=1) if len(word) > 1 else []
     return plain[found[0]] if found else None
 

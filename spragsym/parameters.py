@@ -66,7 +66,7 @@ POSITIVE = Range(0.0, open_low=True)
 NOT_NEGATIVE = Range(0.0)
 FINITE = Range(-math.inf)
 
-#: What to do about a value out of its range, where the range alone does not say it.
+#: Remedies for values out of range, where the range alone does not suggest one.
 _REMEDIES = {
     "theta0": "angles are radians, strictly between 0 and pi; use numpy.radians for degrees",
     "mu0": "a belt that runs the other way is the mirror image: give the supplement of theta0",
@@ -169,7 +169,7 @@ _C = TypeVar("_C")
 
 
 def named(cls: type[_C]) -> type[_C]:
-    """Let a dataclass say which of its names was meant, where one is given that it has not."""
+    """Make a dataclass suggest the name that was meant when it is given one that it does not have."""
     made: Callable[..., None] = cls.__init__
     known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
 
@@ -254,7 +254,7 @@ class ParameterSet(Shown):
             return NotImplemented
         return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__ = None  # type: ignore[assignment]  # arrays do not hash
 
 
 @named
@@ -394,7 +394,7 @@ class PhysicalParameters(Shown):
             object.__setattr__(self, "d", as_number("d", self.d, range_of("d_dim")))
 
     def __getattr__(self, name: str) -> Any:
-        # Every function of the model asks its parameters for one of these first.
+        # Every function of the model first asks its parameters for one of these.
         if name in _DIMENSIONLESS_ONLY:
             raise NotDimensionlessError(
                 "dimensionless Parameters are needed here, and these are PhysicalParameters; call .dimensionless() on them"

@@ -270,3 +270,10 @@ def _cusp(arith: Arithmetic, point: Point, digits: int) -> PreciseCusp:
         middles.append(as_mpf(middle))
     theta0, mu0, theta, L, x, y = middles
     return PreciseCusp(theta0, mu0, theta, L, x, y, as_mpf(radius), cusp_proofs.is_versal(arith, point))
+
+
+def prove_cycle(cycle: Any, **options: Any) -> Any:
+    """Prove that a cycle exists, is the only one near, and is stable or not: see :func:`spragsym.cycles.proofs.prove_cycle`."""
+    from .cycles import proofs
+
+    return proofs.prove_cycle(cycle, **options)

@@ -143,7 +143,7 @@ def test_count_is_that_of_equilibria(backend: str) -> None:
 @pytest.mark.parametrize("arguments", [("cuda",), ("compiled", 0), ("compiled", True)])
 def test_bad_choice(arguments: tuple[object, ...]) -> None:
     with pytest.raises(ss.ParameterError):
-        ss.set_backend(*arguments)  # type: ignore[arg-type]
+        ss.set_backend(*arguments)  # type: ignore[arg-type]  # wrong on purpose
 
 
 def test_import_loads_nothing_heavy() -> None:

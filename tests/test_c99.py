@@ -466,7 +466,7 @@ int run(double first, double second, double reach) {
 
 
 def test_batch_refuses(library: ctypes.CDLL) -> None:
-    """A missing array or a regime there is none: nothing is written."""
+    """For a missing array or an unknown regime nothing is written."""
     given, found = np.array([BASE]), (Equilibrium * 4)()
     counts, status = np.array([-5], np.intc), np.array([-5], np.intc)
     arguments = [_pointer(given), CONTACT, found, _pointer(counts), _pointer(status)]
@@ -526,10 +526,15 @@ def test_where_digits_run_out(library: ctypes.CDLL, point: Any) -> None:
     assert [one.theta for one in found] == sorted(one.theta for one in found)
 
 
-def test_fold_is_uncertain(library: ctypes.CDLL) -> None:
-    """The number of roots at a fold is not for double precision to say."""
-    folds = [(math.radians(degrees), *BASE[1:]) for degrees in (44.559317702565, 155.059418789789)]
-    assert [status for status, _ in solve(library, folds, CONTACT)] == [UNCERTAIN, UNCERTAIN]
+def test_next_to_a_fold_is_certain_and_on_a_border_not(library: ctypes.CDLL) -> None:
+    """Double precision can't tell the number of roots next to a fold, double-double arithmetic can; where L = 0 none can."""
+    folds = [(math.nextafter(math.radians(degrees), to), *BASE[1:])
+             for degrees in (44.559317702565, 155.059418789789) for to in (0, 4)]  # fmt: skip
+    for point, (status, found) in zip(folds, solve(library, folds, CONTACT), strict=True):
+        assert status == OK
+        assert len(found) == len(ladder.equilibria(*point).states)
+    [(status, _)] = solve(library, [(1.0, 0.5, 0.1, 0.0, 0.1, 0.0)], LIFTOFF)
+    assert status == UNCERTAIN
 
 
 def test_random_points_are_vouched_for(library: ctypes.CDLL) -> None:
@@ -610,7 +615,7 @@ def _motion(V: float, d: float, start: Any, end: float) -> tuple[Any, list[int]]
 
     while time < end:
         for event, direction in ((belt, 1 if nbar else -1), (speed, side)):
-            event.terminal, event.direction = True, direction  # type: ignore[attr-defined]
+            event.terminal, event.direction = True, direction  # type: ignore[attr-defined]  # as SciPy wants it
         run = solve_ivp(rate, (time, end), state, method="DOP853", rtol=1e-13, atol=1e-14, events=(belt, speed))
         time, state = run.t[-1], run.y[:, -1]
         if run.status == 1:

@@ -375,7 +375,7 @@ def test_paths_through_folds_are_those_of_a_creeping_particle(vary: str) -> None
 
 
 def _xs(p: ss.Parameters, values: list[float], **start: object) -> tuple[list[float], int]:
-    path = ss.quasi_static_path(p, "theta0", values, **start)  # type: ignore[arg-type]
+    path = ss.quasi_static_path(p, "theta0", values, **start)  # type: ignore[arg-type]  # starts of several types
     return path.x.tolist(), len(path.jumps)
 
 
@@ -616,4 +616,4 @@ def test_sliding_friction_is_the_law_at_rest() -> None:
 )
 def test_bad_input(call: object, words: str) -> None:
     with pytest.raises(ss.SpragsymError, match=words):
-        call()  # type: ignore[operator]
+        call()  # type: ignore[operator]  # one of several callables

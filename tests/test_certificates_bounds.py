@@ -47,9 +47,14 @@ def _met(value: Any) -> int:
 
 
 @cache
+def _functions() -> dict[str, Any]:
+    """Every generated function, from the derivation."""
+    return {function.name: function for module in modules() for function in module.functions}
+
+
+@cache
 def _derived() -> dict[str, float]:
-    source = language.read(SOURCES / "kang_nam" / "kernel.py")
-    return bounds.counts(source, {function.name: function for module in modules() for function in module.functions})
+    return bounds.counts(language.read(SOURCES / "kang_nam" / "kernel.py"), _functions())
 
 
 def _independent() -> dict[str, float]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import itertools
 import math
 from fractions import Fraction
@@ -35,7 +34,6 @@ def fixed(request: pytest.FixtureRequest) -> Fixed:
     return request.param
 
 
-@functools.cache
 def _strands(fixed: Fixed) -> list[fold_curves.Strand]:
     return fold_curves.strands(fixed, 1200)
 
@@ -132,12 +130,74 @@ def test_the_number_of_real_roots_of_quartics() -> None:
         for _ in range((4 - real) // 2):
             pair = complex(rng.normal(0, 2), rng.uniform(0.2, 2))
             roots += [pair, pair.conjugate()]
-        coefficients = np.poly(roots).real[::-1] * rng.choice([-3, 0.5])
+        coefficients = np.poly(roots).real[::-1] * rng.choice([-3, 0.5, 0.01])
         value, number = fold_curves.discriminant(coefficients)
         assert number == real
         gaps = math.prod(one - two for one, two in itertools.combinations(roots, 2))
         assert math.copysign(1, value) == math.copysign(1, (gaps * gaps).real)
         assert -1 <= value <= 1
+        P = coefficients[0] * coefficients[4] * 12 - 3 * coefficients[1] * coefficients[3] + coefficients[2] ** 2
+        assert P >= 0 or value == pytest.approx(-1, abs=1e-12)
+
+
+def test_quartics_are_the_conic_in_the_half_angle() -> None:
+    """A positive multiple, the largest coefficient of size 1; for arrays of any shape."""
+    theta = np.random.default_rng(64).uniform(0.05, math.pi / 2, (7, 3))
+    for fixed in SETS:
+        found = fold_curves.quartics(theta, fixed)
+        assert found.shape == (7, 3, 5)
+        np.testing.assert_allclose(np.abs(found).max(axis=-1), 1, rtol=1e-15)
+        e0, e1, e2, ec = generated.fold_conic(np.cos(theta), np.sin(theta), *fixed)
+        for angle in (0.3, 1.0, 2.0, 2.9):
+            v, height = math.tan(angle / 2), e0 + e1 * math.sin(angle) + e2 * math.sin(angle) ** 2 + ec * math.cos(angle)
+            ratio = height * (1 + v * v) ** 2 / sum(found[..., k] * v**k for k in range(5))
+            largest = np.abs(np.stack([e0 + ec, 2 * e1, 4 * e2 + 2 * e0, e0 - ec])).max(axis=0)
+            np.testing.assert_allclose(ratio, largest, rtol=1e-9)
+
+
+def test_the_indicators_sign_is_that_of_the_number_of_real_roots() -> None:
+    theta = np.random.default_rng(65).uniform(0.05, math.pi / 2, 300)
+    for fixed in SETS:
+        value = fold_curves.indicator(theta, fixed)
+        if fixed.alpha:
+            real = [(np.abs(np.roots(row[::-1]).imag) < 1e-7 * np.abs(np.roots(row[::-1]))).sum() for row in
+                    fold_curves.quartics(theta, fixed)]  # fmt: skip
+            clear = np.abs(value) > 1e-6
+            np.testing.assert_array_equal((value < 0)[clear], (np.array(real) == 2)[clear])
+            continue
+        e0, e1, e2, _ = generated.fold_conic(np.cos(theta), np.sin(theta), *fixed)
+        with np.errstate(all="ignore"):
+            share = e1 * e1 / (4 * e0 * e2)
+        np.testing.assert_allclose(value, np.where(share < 0, -1, (1 - share) / (1 + share)), rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("sines", "kept"), [((-0.5, 0.5), [0.5]), ((0.0, 0.5), [0.5]), ((1.0, 0.5), [0.5]), ((0.2, 0.7), [0.2, 0.7]),
+                        ((1e-13, 0.9), [1e-13, 0.9]), ((-0.1, 2.0), []), ((-1e-13, 0.9), [0.9])],
+)  # fmt: skip
+@pytest.mark.parametrize("sign", [1, -2])
+def test_sines_between_0_and_1_are_kept(
+    monkeypatch: pytest.MonkeyPatch, sines: tuple[float, float], kept: list[float], sign: int
+) -> None:
+    """Without α, to all digits of the smaller one too."""
+    one, two = sines
+    conic = tuple(np.full(2, sign * value) for value in (one * two, -one - two, 1.0, 0.0))
+    monkeypatch.setattr(fold_curves, "_conic", lambda *_: conic)
+    values, number = fold_curves.positive_roots(np.array([0.5, 0.6]), Fixed(1.0, 0.0, 1.0, 1.0))
+    assert number.tolist() == [len(kept)] * 2
+    for row in values:
+        np.testing.assert_allclose(row[: len(kept)], np.tan(0.5 * np.arcsin(kept)), rtol=1e-12)
+        assert np.isnan(row[len(kept) :]).all()
+
+
+def test_a_root_at_0_is_not_positive(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Roots −1, 0, 1 and 2 in one row, −3, −1, 1/2 and 4 in the other."""
+    rows = np.array([np.poly([-1, 0, 1, 2])[::-1], np.poly([-3, -1, 0.5, 4])[::-1]])
+    monkeypatch.setattr(fold_curves, "quartics", lambda *_: rows / np.abs(rows).max(axis=-1, keepdims=True))
+    values, number = fold_curves.positive_roots(np.array([0.5, 0.6]), FAMILY)
+    assert number.tolist() == [2, 2]
+    np.testing.assert_allclose(values[:, :2], [[1, 2], [0.5, 4]], rtol=1e-13)
+    assert np.isnan(values[:, 2:]).all()
 
 
 def test_linear_critical_friction_has_the_shape_of_its_parameters() -> None:
@@ -149,3 +209,321 @@ def test_linear_critical_friction_has_the_shape_of_its_parameters() -> None:
     assert many[0, 1] == one
     assert (many[:, 0] == 0).all()
     assert many[2, 1] == pytest.approx(math.sqrt(4 * 0.007 * 0.107 * 3 * 3.1 / 0.01))
+
+
+# ------------------------------------------------------------------------------------ tracing families that are known
+#
+# Roots v at given θ of curves drawn by hand, which never cross: what is traced must be those curves, whatever the grid.
+
+#: Circles (θ, v, radius) one in the other, and beside them.
+CIRCLES = ((0.8, 1.5, 0.3), (0.8, 1.5, 0.5), (0.55, 0.45, 0.2))
+#: A line comes in at v = 0, another one leaves at the other end.
+ENTERS, LEAVES = 0.45, 1.12
+FAMILY = Fixed(1.0, 1.0, 1.0, 1.0)
+
+
+def _padded(rows: list[list[float]]) -> tuple[np.ndarray, np.ndarray]:
+    number = np.array([len(row) for row in rows])
+    return np.array([row + [math.nan] * (8 - len(row)) for row in rows]), number
+
+
+def _circles_and_lines(theta: np.ndarray, end: float) -> tuple[np.ndarray, np.ndarray]:
+    rows = []
+    for angle in theta:
+        row = [v + way * math.sqrt(r * r - (angle - at) ** 2) for at, v, r in CIRCLES for way in (-1, 1) if abs(angle - at) < r]
+        row = [v * min(1.0, end / 4) for v in row]
+        if angle > ENTERS:
+            row.append(0.1 * (angle - ENTERS) * min(1.0, end / 4))
+        if angle < LEAVES:
+            row.append(3 + 0.5 / (LEAVES - angle) if end == math.inf else 0.7 + 0.3 * angle / LEAVES)
+        rows.append(sorted(row))
+    return _padded(rows)
+
+
+@pytest.mark.parametrize("told", [True, False], ids=["indicator", "bisection"])
+@pytest.mark.parametrize("end", [math.inf, 1.0])
+def test_circles_and_lines_are_traced_whatever_the_grid(monkeypatch: pytest.MonkeyPatch, told: bool, end: float) -> None:
+    monkeypatch.setattr(fold_curves, "positive_roots", lambda theta, _: _circles_and_lines(theta, end))
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (theta - ENTERS, LEAVES - theta, end))
+    product = lambda theta, _: np.prod([r * r - (theta - at) ** 2 for at, _, r in CIRCLES], axis=0)  # noqa: E731
+    monkeypatch.setattr(fold_curves, "indicator", product if told else lambda theta, _: np.ones_like(theta))
+    births = sorted([ENTERS, LEAVES, *(at + way * r for at, _, r in CIRCLES for way in (-1, 1))])
+    scale, tried = min(1.0, end / 4), 0
+    for n, shift in itertools.product((7, 16, 33, 60, 121), (0.0, 0.013)):
+        theta = np.linspace(0.1 + shift, 1.5, n)
+        _, number = _circles_and_lines(theta, end)
+        hidden = [bool(np.searchsorted(births, high) - np.searchsorted(births, low)) for low, high in itertools.pairwise(theta)]
+        if (np.array(hidden) & (np.diff(number) == 0)).any():
+            continue
+        tried += 1
+        strands = fold_curves._trace(theta, FAMILY)
+        assert len(strands) == 5
+        grown = sum(strand.theta.size for strand in strands)
+        assert grown == number.sum() + 2 + sum(3 for _ in CIRCLES)  # both ends of lines; of a circle two, and one twice
+        cell = theta[1] - theta[0]
+        for strand in strands:
+            v = np.tan(strand.theta0 / 2) / scale
+            closed = strand.theta[0] == strand.theta[-1] and strand.theta0[0] == strand.theta0[-1]
+            assert np.abs(np.diff(strand.theta)).max() <= cell * (1 + 1e-9)
+            if closed:
+                off = [np.abs((strand.theta - at) ** 2 + (v - y) ** 2 - r * r).max() for at, y, r in CIRCLES]
+                assert min(off) < 1e-6
+                turn = np.unwrap(np.arctan2(v - CIRCLES[np.argmin(off)][1], strand.theta - CIRCLES[np.argmin(off)][0]))
+                assert abs(abs(turn[-1] - turn[0]) - 2 * math.pi) < 1e-6
+                assert (np.diff(turn) * (turn[-1] - turn[0]) > 0).all()
+                at, _, r = CIRCLES[np.argmin(off)]
+                assert abs(strand.theta.min() - (at - r)) < 1e-9
+                assert abs(strand.theta.max() - (at + r)) < 1e-9
+            elif v[0] < 1e-9:
+                assert strand.theta[0] == pytest.approx(ENTERS, abs=1e-12)
+                np.testing.assert_allclose(v, 0.1 * (strand.theta - ENTERS), atol=1e-12)
+                assert strand.theta[-1] == 1.5
+            else:
+                assert strand.theta[0] == theta[0]
+                assert strand.theta[-1] == pytest.approx(LEAVES, abs=1e-12)
+                assert strand.theta0[-1] == 2 * math.atan(end)
+    assert tried >= 4
+
+
+@pytest.mark.parametrize("enters", [0.41, 0.45, 0.49, 0.55])
+@pytest.mark.parametrize("leaves", [0.42, 0.47, 0.5, 0.58])
+@pytest.mark.parametrize("born", [0.43, 0.48, 0.53, 2.0])
+def test_events_that_share_a_cell_are_told_apart(
+    monkeypatch: pytest.MonkeyPatch, enters: float, leaves: float, born: float
+) -> None:
+    """A line comes in, another one leaves, a pair is born, in any order, between two values of θ or two cells of them."""
+
+    def roots(theta: np.ndarray, _: object = None) -> tuple[np.ndarray, np.ndarray]:
+        rows = []
+        for angle in theta:
+            row = [0.1 * (angle - enters)] if angle > enters else []
+            row += [2 + way * math.sqrt(angle - born) for way in (-1, 1)] if angle > born else []
+            rows.append(row + ([5 + 0.1 / (leaves - angle)] if angle < leaves else []))
+        return _padded(rows)
+
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (theta - enters, leaves - theta, math.inf))
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - born)
+    for theta in (np.array([0.1, 0.4, 0.6, 0.9]), np.array([0.1, 0.4, 0.46, 0.6, 0.9])):
+        strands = sorted(fold_curves._trace(theta, FAMILY), key=lambda strand: strand.theta0.max())
+        assert len(strands) == 2 + (born < 1)
+        first, *pair, last = strands
+        np.testing.assert_allclose(np.tan(first.theta0 / 2), 0.1 * (first.theta - enters), atol=1e-12)
+        assert first.theta[[0, -1]] == pytest.approx([enters, 0.9], abs=1e-12)
+        assert last.theta[[0, -1]] == pytest.approx([0.1, leaves], abs=1e-12)
+        for strand in pair:
+            v = np.tan(strand.theta0 / 2)
+            np.testing.assert_allclose((v - 2) ** 2, strand.theta - born, atol=1e-9)
+            assert (np.diff(v) > 0).all() or (np.diff(v) < 0).all()
+            assert strand.theta[[0, -1]].tolist() == [0.9, 0.9]
+
+
+#: θ(v) = T₅(v − 2) with a tilt: one curve, of which one to five pass a θ; up, and down.
+_WAVE = np.polynomial.Chebyshev([0.75, 0.05, 0, 0, 0, 0.35], domain=[1, 3]).convert(kind=np.polynomial.Polynomial)
+
+
+@pytest.mark.parametrize("told", [True, False], ids=["indicator", "bisection"])
+@pytest.mark.parametrize("way", [1, -1])
+def test_one_curve_with_many_folds_is_traced_as_one(monkeypatch: pytest.MonkeyPatch, told: bool, way: int) -> None:
+    def wave(v: np.ndarray) -> np.ndarray:
+        return 0.75 + way * (_WAVE(v) - 0.75)
+
+    def roots(theta: np.ndarray, _: object = None) -> tuple[np.ndarray, np.ndarray]:
+        found = [(_WAVE - (0.75 + way * (angle - 0.75))).roots() for angle in theta]
+        return _padded([sorted(one.real[(np.abs(one.imag) < 1e-12) & (one.real > 0)].tolist()) for one in found])
+
+    turns = _WAVE.deriv().roots().real
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (1 + 0 * theta, 1 + 0 * theta, math.inf))
+    product = lambda theta, _: np.prod([theta - wave(turn) for turn in turns], axis=0)  # noqa: E731
+    monkeypatch.setattr(fold_curves, "indicator", product if told else lambda theta, _: np.ones_like(theta))
+    for n in (9, 24, 90):
+        for begin, end, pieces in ((0.02, 1.48, 1), (0.02, 0.75, None), (0.75, 1.48, None)):
+            theta = np.linspace(begin, end, n)
+            _, number = roots(theta)
+            events = np.sum(np.diff(theta[:, None] > wave(turns)[None, :], axis=0), axis=1)
+            if (events * 2 != np.abs(np.diff(number))).any():
+                continue
+            strands = fold_curves._trace(theta, FAMILY)
+            assert pieces is None or len(strands) == pieces
+            assert sum(strand.theta.size for strand in strands) == number.sum() + events.sum()
+            covered = []
+            for strand in strands:
+                v = np.tan(strand.theta0 / 2)
+                assert (np.diff(v) > 0).all() or (np.diff(v) < 0).all()
+                np.testing.assert_allclose(strand.theta, wave(v), atol=1e-7)
+                assert np.abs(np.diff(strand.theta)).max() <= (theta[1] - theta[0]) * (1 + 1e-9)
+                covered.append((v.min(), v.max()))
+                for end_of in (0, -1):  # open ends are at the ends of the grid
+                    assert min(abs(strand.theta[end_of] - begin), abs(strand.theta[end_of] - end)) < 1e-12
+            covered.sort()
+            assert all(one[1] < two[0] for one, two in itertools.pairwise(covered))
+            for turn in turns:
+                if begin < wave(turn) < end:
+                    near = [abs(strand.theta - wave(turn)).min() for strand in strands]
+                    assert min(near) < 1e-9
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize("gap", [3e-3, 1e-4, 1e-6, 3e-9, -1e-4])
+def test_roots_between_neighbours_are_found(monkeypatch: pytest.MonkeyPatch, gap: float, sign: int) -> None:
+    """An indicator that is of the other sign over a gap between two values of θ only; a negative gap is none."""
+    theta = np.linspace(1e-7, math.pi / 2, 512)
+    rng = np.random.default_rng(63)
+    for place in (*rng.uniform(0.01, 1.56, 12), theta[1] + 1e-4, theta[-2] - 1e-4, theta[100]):
+        width = abs(gap) / 2
+        curve = lambda t, _, place=place, width=width: sign * ((t - place) ** 2 - math.copysign(width**2, gap)) * (1 + t)  # noqa: E731
+        monkeypatch.setattr(fold_curves, "indicator", curve)
+        found = fold_curves._with_hidden(theta, FAMILY)
+        assert np.isin(theta, found).all()
+        assert (np.diff(found) > 0).all()
+        inside = np.abs(found - place) < width
+        added = found[~np.isin(found, theta)]
+        assert inside.any() if gap > 0 else not added.size
+        assert np.isin(added, found[inside]).all()
+        assert added.size <= 33
+
+
+def test_two_hidden_places_are_both_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    theta, places = np.linspace(1e-7, math.pi / 2, 512), (0.3333, 1.0101)
+    monkeypatch.setattr(fold_curves, "indicator", lambda t, _: np.prod([(t - at) ** 2 - 1e-10 for at in places], axis=0))
+    found = fold_curves._with_hidden(theta, FAMILY)
+    for at in places:
+        assert (np.abs(found - at) < 1e-5).any()
+
+
+def test_angles_gather_where_curves_are_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One curve that is steep in θ₀, one that is steep in μ₀, and a jump, which is no length."""
+
+    def theta0(theta: np.ndarray) -> np.ndarray:
+        return np.stack([1.5 + np.arctan(60 * (theta - 0.4)) / 2, 0.2 + 2.4 * (theta > 1.2)], axis=-1)
+
+    def mu0(theta: np.ndarray) -> np.ndarray:
+        return np.stack([0 * theta + 0.2, np.exp(3 * np.tanh(60 * (theta - 0.9)))], axis=-1)
+
+    monkeypatch.setattr(fold_curves, "positive_roots", lambda theta, _: (np.tan(theta0(theta) / 2), np.full(theta.size, 2)))
+    monkeypatch.setattr(fold_curves, "friction", lambda theta, _, fixed: mu0(theta[:, 0]))
+    coarse = np.linspace(1e-7, math.pi / 2, 512)
+    found = fold_curves._refined(coarse, FAMILY, 2000)
+    assert np.isin(coarse, found).all()
+    assert (np.diff(found) > 0).all()
+    assert abs(found.size - 2000) <= 2
+    fine = found[(np.abs(found - 1.2) > 0.01)]
+    steps = np.hypot(np.diff(theta0(fine), axis=0) / math.pi, np.diff(mu0(fine) / (1 + mu0(fine)), axis=0))[:, 0:2]
+    quiet = (np.abs(found[:-1] - 1.2) < 0.01).sum()
+    total = 0.5 + 0.91  # of each curve's length
+    steps[np.abs(np.diff(fine)) > 0.01] = 0
+    assert steps.max() < 6 * total / 1488
+    assert quiet < 40
+    flat = np.abs(found - 0.1) < 0.05
+    assert np.diff(found[flat]).max() < 1.01 * (coarse[1] - coarse[0])
+    assert found[flat].size > 1.15 * (np.abs(coarse - 0.1) < 0.05).sum()  # a part goes everywhere
+    np.testing.assert_array_equal(fold_curves._refined(coarse, FAMILY, 100), coarse)
+
+
+# ----------------------------------------------------------------------------------------------------- pieces
+
+
+def _drawn(monkeypatch: pytest.MonkeyPatch, friction: object, n: int = 41) -> fold_curves.Strand:
+    """A strand θ₀ = 1 + θ with that friction, and others close beside it which are not to be taken for it."""
+    monkeypatch.setattr(
+        fold_curves,
+        "positive_roots",
+        lambda theta, _: _padded([[math.tan((1 + t + off) / 2) for off in (-0.02, 0, 0.02)] for t in theta]),
+    )
+    monkeypatch.setattr(
+        fold_curves, "friction", lambda theta, theta0, fixed: np.where(np.abs(theta0 - theta - 1) < 0.005, friction(theta), 1.0)
+    )
+    theta = np.linspace(0.1, 1.4, n)
+    return fold_curves.Strand(theta, 1 + theta, friction(theta))
+
+
+@pytest.mark.parametrize("backwards", [False, True])
+def test_strands_are_cut_where_friction_vanishes(monkeypatch: pytest.MonkeyPatch, backwards: bool) -> None:
+    strand = _drawn(monkeypatch, lambda theta: np.cos(5 * theta))
+    strand = fold_curves._backward(strand) if backwards else strand
+    zeros = [math.pi / 10 * k for k in (1, 3)]
+    ends = [strand.theta[-1 if backwards else 0], *zeros, strand.theta[0 if backwards else -1]]
+    for side, wanted in ((1.0, [(ends[0], ends[1]), (ends[2], ends[3])]), (-1.0, [(ends[1], ends[2])])):
+        parts = fold_curves._one_sign(strand, FAMILY, side)
+        parts = parts[::-1] if backwards else parts
+        assert len(parts) == len(wanted)
+        for part, (low, high) in zip(parts, wanted, strict=True):
+            theta = part.theta[::-1] if backwards else part.theta
+            assert (np.diff(theta) > 0).all()
+            assert theta[[0, -1]] == pytest.approx([low, high], abs=1e-12)
+            np.testing.assert_allclose(part.theta0, 1 + part.theta, atol=1e-12)
+            np.testing.assert_allclose(part.mu0, np.cos(5 * part.theta), atol=1e-9)
+            assert (side * part.mu0 >= 0).all()
+            inner = strand.theta[(strand.theta > low) & (strand.theta < high)]
+            assert np.isin(inner, part.theta).all()
+
+
+def test_strands_through_infinity_get_no_zero(monkeypatch: pytest.MonkeyPatch) -> None:
+    strand = _drawn(monkeypatch, lambda theta: 2e3 / (theta - 0.7512))
+    parts = [fold_curves._one_sign(strand, FAMILY, side) for side in (-1.0, 1.0)]
+    assert [len(some) for some in parts] == [1, 1]
+    assert sum(some[0].theta.size for some in parts) == strand.theta.size
+    assert all(np.abs(some[0].mu0).min() > 1e3 for some in parts)
+
+
+def test_a_zero_next_to_a_steep_rise_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Only where friction is large on both sides does it pass through infinity."""
+    at = np.linspace(0.1, 1.4, 41)[20] + 2.5e-4
+    strand = _drawn(monkeypatch, lambda theta: 2e5 * (theta - at))
+    for side, end in ((1.0, 0), (-1.0, -1)):
+        (part,) = fold_curves._one_sign(strand, FAMILY, side)
+        assert part.theta[end] == pytest.approx(at, abs=1e-12)
+        assert part.mu0[end] == 0
+
+
+def test_a_zero_that_is_not_there_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    strand = _drawn(monkeypatch, lambda theta: 1.0 + 0 * theta)
+    turned = fold_curves.Strand(strand.theta, strand.theta0, np.where(np.arange(41) == 20, -1.0, 1.0))
+    assert fold_curves._zero_friction(turned, 20, 19, FAMILY) is None
+    assert fold_curves._one_sign(turned, FAMILY, -1.0) == []  # one point is no curve
+    assert [part.theta.size for part in fold_curves._one_sign(turned, FAMILY, 1.0)] == [20, 20]
+
+
+def test_mirrored_strands_are_the_mirror_image() -> None:
+    strand = fold_curves.Strand(np.array([0.1, 0.2]), np.array([1.0, 2.5]), np.array([-0.5, 0.0]))
+    image = fold_curves._mirrored(strand)
+    np.testing.assert_allclose(image.theta, [math.pi - 0.1, math.pi - 0.2])
+    np.testing.assert_allclose(image.theta0, [math.pi - 1.0, math.pi - 2.5])
+    assert image.mu0.tolist() == [0.5, 0.0]
+    assert math.copysign(1, image.mu0[1]) == 1
+
+
+def test_pieces_of_a_curve_are_joined_however_they_lie() -> None:
+    t = np.linspace(0, 1, 31)
+    whole = fold_curves.Strand(0.2 + t, 3 - 2 * t, 0.5 + 30 * t**3)
+    cuts = [slice(0, 11), slice(10, 16), slice(15, 31)]
+    parts = [fold_curves.Strand(whole.theta[cut], whole.theta0[cut], whole.mu0[cut]) for cut in cuts]
+    for order in itertools.permutations(range(3)):
+        for turned in itertools.product((False, True), repeat=3):
+            given = [fold_curves._backward(parts[k]) if turn else parts[k] for k, turn in zip(order, turned, strict=True)]
+            for split in range(4):
+                (joined,) = fold_curves._joined(given[:split], given[split:])
+                way = 1 if joined.theta[0] < joined.theta[-1] else -1
+                for name in ("theta", "theta0", "mu0"):
+                    values = getattr(joined, name)[::way]
+                    np.testing.assert_array_equal(np.unique(values), np.unique(getattr(whole, name)))
+                assert (np.diff(joined.theta[::way]) >= 0).all()
+                assert joined.theta.size == 33
+
+
+def test_only_ends_that_are_one_point_are_joined() -> None:
+    one = fold_curves.Strand(np.array([0.1, 0.5]), np.array([1.0, 1.2]), np.array([2.0, 0.7]))
+    for name, off, joined in itertools.product(("theta", "theta0", "mu0"), (5e-7, 2e-5), (True, False)):
+        if joined == (off > 1e-6):
+            continue
+        start = {"theta": 0.5, "theta0": 1.2, "mu0": 0.7}
+        for way in (1, -1):
+            end = start | {name: start[name] + way * off}
+            two = fold_curves.Strand(*(np.array([end[key], end[key] + 1]) for key in ("theta", "theta0", "mu0")))
+            assert len(fold_curves._joined([one], [two])) == (1 if joined else 2)
+    ends = fold_curves.Strand(np.array([0.1, 0.5]), np.array([1.0, 1.2]), np.array([2.0, 0.0]))
+    assert len(fold_curves._joined([ends], [fold_curves._backward(ends)])) == 1  # at 2.0, not where friction ends
+    assert fold_curves._joined([ends], [fold_curves._backward(ends)])[0].mu0.tolist() == [0.0, 2.0, 2.0, 0.0]
+    far = fold_curves.Strand(np.array([0.5, 0.9]), np.array([1.2, 1.3]), np.array([0.0, 3.0]))
+    assert len(fold_curves._joined([ends], [far])) == 2

@@ -515,6 +515,59 @@ def test_guesses_say_where_a_pair_may_have_been_missed() -> None:
                 assert int(got.count) == (3 if certain else 1) + (0 if nbar else 1)
 
 
+def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Next to where the slope of the resolvent vanishes, as at a triple root, a step of either sign leads anywhere."""
+    rng, taken = np.random.default_rng(33), set()
+    for _ in range(200):
+        a, b, d, m = rng.normal(0, 1, 4)
+        r0, r1, r2 = kernel.resolvent(a, b, d, m)
+        if r2 * r2 <= 3 * r1:
+            continue
+        z = math.sqrt(r2 * r2 / 9 - r1 / 3) * (1 + rng.choice([-1, 1]) * 10.0 ** rng.uniform(-9, -3))
+        monkeypatch.setattr(kernel, "outermost", lambda P, Q, z=z: z)
+        x = z - r2 / 3
+        step = (((x + r2) * x + r1) * x + r0) / ((3 * x + 2 * r2) * x + r1)
+        if abs(step) > 2 * abs(z):
+            assert kernel.simple_root(a, b, d, m) == x
+            taken.add(step > 0)
+    assert taken == {False, True}
+
+
+def test_a_step_of_both_factors_is_newtons_and_keeps_their_signs() -> None:
+    """Against the linear equations for the changes; one that would turn q₁ < 0 or q₂ > 0 about is not taken."""
+    rng, seen = np.random.default_rng(35), set()
+    for _ in range(2000):
+        p1, p2, A1, A2, A3 = rng.normal(0, 2, 5)
+        q1, q2 = -np.exp(rng.normal()), np.exp(rng.normal())
+        matrix = [[1, 0, 1, 0], [p2, 1, p1, 1], [q2, p2, q1, p1], [0, q2, 0, q1]]
+        lack = [A3 - p1 - p2, A2 - q1 - q2 - p1 * p2, A1 - p1 * q2 - p2 * q1, -1 - q1 * q2]
+        if abs(np.linalg.det(matrix)) < 1e-2:
+            continue
+        dp1, dq1, dp2, dq2 = np.linalg.solve(matrix, lack)
+        if min(abs(q1 + dq1), abs(q2 + dq2)) < 1e-6:
+            continue
+        good = q1 + dq1 < 0 < q2 + dq2
+        seen.add((q1 + dq1 < 0, q2 + dq2 > 0))
+        wanted = np.array([p1, q1, p2, q2]) + good * np.array([dp1, dq1, dp2, dq2])
+        smaller = 1 if -wanted[1] < wanted[3] else 3
+        wanted[smaller] = -1 / wanted[4 - smaller]
+        np.testing.assert_allclose(kernel.polish(A1, A2, A3, p1, q1, p2, q2), wanted, rtol=1e-9, atol=1e-9)
+    assert seen == {(True, True), (True, False), (False, True)}  # never both: q₁ q₂ changes towards −1
+
+
+def test_factors_that_share_a_root_stay_as_they_are() -> None:
+    """(t − 1)(t + 1) and (t − 1)(t − 2): what a step would be is infinite or no number."""
+    rng = np.random.default_rng(34)
+    for _ in range(300):
+        shared = float(2.0 ** rng.integers(-3, 4))
+        first, second = -float(2.0 ** rng.integers(-3, 4)), float(2.0 ** rng.integers(-3, 4))
+        given = (-shared - first, shared * first, -shared - second, shared * second)
+        got = kernel.polish(*rng.normal(0, 3, 3), *map(np.float64, given))
+        wanted = np.array(given)
+        wanted[1 if -given[1] < given[3] else 3] = -1 / (given[3] if -given[1] < given[3] else given[1])
+        np.testing.assert_array_equal(got, wanted)
+
+
 def test_polish_squares_the_error() -> None:
     """From factors a little off, one step leaves the square of that; the exact factors stay."""
     rng = np.random.default_rng(12)
@@ -607,7 +660,7 @@ def test_arc_tangent_to_a_unit_in_the_last_place() -> None:
 def test_arc_tangents_are_off_to_neither_side() -> None:
     """Over every piece errors have no mean: low parts of the constants that are off by a third would give them one."""
     rng = np.random.default_rng(31)
-    ends = np.array([0.01, 0.4375, 0.6875, 1.1875, 2.4375, 8.0])
+    ends = np.array([0.01, 0.4375, 0.6875, 1.1875, math.tan(1), 2.4375, 8.0])  # from an arc tangent of 1 on units are larger
     with mpmath.workdps(40):
         for low, high in itertools.pairwise(ends):
             t = rng.uniform(low, high, 4000)

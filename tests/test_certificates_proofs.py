@@ -149,7 +149,7 @@ def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
 
 
 def _check(arith: Arithmetic, point: Point, orders: int, digits: int) -> None:
-    """f and its derivatives vanish there to so many digits, the state is that of the geometry, and it is in contact."""
+    """f and its derivatives vanish there to this many digits, the state is that of the geometry, and it is in contact."""
     with mpmath.workprec(1000):
         values = [_middle(arith, value) for value in point.parameters]
         theta, L, x, y = (_middle(arith, value) for value in (point.theta, point.L, point.x, point.y))
@@ -287,6 +287,49 @@ def test_sines_of_cusps_at_both_ends(values: str) -> None:
     assert roots == sorted(roots)
 
 
+def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
+    """At sin θ = 1/√3 and 3/5, which no interval of dyadic ends is: numerators of degree 10 over (3 s² − 2)²."""
+    polynomial = (Fraction(-3), Fraction(5), Fraction(9), Fraction(-15))  # (5 s − 3)(1 − 3 s²)
+    third = cusp_proofs._Sine(polynomial, Fraction(577, 1000), Fraction(578, 1000))
+    rational = cusp_proofs._Sine(polynomial, Fraction(599, 1000), Fraction(601, 1000))
+
+    def over(numerator: Any) -> Any:
+        return lambda s: (2 + s**8) * numerator(s) / (3 * s * s - 2) ** 2
+
+    for numerator, zeros in (
+        (lambda s: 1 - 3 * s * s, (True, False)),
+        (lambda s: s * (5 * s - 3), (False, True)),
+        (lambda s: s * s - 1, (False, False)),
+    ):
+        assert (third._is_zero(over(numerator)), rational._is_zero(over(numerator))) == zeros
+    exact = cusp_proofs._Sine(polynomial, Fraction(3, 5), Fraction(3, 5))
+    assert exact._is_zero(lambda s: s - Fraction(3, 5))
+    assert not exact._is_zero(lambda s: s)
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_an_upright_cusp_is_one(side: int, arith: Arithmetic) -> None:
+    """sin θ = ±1 and sin θ₀ = −1, by κ (α + σ) = (1 + β)(α + 2 σ) − α σ, and κ (α + σ) = α (1 + β + σ) for −1."""
+    alpha, sigma, beta = (Fraction(1), Fraction(1), Fraction(1)) if side < 0 else (Fraction(1, 2), Fraction(1), Fraction(0))
+    B = 1 + beta
+    kappa = (alpha * (B + sigma) if side < 0 else B * (alpha + 2 * sigma) - alpha * sigma) / (alpha + sigma)
+    with arith.precision(300):
+        points = list(cusp_proofs.cusps(arith, (kappa, alpha, sigma, beta), 300))
+        angles = [[float(_middle(arith, value)) for value in (one.theta, one.parameters[0], one.parameters[1])] for one in points]
+    upright = [one for one in angles if abs(one[0] - side * math.pi / 2) < 1e-6]
+    assert len(upright) == 1
+    assert upright[0] == pytest.approx([side * math.pi / 2, -math.pi / 2, 0.0], abs=1e-15)
+
+
+def test_what_may_be_upright_is_open() -> None:
+    arith, exact = Balls(), (Fraction(3, 2), Fraction(1), Fraction(1), Fraction(1))
+    with arith.precision(300):
+        polynomial = cusp_proofs.cusp_sines(*exact, bits=300)[0]
+        for low, high in ((-1, -1 + Fraction(1, 2**100)), (-1 - Fraction(1, 2**100), -1)):
+            with pytest.raises(Undecided):
+                list(cusp_proofs._cusps_at(arith, exact, cusp_proofs._Sine(polynomial, Fraction(low), Fraction(high))))
+
+
 def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:
     exact = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
     with arith.precision(200):
@@ -297,6 +340,20 @@ def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:
         blurred = Point((theta0, mu0, *rest), point.theta + wide, point.L, point.x, point.y)
         assert not cusp_proofs.is_versal(arith, blurred)
         assert not cusp_proofs.is_versal(arith, Point((theta0 + wide, mu0, *rest), point.theta, point.L, point.x, point.y))
+
+
+def test_the_unfolding_is_full_where_the_derivatives_are_independent(arith: Arithmetic, monkeypatch: pytest.MonkeyPatch) -> None:
+    with arith.precision(100):
+        point = next(cusp_proofs.cusps(arith, (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0)), 100))
+        for rows, full in (
+            (((2, 1), (6, 3)), False),
+            (((2, 1), (6, 4)), True),
+            (((0, 1), (6, 0)), True),
+            (((0, 0), (6, 4)), False),
+        ):
+            given = [tuple(arith.exact(Fraction(value)) for value in row) for row in rows]
+            monkeypatch.setattr(cusp_proofs._catastrophe, "unfolding", lambda *_, given=given: [*given, None])
+            assert cusp_proofs.is_versal(arith, point) == full
 
 
 def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -> None:
@@ -384,9 +441,10 @@ def test_multiplicities_of_exact_roots() -> None:
         assert max(widths) < Fraction(1, 2**150)
 
 
+@pytest.mark.parametrize("beta", [Fraction(0), Fraction(2, 5)])
 @pytest.mark.parametrize("vary", NAMES)
-def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str) -> None:
-    values = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), Fraction(0))
+def test_the_curvature_vanishes_on_cusps_and_not_on_folds(vary: str, beta: Fraction) -> None:
+    values = (Fraction(7, 1000), Fraction(7, 1000), Fraction(1, 10), beta)
     arith = Balls()
     with arith.precision(300):
         cusps = list(cusp_proofs.cusps(arith, values, 300))
@@ -441,3 +499,102 @@ def test_a_fold_at_exactly_90_degrees_out_of_contact_is_none() -> None:
     grid = np.linspace(1e-3, math.pi - 1e-3, 3001)
     fixed = {name: float(value) for name, value in exact.items()}
     assert len(found) == _scanned("theta0", fixed, grid).size
+
+
+def test_a_direction_knows_what_vanishes_at_it(arith: Arithmetic) -> None:
+    """At t = √2, where cos θ = −1/3, of (t² − 2)(t − 3); of a root of intervals nothing vanishes for certain."""
+    polynomial = tuple(map(Fraction, (6, -2, -3, 1)))
+    with arith.precision(100):
+        wide = arith.between(Fraction(-1), Fraction(1))
+        root = min(
+            charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True),
+            key=lambda one: arith.ends(one.interval(arith)),
+        )
+        direction = fold_proofs._Direction(root.interval(arith), 1, False, polynomial, root)
+        assert direction.sign_of(arith, wide, lambda c, s: 3 * c + 1, "it") == 0
+        assert direction.sign_of(arith, wide, lambda c, s: (3 * c + 1) * (1 + s**5), "it") == 0
+        assert direction.sign_of(arith, arith.exact(Fraction(1, 3)), lambda c, s: 3 * c + 1, "it") == 1
+        for open_one, function in (
+            (direction, lambda c, s: c), (direction, lambda c, s: 5 * c + 4),  # c = −4/5 at t = 3
+            (fold_proofs._Direction(root.interval(arith)), lambda c, s: 3 * c + 1),
+        ):  # fmt: skip
+            with pytest.raises(Undecided, match="it"):
+                open_one.sign_of(arith, wide, function, "it")
+
+
+@pytest.mark.parametrize("vary", NAMES[1:])
+def test_too_few_bits_find_no_folds_and_deny_none(vary: str, arith: Arithmetic) -> None:
+    exact = dict(zip(NAMES, map(Fraction, (0.7, 0.5, 0.007, 0.007, 0.1, 0.25)), strict=True))
+    with arith.precision(6), pytest.raises(Undecided):
+        list(fold_proofs.folds(arith, vary, exact, 6))
+
+
+def test_what_does_not_depend_on_theta0_is_told_from_five_angles(monkeypatch: pytest.MonkeyPatch) -> None:
+    """g(v) (t² − 2) with g of both signs, and 0 at some of the angles; what depends on both; and nothing at all."""
+    exact = dict.fromkeys(NAMES, Fraction(1))
+
+    def eliminated(of: Any) -> None:
+        monkeypatch.setattr(fold_proofs, "_eliminated", lambda _, c0, s0, *__: lambda t: of(s0 / (1 + c0), t))
+
+    for zeros in ((1, 5), (2, 3), (3,), (1, 2, 4), (2, 4, 5)):
+        eliminated(lambda v, t, zeros=zeros: math.prod(7 * v - zero for zero in zeros) * (t * t - 2))
+        assert fold_proofs._independent_of_theta0("kappa", exact) in ((-2, 0, 1), (2, 0, -1))
+    for of in (lambda v, t: t * t - v, lambda v, t: (7 * v - 5) * t + (7 * v - 1) * (7 * v - 2) * (7 * v - 3) * (7 * v - 4)):
+        eliminated(of)
+        assert fold_proofs._independent_of_theta0("kappa", exact) is None
+    eliminated(lambda v, t: Fraction(0))
+    monkeypatch.setattr(fold_proofs, "_lines_meet", lambda *_: False)
+    assert fold_proofs._independent_of_theta0("kappa", exact) == ()
+    monkeypatch.setattr(fold_proofs, "_lines_meet", lambda *_: True)
+    with pytest.raises(ss.ConvergenceError, match="not isolated"):
+        fold_proofs._independent_of_theta0("kappa", exact)
+
+
+_HALVES = Fraction(-1, 2)
+#: u₁, w₁, u₂, w₂ of cos θ, sin θ, cos θ₀, sin θ₀, and whether both relations can hold at once.
+RELATIONS = {
+    "nothing": (lambda c, s, c0, s0: (0, 0, 0, 0), True),
+    "one value, always": (lambda c, s, c0, s0: (_HALVES, 1, _HALVES, 1), False),
+    "a second of half the scale": (lambda c, s, c0, s0: (_HALVES, 1, -1, 2), False),
+    "the second alone": (lambda c, s, c0, s0: (0, 0, -1, 2), False),
+    "the first alone": (lambda c, s, c0, s0: (-1, 2, 0, 0), False),
+    "both free at cos θ = 0": (lambda c, s, c0, s0: (_HALVES * c, c, _HALVES * c * (2 + s), c * (2 + s)), True),
+    "one of them free at cos θ = 0": (lambda c, s, c0, s0: (_HALVES * c, c, _HALVES, 1), False),
+    "both free at θ = 0": (lambda c, s, c0, s0: (_HALVES * s, s, _HALVES * s, s), False),
+    "both free below": (lambda c, s, c0, s0: (_HALVES * (s - _HALVES), s - _HALVES, _HALVES * (s - _HALVES), s - _HALVES), False),
+    "two values of the first but at t = ±3/5": (lambda c, s, c0, s0: (_HALVES + c - Fraction(8, 17), 1, _HALVES, 1), True),
+    "two values": (lambda c, s, c0, s0: (_HALVES, 1, Fraction(-1, 3), 1), True),
+    "two values but at θ = 0": (lambda c, s, c0, s0: (_HALVES + s, 1, _HALVES, 1), True),
+    "two values but at t = ±3/5": (lambda c, s, c0, s0: (_HALVES, 1, _HALVES + c - Fraction(8, 17), 1), True),
+    "free at one angle of the samples": (lambda c, s, c0, s0: (_HALVES * (7 * s0 - 1 - c0), 7 * s0 - 1 - c0, 0, 0), True),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", RELATIONS)
+def test_relations_that_are_one_meet_where_both_leave_the_parameter_free(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    relations, meet = RELATIONS[name]
+    monkeypatch.setitem(fold_proofs._LINES, "kappa", lambda c, s, c0, s0: tuple(map(Fraction, relations(c, s, c0, s0))))
+    assert fold_proofs._lines_meet("kappa", []) == meet
+
+
+def test_a_pitchfork_has_no_upper_pair(arith: Arithmetic) -> None:
+    exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (0, "1/10", 0, 1, 0))), strict=True))
+    with arith.precision(200):
+        found = [fold for vary in ("theta0", "kappa", "sigma") for fold in fold_proofs.folds(arith, vary, exact, 200)]
+    forks = [fold for fold in found if fold.kind == "pitchfork"]
+    assert forks
+    assert not any(fold.upper for fold in forks)
+
+
+def test_what_is_not_isolated_along_theta0_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where all of the eliminated polynomial vanishes: no fold for μ₀ = 0 and α = 1 + β, else no answer."""
+    monkeypatch.setattr(fold_proofs, "in_t", lambda *_: lambda t: Fraction(0))
+    arith = Balls()
+    for mu0, alpha, none in ((0, "3/2", True), (1, "3/2", False), (0, "1/2", False), (0, 1, False)):
+        exact = dict(zip(NAMES, (Fraction(1), *map(Fraction, (mu0, "1/10", alpha, 1, "1/2"))), strict=True))
+        with arith.precision(200):
+            if none:
+                assert list(fold_proofs.folds(arith, "theta0", exact, 200)) == []
+                continue
+            with pytest.raises(ss.ConvergenceError, match="not isolated"):
+                list(fold_proofs.folds(arith, "theta0", exact, 200))

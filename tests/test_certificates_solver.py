@@ -1,21 +1,25 @@
-"""What the solver makes of the kernel's certificates: nothing is settled but by them, and what isn't goes on to more digits."""
+"""How the solver uses the kernel's certificates: they alone settle a point, and other points go on to more digits."""
 
 from __future__ import annotations
 
 import itertools
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
+import mpmath
 import numpy as np
 import pytest
 
 import spragsym as ss
+from benchmarks import reference
 from benchmarks.families import FAMILIES
-from benchmarks.validate_equilibria import worst_errors, wrong_counts
+from benchmarks.validate_equilibria import worst_errors
 from spragsym.generated import kernel
 from spragsym.parameters import NAMES
-from spragsym.statics import block, ladder, slots, solver
+from spragsym.statics import block, compiled, ladder, slots, solver
+from spragsym.statics.double_double import DoubleDouble
 
 
 @pytest.fixture(autouse=True)
@@ -33,27 +37,45 @@ def _points(n: int) -> ss.Parameters:
     return ss.Parameters(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
 
 
-def test_counts_codes_and_bounds_over_every_family() -> None:
+def _borders_in_liftoff(n: int) -> ss.Parameters:
+    """Neighbouring floats of θ₀ between which the number of equilibria in lift-off changes."""
+    p = FAMILIES["random"](np.random.default_rng(58), n)
+    low, high = np.full(n, 0.05), np.full(n, 1.5)
+    start = ss.equilibria(p.replace(theta0=low), contact=False).count
+    differ = start != ss.equilibria(p.replace(theta0=high), contact=False).count
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        same = ss.equilibria(p.replace(theta0=middle), contact=False).count == start
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    ends = [column for name, column in zip(NAMES, p.broadcast(*NAMES), strict=True) if name != "theta0"]
+    return ss.Parameters(
+        *(np.concatenate([one[differ], other[differ]]) for one, other in ((low, high), *zip(ends, ends, strict=True)))
+    )
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_counts_codes_and_bounds_over_every_family(contact: bool) -> None:
     p, rng = _points(24), np.random.default_rng(52)
-    for contact in (True, False):
-        eq = ss.equilibria(p, contact=contact)
-        if contact:
-            assert wrong_counts(p, eq) == 0
-        worst, ratio = worst_errors(p, eq, rng, 60)
-        assert worst <= 1e-12
-        assert ratio <= 1
-        used = np.arange(eq.theta.shape[1]) < eq.count[:, None]
-        assert (np.isfinite(eq.error) == used).all()
-        assert ((eq.stability > 0) == used).all()
-        assert np.nanmax(eq.error) <= block.TOLERANCE
-        assert eq.escalated.mean() < 0.35
-        assert eq.escalated.any() or not contact
-        for row in range(0, eq.count.size, 7):
-            point = [float(value[row]) for value in p.broadcast(*NAMES)]
-            states = ladder.equilibria(*point, contact=contact).states
-            assert [state.stability for state in states] == eq.stability[row, : eq.count[row]].tolist()
-            for slot, state in enumerate(states):
-                assert abs(state.theta - eq.theta[row, slot]) <= eq.error[row, slot] * max(1, abs(state.theta))
+    if not contact:
+        borders = _borders_in_liftoff(30).broadcast(*NAMES)
+        p = ss.Parameters(*map(np.concatenate, zip(p.broadcast(*NAMES), borders, strict=True)))
+    eq = ss.equilibria(p, contact=contact)
+    points = np.column_stack(p.broadcast(*NAMES)).tolist()
+    count = reference.count_contact if contact else reference.count_liftoff
+    assert eq.count.tolist() == [count(*point) for point in points]
+    worst, ratio = worst_errors(p, eq, rng, 60)
+    assert worst <= 1e-12
+    assert ratio <= 1
+    used = np.arange(eq.theta.shape[1]) < eq.count[:, None]
+    assert (np.isfinite(eq.error) == used).all()
+    assert ((eq.stability > 0) == used).all()
+    assert np.nanmax(eq.error) <= block.TOLERANCE
+    assert 0 < eq.escalated.mean() < 0.35
+    for row, point in enumerate(points[::7]):
+        states = ladder.equilibria(*point, contact=contact).states
+        assert [state.stability for state in states] == eq.stability[7 * row, : eq.count[7 * row]].tolist()
+        for slot, state in enumerate(states):
+            assert abs(state.theta - eq.theta[7 * row, slot]) <= eq.error[7 * row, slot] * max(1, abs(state.theta))
 
 
 def test_the_certificates_settle_most_points() -> None:
@@ -68,7 +90,7 @@ def test_the_certificates_settle_most_points() -> None:
 def test_every_rung_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     p = FAMILIES["near folds"](np.random.default_rng(54), 30)
     found = [ss.equilibria(p)]
-    monkeypatch.setattr(solver, "_extended_precision", lambda: False)
+    monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
     found.append(ss.equilibria(p))
     assert found[0].escalated.any()
     assert (found[0].escalated == found[1].escalated).all()
@@ -86,7 +108,7 @@ GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsid
 def _settled(
     monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
 ) -> tuple[bool, slots.Slots]:
-    """What a block makes of three roots whose middle one has changed; of the second of two points."""
+    """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
     given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
@@ -127,12 +149,10 @@ def test_one_missing_certificate_settles_nothing(monkeypatch: pytest.MonkeyPatch
 
 def test_an_error_at_the_tolerance_is_within_it(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _settled(monkeypatch, {"error": 1e-12})[0]
-    assert block._rounding(np.float64(2.0**-53)) == 0
-    # Where a wider type is rounded to float64 half a unit in the last place is left for it.
-    wide = np.longdouble(2.0**-64)
-    assert block._rounding(wide) >= 2.0**-53
-    for error, sure in ((1e-12, False), (1e-12 - 1.1e-16, False), (1e-12 - 1.3e-16, True)):
-        assert bool(block._sure(kernel.Root(**GOOD | {"error": error, "code": 1.0}), wide)) == sure
+    # What double-double arithmetic found is rounded to float64, θ by as much as an arc tangent of it is off: four units u.
+    for error, sure in ((1e-12, False), (1e-12 - 4.3e-16, False), (1e-12 - 4.6e-16, True)):
+        root = kernel.Root(**GOOD | {"error": error, "code": 1.0})
+        assert bool(block._sure(DoubleDouble(1.0), root)) == sure
 
 
 @pytest.mark.parametrize("t", [(0.5, 0.5, 2.0), (0.5, 2.0, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)])
@@ -263,17 +283,20 @@ def test_blocks_of_lift_off_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None
         np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
 
 
-@pytest.mark.parametrize(("dtype", "u"), [(np.float64, 2.0**-53), (np.longdouble, np.finfo(np.longdouble).eps / 2)])
-def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyPatch, dtype: Any, u: float) -> None:
+@pytest.mark.parametrize(("wide", "u"), [(False, 2.0**-53), (True, 2.0**-102)])
+def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyPatch, wide: bool, u: float) -> None:
     asked = []
     for name in ("discriminant", "one_positive", "at_root"):
         plain = getattr(kernel, name)
         monkeypatch.setattr(block.kernel, name, lambda *given, plain=plain: (asked.append(given[-1]), plain(*given))[1])
-    point = kernel.Point(*(np.full(3, value, dtype=dtype) for value in (0.8, 0.6, 1.0, 0.1, 0.1, 0.1, 0.1)), 1)
+    values = [np.full(3, value) for value in (0.6, 1.0, 0.1, 0.1, 0.1, 0.1)]
     with np.errstate(all="ignore"):
-        block.solve(point, 3, slots.Slots(3, 3), 0, dtype)
+        if wide:
+            block.solve_widely(values, True, slots.Slots(3, 3), 0, 3)
+        else:
+            block.solve(kernel.Point(np.cos(values[0]), np.sin(values[0]), *values[1:], 1), 3, slots.Slots(3, 3), 0, np.float64)
     assert len(asked) >= 3
-    assert all(type(value) is dtype and value == u for value in asked)
+    assert all(type(value) is np.float64 and value == u for value in asked)
 
 
 @pytest.mark.parametrize("value", [-1.0, 0.0, 1.0])
@@ -298,11 +321,17 @@ def test_one_positive_root_settles_a_point_whatever_the_discriminant() -> None:
     assert (few.count == 1).all()
 
 
+#: In lift-off the spring is so short here that the trace of its stiffness is negative.
+SHORT = (0.311, 0.661, 0.143, 1.791, 2.269, 0.0)
+
+
 def test_eigenvalues_are_those_of_the_stiffness() -> None:
     for contact in (True, False):
-        p = _points(6)
+        columns = [np.append(column, value) for column, value in zip(_points(6).broadcast(*NAMES), SHORT, strict=True)]
+        p = ss.Parameters(*columns)
         eq = ss.equilibria(p, contact=contact)
         _, mu0, _, alpha, sigma, beta = p.broadcast(*NAMES)
+        traces = []
         for row, slot in zip(*np.nonzero(np.arange(eq.theta.shape[1]) < eq.count[:, None]), strict=True):
             s, c, L = np.sin(eq.theta[row, slot]), np.cos(eq.theta[row, slot]), eq.L[row, slot]
             K = np.array([
@@ -311,8 +340,12 @@ def test_eigenvalues_are_those_of_the_stiffness() -> None:
             ])  # fmt: skip
             found, size = eq.eigenvalues[row, slot], np.abs(K).max()
             np.testing.assert_allclose(found[2:], -found[:2])
+            traces.append(np.trace(K))
+            assert abs(found[0]) >= abs(found[1]) * (1 - 1e-9)  # the larger first: it loses no digits
             wanted = np.poly(-np.linalg.eigvals(K).astype(complex))
             np.testing.assert_allclose(np.poly(found[:2] ** 2), wanted, atol=1e-9 * max(size, 1) ** 2)
+        assert (min(traces) < 0) != contact
+        assert any(0 < trace < 1 for trace in traces)
         assert np.isnan(eq.eigenvalues[np.arange(eq.theta.shape[1]) >= eq.count[:, None]]).all()
 
 
@@ -324,3 +357,86 @@ def test_what_is_not_normal_goes_to_more_digits() -> None:
 def test_a_length_beyond_float64_is_said() -> None:
     with pytest.raises(ss.ConvergenceError, match=r"log10 L = .* of theta0=1\.0, mu0=.* is beyond float64"):
         ss.equilibria(ss.Parameters(theta0=1.0, mu0=1e200, kappa=1e200, alpha=1.0, sigma=1.0, beta=1.0))
+
+
+def test_the_logarithm_of_such_a_length_is_right() -> None:
+    given = dict(theta0=1.0, mu0=1e200, kappa=1e200, alpha=1.0, sigma=1.0, beta=1.0)
+    with pytest.raises(ss.ConvergenceError) as failure:
+        ss.equilibria(ss.Parameters(**given))
+    (state,) = ss.precise.equilibria(**given, dps=20)
+    said = float(str(failure.value).split("log10 L = ")[1].split(" ")[0])
+    assert said == pytest.approx(float(mpmath.log10(state.L)), rel=2e-6)
+
+
+def test_both_angle_and_friction_are_needed() -> None:
+    for solve in (ss.equilibria, ss.count):
+        for given, lacking in (({"mu0": 0.5}, "theta0"), ({"theta0": 0.5}, "mu0")):
+            with pytest.raises(ss.ParameterError, match=lacking):
+                solve(ss.Parameters(**given, kappa=0.1, alpha=0.1, sigma=0.1, beta=0.1))
+
+
+LONG = (1.0, 1e200, 1e200, 1.0, 1.0, 1.0)
+
+
+@pytest.mark.parametrize("backend", ["numpy", "compiled"])
+def test_slots_without_an_equilibrium_are_empty_whatever_memory_held(monkeypatch: pytest.MonkeyPatch, backend: str) -> None:
+    if backend == "compiled" and not compiled.available():
+        pytest.skip("the compiled solver was not built: no C compiler")
+    ss.set_backend(backend)
+    made = slots.Slots.__post_init__
+
+    def filled(self: slots.Slots) -> None:
+        made(self)
+        for values in self.first.values():
+            values[:] = 7
+
+    monkeypatch.setattr(slots.Slots, "__post_init__", filled)
+    # Of the last one, whose length float64 can't carry, nothing is written.
+    columns = [np.append(column, value) for column, value in zip(_points(6).broadcast(*NAMES), LONG, strict=True)]
+    p = ss.Parameters(*columns)
+    for contact, room in ((True, 3), (False, 4)):
+        eq = ss.equilibria(p, contact=contact)
+        assert eq.theta.shape == (*p.shape, room)
+        empty = np.arange(room) >= eq.count[:, None]
+        assert np.isnan(eq.theta[empty]).all()
+        assert not eq.stability[empty].any()
+        assert eq.count[-1] == 0
+        assert "Slots" not in repr(eq)
+
+
+def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the backend that was asked for, and the roundoff of float64."""
+    p = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 49.0, 120.0]), mu0=0.5)
+    asked: list[float] = []
+    plain = kernel.single
+    monkeypatch.setattr(solver, "equilibria", None)
+    monkeypatch.setattr(solver.compiled, "count", None)
+    monkeypatch.setattr(kernel, "single", lambda point, u: (asked.append(u), plain(point, u))[1])
+    assert ss.count(p).tolist() == [3, 3, 1, 1]
+    assert asked == [2.0**-53]
+    monkeypatch.setattr(solver, "_count", None)
+    monkeypatch.setattr(solver.compiled, "count", lambda values, size: np.full(size, 3, dtype=np.int8))
+    monkeypatch.setattr(solver.backends, "chosen", lambda: ("compiled", 1))
+    assert ss.count(p).tolist() == [3, 3, 3, 3]
+
+
+def test_double_double_arithmetic_is_asked_before_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
+    p, plain = FAMILIES["near folds"](np.random.default_rng(54), 60), ladder.equilibria
+    calls: list[int] = []
+    monkeypatch.setattr(ladder, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
+    assert ss.equilibria(p).escalated.any()
+    assert not calls
+    monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
+    assert ss.equilibria(p).escalated.sum() == len(calls) > 0
+
+
+def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
+    plain = ladder.equilibria
+
+    def fold(*given: float, contact: bool) -> ladder.Settled:
+        return replace(plain(*given, contact=contact), fold=given[0] > 1)
+
+    monkeypatch.setattr(ladder, "equilibria", fold)
+    p = ss.Parameters([0.9, 1.1, 1.2], [0.5, 0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
+    assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
+    assert ss.equilibria(p).fold.tolist() == [False, False, True]

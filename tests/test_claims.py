@@ -56,7 +56,7 @@ def forces(x: Any, y: Any, theta0: Any, mu0: Any, kappa: Any, alpha: Any, sigma:
 def spring_eigenvalues(x: float, y: float, theta0: float, contact: bool = True, **p: float) -> Any:
     """Eigenvalues of the forces' Jacobian by central differences: λ² less the sign."""
     h = 1e-6
-    at = lambda dx, dy: np.array(forces(x + dx, y + dy, theta0, **p, contact=contact))  # noqa: E731
+    at = lambda dx, dy: np.array(forces(x + dx, y + dy, theta0, **p, contact=contact))  # noqa: E731  # one line of two
     K = np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
     return np.linalg.eigvals(K)
 
@@ -332,7 +332,7 @@ def linear_stiffness(theta0: float, mu0: float) -> Any:
     """K at the undeformed state, by differences; friction as in contact on both sides of y = 0."""
     h = 1e-6
     p = BASE | {"mu0": mu0}
-    at = lambda x, y: np.array(forces(x, y, theta0, **p))  # noqa: E731
+    at = lambda x, y: np.array(forces(x, y, theta0, **p))  # noqa: E731  # one line of two
     return np.stack([(at(h, 0) - at(-h, 0)) / (2 * h), (at(0, h) - at(0, -h)) / (2 * h)], axis=-1)
 
 
@@ -454,6 +454,26 @@ def test_amplitude_jump_by_another_integrator() -> None:
     assert value("fig-7b", "before the fold by (deg)") == pytest.approx(fold - at, abs=0.006)
 
 
+def test_the_fate_of_rest() -> None:
+    """On both sides of it by another integrator; the saddle is an equilibrium by forces alone."""
+    at = value("fig-7b-fate", "theta0_deg")
+    low, high = (rms(motion(at + step, [0, 0, 0, 0], 500.0), 300, 500) for step in (-1e-5, 1e-5))
+    assert low < 0.3 < 0.8 < high
+    growth = growth_by_differences(at, value("fig-7b-fate", "x of the saddle"))
+    assert growth == pytest.approx(value("fig-7b-fate", "its growth rate"), rel=1e-7)
+
+
+def test_the_oscillation_far_below_the_fold() -> None:
+    """One round by another integrator, from a state of the cycle, leads back to it."""
+    periods = value("fig-7-oscillation", "periods")
+    near: Any = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
+    for degrees, period in zip((40.0, 30.0, 20.0, 10.0), reversed(periods), strict=True):
+        near = ss.cycle(ss.Parameters.article(theta0=np.radians(degrees)), V=0.5, d=10.0, near=near)
+        end = motion(degrees, near.state, period, rtol=1e-9).y[:, -1]
+        assert np.abs(end - near.state).max() < 1e-4
+    assert max(value("fig-7-oscillation", "largest multipliers")) < 1
+
+
 # ------------------------------------------------------------------------------------------------- the ledger
 
 
@@ -476,7 +496,7 @@ def test_statuses() -> None:
     for id, row in record().items():
         by_status[row["status"]].add(id)
     assert by_status[Status.NOT_REPRODUCED] == set()
-    assert by_status[Status.NOT_STATED] == {"fig-3", "fig-7a", "fig-7b"}
+    assert by_status[Status.NOT_STATED] == {"fig-3", "fig-7a", "fig-7b", "fig-7b-fate", "fig-7-oscillation"}
     # A wrong number of an equation or a figure is another matter than a wrong statement.
     assert by_status[Status.MISPRINT] == {"claim-reference-10", "claim-reference-12", "claim-reference-22"}
     assert by_status[Status.CORRECTED] == {"claim-mu-cr", "claim-must-jump", "claim-roots-of-21"}
@@ -584,7 +604,7 @@ def test_the_report_gives_every_row_of_both_records() -> None:
         assert {name for name, _ in re.findall(r"^- (.+?): (.*)$", in_full[id], re.MULTILINE)} >= row["values"].keys()
     misprinted = {id for id, row in ledger.items() if row["status"] in ("misprint", "approximation")}
     shown = sections_of(parts["Misprints and approximations"], "###")
-    assert {re.search(r"\(([\w-]+)\)(?:: an approximation)?$", title)[1] for title in shown} == misprinted  # type: ignore[index]
+    assert {re.search(r"\(([\w-]+)\)(?:: an approximation)?$", title)[1] for title in shown} == misprinted  # type: ignore[index]  # there is a match
     for title, text in shown.items():
         (row,) = (row for id, row in ledger.items() if f"({id})" in title)
         assert f"{row['printed']} \\\\\n" in text

@@ -235,7 +235,7 @@ def test_no_workers_in_python_leaves_nothing_either(tmp_path: Path) -> None:
     assert not list(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("t_end", ["100", "0.5", "3000"])
+@pytest.mark.parametrize("t_end", ["100", "0.5", pytest.param("3000", marks=pytest.mark.thorough)])
 def test_the_window_follows_the_end(t_end: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The last quarter is what is measured, where nothing else is said: of 2000 that which the article shows."""
     motion = ["--theta0", "49", "--t-end", t_end, "--backend", "scipy"]
@@ -300,7 +300,7 @@ def test_help_has_examples_and_exit_codes(command: list[str], start: Start) -> N
     assert "Exit codes: 0" in text
     # Each example names a command that exists, with options that it has.
     for name, options in re.findall(r"^ +spragsym (\w+)(.*)$", text.split("Examples:")[1].split("Exit codes")[0], re.MULTILINE):
-        known = {flag for option in cli.get_command(click.Context(cli), name).params for flag in option.opts}  # type: ignore[union-attr]
+        known = {flag for option in cli.get_command(click.Context(cli), name).params for flag in option.opts}  # type: ignore[union-attr]  # there is such a command
         assert set(re.findall(r"(?<= )--?[a-zA-Z][\w-]*", options.split("|")[0])) <= known
 
 
@@ -517,7 +517,9 @@ SURROUNDINGS: dict[str, dict[str, str]] = {
 }
 
 
-@pytest.mark.parametrize("surroundings", SURROUNDINGS)
+@pytest.mark.parametrize(
+    "surroundings", [pytest.param(name, marks=pytest.mark.thorough) if name == "latin-1" else name for name in SURROUNDINGS]
+)
 def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
     """Right output or one line: with Greek in the output, in the arguments, and a bar on stderr."""
     pytest.importorskip("sympy")
@@ -541,7 +543,7 @@ def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs a pseudo terminal")
-@pytest.mark.parametrize("colour", [True, False])
+@pytest.mark.parametrize("colour", [True, pytest.param(False, marks=pytest.mark.thorough)])
 def test_no_color_is_respected(colour: bool, begin: Callable[..., subprocess.Popen[bytes]]) -> None:
     environment = {**os.environ, "TERM": "xterm-256color", "COLUMNS": "200"}
     environment.pop("FORCE_COLOR", None)
@@ -576,7 +578,7 @@ def test_ctrl_c_ends_cleanly(tmp_path: Path, start: Start) -> None:
 
 # ----------------------------------------------------------------------------------------------------------- fuzz
 
-#: Numbers as people and programs write them, and what is none.
+#: Numbers as people and programs write them, and text that is no number.
 NUMBERS = st.one_of(
     st.floats(1e-9, 1e6).map(repr),
     st.floats(1e-3, 200).map(repr),

@@ -44,6 +44,11 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Events": lambda: ss.simulate(ONE.replace(theta0=0.9), t_end=40.0, **BELT).events,
     "Sweep": lambda: ss.rms_sweep(P, t_end=20.0, **BELT),
     "Basin": _basin,
+    "JumpGradient": lambda: ss.jump_gradient(P),
+    "JumpMargin": lambda: ss.jump_margin(ONE, {"mu0": 0.05}),
+    "JumpProbability": lambda: ss.jump_probability((ONE, ONE.replace(mu0=0.9)), n=256, rng=1),
+    "Certificate": lambda: ss.certify(ONE, ONE, "no jump"),
+    "Redesign": lambda: ss.redesign(ONE, "theta0", {"mu0": 0.8}),
     "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),
 }
 

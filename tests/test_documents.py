@@ -7,7 +7,6 @@ import importlib
 import os
 import pkgutil
 import re
-import shlex
 import subprocess
 import sys
 from pathlib import Path
@@ -89,14 +88,6 @@ def test_readme_python() -> None:
 @pytest.mark.parametrize("command", [command for command, _ in commands(README) if not command.startswith("make ")])
 def test_readme_commands(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(README))[command], run(command, tmp_path))
-
-
-def test_readme_make_derive(tmp_path: Path) -> None:
-    """The lines of ``make derive``, its times apart."""
-    shown = dict(commands(README))["make derive"].split("-m derive\n")[1]
-    given = run(f"cd {shlex.quote(str(ROOT))} && {sys.executable} -m derive --out {tmp_path}/generated", tmp_path)
-    times = re.compile(r"^ *\d+\.\d\d s", re.MULTILINE)
-    assert_shown(times.sub("s", shown), times.sub("s", given))
 
 
 def test_readme_links_and_numbers() -> None:

@@ -18,15 +18,15 @@ from click.testing import CliRunner
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
 
-from matplotlib.figure import Figure  # noqa: E402
-from matplotlib.path import Path as Outline  # noqa: E402
-from matplotlib.text import Annotation  # noqa: E402
-from scipy.integrate import solve_ivp  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402  # after matplotlib was found
+from matplotlib.path import Path as Outline  # noqa: E402  # after matplotlib was found
+from matplotlib.text import Annotation  # noqa: E402  # after matplotlib was found
+from scipy.integrate import solve_ivp  # noqa: E402  # after matplotlib was found
 
-import spragsym as ss  # noqa: E402
-from spragsym.cli import main  # noqa: E402
-from spragsym.cli.figures import figures as command  # noqa: E402
-from spragsym.figures import (  # noqa: E402
+import spragsym as ss  # noqa: E402  # after matplotlib was found
+from spragsym.cli import main  # noqa: E402  # after matplotlib was found
+from spragsym.cli.figures import figures as command  # noqa: E402  # after matplotlib was found
+from spragsym.figures import (  # noqa: E402  # after matplotlib was found
     FIGURES,
     Sheet,
     bifurcation_figure,
@@ -41,17 +41,19 @@ from spragsym.figures import (  # noqa: E402
     surfaces,
     write,
 )
-from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402
+from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
 
 #: Panels of each figure, and options that make it quick.
 PANELS = {
     "3": 2, "4": 4, "5": 4, "6": 2, "7": 2, "8": 1, "9": 1, "10": 1, "11": 1, "12": 1, "13": 2, "14": 2,
-    "cusp-friction": 4, "false-double-root": 2, "rms-map": 1, "sensitivity": 3,
+    "cusp-friction": 4, "cycles": 1, "cycles-plane": 1, "false-double-root": 2, "rms-map": 1, "sensitivity": 3,
 }  # fmt: skip
 QUICK: dict[str, dict[str, Any]] = {
     "7": {"step_deg": 30.0}, "11": {"detail": 0.3}, "14": {"detail": 0.3}, "cusp-friction": {"n": 4},
+    "cycles": {"seeds": ("34",), "to_deg": (41.5, 42.5), "points": 3},
+    "cycles-plane": {"points": 1, "frictions": (), "curves": ()},
     "rms-map": {"step_deg": 45.0, "step_mu0": 0.5, "levels": 1}, "sensitivity": {"step_deg": 10.0},
 }  # fmt: skip
 
@@ -194,7 +196,7 @@ def test_plot_equilibria_draws_by_stability() -> None:
     lines = plot_equilibria(P.replace(sigma=1.0), ax=ax)
     dashes = {line.get_linestyle() for line in lines if line.get_marker() == "None"}
     assert dashes == {"-", "--"}  # matplotlib calls every pattern of its own "--"
-    patterns = {line._unscaled_dash_pattern for line in lines if line.get_marker() == "None"}  # type: ignore[attr-defined]
+    patterns = {line._unscaled_dash_pattern for line in lines if line.get_marker() == "None"}  # type: ignore[attr-defined]  # of a line, or of axes in space
     assert {pattern[1] and tuple(pattern[1]) for pattern in patterns} == {
         None,
         LINES[ss.Stability.DIVERGENT][1],
@@ -316,8 +318,8 @@ def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
 def test_the_cover_hides_what_lies_behind_a_square() -> None:
     """A flat square seen from above: points below it are hidden, points beside it and above it are not."""
     ax = Figure().add_subplot(projection="3d")
-    ax.set(xlim=(0, 1), ylim=(0, 1), zlim=(0, 1))  # type: ignore[call-arg]
-    ax.view_init(elev=90, azim=-90)  # type: ignore[attr-defined]
+    ax.set(xlim=(0, 1), ylim=(0, 1), zlim=(0, 1))  # type: ignore[call-arg]  # of a line, or of axes in space
+    ax.view_init(elev=90, azim=-90)  # type: ignore[attr-defined]  # of a line, or of axes in space
     square = np.array([[0.2, 0.2, 0.5], [0.6, 0.2, 0.5], [0.6, 0.6, 0.5], [0.2, 0.6, 0.5]])
     cover = hidden.cover_of(ax, [square])
     points = np.array([[0.4, 0.4, 0.1], [0.4, 0.4, 0.9], [0.4, 0.4, 0.5], [0.9, 0.9, 0.1], [np.nan, 0.4, 0.1]])

@@ -102,7 +102,7 @@ def house(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return copy
 
 
-@pytest.mark.slow
+@pytest.mark.thorough
 def test_a_folder_is_all_that_a_new_language_needs(house: Path) -> None:
     """The steps as CONTRIBUTING shows them: the language is found, generated, offered, exported and packed."""
     pytest.importorskip("sympy")
@@ -195,6 +195,19 @@ def test_c_computes_a_model_without_a_kernel(pendulum: dict[str, str], tmp_path:
     ahead, behind = (-2 * damping * (rate + s * h) - (rate + s * h) * abs(rate + s * h) ** 3 / 7 for s in (1, -1))
     assert list(value) == pytest.approx([-1.0, (ahead - behind) / (2 * h)], rel=1e-9)
     assert library.pendulum_slopes(ctypes.c_double(math.nan), *numbers[1:], value) == 2
+
+
+def test_generated_c_comes_out_formatted(pendulum: dict[str, str], tmp_path: Path) -> None:
+    """The printer lays C out by itself, as clang-format would, for any model."""
+    formatter = shutil.which("clang-format", path=Path(sys.executable).parent)
+    if formatter is None:
+        pytest.skip("clang-format is not installed")
+    published = ROOT / "generated" / "c"
+    texts = {name: (published / name).read_text(encoding="utf-8") for name in ("spragsym.h", "spragsym.c", "main.c")}
+    for name, text in {**texts, "pendulum.h": pendulum["c/pendulum.h"], "pendulum.c": pendulum["c/pendulum.c"]}.items():
+        call = [formatter, f"--style=file:{ROOT / '.clang-format'}", f"--assume-filename={name}"]
+        done = subprocess.run(call, input=text, capture_output=True, text=True, timeout=60, check=True)
+        assert done.stdout == text, name
 
 
 def test_the_same_file_from_two_targets_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -95,9 +95,9 @@ def test_shapes_and_one_point():
 def by_angle(p, penetration):
     """All x of one spring with any contact law, from a scalar equation in the spring's direction.
 
-    ``penetration(force)`` is the depth at which the contact pushes with that force. Along the belt and across it the balance gives
-    (x, y) from the normal force n: its root in n for each θ would be two unknowns; instead L follows from the y balance by bisection,
-    and the x balance is one function of θ, whose signs on a fine grid are refined to 50 digits.
+    ``penetration(force)`` is the depth at which the contact pushes with that force. Along the belt and across it the balance
+    gives (x, y) from the normal force n: its root in n for each θ would be two unknowns; instead L follows from the y balance
+    by bisection, and the x balance is one function of θ, whose signs on a fine grid are refined to 50 digits.
     """
     theta0, mu, kappa, alpha, sigma, beta = (mp.mpf(float(getattr(p, key))) for key in STATES)
     c0, s0 = mp.cos(theta0), mp.sin(theta0)

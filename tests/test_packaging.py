@@ -57,6 +57,37 @@ def test_the_folders_are_reached_through_the_package() -> None:
         assert os.readlink(link) == f"../{folder}"
 
 
+@pytest.mark.parametrize("instead", ["text", "nothing"])
+def test_a_checkout_without_links_works(instead: str, tmp_path: Path) -> None:
+    """As git leaves it on Windows: a link is a file with its target's name. In a folder that is hard to spell."""
+    clone = tmp_path / "ein Gerät"
+    for name in ("spragsym", "derive", "generated"):
+        shutil.copytree(ROOT / name, clone / name, symlinks=True, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
+    for name in ("derive", "generated"):
+        (clone / "spragsym" / name).unlink()
+        if instead == "text":
+            (clone / "spragsym" / name).write_text(f"../{name}", encoding="utf-8")
+    code = (
+        "import spragsym as ss, spragsym.derive.emit.write, numpy as np; from spragsym.statics import compiled\n"
+        "assert not compiled.available()\n"
+        "print(ss.__file__, ss.equilibria(ss.Parameters.article(theta0=np.radians(49.0))).count)"
+    )
+    call = [sys.executable, "-c", code]
+    environment = {**os.environ, "PYTHONPATH": str(clone), "PYTHONUTF8": "1"}
+    done = subprocess.run(call, cwd=clone, env=environment, capture_output=True, encoding="utf-8", timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split()[-1] == "1"
+    assert str(clone) in done.stdout
+
+
+def test_line_ends_are_the_same_everywhere() -> None:
+    """git is told to, so that hashes and comparisons of bytes hold on Windows."""
+    assert "* text=auto eol=lf" in (ROOT / ".gitattributes").read_text(encoding="utf-8").splitlines()
+    for name in ("derive", "generated", "spragsym"):
+        files = (path for path in (ROOT / name).rglob("*") if path.suffix in (".py", ".c", ".h", ".json", ".md", ".js", ".m"))
+        assert [path for path in files if b"\r" in path.read_bytes()] == []
+
+
 def test_version_stands_in_one_place() -> None:
     assert "version" not in PROJECT["project"]
     holders = [
@@ -81,7 +112,7 @@ def test_constraints_pin_what_the_extras_name() -> None:
     }
     extras = PROJECT["project"]["optional-dependencies"]
     for requirement in [*PROJECT["project"]["dependencies"], *(item for extra in extras.values() for item in extra)]:
-        name = re.match(r"[\w.-]+", requirement)[0].lower()  # type: ignore[index]
+        name = re.match(r"[\w.-]+", requirement)[0].lower()  # type: ignore[index]  # there is a match
         assert name == "spragsym" or re.sub(r"[-_.]+", "-", name) in pinned, requirement
 
 
@@ -177,6 +208,7 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path]) -> Non
     assert not archives[0].name.endswith("-none-any.whl")
 
 
+@pytest.mark.thorough
 def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], tmp_path: Path) -> None:
     """The source distribution installs, solves, and says what is missing."""
     wheel = wheel_by("/bin/false", archives[1], tmp_path)
@@ -205,6 +237,7 @@ print(hashlib.sha256(ss.count(p).tobytes()).hexdigest())
 """
 
 
+@pytest.mark.thorough
 @needs_compiler
 @pytest.mark.skipif(shutil.which("clang") is None or shutil.which("gcc") is None, reason="clang and gcc are not both here")
 def test_gcc_and_clang_give_the_same_bits(archives: tuple[Path, Path], tmp_path: Path) -> None:

@@ -39,7 +39,7 @@ def points(draw: st.DrawFn) -> ss.Parameters:
 
 
 def states(eq: ss.Equilibria) -> list[tuple[float, float, float, float]]:
-    return [tuple(float(getattr(eq, name)[i]) for name in ("theta", "L", "x", "y")) for i in range(int(eq.count))]  # type: ignore[misc]
+    return [tuple(float(getattr(eq, name)[i]) for name in ("theta", "L", "x", "y")) for i in range(int(eq.count))]  # type: ignore[misc]  # a tuple of four
 
 
 def numbers(p: ss.Parameters) -> tuple[float, ...]:

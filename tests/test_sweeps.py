@@ -153,7 +153,7 @@ def _interrupt(path: Path, points: int) -> None:
                 raise KeyboardInterrupt
             lines = path.with_name(path.name + ".partial").read_bytes().count(b"\n")
             written.append(lines)  # each point is in the file before the next is asked for
-            yield function(task)  # type: ignore[operator]
+            yield function(task)  # type: ignore[operator]  # a callable
 
     with pytest.raises(KeyboardInterrupt):
         rms_sweep(P, **SHORT, store=path, workers=some)
@@ -176,7 +176,7 @@ def test_a_sweep_goes_on_where_it_stopped(tmp_path: Path, ending: str, cut: int)
     def counting(function: object, tasks: list[object]) -> Iterator[object]:
         for task in tasks:
             computed.append(task)
-            yield function(task)  # type: ignore[operator]
+            yield function(task)  # type: ignore[operator]  # a callable
 
     assert_same(expected, rms_sweep(P, **SHORT, store=path, workers=counting))
     assert len(computed) == (3 if cut else 2)

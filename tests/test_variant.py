@@ -38,7 +38,9 @@ def edit(path: Path, diff: str) -> None:
     path.write_text(text, encoding="utf-8")
 
 
-@pytest.mark.parametrize("title", ["Add a viscous damper along the belt", "Change the friction law"])
+@pytest.mark.parametrize(
+    "title", ["Add a viscous damper along the belt", pytest.param("Change the friction law", marks=pytest.mark.thorough)]
+)
 def test_the_page_does_what_it_says(title: str, tmp_path: Path) -> None:
     for folder in ("derive", "generated", "spragsym"):
         ignore = shutil.ignore_patterns("__pycache__")
@@ -70,6 +72,7 @@ def _variant(tmp_path: Path, *changes: tuple[str, str, str]) -> subprocess.Compl
     return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
 
 
+@pytest.mark.thorough
 def test_a_symbol_without_a_dimension_goes_into_the_groups(tmp_path: Path) -> None:
     """As CONTRIBUTING says: a second friction coefficient, which friction itself takes as an argument."""
     law = "return mu0 * (1 - sp.exp(-creep * sp.Abs(slip))) * sp.sign(slip)"

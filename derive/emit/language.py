@@ -126,7 +126,7 @@ def _comment_above(node: ast.stmt, lines: list[str]) -> list[str]:
 
 
 def _record(node: ast.ClassDef) -> Record:
-    fields = [(item.target.id, item.annotation.id) for item in node.body if isinstance(item, ast.AnnAssign)]  # type: ignore[union-attr]
+    fields = [(item.target.id, item.annotation.id) for item in node.body if isinstance(item, ast.AnnAssign)]  # type: ignore[union-attr]  # fields of a NamedTuple are plain names
     return Record(node.name, ast.get_docstring(node) or "", tuple(fields))
 
 
@@ -137,7 +137,7 @@ def _routine(node: ast.FunctionDef) -> Routine:
 
 def _kind(annotation: ast.expr | None, node: ast.AST) -> str:
     if not isinstance(annotation, ast.Name):
-        raise KernelError(f"line {node.lineno}: arguments and results need a kind: Real, Flag or a record")  # type: ignore[attr-defined]
+        raise KernelError(f"line {node.lineno}: arguments and results need a kind: Real, Flag or a record")  # type: ignore[attr-defined]  # statements and arguments have lines
     return annotation.id
 
 

@@ -12,7 +12,7 @@ from .function import Function, Results
 
 @dataclass(frozen=True)
 class Body:
-    """Assignments in order, then the results, nested as those of the function are."""
+    """Assignments in order, then the results, nested as in the function."""
 
     assignments: tuple[tuple[sp.Symbol, sp.Expr], ...]
     results: Results

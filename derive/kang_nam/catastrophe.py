@@ -71,7 +71,7 @@ def fold_relations() -> dict[sp.Symbol, sp.Expr]:
 def fold_residuals() -> tuple[sp.Expr, sp.Expr]:
     """b − b(fold) and d − d(fold): both zero exactly where f = f′ = 0, and linear in each of μ₀, κ, α, σ and β."""
     coefficients = elimination.f_coefficients()
-    return tuple((symbol - value).subs(coefficients) for symbol, value in fold_relations().items())  # type: ignore[return-value]
+    return tuple((symbol - value).subs(coefficients) for symbol, value in fold_relations().items())
 
 
 @cache

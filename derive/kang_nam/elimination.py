@@ -49,7 +49,7 @@ def quartic_in_L_shorthand() -> tuple[sp.Expr, ...]:
 def singular_lengths() -> tuple[sp.Expr, sp.Expr]:
     """The two spring lengths at which D is singular: σ/(σ + α) and σ/(σ + B)."""
     D, _ = equilibrium.matrix_form()
-    return tuple(sp.solve(factor, nm.L)[0] for factor in D.diagonal())  # type: ignore[return-value]
+    return tuple(sp.solve(factor, nm.L)[0] for factor in D.diagonal())
 
 
 # ------------------------------------------------------------------------------------------ the equation in θ

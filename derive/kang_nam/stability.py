@@ -20,7 +20,7 @@ def _gradient(expression: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return tuple(
         sp.expand((sp.diff(expression, coordinate).subs(polar) + sp.diff(expression, nm.L).subs(polar) * slope))
         for coordinate, slope in zip((nm.x, nm.y), slopes, strict=True)
-    )  # type: ignore[return-value]
+    )
 
 
 @cache
@@ -81,7 +81,7 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
         if line.degree() != 1 or value.has(nm.c0):
             raise ArithmeticError("the balance at a given direction is not linear in the spring length")
         lines += [sp.factor(line.coeff_monomial(power)) for power in (1, nm.L)]
-    return tuple(lines)  # type: ignore[return-value]
+    return tuple(lines)
 
 
 @cache
@@ -121,7 +121,7 @@ def flutter_elimination() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
 
 @cache
 def flutter_without_alpha() -> sp.Expr:
-    """The same for α = 0, where cos θ₀ is free and the second line is the second condition: a square root of the resultant."""
+    """The same for α = 0: cos θ₀ is free, the second balance is itself the second condition, and the resultant is a square."""
     _, _, u2, w2 = LINES
     e0, e1, e2 = QUADRATIC
     condition = e0 * w2**2 - e1 * u2 * w2 + e2 * u2**2

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import catastrophe, elimination, equilibrium, stability
+from . import catastrophe, circles, elimination, equilibrium, stability
 from . import nomenclature as nm
 from ..algebra import manifestly_positive
 
@@ -44,7 +44,7 @@ def _in_contact(expression: sp.Expr) -> sp.Expr:
 
 def _length_fraction() -> tuple[sp.Expr, sp.Expr]:
     """Numerator and denominator of L(θ)."""
-    return sp.fraction(sp.together(elimination.state()[nm.L]))  # type: ignore[no-any-return]
+    return sp.fraction(sp.together(elimination.state()[nm.L]))
 
 
 def _penetration() -> sp.Expr:
@@ -167,7 +167,7 @@ def _middle() -> tuple[Step, ...]:
     f = elimination.f_form
     K = sp.Matrix(2, 2, sp.symbols("K_11 K_12 K_21 K_22"))
     equation = sp.Poly(stability.characteristic(K, sp.zeros(2, 2)), stability.lam)
-    # Multiplicities of three different roots that count three at most, and the signs of f before, between and after them.
+    # Three different roots with at most three in all: their multiplicities, and the signs of f before, between and after them.
     simple = [counts for counts in itertools.product((1, 2, 3), repeat=3) if sum(counts) <= 3]
     signs = [tuple(itertools.accumulate(counts, lambda sign, count: sign * (-1) ** count, initial=-1)) for counts in simple]
     return (
@@ -196,6 +196,41 @@ def _middle() -> tuple[Step, ...]:
             "det K < 0 is divergence: (27) is λ⁴ + tr K λ² + det K = 0, negative at λ = 0 and positive for large λ, so that a real "
             "λ > 0 solves it",
             equation.all_coeffs() == [1, 0, stability.trace(K), 0, sp.expand(stability.determinant(K))],
+        ),
+    )
+
+
+def smallest_without_friction() -> tuple[Step, ...]:
+    """At μ₀ = 0 and cos θ₀ > 0 at most one equilibrium has cos θ > 0, and every other has x ≥ cos θ₀; cos θ₀ < 0 is the mirror image.
+
+    So a state with 0 < L cos θ < 2 cos θ₀, that is |x| < cos θ₀, is the one of smallest |x|.
+    """
+    f = elimination.f_form.subs(nm.fm, 0)
+    cosine, sine, cosine0 = sp.symbols("c s c_0", positive=True)
+    at_rest = equilibrium.spell_out(elimination.f_form.subs(elimination.f_coefficients())).subs(_POSITIVE).subs(nm.mu0, 0)
+    ratio = circles.rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
+    slope = ratio.subs(elimination.f_coefficients()).subs(nm.M, 0)
+    slope = sp.expand(
+        equilibrium.spell_out(slope).subs(_POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0}) * (cosine * sine) ** 2
+    )
+    every = (_kappa, _sigma, _s0, _alpha, _beta, cosine, sine, cosine0)
+    x = elimination.state()[nm.x].subs(nm.c, -cosine)
+    length = sp.together(_in_contact(elimination.state()[nm.L]).subs(nm.s, sine))
+    return (
+        Step("f = s c (a + b/s + d/c) at μ₀ = 0", sp.simplify(f - nm.s * nm.c * (nm.fa + nm.fb / nm.s + nm.fd / nm.c)) == 0),
+        Step(
+            "the bracket rises with θ where sin θ, cos θ > 0: times s² c² its slope is a polynomial with positive coefficients",
+            manifestly_positive(slope, every, strict_symbols=(_kappa, _sigma, _s0, cosine, sine)),
+        ),
+        Step(
+            "at cos θ = 0 f is q α cos θ₀ sin θ, and x is cos θ₀",
+            sp.expand(at_rest.subs({nm.c: 0, nm.s: 1}) - equilibrium.spell_out(nm.q).subs(_POSITIVE) * _alpha * nm.c0) == 0
+            and elimination.state()[nm.x].subs(nm.c, 0) == nm.c0,
+        ),
+        Step(
+            "where cos θ < 0, x exceeds cos θ₀ by L |cos θ|, and L > 0",
+            sp.expand(x - nm.c0 - nm.L * cosine) == 0
+            and all(manifestly_positive(part, every, strict_symbols=(_sigma, sine)) for part in sp.fraction(length)),
         ),
     )
 

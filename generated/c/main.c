@@ -16,7 +16,7 @@ static int print_equilibria(const spragsym_model *model, spragsym_regime regime)
     printf("%s: %d\n", regime == SPRAGSYM_CONTACT ? "contact" : "lift-off", count);
     for (int i = 0; i < count; i++) {
         printf("  theta %.12f  L %.12f  x %+.12f  y %+.12f  error %.0e  %s\n", found[i].theta, found[i].L, found[i].x,
-               found[i].y, found[i].error, names[found[i].stability]);
+            found[i].y, found[i].error, names[found[i].stability]);
     }
     return 0;
 }

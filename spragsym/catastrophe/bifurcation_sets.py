@@ -6,25 +6,40 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
+from ..exact.half_angle import on_circle
+from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray, Parameters
 from ..statics import kernel
 from . import fold_curves
 from .cusp_points import Cusps, cusps
 from .fixed import FIXED, Fixed
+from .landings import landing
 
 
 @dataclass(frozen=True)
 class FoldCurve(Result):
-    """One curve of folds, points in order along it."""
+    """One curve of folds, points in order along it.
+
+    ``upper`` says that the stable state that ends there is the upper one of the two in θ, which changes at a cusp;
+    ``when_theta0`` and ``when_mu0`` are 1 where it ends as that parameter rises, and −1 where it ends as it falls.
+    ``theta_after``, ``x_after`` and ``y_after`` are the equilibrium to which it jumps.
+    """
 
     theta0: FloatArray
     mu0: FloatArray
     theta: FloatArray
     x: FloatArray
     y: FloatArray
+    upper: NDArray[np.bool_]
+    when_theta0: NDArray[np.int8]
+    when_mu0: NDArray[np.int8]
+    theta_after: FloatArray
+    x_after: FloatArray
+    y_after: FloatArray
 
 
 @dataclass(frozen=True)
@@ -74,11 +89,32 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
         _, x, y = kernel.state(c, s, np.cos(strand.theta0), np.sin(strand.theta0), fixed.kappa, fixed.sigma, fixed.beta, 1)
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
         if y[y.size // 2] < 0:
-            curves.append(FoldCurve(strand.theta0, strand.mu0, strand.theta, x, y))
+            curves.append(_curve(strand, x, y, fixed))
     found = cusps(p)
     ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & ((found.mu0 >= 0) | negative_friction)
     if negative_friction:
-        curves += [
-            FoldCurve(math.pi - curve.theta0, -curve.mu0, math.pi - curve.theta, -curve.x, curve.y) for curve in list(curves)
-        ]
+        curves += [_mirrored(curve) for curve in list(curves)]
     return BifurcationSet(tuple(curves), found.select(ahead))
+
+
+def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixed) -> FoldCurve:
+    """A strand with what ends on it, and where that jumps to."""
+    c, s, c0, s0 = np.cos(strand.theta), np.sin(strand.theta), np.cos(strand.theta0), np.sin(strand.theta0)
+    with np.errstate(all="ignore"):  # at the ends of a curve θ₀ may be 0 or π
+        trig = kernel.f_coefficients(c0, s0, strand.mu0, *fixed, 1)
+        curvature = np.sign(kernel.f_curvature(c, s, *trig))
+        changes = _catastrophe.unfolding(c, s, c0, s0, strand.mu0, *fixed)
+        after = on_circle(landing(np.tan(0.5 * strand.theta), trig, np.sqrt))
+        _, x_after, y_after = kernel.state(after.cosine, after.sine, c0, s0, fixed.kappa, fixed.sigma, fixed.beta, 1)
+    by_angle, by_friction = ((curvature * np.sign(change[0])).astype(np.int8) for change in changes[:2])
+    theta_after = np.arctan2(after.sine, after.cosine)
+    return FoldCurve(
+        strand.theta0, strand.mu0, strand.theta, x, y, curvature > 0, by_angle, by_friction, theta_after, x_after, y_after
+    )
+
+
+def _mirrored(curve: FoldCurve) -> FoldCurve:
+    return FoldCurve(
+        math.pi - curve.theta0, -curve.mu0, math.pi - curve.theta, -curve.x, curve.y, ~curve.upper, -curve.when_theta0,
+        -curve.when_mu0, math.pi - curve.theta_after, -curve.x_after, curve.y_after,
+    )  # fmt: skip

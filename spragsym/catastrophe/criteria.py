@@ -51,7 +51,7 @@ def _lowest_cusp(kappa: float, alpha: float, sigma: float, beta: float) -> float
 
 
 def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> float:
-    """The value of a parameter at which μ_cusp equals μ₀: between it and the other side the jump comes or goes.
+    """The value of a parameter at which μ_cusp equals μ₀: the state of small deformation has a jump on one side of it only.
 
     Parameters
     ----------

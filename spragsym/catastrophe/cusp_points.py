@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 
 import numpy as np
@@ -29,8 +29,8 @@ class Cusps(Result):
     error: FloatArray
 
     def select(self, which: NDArray[np.bool_]) -> Cusps:
-        """Some of them."""
-        return Cusps(*(getattr(self, name)[which] for name in ("theta0", "mu0", "theta", "L", "x", "y", "error")))
+        """The cusps that ``which`` marks."""
+        return Cusps(*(getattr(self, field.name)[which] for field in fields(self)))
 
     def __len__(self) -> int:
         return int(self.theta0.size)
@@ -47,7 +47,7 @@ def cusps(p: Parameters, *, arith: Arithmetic | None = None) -> Cusps:
     Returns
     -------
     Cusps
-        Empty where there is none.
+        Empty if there is no cusp.
 
     Notes
     -----

@@ -13,7 +13,6 @@ from ..exact.charts import roots_on_the_line
 from ..exact.escalation import angle, decided, sign_or_zero
 from ..exact.intervals import Arithmetic, Interval, sign
 from ..generated import catastrophe as _catastrophe
-from ..statics import kernel
 from .enclosures import Angles, Point, in_contact
 
 
@@ -41,13 +40,12 @@ def cusp_sines(
 ) -> tuple[tuple[Fraction, ...], list[tuple[Fraction, Fraction]], int]:
     """The polynomial of the cusps, an interval around each of its roots, and their number by Sturm. α ≠ 1 + β.
 
-    Roots in [−1, 1], and for α = 0 in (−1, 1).
+    Roots in [−1, 1]; for α = 0 none is an end, where the cubic is ±3 κ (1 + β + σ).
     """
     polynomial, simple = _cusp_polynomial(kappa, alpha, sigma, beta)
     chain = polynomials.sturm_chain(simple, polynomials.exact_sign)
     count = polynomials.count_between(chain, -_ONE, _ONE, polynomials.exact_sign)
-    at_ends = [polynomials.evaluate(simple, end) == 0 for end in (-_ONE, _ONE)]
-    count += at_ends[0] if alpha else -at_ends[1]
+    count += polynomials.evaluate(simple, -_ONE) == 0
     roots = _cusp_roots((kappa, alpha, sigma, beta), bits)
     if len(roots) != count:
         raise ArithmeticError("isolation and Sturm's count disagree")  # can't happen: both are exact
@@ -71,8 +69,6 @@ def _cusp_roots(exact: tuple[Fraction, ...], bits: int) -> list[tuple[Fraction, 
     """Intervals as of :func:`cusp_sines`."""
     _, simple = _cusp_polynomial(*exact)
     roots = polynomials.real_roots(simple, -_ONE, _ONE, polynomials.exact_sign, Fraction, bits)
-    if not exact[1]:
-        return [root for root in roots if root != (_ONE, _ONE)]
     return [(-_ONE, -_ONE), *roots] if polynomials.evaluate(simple, -_ONE) == 0 else roots
 
 
@@ -84,8 +80,9 @@ def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator
         return
     polynomial, roots = _cusp_polynomial(*exact)[0], _cusp_roots(exact, bits - 32)
     if not alpha:
-        # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = ±π/2.
-        roots += [(Fraction(1), Fraction(1)), (Fraction(-1), Fraction(-1))]
+        # The second fold relation has the factor cos θ besides the cubic: a cusp at μ₀ = 0 and θ = π/2. At −π/2 sin θ₀ would be
+        # −1 − κ/(1 + β).
+        roots.append((_ONE, _ONE))
     for low, high in roots:
         yield from _cusps_at(arith, exact, _Sine(polynomial, low, high))
 
@@ -107,8 +104,6 @@ def _cusps_at(arith: Arithmetic, exact: tuple[Fraction, ...], sine: _Sine) -> It
     width = zero if upright else arith.sqrt(1 - s * s)
     flat = sine.sign_of(arith, s, lambda s: s, "sin θ = 0 on a cusp") == 0
     flat0 = sine.sign_of(arith, s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0
-    s = zero if flat else s
-    friction = zero if flat else friction
     for c in (width,) if upright else (width, -width):
         if alpha:
             cosines = [_catastrophe.cusp_point(s, *values)[1] * c]
@@ -153,11 +148,11 @@ def _cusps_without_a(arith: Arithmetic, values: tuple[Interval, ...], bits: int)
 
 
 def is_versal(arith: Arithmetic, point: Point) -> bool:
-    """Whether f‴ ≠ 0 and (θ₀, μ₀) unfold f fully there: then the cusp is one in the sense of catastrophe theory."""
+    """Whether (θ₀, μ₀) unfold f fully there: then the cusp is one in the sense of catastrophe theory.
+
+    f‴ ≠ 0 on every cusp: of the four roots of f in t, whose product is −1, three are equal, and the other has the other sign.
+    """
     theta0, mu0, *values = point.parameters
-    c, s = arith.cos_sin(point.theta)
-    c0, s0 = arith.cos_sin(theta0)
-    (f_theta0, slope_theta0), (f_mu, slope_mu), *_ = _catastrophe.unfolding(c, s, c0, s0, mu0, *values)
-    trig = kernel.f_coefficients(c0, s0, mu0, *values, 1)
-    third = kernel.f_third(c, s, *trig)
-    return sign(arith, third) != 0 and sign(arith, f_theta0 * slope_mu - f_mu * slope_theta0) != 0
+    angles = Angles(*arith.cos_sin(point.theta), *arith.cos_sin(theta0))
+    (f_theta0, slope_theta0), (f_mu, slope_mu), *_ = _catastrophe.unfolding(*angles, mu0, *values)
+    return sign(arith, f_theta0 * slope_mu - f_mu * slope_theta0) != 0

@@ -26,7 +26,7 @@ _NEAREST = 1e-9
 _STEP = 0.05
 #: Width of a cell of θ that is not halved any more.
 _FINEST = 1e-13
-#: Residual of a root, in terms of the sextic with every term positive, that rounding alone leaves.
+#: Largest residual of a root that rounding alone can leave, over the sextic with every term made positive.
 _RESIDUAL = 1e-13
 
 
@@ -72,7 +72,7 @@ def sextics(theta: FloatArray, fixed: Fixed) -> FloatArray:
     coefficients = np.stack([
         g0 - k0, 2 * (g1 - k1), g0 - 3 * k0 - 4 * k2, -4 * k1 - 8 * k3, -g0 - 3 * k0 - 4 * k2, -2 * (g1 + k1), -g0 - k0,
     ], axis=-1)  # fmt: skip
-    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]
+    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 def _columns(theta: FloatArray, fixed: Fixed) -> list[_Column]:
@@ -94,7 +94,7 @@ def positive_roots(coefficients: FloatArray) -> FloatArray:
 
 
 def _settled(one: _Column, other: _Column) -> bool:
-    """Whether the k-th root of one is the k-th of the other, or nothing more can be told."""
+    """Whether the k-th root of one continues as the k-th of the other, or the two are too close to tell."""
     if other.theta - one.theta < _FINEST:
         return True
     return _same_kind(one, other) and bool((np.abs(one.theta0 - other.theta0) < _STEP).all())
@@ -134,7 +134,7 @@ def _joined(columns: list[_Column]) -> list[FloatArray]:
 
 
 def _links(before: _Column, column: _Column) -> dict[int, int]:
-    """Which root continues which."""
+    """Which root in one column continues which root in the next."""
     far = np.abs(column.theta0[:, None] - before.theta0)
     rows, places = np.diag_indices(len(far)) if _same_kind(before, column) else linear_sum_assignment(far)
     return {int(row): int(place) for row, place in zip(rows, places, strict=True) if far[row, place] < _STEP}

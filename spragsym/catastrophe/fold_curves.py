@@ -47,11 +47,11 @@ def quartics(theta: FloatArray, fixed: Fixed) -> FloatArray:
     """Coefficients of the quartic in v = tan(θ₀/2) at each θ, lowest power first, the largest of size 1."""
     e0, e1, e2, ec = _conic(theta, fixed)
     coefficients = np.stack([e0 + ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 - ec], axis=-1)
-    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]
+    return coefficients / np.abs(coefficients).max(axis=-1, keepdims=True)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 def _ends(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, FloatArray, float]:
-    """Values that vanish where a root passes v = 0 and where it passes the other end; and that end.
+    """Two values, of which one vanishes where a root passes v = 0 and one where it passes the other end; and this end.
 
     The other end is v = ∞ (θ₀ = π); for α = 0, where θ₀ and π − θ₀ are folds together, only θ₀ ≤ π/2 is followed, up to v = 1.
     """
@@ -71,7 +71,7 @@ def indicator(theta: FloatArray, fixed: Fixed) -> FloatArray:
 
 
 def _discriminant_in_sine(e0: FloatArray, e1: FloatArray, e2: FloatArray) -> FloatArray:
-    """That of e0 + e1 sin θ₀ + e2 sin² θ₀, which the conic is for α = 0."""
+    """The same for e0 + e1 sin θ₀ + e2 sin² θ₀, which is the conic for α = 0."""
     return e1 * e1 - 4 * e0 * e2
 
 
@@ -98,7 +98,7 @@ def positive_roots(theta: FloatArray, fixed: Fixed) -> tuple[FloatArray, NDArray
     coefficients = quartics(theta, fixed)
     _, real = discriminant(coefficients)
     roots = eigenvalues(coefficients)
-    # As many as are real by the discriminant, those closest to the real axis.
+    # The discriminant says how many roots are real: keep this number of them, those closest to the real axis.
     order = np.argsort(np.abs(roots.imag) / (1e-300 + np.abs(roots)), axis=-1)
     values = np.take_along_axis(roots.real, order, axis=-1)
     values[(np.arange(4) >= real[..., None]) | ~(values > 0)] = np.nan
@@ -110,7 +110,7 @@ def friction(theta: FloatArray, theta0: FloatArray, fixed: Fixed) -> FloatArray:
     """μ₀ of the fold at (θ, θ₀), from the relation that does not lose it: the first has the factor cos θ."""
     c = np.cos(theta)
     u1, w1, u2, w2 = _catastrophe.fold_lines_mu0(c, np.sin(theta), np.cos(theta0), np.sin(theta0), *fixed)
-    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]
+    return np.where(np.abs(c) > 0.3, -u1 / w1, -u2 / w2)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 # ----------------------------------------------------------------------------------------------------- strands
@@ -160,7 +160,7 @@ def _refined(theta: FloatArray, fixed: Fixed, n: int) -> FloatArray:
     theta0 = 2 * np.arctan(roots)
     mu0 = friction(theta[:, None], theta0, fixed)
     length = np.hypot(np.diff(theta0, axis=0) / np.pi, np.diff(mu0 / (1 + np.abs(mu0)), axis=0))
-    length = np.where(length < 0.5, length, 0.0).max(axis=-1)  # NaN, or a step from one curve to another, is no length
+    length = np.where(length < 0.5, length, 0.0).max(axis=-1)  # NaN, and steps from one curve to another, have no length
     weight = length / max(float(length.sum()), 1e-300) + 0.5 * np.diff(theta) / (theta[-1] - theta[0])
     cumulative = np.concatenate([[0.0], np.cumsum(weight)])
     fresh = np.interp(np.linspace(0, cumulative[-1], max(n - theta.size, 0)), cumulative, theta)
@@ -178,7 +178,8 @@ def _trace(theta: FloatArray, fixed: Fixed) -> list[Strand]:
     roots, number = positive_roots(theta, fixed)
     finished: list[_Curve] = []
     open_ends: list[_End] = [(deque(), True) for _ in range(number[0])]
-    starts = [0, *(np.flatnonzero(np.diff(number)) + 1)]
+    passes = [np.diff(np.sign(end)) != 0 for end in _ends(theta, fixed)[:2]]
+    starts = [0, *(np.flatnonzero((np.diff(number) != 0) | passes[0] | passes[1]) + 1)]
     for begin, end in zip(starts, [*starts[1:], theta.size], strict=True):
         if begin:
             cell = float(theta[begin - 1]), float(theta[begin]), int(number[begin - 1]), int(number[begin])
@@ -196,7 +197,7 @@ def _strand(curve: _Curve, fixed: Fixed) -> Strand:
 
 
 def _grow(curve: _Curve, last: bool, points: FloatArray) -> None:
-    """Add points, given in the order of growing θ, at the open end."""
+    """Add points at the open end; they are given by growing θ."""
     if last:
         curve.append(points)
     else:
@@ -210,15 +211,20 @@ def _reversed(curve: _Curve) -> _Curve:
 def _change(
     low: float, high: float, before: int, after: int, fixed: Fixed, open_ends: list[_End], finished: list[_Curve]
 ) -> list[_End]:
-    """Carry the open ends over a cell of θ in which the number of roots goes from ``before`` to ``after``."""
-    if before == after:
+    """Carry the open ends over a cell of θ in which the number of roots goes from ``before`` to ``after``.
+
+    By what changes sign there: one of the two end values, or the indicator, is one event; a cell with more of them is halved.
+    """
+    passes = sum(bool(end[0] * end[1] <= 0) for end in _ends(np.array([low, high]), fixed)[:2])
+    if before == after and not passes:
         return open_ends
-    if abs(after - before) == 1:
-        return _through_an_end(low, high, fixed, open_ends, finished, enters=after > before)
-    if abs(after - before) == 2 and _meeting(low, high, fixed) is not None:
-        return _pair(low, high, max(before, after), fixed, open_ends, finished, born=after > before)
+    meets = _meeting(low, high, fixed) is not None
     middle = 0.5 * (low + high)
-    if not low < middle < high:
+    if not low < middle < high or (passes + meets == 1 and abs(after - before) == 1 + meets):
+        if before == after:
+            return open_ends
+        if abs(after - before) == 1:
+            return _through_an_end(low, high, fixed, open_ends, finished, enters=after > before)
         return _pair(low, high, max(before, after), fixed, open_ends, finished, born=after > before)
     between = _number(middle, fixed)
     open_ends = _change(low, middle, before, between, fixed, open_ends, finished)
@@ -230,13 +236,12 @@ def _number(theta: float, fixed: Fixed) -> int:
 
 
 def _meeting(low: float, high: float, fixed: Fixed) -> float | None:
-    """The θ between two others at which two roots meet, if it is the only event there."""
+    """A θ between two others at which two roots meet, where the indicator says that an odd number of pairs do."""
 
     def value(theta: float) -> float:
         return float(indicator(np.array([theta]), fixed)[0])
 
-    ends = _ends(np.array([low, high]), fixed)[:2]
-    if value(low) * value(high) >= 0 or any(end[0] * end[1] <= 0 for end in ends):
+    if value(low) * value(high) > 0:
         return None
     return float(brentq(value, low, high, xtol=1e-15, rtol=1e-15))
 
@@ -246,13 +251,13 @@ def _through_an_end(
 ) -> list[_End]:
     """A root enters or leaves at θ₀ = 0 or at the other end, where one of the two end values changes sign."""
     at_zero, _, other = _ends(np.array([low, high]), fixed)
-    first = bool(at_zero[0] * at_zero[1] < 0)
+    first = bool(at_zero[0] * at_zero[1] <= 0)
 
     def value(theta: float) -> float:
         at_start, at_end, _ = _ends(np.array([theta]), fixed)
         return float((at_start if first else at_end)[0])
 
-    theta = float(brentq(value, low, high, xtol=1e-15, rtol=1e-15)) if value(low) * value(high) < 0 else 0.5 * (low + high)
+    theta = float(brentq(value, low, high, xtol=1e-15, rtol=1e-15)) if value(low) * value(high) <= 0 else low
     point = np.array([[theta], [0.0 if first else other]])
     if enters:
         end: _End = (deque([point]), True)
@@ -328,7 +333,7 @@ def _concatenated(chunks: list[Strand]) -> Strand:
 
 def _zero_friction(strand: Strand, outer: int, inner: int, fixed: Fixed) -> Strand | None:
     """Where a strand crosses μ₀ = 0 between two of its points; nothing where it passes through infinity instead."""
-    if min(abs(strand.mu0[outer]), abs(strand.mu0[inner])) > 1e3 * (1 + max(abs(np.diff(strand.theta0[[outer, inner]])))):
+    if min(abs(strand.mu0[outer]), abs(strand.mu0[inner])) > 1e3:
         return None
     far, near = float(strand.theta[outer]), float(strand.theta[inner])
     ends = float(strand.theta0[outer]), float(strand.theta0[inner])

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..exact.escalation import decided, with_enough_bits
+from ..exact.escalation import as_floats, decided, with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..exact.polynomials import Undecided
 from ..parameters import NAMES, RANGES, FloatArray, Parameters
@@ -32,6 +32,10 @@ class Folds(Result):
     - ``"touch"``: two meet, and there are as many on both sides.
 
     All but the first need a coincidence of the parameters that are fixed.
+
+    At a ``"fold"`` a stable state and a divergent one meet. ``ends`` says which stable state it is, the ``"lower"`` or the
+    ``"upper"`` one in θ, ``when`` the parameter goes ``"up"`` or ``"down"``; ``theta_after``, ``L_after``, ``x_after`` and
+    ``y_after`` are the equilibrium that is left there, to which it jumps. Empty, and NaN, for the other kinds.
     """
 
     vary: str
@@ -47,6 +51,12 @@ class Folds(Result):
     y: FloatArray
     error: FloatArray
     kind: NDArray[np.str_]
+    ends: NDArray[np.str_]
+    when: NDArray[np.str_]
+    theta_after: FloatArray
+    L_after: FloatArray
+    x_after: FloatArray
+    y_after: FloatArray
 
 
 @dataclass(frozen=True)
@@ -56,6 +66,7 @@ class Turn:
     ``side`` is 1 where there are three equilibria above its value and one below, −1 for the reverse, 0 if their number stays;
     ``upper`` says that those that meet are the upper two of three in θ; ``rounded`` is −1 where the float of its value
     lies below the true one and 1 where it lies above: with all other parameters rational they are never equal (Lindemann).
+    ``after`` is θ, L, x and y of the equilibrium that is left, NaN where there is none.
     """
 
     values: tuple[float, ...]
@@ -63,6 +74,7 @@ class Turn:
     side: int
     upper: bool
     rounded: int
+    after: tuple[float, ...] = (math.nan,) * 4
 
 
 def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = False, arith: Arithmetic | None = None) -> Folds:
@@ -105,13 +117,21 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     ['pitchfork' 'pitchfork']
     """
     found = turns(p, vary, negative_friction=negative_friction, arith=arith)
-    rows, kinds = [turn.values for turn in found], [turn.kind for turn in found]
     if negative_friction and vary != "mu0" and p.scalars("mu0") != (0.0,):
-        mirrored = _mirrored_folds(p, vary, arith)
-        rows, kinds = rows + mirrored[0], kinds + mirrored[1]
-    order = sorted(range(len(rows)), key=lambda i: rows[i][NAMES.index(vary)])
-    columns: Any = np.array([rows[i] for i in order], dtype=float).reshape(-1, 11).T.copy()
-    return Folds(vary, *(*columns, np.array([kinds[i] for i in order], dtype=np.str_)))
+        reflected = p if vary == "theta0" else p.replace(theta0=math.pi - float(p.theta0))
+        found += [_mirrored(turn, vary) for turn in turns(reflected, vary, arith=arith)]
+    found.sort(key=lambda turn: turn.values[NAMES.index(vary)])
+    columns: Any = np.array([turn.values for turn in found], dtype=float).reshape(-1, 11).T.copy()
+    after: Any = np.array([turn.after for turn in found], dtype=float).reshape(-1, 4).T.copy()
+    words = [(turn.kind, *_words(turn)) for turn in found]
+    return Folds(vary, *columns, *np.array(words, dtype=np.str_).reshape(-1, 3).T.copy(), *after)
+
+
+def _words(turn: Turn) -> tuple[str, str]:
+    """Which state ends at a fold, and which way the parameter goes then."""
+    if turn.kind != "fold":
+        return "", ""
+    return "upper" if turn.upper else "lower", "up" if turn.side < 0 else "down"
 
 
 def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: Arithmetic | None = None) -> list[Turn]:
@@ -132,7 +152,7 @@ def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: A
             if turn and turn.values[place] < allowed.high:
                 found.append((chosen.ends(value), turn))
         found.sort(key=lambda one: one[0][0])
-        # Two never have one value, since the positive roots of f, at most three, are no two pairs.
+        # No two folds share a value: f has at most three positive roots, too few for two double roots.
         if any(one[0][1] >= two[0][0] for one, two in itertools.pairwise(found)):
             raise Undecided("the order of two folds")
         return [turn for _, turn in found]
@@ -141,20 +161,21 @@ def turns(p: Parameters, vary: str, *, negative_friction: bool = False, arith: A
 
 
 def _turn(arith: Arithmetic, fold: fold_proofs.Fold, place: int) -> Turn:
-    values = fold.point.row(arith)
+    values, after = fold.point.row(arith), [math.nan] * 4
+    if fold.after:
+        after, error = as_floats(arith, fold.after)
+        values = (*values[:-1], max(values[-1], error))
     low, high = arith.ends(fold.point.parameters[place])
     rounded = 1 if high < values[place] else -1 if low > values[place] else 0
     if rounded == 0 or high - low > abs(low) / 10**25:
         raise Undecided("a fold and the float next to it")
-    return Turn(values, fold.kind, fold.side, fold.upper, rounded)
+    return Turn(values, fold.kind, fold.side, fold.upper, rounded, tuple(after))
 
 
-def _mirrored_folds(p: Parameters, vary: str, arith: Arithmetic | None) -> tuple[list[tuple[float, ...]], list[str]]:
-    """Folds at −μ₀: those at μ₀ of the mirror image, reflected back; and their kinds."""
-    reflected = p if vary == "theta0" else p.replace(theta0=math.pi - float(p.theta0))
-    found = folds(reflected, vary, arith=arith)
-    columns = (
-        math.pi - found.theta0, -found.mu0, found.kappa, found.alpha, found.sigma, found.beta,
-        math.pi - found.theta, found.L, -found.x, found.y, found.error,
-    )  # fmt: skip
-    return [tuple(map(float, row)) for row in zip(*columns, strict=True)], found.kind.tolist()
+def _mirrored(turn: Turn, vary: str) -> Turn:
+    """A fold at μ₀ of the mirror image, reflected back to −μ₀."""
+    theta0, mu0, kappa, alpha, sigma, beta, theta, L, x, y, error = turn.values
+    values = (math.pi - theta0, -mu0, kappa, alpha, sigma, beta, math.pi - theta, L, -x, y, error)
+    after = (math.pi - turn.after[0], turn.after[1], -turn.after[2], turn.after[3])
+    side = -turn.side if vary == "theta0" else turn.side
+    return Turn(values, turn.kind, side, not turn.upper, turn.rounded, after)

@@ -15,7 +15,7 @@ from typing import Any
 from ..errors import ConvergenceError
 from ..exact import polynomials
 from ..exact.charts import Root, roots_on_the_line
-from ..exact.escalation import decided, sign_or_zero
+from ..exact.escalation import angle, decided, sign_or_zero
 from ..exact.half_angle import in_t, on_circle
 from ..exact.intervals import Arithmetic, Interval, sign
 from ..exact.polynomials import Undecided
@@ -23,6 +23,7 @@ from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES
 from ..statics import kernel
 from .enclosures import Angles, Point, in_contact
+from .landings import landing
 
 _LINES = {
     "mu0": _catastrophe.fold_lines_mu0,
@@ -49,6 +50,7 @@ class Fold:
     kind: str  #: "fold", "pitchfork", "cusp" or "touch"
     side: int  #: 1 where there are three equilibria above the value of the parameter and one below it, −1 the reverse, else 0
     upper: bool  #: those that meet are the upper two of three in θ
+    after: tuple[Interval, ...] = ()  #: of a "fold", θ, L, x and y of the equilibrium that is left
 
 
 @dataclass(frozen=True)
@@ -210,7 +212,16 @@ def _classified(arith: Arithmetic, vary: str, point: Point, angles: Angles, dire
     curvature = decided(arith, kernel.f_curvature(angles.c, angles.s, *trig), "f″ on a fold")
     if direction.multiplicity > 1:
         return Fold(point, "touch", 0, curvature > 0)
-    return Fold(point, "fold", -curvature * decided(arith, slope, "f by the parameter on a fold"), curvature > 0)
+    side = -curvature * decided(arith, slope, "f by the parameter on a fold")
+    return Fold(point, "fold", side, curvature > 0, _after(arith, point, angles, direction, trig))
+
+
+def _after(
+    arith: Arithmetic, point: Point, angles: Angles, direction: _Direction, trig: tuple[Interval, ...]
+) -> tuple[Interval, ...]:
+    c, s, _ = on_circle(landing(direction.t, trig, arith.sqrt))
+    kappa, _, sigma, beta = point.parameters[2:]
+    return (angle(arith, c, s), *kernel.state(c, s, angles.c0, angles.s0, kappa, sigma, beta, 1))
 
 
 def _folds_in_theta0(arith: Arithmetic, exact: dict[str, Fraction], bits: int) -> Iterator[Fold]:

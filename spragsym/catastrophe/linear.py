@@ -52,7 +52,7 @@ def linear_sprag(p: Parameters) -> LinearSprag:
         # Factors of the discriminant.
         middle = _twice_the_mean(e0, e2)
         large = 0.5 * (-e1 + np.sqrt(-e1 - middle) * np.sqrt(-e1 + middle))
-        # T = e0/large and large/e2; the second is infinite for α = 0, a pole at 90°, where both are for μ₀ = 0 as well.
+        # T = e0/large and large/e2. For α = 0 the second is infinite: a pole at 90°. For μ₀ = 0 as well, both are.
         poles = np.stack([np.arctan2(e0, large), np.where(large > 0, np.arctan2(large, e2), 0.5 * np.pi)], axis=-1)
         poles = np.where(np.isfinite(large)[..., None], poles, np.nan)
     shape = p.shape

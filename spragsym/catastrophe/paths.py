@@ -74,9 +74,9 @@ def quasi_static_path(
         Where to begin, at the first value: the stable equilibrium of smallest or largest |x|, or a slot of
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
-        Which equilibrium the system goes to after a jump: ``(eq, x_before) -> slot``. Of one or three equilibria two vanish at a
-        fold, so one is left there, ``eq`` holds that one, and the choice is none, unless it is replaced by an integration of the
-        motion that finds a limit cycle: see :func:`spragsym.simulate`.
+        Which equilibrium the system goes to after a jump: ``(eq, x_before) -> slot``. Two of three equilibria
+        vanish at a fold and one is left, so ``eq`` holds one equilibrium and slot 0 is the only choice. Whether the motion
+        settles there or on a limit cycle, :func:`spragsym.simulate` tells.
 
     Returns
     -------
@@ -140,7 +140,7 @@ _STATE = ("theta", "L", "x", "y")
 
 
 class _Way:
-    """The values, the folds in the order in which they are met, and the regions between these: region k lies before fold k."""
+    """The values, the folds in the order in which the path meets them, and the regions between: region k precedes fold k."""
 
     def __init__(self, p: Parameters, vary: str, along: FloatArray) -> None:
         self.p, self.vary, self.along = p, vary, along
@@ -152,7 +152,7 @@ class _Way:
         regions = [self.true_region(float(value)) for value in along]
         counts = int(self.eq.count[0]) + changes - changes[regions[0]]
         wrong = np.flatnonzero(self.eq.count != counts[regions])
-        if wrong.size:  # can't happen: both are proved
+        if wrong.size:  # can't happen: the folds and their sides are proved
             raise ConvergenceError(f"folds and counts of equilibria disagree at {vary} = {along[wrong[0]]:.17g}")
 
     def side(self, turn: Turn) -> int:
@@ -160,7 +160,7 @@ class _Way:
         return self.forward * turn.side
 
     def first_region(self, value: float) -> int:
-        """The region of a value, a fold that is equal to it not passed yet."""
+        """The region of a value; a fold exactly at the value counts as not passed."""
         return int(np.count_nonzero(self.forward * (value - self.at) > 0))
 
     def true_region(self, value: float) -> int:
@@ -169,7 +169,7 @@ class _Way:
         return self.first_region(value) + sum(turn.rounded == self.forward for turn in equal)
 
     def carried(self, place: _Place, region: int) -> int | Turn:
-        """The rank in another region of a state, as it moves there, or the fold at which it vanishes on the way."""
+        """The rank of a state after it has moved to another region, or the fold at which it vanishes on the way."""
         rank, step = place.rank, 1 if region > place.region else -1
         for k in range(place.region, region, step):
             turn = self.turns[k if step > 0 else k - 1]
@@ -186,7 +186,7 @@ class _Way:
         return rank
 
     def state(self, eq: Equilibria, index: tuple[int, ...], value: float, place: _Place) -> tuple[tuple[float, ...], int]:
-        """θ, L, x, y and stability of a state at a value: the fold's where the value's rounding has cut the branch off."""
+        """θ, L, x, y and stability of a state at a value, or of the fold if rounding puts the value just beyond it."""
         rank = self.carried(place, self.true_region(value))
         if isinstance(rank, Turn):
             return rank.values[6:10], _stability_on(rank)
@@ -216,7 +216,7 @@ def _start(way: _Way, start: int | str) -> _Place:
         if way.turns[k].kind == "pitchfork":
             return _Place(int(k) + (way.side(way.turns[k]) < 0), 0)
     known = [(int(eq.stability[0, slot]), float(eq.x[0, slot]), _Place(region, slot)) for slot in range(count)]
-    # A fold that the first value is, and whose state its rounding has cut off.
+    # The first value is a fold, and rounding puts it just beyond the branch.
     for k in here if count == 1 else ():
         turn = way.turns[k]
         if turn.kind == "fold":

@@ -252,7 +252,7 @@ def flutter_alpha() -> Found:
     inside = equilibria(p.replace(theta0=np.radians(np.linspace(onsets[0], onsets[-1], 101)[1:-1])))
     flutters = bool((inside.stability[:, 0] == Stability.FLUTTER).all() and (inside.count == 1).all())
     holds = len(onsets) == 2 and flutters and abs(fastest - 150) < 5
-    # The place of a smooth maximum is known to half the digits of the rest.
+    # The place of a smooth maximum has half as many digits as the other numbers.
     return Found(holds, {"onsets_deg": onsets, "fastest growth at theta0_deg": float(f"{fastest:.5g}")})
 
 
@@ -399,6 +399,6 @@ def reference_12() -> Found:
 
 
 def reference_10() -> Found:
-    """A path at constant θ₀ is no path along the axis of Figure 10, whose friction is constant."""
+    """A path at constant θ₀ does not appear in Figure 10, where the friction is constant and θ₀ is the axis."""
     path = quasi_static_path(_at(60.0), "mu0", np.linspace(0.0, MU0_MAX, 11))
     return Found(path.vary == "mu0" and bool(np.ptp(path.values) > 0), {"what varies along a-a'": path.vary})

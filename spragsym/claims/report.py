@@ -11,7 +11,7 @@ from typing import Any
 from ..assumed import D, V
 from .rows import recorded
 
-#: What the article leaves open and we had to choose.
+#: Inputs that the article leaves open and we had to choose.
 ASSUMPTIONS = (
     f"Belt speed V = {V} and steepness d = {D:g} of the friction law (10), for Figures 3 and 7. The article states neither; "
     "the figure `sensitivity` shows a decade of each.",
@@ -26,7 +26,7 @@ ASSUMPTIONS = (
     "A contact that is lost is regained without impact: (7) and (11) as they stand.",
 )
 
-#: What can be seen by reading only.
+#: Statements that can be checked by reading only.
 READ = (
     'Section 1, "Qin et al. [19]": in the list of references [19] is by Xu et al., and [18] and [20] are by Qin et al.',
     "Equations (18) and (19) write μ where (14) and Appendix A write μ_o; the ledger takes them for the same.",

@@ -25,14 +25,16 @@ COMMANDS = {
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, cusps, flutter onsets, critical frictions."),
     "simulate": ("motion", "Integrate the motion from an initial state."),
+    "cycles": ("cycles", "Cycles of the motion, and branches of them."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
     "figures": ("figures", "Draw the article's figures, and more."),
+    "explore": ("explore", "Write the explorer, a page for the browser."),
     "derive": ("derive", "Carry the page of a model through to code."),
     "export": ("export", "Write the solver in another language."),
 }
 
 #: Module that may be missing → the extra that brings it.
-EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast",
+EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "flint": "certify",
           "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 
@@ -101,7 +103,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 
 
 def _in_latin(error: UnicodeError) -> tuple[str, int]:
-    """For a stream that can't write a character: Greek letters by name, others as an escape."""
+    """Replaces characters that a stream can't write: Greek letters by their names, others by an escape."""
     if not isinstance(error, UnicodeEncodeError):
         raise error
     text = latin(error.object[error.start : error.end]).replace("−", "-").replace("–", "-").replace("′", "'")
@@ -110,15 +112,15 @@ def _in_latin(error: UnicodeError) -> tuple[str, int]:
 
 def _run(arguments: list[str], debug: bool) -> int:
     try:
-        if "_SPRAGSYM_COMPLETE" in os.environ:  # a shell asks what could come next
+        if "_SPRAGSYM_COMPLETE" in os.environ:  # the shell asks for completions
             cli.main(arguments, prog_name="spragsym")
         code = _invoke(arguments)
         if sys.stdout is not None:  # closed by the caller
-            sys.stdout.flush()  # here, so that a reader that has left and a full disk are noticed here
+            sys.stdout.flush()  # flush here, so that a closed pipe and a full disk are noticed here
     except (click.Abort, KeyboardInterrupt) as stop:
         return _report("; ".join(["interrupted", *map(str, stop.args)]), 130, debug)
     except BrokenPipeError:
-        return 0  # the reader, such as head, has closed the pipe: no error
+        return 0  # the reader, such as head, has closed the pipe, which is not an error
     except click.exceptions.NoArgsIsHelpError as error:
         error.show()
         return error.exit_code
@@ -175,7 +177,7 @@ def _of_the_system(error: OSError) -> str:
 
 
 def _let_go(stream: IO[str] | Any) -> None:
-    """Drop what a stream could not write: the interpreter would try again at its end, and exit with code 120."""
+    """Drop what a stream could not write; otherwise the interpreter tries again when it ends, and exits with code 120."""
     try:
         if stream is not None:
             stream.flush()

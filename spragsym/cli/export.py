@@ -36,17 +36,20 @@ def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
 )
 @force
 def export(model_name: str | None, language: str, out: Path, force: bool) -> None:
-    """Write the solver, a makefile and an example that runs.
+    """Write the solver in another language, with an example that runs.
 
-    C99 without allocation or global state: all equilibria with their stability and an error bound, K, the
-    equations of motion and their Jacobian, and one step in real time. Of another model: its forces with first and second
-    derivatives, its motion with Jacobians, borders, energy and powers, derived anew from its page (extra derive).
+    All equilibria with their stability, an error bound and a status, the generated algebra, the right-hand side, and a
+    step in time across the kinks. JavaScript and MATLAB have folds, cusps and the surface as well. Of another model, in C:
+    its forces with first and second derivatives, its motion with Jacobians, borders, energy and powers, derived anew from
+    its page (extra derive).
 
     \b
     Examples:
       spragsym export --language c --out sprag
       spragsym export --model trolley --out trolley_c
       make -C sprag && ./sprag/example
+      spragsym export --language javascript --out web
+      spragsym export --language matlab --out octave
 
     \b
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.

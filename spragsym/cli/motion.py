@@ -82,7 +82,7 @@ def simulate(
         refuse([output], force)
         storage.check_target(output, 10_000_000)
     tr = integrate(
-        p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]
+        p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]  # values by name, of several types
     )  # fmt: skip
     summary = summary_of(tr, transient)
     if output is not None:

@@ -84,12 +84,12 @@ class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
         if ":" not in text:
             return np.array([float(number) for number in text.split(",")])
         start, stop, count = text.split(":")
-        with np.errstate(all="ignore"):  # of an end that is infinite; the range refuses it
+        with np.errstate(all="ignore"):  # an infinite end, which the range refuses
             return np.linspace(float(start), float(stop), int(count)) if int(count) > 1 else None
 
 
 class Workers(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
-    """A number of processes, or -1 for one a core."""
+    """A number of processes, or -1 for one per core."""
 
     name = "integer"
 

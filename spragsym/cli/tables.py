@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 PLAIN_WIDTH = 1000
 #: Width that a table of numbers fits into, unless the terminal is wider.
 WIDTH = 80
-#: Digits of a number in a table: as many as fit.
+#: Most and fewest digits of a number in a table: as many as the line has room for.
 MOST_DIGITS, LEAST_DIGITS = 12, 5
 
 
@@ -85,7 +85,7 @@ def print_json(thing: Any) -> None:
 
 
 def writes_unicode(stream: Any) -> bool:
-    """Whether every character can be written there."""
+    """Whether the stream can write every character."""
     return (getattr(stream, "encoding", None) or "utf-8").lower().replace("-", "").startswith("utf")
 
 

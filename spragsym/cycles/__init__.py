@@ -1,7 +1,14 @@
 """Cycles: closed orbits of piecewise smooth motion, their branches, events and boundaries."""
 
+from .basin_boundaries import BasinBoundary, basin_boundary
 from .branch import CycleBranch, CycleEvent, cycle_branch
+from .exponents import Lyapunov, lyapunov
+from .fates import FateBoundary, fate_boundary
 from .finding import cycle
 from .orbit import Cycle
+from .two_parameters import EventCurve, cycle_events
 
-__all__ = ["Cycle", "CycleBranch", "CycleEvent", "cycle", "cycle_branch"]
+__all__ = [
+    "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "FateBoundary", "Lyapunov",
+    "basin_boundary", "cycle", "cycle_branch", "cycle_events", "fate_boundary", "lyapunov",
+]  # fmt: skip

@@ -39,8 +39,10 @@ def _call(function: Any, state: Sequence[Any], constants: Sequence[Any], mode: S
     return function(*state, *constants, nbar, side, xp=_Damped(xp, near))
 
 
-def _constants(values: Sequence[float]) -> tuple[float, ...]:
-    return constants_of(tuple(values[:-2]), values[-2], values[-1])
+def _constants(values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
+    if xp is None:
+        return constants_of(tuple(values[:-2]), values[-2], values[-1])
+    return (xp.cos(values[0]), xp.sin(values[0]), *values[1:])
 
 
 def _layer(state: Any, constants: Any, mode: Any) -> Any:
@@ -74,8 +76,8 @@ _BORDERS = (
 
 def _simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
     p = Parameters(**dict(zip(NAMES, values[:-2], strict=True)))
-    start = dict(zip(("x0", "y0", "vx0", "vy0"), map(float, state), strict=True))
-    return simulate(p, V=values[-2], d=values[-1], t_end=t_end, **start, **options)
+    x0, y0, vx0, vy0 = map(float, state)
+    return simulate(p, V=values[-2], d=values[-1], t_end=t_end, x0=x0, y0=y0, vx0=vx0, vy0=vy0, **options)
 
 
 def _spring_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:
@@ -86,7 +88,8 @@ def _spring_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:
 
 def _contact_force(states: FloatArray, _: Sequence[float]) -> FloatArray:
     """(11)."""
-    return np.maximum(-states[1], 0.0)
+    force: FloatArray = np.maximum(-states[1], 0.0)
+    return force
 
 
 #: (8)–(11), over (contact, side, near).
@@ -96,5 +99,6 @@ SPRAG = Field(
     lambda q, c, mode, xp=math: _call(jacobian, q, c, mode, xp),
     lambda q, c, mode, xp=math: _call(_by_parameters, q, c, mode, xp),
     _BORDERS, _initial_mode, tuple(itertools.product((1, 0), (1, -1), (1, 0))), _check, _simulate,
+    lambda mode: (mode[0], mode[1], 1),
     (("spring_force", _spring_force), ("contact_force", _contact_force)),
 )  # fmt: skip

@@ -62,7 +62,7 @@ def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:
 
 
 def _off(setting: Setting, guess: Guess, step: FloatArray, size: float) -> Loop:
-    """The closed orbit whose first state is off by ``size`` in the direction that turns over, at whatever value of the parameter."""
+    """The closed orbit whose first state is off by ``size`` in the direction that turns over, wherever the parameter is."""
     begun = guess.moved(step, setting.free)
     target = begun.coordinates(setting.free)
     middle = looped(setting.field, setting.fly, guess, setting.free)

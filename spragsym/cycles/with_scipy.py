@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -149,10 +149,10 @@ class Flight:
                 if values[i + 1][0] >= 0:
                     if not values[i][1] < 0 < values[i + 1][1]:
                         continue
-                    high = _zero(lambda t, at=at: at(t, 1), float(grid[i]), high)
+                    high = _zero(partial(at, part=1), float(grid[i]), high)
                     if at(high, 0) >= 0:
                         continue
-                found.append((_zero(lambda t, at=at: at(t, 0), float(grid[i]), high), border))
+                found.append((_zero(partial(at, part=0), float(grid[i]), high), border))
                 break
         return min(found, default=None)
 
@@ -162,6 +162,10 @@ class Flight:
         grid = piece.begin + _SEARCH * (piece.end - piece.begin)
         states = piece.dense(grid)[:m].T
         found = []
+
+        def at(value: Callable[[Any], float], t: float) -> float:
+            return value(piece.dense(t)[:m])
+
         for border in (-1, *(i for i, each in enumerate(self.field.borders) if each.kink)):
 
             def value(state: Any, border: int = border) -> float:
@@ -174,7 +178,7 @@ class Flight:
             values = [value(state) for state in states]
             for i in range(len(grid) - 1):
                 if (values[i] < 0) != (values[i + 1] < 0) and values[i] != 0:
-                    t = _zero(lambda t, value=value: value(piece.dense(t)[:m]), float(grid[i]), float(grid[i + 1]))
+                    t = _zero(partial(at, value), float(grid[i]), float(grid[i + 1]))
                     found.append(Turn(t, border, 1 if values[i] < 0 else -1, *self._split(piece.dense(t))))
         return sorted(found, key=lambda turn: turn.t)
 

@@ -7,13 +7,14 @@ from typing import Any
 
 import numpy as np
 
+from ..display import Result, Table
 from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES, FloatArray, Parameters
-from .jump_values import first_jumps
+from .jump_values import first_jumps, told
 
 
-@dataclass(frozen=True)
-class JumpGradient:
+@dataclass(frozen=True, eq=False)
+class JumpGradient(Result):
     """A jump value and its derivatives by the six parameters, each of the shape of the points; NaN where nothing jumps.
 
     The derivative by the parameter that varies is 0: where it jumps does not depend on where it started.
@@ -27,6 +28,15 @@ class JumpGradient:
     alpha: FloatArray
     sigma: FloatArray
     beta: FloatArray
+
+    def as_table(self) -> Table:
+        """The value and its slopes; of many points the smallest and the largest."""
+        rows = []
+        for name in ("value", *NAMES):
+            known = np.asarray(getattr(self, name))[~np.isnan(self.value)]
+            ends = (f"{known.min():.10g}", f"{known.max():.10g}") if known.size else ("nan", "nan")
+            rows.append((self.vary if name == "value" else f"slope by {name}", *ends))
+        return Table(f"JumpGradient, vary = {self.vary}, radians", ("", "smallest", "largest"), tuple(rows))
 
 
 def jump_gradient(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> JumpGradient:
@@ -53,7 +63,7 @@ def jump_gradient(p: Parameters, vary: str = "mu0", *, direction: str = "up") ->
     >>> print(f"{slopes.theta0 * np.radians(1.0):.4f} for each degree, {slopes.sigma * 0.01:.4f} for each 0.01 of sigma")
     -0.0313 for each degree, 0.0186 for each 0.01 of sigma
     """
-    found = first_jumps(p, vary, direction)
+    found = told(first_jumps(p, vary, direction))
     here: dict[str, Any] = {name: getattr(p, name) for name in NAMES} | {vary: found.value}
     changes = by_parameter(here, found.theta)
     along = changes[vary]

@@ -25,6 +25,8 @@ from ..statics.solver import Equilibria, Stability, equilibria
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 13
+#: Largest error of a value over max(1, |value|), proved.
+_LARGEST_ERROR = 1e-12
 #: Where θ₀ begins to rise; folds below it are looked for exactly.
 _FIRST_ANGLE = 2.0**-40
 #: Parameters that rise from their lower end; the others move from the value that they have.
@@ -33,10 +35,14 @@ FROM_LOWER_END = {"theta0": _FIRST_ANGLE, "mu0": 0.0}
 
 @dataclass(frozen=True)
 class FirstJumps:
-    """For many points the value at which the state jumps and the direction of the spring there; NaN where it never does."""
+    """For many points the value at which the state jumps and the direction of the spring there; NaN where it never does.
+
+    ``reasons`` says of which points, by their position in ``value.flat``, nothing is known, and why.
+    """
 
     value: FloatArray
     theta: FloatArray
+    reasons: Mapping[int, str]
 
 
 def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> float | FloatArray:
@@ -79,8 +85,19 @@ def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> fl
     >>> round(float(np.degrees(jump_value(Parameters.article(mu0=0.7), "theta0"))), 6)
     35.353706
     """
-    values = first_jumps(p, vary, direction).value
-    return values if values.ndim else float(values)
+    found = told(first_jumps(p, vary, direction))
+    return found.value if found.value.ndim else float(found.value)
+
+
+def told(found: FirstJumps) -> FirstJumps:
+    """Itself; an error for a single point of which nothing is known, and a warning for some of many."""
+    for reason in found.reasons.values():
+        if not found.value.shape:
+            raise ConvergenceError(reason)
+        what = f"{len(found.reasons)} points have no answer and are NaN; the first: {reason}"
+        warnings.warn(what, UndecidedWarning, stacklevel=3)
+        break
+    return found
 
 
 def first_jumps(p: Parameters, vary: str, direction: str = "up") -> FirstJumps:
@@ -91,18 +108,13 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up") -> FirstJumps:
     needed = [name for name in NAMES if not (name == vary and vary in FROM_LOWER_END)]
     given = {name: np.broadcast_to(getattr(p, name), shape).reshape(-1) for name in needed}
     value, theta = np.empty(size), np.empty(size)
-    hopeless: list[str] = []
+    hopeless: dict[int, str] = {}
     for begin in range(0, size, BLOCK):
         part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
         here = slice(begin, begin + BLOCK)
         value[here], theta[here], reasons = _block(part, vary, forward)
-        hopeless += reasons
-    if hopeless and not shape:
-        raise ConvergenceError(hopeless[0])
-    if hopeless:
-        told = f"{len(hopeless)} points have no answer and are NaN; the first: {hopeless[0]}"
-        warnings.warn(told, UndecidedWarning, stacklevel=3)
-    return FirstJumps(value.reshape(shape), theta.reshape(shape))
+        hopeless |= {begin + i: reason for i, reason in reasons.items()}
+    return FirstJumps(value.reshape(shape), theta.reshape(shape), hopeless)
 
 
 def _checked(p: Parameters, vary: str, direction: str) -> int:
@@ -116,7 +128,7 @@ def _checked(p: Parameters, vary: str, direction: str) -> int:
     return 1 if direction == "up" else -1
 
 
-def _block(given: Mapping[str, FloatArray], vary: str, forward: int) -> tuple[FloatArray, FloatArray, list[str]]:
+def _block(given: Mapping[str, FloatArray], vary: str, forward: int) -> tuple[FloatArray, FloatArray, dict[int, str]]:
     size = next(iter(given.values())).size
     start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
     eq = equilibria(Parameters(**{**given, vary: start}))
@@ -124,14 +136,14 @@ def _block(given: Mapping[str, FloatArray], vary: str, forward: int) -> tuple[Fl
     found = fold_arrays.folds(vary, others, size)
     undecided = found.undecided | eq.undecided | eq.fold
     value, theta = _walk(found, start, forward, small(eq), eq.count, undecided)
-    reasons = []
+    reasons = {}
     for i in np.flatnonzero(undecided):
         point = Parameters(**{name: float(column[i]) for name, column in given.items()})
         try:
             value[i], theta[i] = exactly(point, vary, forward)
         except ConvergenceError as reason:
             value[i] = theta[i] = np.nan
-            reasons.append(str(reason))
+            reasons[int(i)] = str(reason)
     return value, theta, reasons
 
 
@@ -152,7 +164,7 @@ def _walk(
     undecided[found.row[near]] = True
     keep = np.flatnonzero((ahead > 0) & ~near)
     keep = keep[np.lexsort((ahead[keep], found.row[keep]))]
-    row, value, best = found.row[keep], found.value.rows(keep), found.best[keep]
+    row, value, best = found.row[keep], found.value.rows(keep), found.best.rows(keep)
     same = row[1:] == row[:-1]
     apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
     undecided[row[1:][same & ~apart]] = True
@@ -167,7 +179,9 @@ def _walk(
         points, grows = row[now], opens[now] > 0
         undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
         jumps = ~grows & ~done[points] & np.where(upper[now], rank[points] >= 1, rank[points] <= 1)
-        result[points[jumps]], theta[points[jumps]] = best[now[jumps]], at[now[jumps]]
+        result[points[jumps]], theta[points[jumps]] = best.value[now[jumps]], at[now[jumps]]
+        coarse = best.error[now] > _LARGEST_ERROR * np.maximum(np.abs(best.value[now]), 1.0)
+        undecided[points[jumps & coarse]] = True
         done[points[jumps]] = True
         rank[points] = np.where(grows & ~upper[now], 2, 0)
         count[points] = np.where(grows, 3, 1)

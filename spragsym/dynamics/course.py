@@ -1,4 +1,4 @@
-"""What is measured of a motion while it runs, or from its samples afterwards."""
+"""Quantities measured on a motion while it runs, or from its samples afterwards."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .lobatto import PiecewisePolynomial
 
 @dataclass(frozen=True)
 class Course:
-    """What is measured of a motion while it runs; none of its steps is kept.
+    """Quantities measured on a motion while it runs; its steps are not kept.
 
     Attributes
     ----------
@@ -58,12 +58,12 @@ class Course:
         return float(self.first[0]) + shift, math.sqrt(max(square - shift * shift, 0.0))
 
 
-#: Runs a motion on from a state for a while.
+#: Continues a motion from a state for a given time.
 Flow: TypeAlias = Callable[[FloatArray, float], Course]
 
 
 def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
-    """The course of a motion that is there by its samples, with how often each event happened."""
+    """The course of a motion given by its samples, and the number of events of each kind."""
     t, states = samples.t, samples.states
     n = len(states) // 2
 
@@ -80,7 +80,7 @@ def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
 
 
 def event_counts(samples: PiecewisePolynomial, V: float) -> NDArray[np.intp]:
-    """How often each kind of event happened, told by the samples alone: events are among them."""
+    """The number of events of each kind, from the samples alone, which include all events."""
     _, y, vx, _ = samples.states
     above, ahead = np.diff((y > 0).astype(int)), np.diff((vx > V).astype(int))
     return np.array([np.count_nonzero(change == sign) for change in (above, ahead) for sign in (1, -1)])

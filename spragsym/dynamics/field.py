@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
@@ -58,7 +58,8 @@ class Field:
     parameters : tuple of str, length P
         Those that can be varied.
     constants : callable
-        ``constants(values)``: what the functions below take, from the values of the parameters; of a fixed length.
+        ``constants(values)``: what the functions below take, from the values of the parameters; of a fixed length. With
+        ``xp`` as a second argument from other numbers than floats.
     acceleration, jacobian, by_parameters : callable
         ``f(state, constants, mode, xp)``: n accelerations; n rows of derivatives by the 2 n numbers of the state; n rows of
         derivatives by the P parameters.
@@ -71,6 +72,8 @@ class Field:
         ``check(name, value)`` raises where a parameter may not have a value.
     simulate : callable
         ``simulate(values, state, t_end)``: the model's own trajectory.
+    exact : callable
+        ``exact(mode)``: the mode without what is left out below rounding, for proofs.
     forces : tuple of (str, callable)
         Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
     """
@@ -78,7 +81,7 @@ class Field:
     name: str
     coordinates: tuple[str, ...]
     parameters: tuple[str, ...]
-    constants: Callable[[Sequence[float]], tuple[float, ...]]
+    constants: Callable[..., tuple[float, ...]]
     acceleration: Callable[..., Any]
     jacobian: Callable[..., Any]
     by_parameters: Callable[..., Any]
@@ -87,6 +90,7 @@ class Field:
     modes: tuple[Mode, ...]
     check: Callable[[str, float], None]
     simulate: Callable[..., Any]
+    exact: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
 
     @property

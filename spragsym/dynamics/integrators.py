@@ -1,4 +1,4 @@
-"""The integrators that there are, and which of them runs.
+"""The available integrators, and the choice between them.
 
 Both are existing ones, restarted wherever the field of (8)–(11) has a kink: they integrate the analytic continuation of
 one mode of the field (:mod:`~spragsym.dynamics.problem`), find where the motion leaves it, and go on in the next.
@@ -48,7 +48,7 @@ def integrate(problem: Problem, backend: str) -> Solution:
 
 
 def measure(problem: Problem, backend: str) -> Course:
-    """What is measured of the motion after ``t_record``: by heyoka on the way, by SciPy from the samples."""
+    """Quantities of the motion after ``t_record``: heyoka measures them while it integrates, SciPy from the samples."""
     if backend == "heyoka":
         return with_heyoka.watch(problem)
     solution = with_scipy.integrate(problem)
@@ -56,7 +56,7 @@ def measure(problem: Problem, backend: str) -> Course:
 
 
 def flow(problem: Problem, backend: str) -> Flow:
-    """The motion of a problem from any state, for as long as asked."""
+    """A function that integrates a problem from any state for any time."""
 
     def onward(state: FloatArray, duration: float) -> Course:
         return measure(replace(problem, start=tuple(state.tolist()), t_end=duration, t_record=0.0), backend)

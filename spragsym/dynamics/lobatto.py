@@ -56,7 +56,7 @@ class PiecewisePolynomial:
         return self.at(self.step_of(times), times)
 
     def step_of(self, times: FloatArray) -> NDArray[np.intp]:
-        """Numbers of the steps that hold these times."""
+        """Indices of the steps that contain these times."""
         steps = self.t[::DEGREE]
         return np.clip(np.searchsorted(steps, times, side="right") - 1, 0, len(steps) - 2)
 
@@ -73,7 +73,7 @@ class PiecewisePolynomial:
         return states
 
     def after(self, begin: float) -> PiecewisePolynomial:
-        """What follows a time within it: the step that holds the time becomes a shorter one."""
+        """The part after a given time; the step that contains this time is shortened."""
         step = int(self.step_of(np.array(begin)))
         end = (step + 1) * DEGREE
         t = begin + unit_points() * (self.t[end] - begin)

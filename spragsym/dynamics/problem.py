@@ -35,7 +35,7 @@ RELATIVE_TOLERANCE = Range(
     1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
 )
 
-#: Steps after which a motion is given up, unless asked otherwise.
+#: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
 #: x, y, x', y'.

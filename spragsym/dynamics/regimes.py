@@ -1,4 +1,4 @@
-"""The names for what a motion comes to."""
+"""Names of the long-run behaviour of a motion."""
 
 from __future__ import annotations
 

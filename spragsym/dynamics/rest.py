@@ -16,13 +16,13 @@ from .course import Course
 from .problem import Event, Problem
 from .regimes import SETTLED, Outcome, Regime
 
-#: Fewest largest x in a window that a decay is read off.
+#: Fewest maxima of x in a window from which a decay is read.
 FEW = 8
 
 #: Real parts up to this are 0 but for rounding.
 ROUNDING = 1e-12
 
-#: Smallest decay of the squares over half a window that can be read off it.
+#: Smallest decay of the squares over half a window that can be measured.
 VISIBLE = 1e-3
 
 #: Newton's method has gone astray beyond this, in L_0.
@@ -134,5 +134,5 @@ def _decays(course: Course, rest: Rest) -> bool:
     first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
     expected = first * np.exp(rest.values.real * (course.end - course.begin))  # two times half the window
     before, after, linear = first.sum(), second.sum(), expected.sum()
-    # A decay that the window does not show is none: the first of the three.
+    # A decay that is too slow to show in the window does not count: the first of the three conditions.
     return bool(linear < before * (1 - VISIBLE) and after > 0 and 0.5 < np.log(after / before) / np.log(linear / before) < 2)

@@ -1,4 +1,4 @@
-"""What an integrator gives: a motion by its samples, and its events."""
+"""The result of an integrator: a motion by its samples, and its events."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ from .rest import index_of
 
 __all__ = ["Event", "Events", "Trajectory", "simulate"]
 
-#: The tightest that SciPy takes, for the second run of an error estimate.
+#: The smallest tolerance that SciPy accepts, for the second run of an error estimate.
 TIGHTEST = 2.3e-14
 
 #: What the samples of a trajectory hold.

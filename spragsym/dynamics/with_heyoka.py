@@ -61,7 +61,7 @@ class Compiled:
         )  # fmt: skip
 
     def __deepcopy__(self, _: object) -> Compiled:
-        """heyoka copies its callbacks; they must go on to write here."""
+        """heyoka deep-copies its callbacks; the copies must still write to this object."""
         return self
 
     def _turn(self, solver: Any, t: float, direction: int) -> None:
@@ -85,7 +85,7 @@ class Compiled:
         self.place(0.0, problem.start, (*problem.constants, *initial_mode(problem)))
 
     def place(self, t: float, state: Any, pars: Any) -> None:
-        """Stand anywhere, with nothing noted."""
+        """Start from any time and state, with no events recorded."""
         solver = self.solver
         self.log, self.turns, self.stray = [], [], None
         solver.time = t

@@ -17,8 +17,8 @@ from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, too_many_steps
 from .solution import Crossing, Solution, assembled
 
-# The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected,
-# whatever the size of the number: it must only be finite.
+# The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
+# in any case: the number must only be finite.
 _FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
 _ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
 

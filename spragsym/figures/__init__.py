@@ -28,6 +28,7 @@ from .extras import (  # fmt: skip
 )
 from .files import FORMATS, write
 from .motions import figure_3, figure_7
+from .oscillation import branch_figure, figure_cycles, figure_cycles_plane
 from .style import Sheet
 from .trajectories import figure_6, figure_13
 
@@ -46,6 +47,8 @@ FIGURES: dict[str, Callable[..., Sheet]] = {
     "13": figure_13,
     "14": figure_14,
     "cusp-friction": figure_cusp_friction,
+    "cycles": figure_cycles,
+    "cycles-plane": figure_cycles_plane,
     "false-double-root": figure_false_double_root,
     "rms-map": figure_rms_map,
     "sensitivity": figure_sensitivity,
@@ -57,6 +60,7 @@ __all__ = [
     "Branch",
     "Sheet",
     "bifurcation_figure",
+    "branch_figure",
     "branches",
     "draw_branches",
     "draw_path",

@@ -105,7 +105,7 @@ def figure_14(*, detail: float = 1.0) -> Sheet:
 
 
 def draw_bifurcation_set(ax: Axes, p: Parameters, mu0: tuple[float, float] = MU0_RANGE) -> Table:
-    """Fold curves over (θ₀, μ₀), what lies between them shaded, cusps marked."""
+    """Fold curves over (θ₀, μ₀), with the regions between them shaded and cusps marked."""
     found = bifurcation_set(p)
     columns: dict[str, list[FloatArray]] = {"curve": [], "theta0_deg": [], "mu0": []}
     angles, frictions = np.radians(np.linspace(0.1, 179.9, 400)), np.linspace(*mu0, 240)

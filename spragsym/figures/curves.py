@@ -110,14 +110,14 @@ def _cuts(p: Parameters, vary: str, low: float, high: float, turns: Folds | None
 def _pieces(
     vary: str, values: FloatArray, eq: Equilibria, rank: int, turns: Folds | None, ends: tuple[float, float]
 ) -> list[Branch]:
-    """Equilibria of one rank between two cuts, split by stability and extended to the exact fold at an end that is one."""
+    """Equilibria of one rank between two cuts, split by stability; at a fold the piece is extended to the exact point."""
     there = np.flatnonzero(eq.count > rank)
     states = {name: getattr(eq, name)[there, rank] for name in _STATE}
     codes, along = eq.stability[there, rank], values[there]
     starts = np.flatnonzero(np.diff(codes, prepend=-1))
     pieces = []
     for start, stop in itertools.pairwise([*starts, codes.size]):
-        # One point more where the stability changes within, so that no gap is seen.
+        # Where the stability changes within a branch, both pieces share a point, so that no gap shows.
         reach = slice(start, min(stop + 1, codes.size))
         shown = {name: state[reach] for name, state in states.items()}
         pieces.append(Branch(vary, along[reach], **shown, stability=Stability(int(codes[start]))))
@@ -128,7 +128,7 @@ def _pieces(
 
 
 def _to_fold(piece: Branch, eq: Equilibria, at: int, rank: int, turns: Folds, end: float) -> Branch:
-    """The piece extended to the fold at its first or last point, if its equilibrium is one of the two that meet there."""
+    """The piece, extended to the fold at its first or last point if its equilibrium is one of the two that meet there."""
     (here,) = np.nonzero(getattr(turns, turns.vary) == end)
     if not here.size or eq.count[at] < 2:
         return piece

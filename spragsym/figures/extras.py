@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ..assumed import MU0_RANGE, D, V
 from ..catastrophe import bifurcation_set, critical_friction, critical_value, folds
+from ..catastrophe.companion import eigenvalues
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
@@ -122,12 +123,8 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
 def _gap(coefficients: tuple[FloatArray, ...]) -> FloatArray:
     """Smallest distance of two roots, relative to their size, of each polynomial, lowest power first."""
     table = np.stack(np.broadcast_arrays(*coefficients), axis=-1).astype(float)
-    degree = table.shape[-1] - 1
-    companion = np.zeros((*table.shape[:-1], degree, degree))
-    companion[..., range(1, degree), range(degree - 1)] = 1.0
-    companion[..., :, -1] = -table[..., :-1] / table[..., -1:]
-    roots = np.linalg.eigvals(companion)
-    first, second = np.triu_indices(degree, 1)
+    roots = eigenvalues(table)
+    first, second = np.triu_indices(roots.shape[-1], 1)
     size = np.maximum(np.abs(roots[..., first]), np.abs(roots[..., second]))
     gap: FloatArray = (np.abs(roots[..., first] - roots[..., second]) / size).min(axis=-1)
     return gap

@@ -23,7 +23,7 @@ FORMATS: dict[str, dict[str, Any]] = {
 def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf",)) -> list[Path]:
     """Write ``stem.pdf`` and the like, its caption to ``stem.txt``, its data to ``stem_a.csv`` …; returns the paths.
 
-    The resolution of what is not drawn as lines is 300 dots an inch.
+    Parts that are not drawn as lines have 300 dots per inch.
     """
     folder.mkdir(parents=True, exist_ok=True)
     paths = []
@@ -40,7 +40,7 @@ def write(figure: Sheet, folder: Path, stem: str, formats: Iterable[str] = ("pdf
 
 
 def _write_table(path: Path, table: Table) -> None:
-    """One line a row; numbers to the twelve digits that the library promises."""
+    """One line per row; numbers with the twelve digits that the library promises."""
     columns = [_as_text(np.asarray(values)) for values in table.values()]
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")

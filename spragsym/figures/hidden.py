@@ -29,7 +29,7 @@ class Cover:
     clearance: float
 
     def screen(self, points: FloatArray) -> FloatArray:
-        """Points of shape (n, 3) as places on the screen and depths; a plane in space is a plane in these."""
+        """Points of shape (n, 3) as places on the screen and depths; planes in space stay planes."""
         return np.stack(proj3d.proj_transform(*points.T, self.view), axis=-1).astype(float)
 
     def hides(self, points: FloatArray) -> NDArray[np.bool_]:
@@ -52,7 +52,7 @@ class Cover:
 
 
 def cover_of(ax: Any, polygons: Sequence[FloatArray]) -> Cover:
-    """Convex polygons as the axes show them now: set limits, proportions and the view before."""
+    """Convex polygons as the axes show them now; limits, proportions and view must have been set."""
     view = ax.get_proj()
     box = np.array(list(itertools.product(ax.get_xlim(), ax.get_ylim(), ax.get_zlim())))
     depths = proj3d.proj_transform(*box.T, view)[2]
@@ -74,7 +74,7 @@ def parts(line: FloatArray, sheet: Cover) -> list[tuple[FloatArray, bool]]:
 
 
 def _stretches(line: FloatArray) -> list[FloatArray]:
-    """What lies between NaNs, without single points."""
+    """The runs of points between NaNs, without single points."""
     good = np.isfinite(line).all(axis=1)
     runs = np.split(line, np.flatnonzero(np.diff(good)) + 1)
     return [run for run in runs if len(run) > 1 and np.isfinite(run).all()]

@@ -58,7 +58,7 @@ STYLE: dict[str, Any] = {
     "figure.dpi": 150,
     "savefig.dpi": 300,
     "pdf.fonttype": 42,
-    "svg.hashsalt": "spragsym",  # without it the ids in an SVG file are random
+    "svg.hashsalt": "spragsym",  # without a salt the ids in an SVG file are random
     "svg.fonttype": "path",
 }
 

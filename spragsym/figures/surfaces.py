@@ -110,7 +110,7 @@ def _cut(polygon: FloatArray, height: FloatArray) -> FloatArray:
 def of_equal_length(polygons: Sequence[FloatArray]) -> FloatArray:
     """The polygons as one array, of shape (n, corners, 3), last corners repeated.
 
-    matplotlib fills up a list of unequal lengths with whatever the memory held, and measures the axes with it.
+    matplotlib pads polygons of unequal lengths with uninitialised memory, and measures the axes with it.
     """
     most = max((len(polygon) for polygon in polygons), default=3)
     padded = [np.concatenate([polygon, np.repeat(polygon[-1:], most - len(polygon), axis=0)]) for polygon in polygons]

@@ -34,7 +34,7 @@ def path_of(target: Path) -> Path:
 
 @contextmanager
 def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
-    """Finished points of an earlier run to ``target``, and a function that keeps one more.
+    """Finished points of an earlier run to ``target``, and a function that stores one more.
 
     Every line is out of this process before the next point is asked for. A line that a kill cut short is
     dropped; a damaged one is dropped with a :class:`~spragsym.errors.DamageWarning`. The journal is removed when
@@ -63,14 +63,14 @@ def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[i
         with _told(path, done, total):
             yield done, keep
         if os.name == "posix":
-            path.unlink()  # while it is locked, so that it is nobody else's
+            path.unlink()  # while it is locked, so that no other process has it
     if os.name != "posix":
-        with suppress(OSError):  # an open file can't be removed there: whoever has it sees that the work is done
+        with suppress(OSError):  # an open file can't be removed there; the process that has it open sees that the work is done
             path.unlink()
 
 
 def clear(target: Path, fingerprint: str, total: int) -> None:
-    """Remove the journal that a kill left beside its finished result, if it is still there and nobody's."""
+    """Remove the journal that a killed process left beside its finished result, if no other process has it."""
     if path_of(target).exists():
         with suppress(SpragsymError, OSError), journal(target, fingerprint, total):
             pass
@@ -90,7 +90,7 @@ def _opened(stack: ExitStack, path: Path) -> tuple[FileIO, bytes]:
 
 @contextmanager
 def _told(path: Path, done: dict[int, Record], total: int) -> Iterator[None]:
-    """What ends a sweep before its end says what is kept."""
+    """Errors and interruptions that end a sweep early say what is kept."""
 
     def kept() -> str:
         return f"{len(done)} of {total} points are kept in {path}, and the same call goes on from there"
@@ -116,7 +116,7 @@ def _checksum(key: str, text: bytes) -> bytes:
 
 
 def _content(key: str, line: bytes) -> Any:
-    """What a line without its end says; None if its checksum is not right."""
+    """The content of a line without its line end; None if the checksum is wrong."""
     checksum, _, text = line.partition(b" ")
     return json.loads(text) if checksum == _checksum(key, text) else None
 
@@ -133,7 +133,7 @@ class _Found:
 
 
 def _understood(data: bytes, fingerprint: str) -> _Found:
-    """Every line that is good: the head, who wrote, points of this sweep; and the numbers of the others."""
+    """Every undamaged line: the head, the writer, points of this sweep; and the numbers of the damaged lines."""
     *lines, rest = data.split(b"\n")
     found = _Found(length=len(data) - len(rest), size=len(data))
     for number, line in enumerate(lines, 1):
@@ -149,7 +149,7 @@ def _understood(data: bytes, fingerprint: str) -> _Found:
 
 
 def _begin(file: FileIO, path: Path, fingerprint: str, found: _Found) -> None:
-    """Make the file ready to append to, and say what is wrong with what it holds."""
+    """Make the file ready to append to, and warn about damaged content."""
     head = _line("", {"journal": 1, "fingerprint": fingerprint, **provenance()})
     ours = found.fingerprint == fingerprint or bool(found.points)
     if not ours and found.fingerprint is not None and found.damaged:
@@ -163,7 +163,7 @@ def _begin(file: FileIO, path: Path, fingerprint: str, found: _Found) -> None:
     if found.damaged:
         _warn(path, found)
     if ours:
-        file.truncate(found.length)  # what a kill left of a line
+        file.truncate(found.length)  # the beginning of a line, left by a killed process
         head = b""
     else:
         file.truncate(0)
@@ -171,7 +171,7 @@ def _begin(file: FileIO, path: Path, fingerprint: str, found: _Found) -> None:
 
 
 def _is_cut(file: FileIO, head: bytes) -> bool:
-    """Whether a kill, or a full disk, left a part of the first line and nothing else."""
+    """Whether the file holds only a part of the first line, after a kill or on a full disk."""
     file.seek(0)
     return head.startswith(file.readall() or b"")
 
@@ -203,8 +203,8 @@ def _append(file: FileIO, path: Path, line: bytes) -> None:
 
 
 def _holder(path: Path) -> str:
-    """Who holds a journal, as far as it says."""
-    time.sleep(0.1)  # the other may have opened it just now, and not yet have said who it is
+    """The process that holds a journal, as far as the file tells."""
+    time.sleep(0.1)  # the other process may have opened it just now, and not have written its name yet
     writer: dict[str, Any] = {}
     with suppress(OSError):
         for line in path.read_bytes().split(b"\n"):

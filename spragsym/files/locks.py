@@ -1,4 +1,4 @@
-"""A file that one process at a time may write to; a process that is killed holds it no longer."""
+"""A file that one process at a time may write to; killing the process releases it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ..errors import StoreError
 if sys.platform == "win32":
     import msvcrt
 
-    #: Locks bind all who read there, too: one byte far behind any content.
+    #: A lock keeps others from reading the locked bytes, too: lock one byte, far behind any content.
     _BEHIND = 0x7FFF0000
 
     def _lock(file: FileIO) -> None:
@@ -30,7 +30,7 @@ else:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
 
-#: Another holds the lock.
+#: Another process holds the lock.
 _HELD = (errno.EAGAIN, errno.EACCES, errno.EDEADLK)
 #: The file system has no locks: some network and cluster file systems, as they are mounted.
 _NO_LOCKS = (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP, errno.EINVAL)
@@ -42,7 +42,7 @@ class HeldError(StoreError):
 
 @contextmanager
 def exclusive(path: Path) -> Iterator[FileIO]:
-    """Open a file to read and append, made if it is not there, that no other caller has until the end.
+    """Open a file to read and append, created if absent, for this caller alone until the context ends.
 
     The system lets go of the lock when the process ends, whatever ends it. On a network file system it holds
     between machines as far as the file system's own locks do; where there are none, a warning says so.
@@ -72,7 +72,7 @@ def _opened(path: Path) -> FileIO:
 
 
 def _locked(file: FileIO) -> bool:
-    """Lock it; whether the file system knows locks."""
+    """Lock the file, and return whether the file system supports locks."""
     try:
         _lock(file)
     except OSError as error:
@@ -97,7 +97,7 @@ def _is_at(file: FileIO, path: Path) -> bool:
 
 
 def write_all(file: FileIO, data: bytes) -> None:
-    """Write all of it, or raise: a disk that is almost full takes a part, and says so only the next time."""
+    """Write everything or raise: an almost full disk accepts a part, and fails only at the next write."""
     view = memoryview(data)
     while view:
         view = view[file.write(view) :]

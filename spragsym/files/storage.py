@@ -38,7 +38,7 @@ def _model(name: str) -> tuple[str, str]:
 
 
 def _initial(name: str) -> tuple[str, str]:
-    """The same of its initial value, without the remark on its sign."""
+    """The same for its initial value, without the remark on its sign."""
     unit, meaning = _model(name)
     return unit, f"initial {meaning.partition(',')[0]}"
 
@@ -76,8 +76,8 @@ QUANTITIES = {
 def xarray() -> Any:
     """The module, or an error that names the extra."""
     try:
-        import h5netcdf  # noqa: F401
-        import h5py  # noqa: F401
+        import h5netcdf  # noqa: F401  # here only to be missed early
+        import h5py  # noqa: F401  # here only to be missed early
         import xarray
     except ModuleNotFoundError as error:
         raise MissingExtraError("a netCDF file", error.name or "xarray", "sweep") from error
@@ -108,7 +108,7 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
 
 
 def resolved(path: str | os.PathLike[str]) -> Path:
-    """Where a path leads, through links: also through one to a file that is not there yet."""
+    """The file that a path leads to through links, even if it does not exist yet."""
     try:
         return Path(path).resolve()
     except (OSError, RuntimeError) as error:  # a link that leads to itself
@@ -182,7 +182,7 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Mappin
 
 
 def _sealed(data: bytes) -> bytes:
-    """With a last line that holds the checksum of all before it."""
+    """The content, followed by a last line with its checksum."""
     return data + _TRAILER % _sha256(data)
 
 
@@ -192,7 +192,7 @@ def _replace(path: Path, data: bytes) -> None:
     try:
         with exclusive(temporary) as file:
             try:
-                file.truncate(0)  # what a killed process left
+                file.truncate(0)  # left by a killed process
                 write_all(file, data)
                 os.fsync(file.fileno())
                 if os.name == "posix":
@@ -216,13 +216,18 @@ def plain(text: str) -> str:
 
 
 def _settle(folder: Path) -> None:
-    """Have a new name in a folder outlive a power cut, where the system can be asked to."""
+    """Make a new name in a folder survive a power cut, on systems that can do this."""
     with suppress(OSError):
         number = os.open(folder, os.O_RDONLY)
         try:
             os.fsync(number)
         finally:
             os.close(number)
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write lines of text with the checksum after them, whole or not at all."""
+    _replace(path, _sealed(text.encode()))
 
 
 # ------------------------------------------------------------------------------------------------------ to read
@@ -248,8 +253,17 @@ def read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     return _read_netcdf(content) if path.suffix == ".nc" else _read_csv(content)
 
 
+def read_text(path: Path) -> str:
+    """What :func:`write_text` wrote; errors as of :func:`read`."""
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise StoreError(f"{path} cannot be read: {error.strerror}; give another path") from error
+    return _verified(path, data).decode()
+
+
 def _verified(path: Path, data: bytes) -> bytes:
-    """What the checksum of a file covers."""
+    """The part of a file that its checksum covers."""
     parts = _TRAILED.fullmatch(data)
     if parts is None:
         raise DamagedError(

@@ -13,6 +13,7 @@ from . import parameters as _parameters
 from .describe import described
 
 if TYPE_CHECKING:
+    from ..cycles import Cycle
     from ..sweeps import Sweep
     from .equilibria import ModelEquilibria
     from .points import ModelPoints
@@ -106,6 +107,13 @@ class Model:
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, p, vary, **options)
+
+    def cycle(self, p: ParameterSet, near: Any = None, **options: Any) -> Cycle:
+        """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
+        from ..cycles.finding import cycle_near
+        from ..cycles.model_fields import field_of
+
+        return cycle_near(field_of(self), p.scalars(*self.parameters), near, **options)
 
     def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
         """Integrate the motion from an initial state, restarted at every kink of the model's laws.

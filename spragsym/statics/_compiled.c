@@ -6,6 +6,8 @@
  * of the six columns theta, L, x, y, error (doubles) and stability (signed chars), of n each; `further` a tuple of a buffer of n
  * 64-bit rows, then the six columns with room for n rows of the slots 1 and up.
  *
+ * solve_widely(the same): in double-double arithmetic.
+ *
  * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -27,9 +29,9 @@ typedef struct {
 
 static Py_buffer *buffer_at(buffers *all, int place) {
     Py_buffer *const in_order[] = {
-        &all->given[0], &all->given[1], &all->given[2],   &all->given[3],   &all->given[4],   &all->given[5],   &all->settled,
-        &all->count,    &all->first[0], &all->first[1],   &all->first[2],   &all->first[3],   &all->first[4],   &all->first[5],
-        &all->rows,     &all->further[0], &all->further[1], &all->further[2], &all->further[3], &all->further[4], &all->further[5]};
+        &all->given[0], &all->given[1], &all->given[2], &all->given[3], &all->given[4], &all->given[5], &all->settled,
+        &all->count, &all->first[0], &all->first[1], &all->first[2], &all->first[3], &all->first[4], &all->first[5],
+        &all->rows, &all->further[0], &all->further[1], &all->further[2], &all->further[3], &all->further[4], &all->further[5]};
     return in_order[place];
 }
 
@@ -53,20 +55,25 @@ static int hold(buffers *all, PyObject *object, Py_ssize_t size, Py_ssize_t item
     return 1;
 }
 
-static double at(const Py_buffer *view, Py_ssize_t place) {
+static double entry(const Py_buffer *view, Py_ssize_t place) {
     const double *const values = (const double *)view->buf;
     return (view->len == (Py_ssize_t)sizeof(double)) ? values[0] : values[place];
 }
 
+static spragsym_parameters parameters_at(const Py_buffer given[PARAMETERS], Py_ssize_t place) {
+    const spragsym_parameters here = {entry(&given[0], place), entry(&given[1], place), entry(&given[2], place),
+        entry(&given[3], place), entry(&given[4], place), entry(&given[5], place)};
+    return here;
+}
+
 /* A block of parameters, the rest of it filled with a harmless point; refused: those that are no parameters. */
 static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssize_t start, int points, point_columns *p,
-                         int refused[BLOCK]) {
+    int refused[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
         spragsym_parameters one = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
         refused[i] = 1;
         if (i < points) {
-            const spragsym_parameters here = {at(&given[0], start + i), at(&given[1], start + i), at(&given[2], start + i),
-                                              at(&given[3], start + i), at(&given[4], start + i), at(&given[5], start + i)};
+            const spragsym_parameters here = parameters_at(given, start + i);
             if (allowed(&here)) {
                 one = here;
                 refused[i] = 0;
@@ -96,9 +103,31 @@ static void store_none(const Py_buffer columns[COLUMNS], Py_ssize_t place) {
     store(columns, place, Py_NAN, &none);
 }
 
+/* A point's equilibrium into its slot. */
+static void put(buffers *all, Py_ssize_t slots, Py_ssize_t place, Py_ssize_t used, int slot, double theta, const Root *root) {
+    if (slot == 0) {
+        store(all->first, place, theta, root);
+    } else {
+        store(all->further, slots * used + slot - 1, theta, root);
+    }
+}
+
+/* A point is done: whether it is settled, and its row of `further`, if it takes one; the rows that are used by then. */
+static Py_ssize_t close_point(buffers *all, Py_ssize_t slots, Py_ssize_t place, int good, int count, Py_ssize_t used) {
+    ((signed char *)all->settled.buf)[place] = (signed char)good;
+    ((signed char *)all->count.buf)[place] = (signed char)(good ? count : 0);
+    if (good && count > 1) {
+        for (Py_ssize_t slot = count - 1; slot < slots; slot++) {
+            store_none(all->further, slots * used + slot);
+        }
+        ((int64_t *)all->rows.buf)[used++] = (int64_t)place;
+    }
+    return used;
+}
+
 /* What the groups say of a block, into the columns; the rows of `further` that are used by then. */
 static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, int points, const int refused[BLOCK],
-                                 const point_columns *p, const root_columns groups[GROUPS], Py_ssize_t used) {
+    const point_columns *p, const root_columns groups[GROUPS], Py_ssize_t used) {
     const Py_ssize_t slots = (nbar > 0.0) ? 2 : 3;
     int next = 0;
     for (int i = 0; i < points; i++) {
@@ -110,23 +139,57 @@ static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, in
             const Root root = taken_from(r, lane);
             see(r->t[lane], &root, &sum);
             if (root.member) {
-                if (sum.count == 0) {
-                    store(all->first, start + i, r->theta[lane], &root);
-                } else {
-                    store(all->further, slots * used + sum.count - 1, r->theta[lane], &root);
-                }
-                sum.count++;
+                put(all, slots, start + i, used, sum.count++, r->theta[lane], &root);
             }
             next++;
         }
-        const int good = !refused[i] && stands(&sum);
-        ((signed char *)all->settled.buf)[start + i] = (signed char)good;
-        ((signed char *)all->count.buf)[start + i] = (signed char)(good ? sum.count : 0);
-        if (good && sum.count > 1) {
-            for (Py_ssize_t slot = sum.count - 1; slot < slots; slot++) {
-                store_none(all->further, slots * used + slot);
+        used = close_point(all, slots, start + i, !refused[i] && stands(&sum), sum.count, used);
+    }
+    return used;
+}
+
+/* The same of a group in double-double arithmetic. */
+static Py_ssize_t unload_widely(buffers *all, double nbar, Py_ssize_t start, int points, const wide_points *p,
+    const wide_roots groups[MAX_ROOTS], Py_ssize_t used) {
+    const Py_ssize_t slots = (nbar > 0.0) ? 2 : 3;
+    int next = 0;
+    for (int i = 0; i < points; i++) {
+        tally sum = nothing_yet(nbar, p->certain[i]);
+        const int roots = p->certain[i] ? (int)p->count[i] : 0;
+        for (int j = 0; j < roots; j++) {
+            const wide_roots *const r = &groups[next / WIDE_LANES];
+            const int lane = next % WIDE_LANES;
+            see_widely(paired(r->t_high[lane], r->t_low[lane]), &r->root[lane], &sum);
+            if (r->root[lane].member) {
+                put(all, slots, start + i, used, sum.count++, r->theta[lane], &r->root[lane]);
             }
-            ((int64_t *)all->rows.buf)[used++] = (int64_t)(start + i);
+            next++;
+        }
+        used = close_point(all, slots, start + i, stands(&sum), sum.count, used);
+    }
+    return used;
+}
+
+static Py_ssize_t solve_all_widely(buffers *all, double nbar, Py_ssize_t points) {
+    const spragsym_parameters harmless = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    wide_roots groups[MAX_ROOTS];
+    wide_points p;
+    Py_ssize_t used = 0;
+    memset(groups, 0, sizeof groups);
+    for (Py_ssize_t start = 0; start < points; start += WIDE_LANES) {
+        const int length = (points - start < WIDE_LANES) ? (int)(points - start) : WIDE_LANES;
+        int refused[WIDE_LANES];
+        for (int i = 0; i < WIDE_LANES; i++) {
+            const spragsym_parameters here = parameters_at(all->given, (i < length) ? start + i : start);
+            refused[i] = !allowed(&here);
+            set_widely(refused[i] ? &harmless : &here, nbar, i, &p);
+        }
+        solve_widely(length, &p, groups);
+        used = unload_widely(all, nbar, start, length, &p, groups, used);
+        for (int i = 0; i < length; i++) {
+            if (refused[i]) {
+                ((signed char *)all->settled.buf)[start + i] = 0;
+            }
         }
     }
     return used;
@@ -162,7 +225,7 @@ static int hold_columns(buffers *all, PyObject *tuple, int offset, Py_ssize_t it
 }
 
 static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact, PyObject *settled, PyObject *count,
-                    PyObject *first, PyObject *further) {
+    PyObject *first, PyObject *further) {
     if (!PyTuple_Check(first) || !PyTuple_Check(further) || PyTuple_GET_SIZE(first) != COLUMNS ||
         PyTuple_GET_SIZE(further) != COLUMNS + 1) {
         PyErr_SetString(PyExc_TypeError, "first and further are tuples of 6 and 7 buffers");
@@ -178,11 +241,13 @@ static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact
         }
     }
     return hold(all, settled, 1, points, 1) && hold(all, count, 1, points, 1) && hold_columns(all, first, 0, points) &&
-           hold(all, PyTuple_GET_ITEM(further, 0), (Py_ssize_t)sizeof(int64_t), points, 1) &&
-           hold_columns(all, further, 1, points * (contact ? 2 : 3));
+        hold(all, PyTuple_GET_ITEM(further, 0), (Py_ssize_t)sizeof(int64_t), points, 1) &&
+        hold_columns(all, further, 1, points * (contact ? 2 : 3));
 }
 
-static PyObject *solve(PyObject *module, PyObject *arguments) {
+typedef Py_ssize_t (*method)(buffers *all, double nbar, Py_ssize_t points);
+
+static PyObject *solve_by(method solver, PyObject *arguments) {
     PyObject *given[PARAMETERS];
     PyObject *settled;
     PyObject *count;
@@ -190,21 +255,30 @@ static PyObject *solve(PyObject *module, PyObject *arguments) {
     PyObject *further;
     int contact;
     buffers all;
-    (void)module;
     all.held = 0;
     if (!PyArg_ParseTuple(arguments, "OOOOOOiOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &contact,
-                          &settled, &count, &first, &further)) {
+            &settled, &count, &first, &further)) {
         return NULL;
     }
     Py_ssize_t used = -1;
     if (hold_all(&all, given, contact, settled, count, first, further)) {
         const Py_ssize_t points = all.count.len;
         Py_BEGIN_ALLOW_THREADS;
-        used = solve_all(&all, contact ? 1.0 : 0.0, points);
+        used = solver(&all, contact ? 1.0 : 0.0, points);
         Py_END_ALLOW_THREADS;
     }
     release(&all);
     return (used < 0) ? NULL : PyLong_FromSsize_t(used);
+}
+
+static PyObject *solve(PyObject *module, PyObject *arguments) {
+    (void)module;
+    return solve_by(solve_all, arguments);
+}
+
+static PyObject *solve_more(PyObject *module, PyObject *arguments) {
+    (void)module;
+    return solve_by(solve_all_widely, arguments);
 }
 
 /* Points of which one discriminant does not tell the number, put together until they fill a block. */
@@ -215,8 +289,8 @@ typedef struct {
 } waiting;
 
 static Point point_at(const point_columns *p, int i) {
-    const Point point = {p->cos0[i],  p->sin0[i],  p->mu0[i],  p->kappa[i],
-                         p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
+    const Point point = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i],
+        p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
     return point;
 }
 
@@ -224,7 +298,7 @@ CLONED static void single_columns(point_columns *p, int flags[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
-                             p->alpha[i],       p->sigma[i],     p->beta[i], p->nbar[i]};
+            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
         p->cos0[i] = undeformed.cosine;
         p->sin0[i] = undeformed.sine;
         flags[i] = single(point, UNIT_ROUNDOFF);
@@ -233,8 +307,8 @@ CLONED static void single_columns(point_columns *p, int flags[BLOCK]) {
 
 CLONED static void count_columns(point_columns *p) {
     for (int i = 0; i < BLOCK; i++) {
-        const Point point = {p->cos0[i],  p->sin0[i],  p->mu0[i],  p->kappa[i],
-                             p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
+        const Point point = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i],
+            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
         const Guesses all = {p->t[0][i], p->t[1][i], p->t[2][i], p->t[3][i], p->count[i], p->certain[i]};
         p->count[i] = one_or_three(all, point, UNIT_ROUNDOFF);
     }
@@ -286,7 +360,7 @@ static void count_all(const Py_buffer given[PARAMETERS], Py_ssize_t points, sign
     count_waiting(&some, counts);
 }
 
-static PyObject *count(PyObject *module, PyObject *arguments) {
+static PyObject *count_points(PyObject *module, PyObject *arguments) {
     PyObject *given[PARAMETERS];
     PyObject *result;
     buffers all;
@@ -314,11 +388,12 @@ static PyObject *count(PyObject *module, PyObject *arguments) {
 }
 
 static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
-                                {"count", count, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
-                                {NULL, NULL, 0, NULL}};
+    {"solve_widely", solve_more, METH_VARARGS, "The same in double-double arithmetic."},
+    {"count", count, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
+    {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,
-                                        NULL, NULL, NULL, NULL};
+    NULL, NULL, NULL, NULL};
 
 PyMODINIT_FUNC PyInit__compiled(void) {
     PyObject *const module = PyModule_Create(&definition);

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 
 import numpy as np
@@ -17,7 +17,7 @@ _ROOM = threading.local()
 
 @cache
 def available() -> bool:
-    """Whether the extension module was built, and from the derivation that the rest of this package stands on."""
+    """Whether the extension module was built, and from the same derivation as the rest of this package."""
     try:
         from . import _compiled
     except ImportError:
@@ -26,12 +26,25 @@ def available() -> bool:
 
 
 def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
-    """As :func:`spragsym.statics.block.solve` in float64: write what is settled to ``out``, return which points are not.
+    """As :func:`spragsym.statics.block.solve` in float64: write settled points to ``out`` and return which are not settled.
 
     ``values`` are θ₀, μ₀, κ, α, σ, β, contiguous, each of length ``size`` or 1.
     """
     from . import _compiled
 
+    return _solve(_compiled.solve, values, contact, out, begin, size)
+
+
+def solve_widely(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    """The same in double-double arithmetic, as :func:`spragsym.statics.block.solve_widely`."""
+    from . import _compiled
+
+    return _solve(_compiled.solve_widely, values, contact, out, begin, size)
+
+
+def _solve(
+    method: Callable[..., int], values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int
+) -> NDArray[np.int64]:
     rows, further = _room(out.slots - 1, size)
     settled = np.empty(size, dtype=np.bool_)
     here = slice(begin, begin + size)
@@ -39,7 +52,7 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
     some = tuple(column[:size] for column in further)
     theta0, mu0, kappa, alpha, sigma, beta = values
     results = settled, out.count[here], first, (rows[:size], *some)
-    used = _compiled.solve(theta0, mu0, kappa, alpha, sigma, beta, int(contact), *results)
+    used = method(theta0, mu0, kappa, alpha, sigma, beta, int(contact), *results)
     if used:
         out.further.append((begin + rows[:used], {name: some[i][:used].T.copy() for i, name in enumerate(COLUMNS)}))
     return np.flatnonzero(~settled)
@@ -56,7 +69,7 @@ def count(values: Sequence[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
 
 
 def _room(slots: int, size: int) -> tuple[NDArray[np.int64], tuple[NDArray[np.float64], ...]]:
-    """Arrays that each thread uses again and again for the points with more than one equilibrium."""
+    """Work arrays of one thread, used again for every block, for points with more than one equilibrium."""
     kept = _ROOM.__dict__.setdefault("by_slots", {})
     if slots not in kept or kept[slots][0].size < size:
         kinds = [np.int8 if name == "stability" else np.float64 for name in COLUMNS]

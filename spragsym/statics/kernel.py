@@ -1,4 +1,4 @@
-"""The solver for one point, and the generated algebra as it stands, without the wrapper that keeps shapes."""
+"""The solver for one point, and the generated algebra without the wrapper that restores shapes."""
 
 from __future__ import annotations
 

@@ -200,7 +200,7 @@ def _fold_roots(arith: Arithmetic, trig: tuple[Interval, ...], bits: int) -> lis
 def _state(
     arith: Arithmetic, t: Interval, trig: tuple[Interval, ...], values: tuple[Any, ...], digits: int, fold: bool
 ) -> list[State]:
-    """The equilibrium at t, or nothing where the root is none."""
+    """The equilibrium at t, or None if the root is not an equilibrium."""
     cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar = values
     c, s, _ = on_circle(t)
     state = kernel.state(c, s, cos0, sin0, kappa, sigma, beta, nbar)

@@ -1,4 +1,4 @@
-"""Where results are kept: the first equilibrium of every point in columns, and the others of the few that have more apart.
+"""Storage of results: columns with the first equilibrium of every point, and further ones, of few points, apart.
 
 Memory that is touched for the first time costs as much as the solving: what most points don't have is not written. Padded
 arrays, of one more axis than the parameters, are made when they are asked for.
@@ -33,7 +33,7 @@ class Slots:
     count : ndarray of int8
         How many each point has.
     first : mapping of str to ndarray
-        Of every point, the first; NaN and 0 where there is none, after :meth:`clear`.
+        The first equilibrium of every point; after :meth:`clear`, NaN and 0 for points without one.
     further : list of (rows, columns)
         Of some points, all of those that are in slots 1 and up, columns of shape (slots − 1, len(rows)), NaN and 0 beyond the
         count. A later entry replaces an earlier one.
@@ -50,7 +50,7 @@ class Slots:
         self.first = {name: np.empty(self.size, dtype=kind) for name, kind in _TYPES.items()}
 
     def put(self, rows: NDArray[np.int64], count: NDArray[Any], columns: Columns) -> None:
-        """Set all equilibria of some points, columns of shape (slots, len(rows))."""
+        """Store all equilibria of the points in ``rows``, columns of shape (slots, len(rows))."""
         self.count[rows] = count
         for name, values in columns.items():
             self.first[name][rows] = values[0]
@@ -80,7 +80,7 @@ def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:
 
 
 def gathered(members: NDArray[np.bool_], candidates: Columns, slots: int) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
-    """Of the candidates of each point, shape (candidates, points), the members moved to the front; and their number."""
+    """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them."""
     pattern = np.left_shift(members, np.arange(len(members))[:, None], dtype=np.int64).sum(axis=0)
     order, number = _orders(len(members), slots)
     count = number[pattern]

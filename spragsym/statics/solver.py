@@ -28,6 +28,8 @@ T = TypeVar("T")
 
 #: Points solved at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 14
+#: The same in double-double arithmetic, which has more in between.
+WIDE_BLOCK = 1 << 12
 
 
 class Stability(enum.IntEnum):
@@ -74,11 +76,11 @@ class Equilibria(Result):
     _slots: Slots = field(repr=False)
 
     def reason(self, *index: int) -> str:
-        """Why the point of that index has no answer; empty where it has one."""
+        """Why the point with this index has no answer; empty if it has one."""
         return self.reasons.get(int(np.arange(self.count.size).reshape(self.count.shape)[index]), "")
 
     def decided(self) -> Equilibria:
-        """Itself, for what needs all points; :class:`ConvergenceError` with the first reason where one has no answer."""
+        """This result, if every point has an answer; otherwise raise :class:`ConvergenceError` with the first reason."""
         for reason in self.reasons.values():
             raise ConvergenceError(reason)
         return self
@@ -159,7 +161,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     -----
     Source: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated; stability by (27)–(28). The count is proved:
     the sign of the discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64 can't, the
-    point is solved again with more digits: extended precision where the machine has it, then intervals.
+    point is solved again with more digits: in double-double arithmetic, and what that can't settle in intervals.
 
     Examples
     --------
@@ -242,7 +244,7 @@ def _in_blocks(p: Parameters, threads: int, work: Callable[[list[NDArray[np.floa
         end = min(begin + BLOCK, size)
         return work([_part(values, begin, end) for values in given], begin, end - begin)
 
-    # glibc gives freed memory back to the system and faults it in again until it has seen one large block freed.
+    # Until one large block has been freed, glibc returns freed memory to the system, which must then map it again.
     np.empty(1 << 19)
     begins = range(0, size, BLOCK)
     if threads > 1 and len(begins) > 1:
@@ -252,7 +254,7 @@ def _in_blocks(p: Parameters, threads: int, work: Callable[[list[NDArray[np.floa
 
 
 def _column(p: Parameters, name: str) -> NDArray[np.float64]:
-    """A parameter as it was given, or with the axes of the common shape if it is neither one number nor of that shape."""
+    """A parameter as it was given if it is one number or has the common shape; otherwise broadcast to that shape."""
     value = getattr(p, name)
     if value.size == 1 or value.shape == p.shape:
         return np.ascontiguousarray(value).reshape(-1)
@@ -260,9 +262,9 @@ def _column(p: Parameters, name: str) -> NDArray[np.float64]:
 
 
 def _part(values: NDArray[np.float64], begin: int, end: int) -> NDArray[np.float64]:
-    """A range of points in C order, contiguous; of one number, that; of an array that is broadcast, a copy of that range only."""
+    """A range of points in C order, contiguous: one number as it is, and of a broadcast array a copy of this range only."""
     if values.size == 1:
-        return values.reshape(-1)
+        return values
     return values[begin:end] if values.ndim == 1 else values.flat[begin:end]
 
 
@@ -296,20 +298,12 @@ def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
 
 
 def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]) -> tuple[NDArray[np.int64], dict[int, str]]:
-    """Solve the given points again, in the machine's widest type and then, what that can't settle, in intervals.
+    """Solve the given points again, in double-double arithmetic and then, what that can't settle, in intervals.
 
     Returns which of them are folds, and why points are left without an answer, by row.
     """
-    given = [np.broadcast_to(getattr(p, name), p.shape).flat[rows] for name in NAMES]
-    left = np.arange(rows.size)
-    if _extended_precision():
-        theta0, mu0, kappa, alpha, sigma, beta = (value.astype(np.longdouble) for value in given)
-        again = Slots(rows.size, out.slots)
-        with np.errstate(all="ignore"):
-            point = kernel.Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, int(contact))
-            left = block.solve(point, rows.size, again, 0, np.longdouble)
-        again.clear()
-        out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
+    given = [np.ascontiguousarray(np.broadcast_to(getattr(p, name), p.shape).flat[rows]) for name in NAMES]
+    left = _solve_widely(given, contact, out, rows)
     folds: list[int] = []
     reasons: dict[int, str] = {}
     if left.size:
@@ -330,15 +324,27 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64])
     return np.array(folds, dtype=np.int64), reasons
 
 
-def _extended_precision() -> bool:
-    """Whether long double is the 80-bit type, with its 64-bit significand."""
-    return bool(np.finfo(np.longdouble).nmant == 63)
+def _solve_widely(
+    given: list[NDArray[np.float64]], contact: bool, out: Slots, rows: NDArray[np.int64]
+) -> NDArray[np.int64]:  # fmt: skip
+    """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
+    compiled_or_not, _ = backends.chosen()
+    solve = compiled.solve_widely if compiled_or_not == "compiled" else block.solve_widely
+    again = Slots(rows.size, out.slots)
+    left = []
+    for begin in range(0, rows.size, WIDE_BLOCK):
+        values = [value[begin : begin + WIDE_BLOCK] for value in given]
+        with np.errstate(all="ignore"):
+            left.append(begin + solve(values, contact, again, begin, values[0].size))
+    again.clear()
+    out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
+    return np.concatenate(left)
 
 
 def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:
     """States rounded to float64, by at most half a unit in the last place, which the error includes."""
     for state in found.states:
-        if not np.isfinite(float(state.L) + float(state.x) + float(state.y)):
+        if not math.isfinite(float(state.L)):  # |x| and |y| are at most 1 + L
             raise ConvergenceError(
                 f"log10 L = {_log10(state.L):.6g} at an equilibrium of "
                 f"{', '.join(f'{name}={value}' for name, value in parameters.items())} is beyond float64; "

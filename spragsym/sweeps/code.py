@@ -1,4 +1,4 @@
-"""The code that decides the bits of a sweep's results: a store made by other code is another store."""
+"""The code that decides the bits of a sweep's results: a store made by different code is not resumed."""
 
 from __future__ import annotations
 

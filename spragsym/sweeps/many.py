@@ -174,14 +174,14 @@ def _records(
     done: dict[int, Record],
     keep: Callable[[int, Record], None] | None,
 ) -> list[Record]:
-    """Every record: those that are done, and the others, kept as they come."""
+    """Every record: those that are done, and the others, stored as they are computed."""
     keep = done.__setitem__ if keep is None else keep
     missing = {i: point for i, point in enumerate(points) if i not in done}
     found = processes.results(workers, partial(measured, plan.problem_of, plan.settings), missing, partial(_told, plan))
-    with _advance(progress, len(points), len(done)) as advance, closing(found):
+    with advance(progress, len(points), len(done)) as step, closing(found):
         for i, record in found:
             keep(i, record)
-            advance()
+            step()
     return [done[i] for i in range(len(points))]
 
 
@@ -190,7 +190,7 @@ def _told(plan: Plan, point: tuple[float, ...]) -> str:
 
 
 @contextmanager
-def _advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
+def advance(progress: bool, total: int, done: int) -> Iterator[Callable[[], None]]:
     """A function to call after every point, which moves the bar if there is one."""
     if not progress:
         yield lambda: None

@@ -20,13 +20,13 @@ from ..parameters import NAMES
 #: What is measured of every motion after its transient.
 AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
 
-#: What is said of its limit, in the order of a record after those.
+#: What a record says, after those, about the limit of the motion.
 LIMITS = ("period", "rate", "distance", "cycle_mean", "cycle_rms", "cycle_x", "cycle_y", "cycle_vy")
 
 #: Numbers that a file and a result hold.
 REPORTED = (*AVERAGES, *LIMITS)
 
-#: A record: these, then the code of the regime, and where the equilibrium is.
+#: A record holds these numbers, then the code of the regime and the place of the equilibrium.
 MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
 
 INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
@@ -54,7 +54,7 @@ def measured(problem_of: ProblemOf, settings: Settings, point: tuple[float, ...]
     except ParameterError as error:  # arrays were validated before: what is left is a start at the anchor
         return _no_result(error)
     try:
-        with np.errstate(all="ignore"):  # numbers out of range are told by the result
+        with np.errstate(all="ignore"):  # numbers out of range show in the result
             values = _values(problem, settings.backend)
     except ConvergenceError as error:
         return _no_result(error)
@@ -86,7 +86,7 @@ def _values(problem: Problem, backend: str) -> list[float]:
 
 
 def _averages(course: Course) -> list[float]:
-    """The measured values of what follows the transient, in the order of AVERAGES."""
+    """The measured values after the transient, in the order of AVERAGES."""
     mean, spread = course.moments()
     amplitude = float(np.abs(course.x_extrema).max())
     mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin) if len(course.first) > 2 else math.nan

@@ -84,7 +84,7 @@ class Sweep(Result):
         in radians and, as ``theta0_deg``, in degrees.
         """
         dims = _dimensions(self.inputs, self.rms.shape)
-        # One number is kept as such, an axis as a coordinate, a table as a table of the full shape.
+        # A single number stays one, an axis becomes a coordinate, and a table keeps the full shape.
         inputs = {
             name: ((), float(values.flat[0])) if values.size == 1
             else (name.removesuffix("_deg"), values.ravel()) if name.removesuffix("_deg") in dims

@@ -29,7 +29,7 @@ Map: TypeAlias = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 #: An int, or a map-like callable such as ``pool.imap`` or the ``map`` of a dask.distributed client.
 Workers: TypeAlias = int | Map
 
-#: A point with its number, and what became of it: its number, its result, and why there is none.
+#: A point with its number; and its outcome: the number, the result, and the error if there is no result.
 Task: TypeAlias = tuple[int, Any]
 Answer: TypeAlias = tuple[int, Any, str]
 
@@ -48,7 +48,7 @@ def count(workers: int) -> int:
 def results(
     workers: Workers, function: Callable[[Any], Any], points: Mapping[int, Any], told: Callable[[Any], str] = str
 ) -> Generator[tuple[int, Any], None, None]:
-    """Every number with the result of its point, once, as they come; ``told`` names a point in an error.
+    """Every number with the result of its point, once, in the order in which they are done; ``told`` names a point in an error.
 
     To be closed, also after an error: processes end, and Ctrl-C is what it was, when it is.
 
@@ -74,7 +74,7 @@ def results(
 
 
 def _attempt(function: Callable[[Any], Any], task: Task) -> Answer:
-    """A result, or the error in words: not every error survives the way between processes."""
+    """A result, or the error in words: not every error can be sent between processes."""
     index, point = task
     try:
         return index, function(point), ""
@@ -132,7 +132,7 @@ def _interrupts() -> Iterator[Callable[[], None]]:
     seen: list[int] = []
     former = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is not threading.main_thread() or not callable(former):
-        yield lambda: None  # interrupts are not for this thread, or ignored
+        yield lambda: None  # interrupts go to another thread, or are ignored
         return
 
     def handler(number: int, frame: Any) -> None:
@@ -159,7 +159,7 @@ def _interrupts() -> Iterator[Callable[[], None]]:
 
 # ---------------------------------------------------------------------------------------------- processes: parent
 
-#: Run by every process: what it may import is what the parent may.
+#: Run by every process, with the import path of its parent.
 _BOOT = (
     "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN); import ast, sys; "
     "sys.path[:] = ast.literal_eval(sys.stdin.buffer.readline().decode('ascii')); "
@@ -215,7 +215,7 @@ def _map(processes: list[_Process], function: Callable[[Any], Any], items: Itera
 def _drive(
     process: _Process, function: Callable[[Any], Any], chunks: queue.SimpleQueue[list[Any]], found: queue.SimpleQueue[Any]
 ) -> None:
-    """Have one process work on chunks while there are any."""
+    """Let one process work on chunks until none is left."""
     try:
         while True:
             for result in process.ask(function, chunks.get_nowait()):
@@ -245,7 +245,7 @@ class _Process:
         try:
             child.stdin.write(_packed((function, chunk)))
             child.stdin.flush()
-        except OSError:  # it has ended; what it said is still to be read
+        except OSError:  # it has ended; its output is still to be read
             pass
         left = len(chunk)
         while left:
@@ -259,7 +259,7 @@ class _Process:
                 raise SweepError(_epitaph(child.wait(), b"".join(said).decode(errors="replace")))
 
     def end(self) -> None:
-        """Kill it: it holds nothing that is not here."""
+        """Kill it: nothing is lost, since its results are here."""
         with self._lock:
             self._ended = True
             child = self._child
@@ -269,7 +269,7 @@ class _Process:
         child.wait()
         for pipe in (child.stdin, child.stdout):
             assert pipe is not None
-            with suppress(OSError):  # what was still to be sent goes nowhere
+            with suppress(OSError):  # what was still to be sent is dropped
                 pipe.close()
 
     def _begun(self) -> subprocess.Popen[bytes]:
@@ -292,7 +292,7 @@ def _begun() -> subprocess.Popen[bytes]:
     else:
         child = subprocess.Popen(call, stdin=pipe, stdout=pipe, stderr=subprocess.STDOUT, process_group=0)
     assert child.stdin is not None
-    with suppress(OSError):  # it has ended already: reading says so
+    with suppress(OSError):  # it has ended already, which the reader notices
         child.stdin.write(ascii([str(path) for path in sys.path]).encode() + b"\n")
         child.stdin.flush()
     return child
@@ -317,7 +317,7 @@ def _packed(message: Any) -> bytes:
 
 
 def _unpacked(line: bytes) -> Any:
-    """What the process at the other end of our own pipe has sent; no file is read so."""
+    """What our own process at the other end of the pipe has sent; files are never read this way."""
     return pickle.loads(base64.b64decode(line[1:-1]))  # noqa: S301 -- see above
 
 
@@ -325,7 +325,7 @@ def _unpacked(line: bytes) -> Any:
 
 
 def serve() -> None:
-    """Run what comes on stdin, and write to stdout, until stdin ends or breaks: then whoever asked is gone."""
+    """Run what comes on stdin, and write to stdout, until stdin ends or breaks, because the parent is gone."""
     asked: queue.SimpleQueue[bytes] = queue.SimpleQueue()
     threading.Thread(target=_listen, args=(asked,), daemon=True).start()
     while True:
@@ -335,7 +335,7 @@ def serve() -> None:
 
 
 def _listen(asked: queue.SimpleQueue[bytes]) -> None:
-    """Wait for work at all times, so that the end of the parent ends this process in the midst of a motion too."""
+    """Always wait for input, so that this process ends with its parent, even in the middle of a motion."""
     for line in sys.stdin.buffer:
         asked.put(line)
     os._exit(0)

@@ -55,7 +55,7 @@ def _inside(name: str, jobs: int, only: list[str], again: bool) -> int:
 
     from .runner import Runner
 
-    runner = Runner(subject["module"], subject.get("functions", []), _results(name, only), jobs, only, again)
+    runner = Runner(subject, _results(name, only), jobs, only, again, set(_listed(name)))
     options = ["-qq", "-s", "-p", "no:cacheprovider", "-p", "no:xdist"]
     return int(pytest.main([*options, *subject["tests"]], plugins=[runner]))
 
@@ -64,13 +64,15 @@ def _results(name: str, only: list[str]) -> Path:
     return RESULTS / (f"{name}.only.jsonl" if only else f"{name}.jsonl")
 
 
+def _listed(name: str) -> dict[str, str]:
+    """The mutants of a subject that change no answer, with the reason."""
+    groups = tomllib.loads((HERE / "equivalent.toml").read_text(encoding="utf-8")).get(name, [])
+    return {key: group["reason"] for group in groups for key in group["mutants"]}
+
+
 def _report(name: str, only: list[str]) -> int:
     """Print the counts of one subject and its survivors, and return the number of those that nobody has explained."""
-    listed = {
-        key: group["reason"]
-        for group in tomllib.loads((HERE / "equivalent.toml").read_text(encoding="utf-8")).get(name, [])
-        for key in group["mutants"]
-    }
+    listed = _listed(name)
     rows = [json.loads(line) for line in _results(name, only).read_text(encoding="utf-8").splitlines()]
     alive = [row for row in rows if not row["killed"]]
     unexplained = [row for row in alive if row["key"] not in listed]

@@ -6,14 +6,12 @@ bound; if it refuses a point that the sound one answers; if it crashes or does n
 
 from __future__ import annotations
 
-import ctypes
 import hashlib
 import json
 import os
 import re
 import shutil
 import signal
-import subprocess
 import sys
 import tempfile
 import time
@@ -40,6 +38,20 @@ _TOKENS = "|".join(re.escape(token) for token in sorted(_SWAPS, key=len, reverse
 _TOKEN = re.compile(_TOKENS + r"|(?<![\w.\[])\d+\.\d+(?!\w)")
 _FUNCTION = re.compile(r"^(?:INLINE|CLONED|static|spragsym_status)\s[^;{}]*?(\w+)\([^;{}]*\)\s*\{.*?(?:^\}|\}$)", re.M | re.S)
 SECONDS = 20
+#: An index beyond an array ends the process, and what was not written is no 0.
+FLAGS = ("-O1", "-w", "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error", "-ftrivial-auto-var-init=pattern")
+#: Next to folds, three equilibria of which double precision sees one root and a pair that is just not real.
+UNCERTAIN = (
+    (1.2583725526692275, 0.9727285282098654, 0.0014415578928869272, 0.027528229942740796, 0.711415357262657, 1.538440875454435),
+    (
+        1.208299505033335,
+        0.026185148164344228,
+        0.08808921239277893,
+        0.0034529035552188516,
+        0.18620697240360706,
+        0.9564124508434441,
+    ),
+)
 
 
 def mutants(text: str, functions: list[str]) -> Iterator[tuple[str, int, str]]:
@@ -92,7 +104,7 @@ class Judge:
 
     def __init__(self, each: int) -> None:
         sets = [family(np.random.default_rng([71, k]), each) for k, family in enumerate(FAMILIES.values())]
-        self.rows = np.concatenate([*map(c_target.table, sets), np.array(EXTREMES)])
+        self.rows = np.concatenate([*map(c_target.table, sets), np.array([*UNCERTAIN, *EXTREMES])])
         self.truth = [[ladder.equilibria(*map(float, row), contact=contact) for row in self.rows] for contact in (False, True)]
         self.answered = 0
 
@@ -102,7 +114,7 @@ class Judge:
         with tempfile.TemporaryDirectory() as name:
             for file in ("spragsym.h", "spragsym.c"):
                 (Path(name) / file).write_text(text if file.endswith(".c") else (SOURCE / file).read_text("utf-8"), "utf-8")
-            library = c_target.build(shutil.which("gcc") or "cc", ("-O1", "-w"), Path(name))
+            library = c_target.build(shutil.which("gcc") or "cc", FLAGS, Path(name))
         for contact in (False, True):
             for batch in (False, True):
                 out = c_target.room(len(self.rows))
@@ -134,8 +146,8 @@ class Judge:
             try:
                 answered = self.count(text)
                 by = "" if answered >= self.answered else f"{self.answered - answered} points refused"
-            except (AssertionError, subprocess.CalledProcessError, ctypes.ArgumentError) as error:
-                by = str(error)[:200] or "wrong"
+            except Exception as error:
+                by = f"{type(error).__name__}: {error}"[:200]
             os.write(write, by.encode())
             os._exit(0)
         os.close(write)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ctypes
 import importlib.util
+import mmap
 import shutil
 import subprocess
 import sys
@@ -18,7 +20,7 @@ from spragsym import statics
 from spragsym.statics import compiled
 from spragsym.statics.slots import COLUMNS, Slots
 
-from .c99 import SOURCE, Judge
+from .c99 import FLAGS, SOURCE, Judge
 
 #: What is no parameter: place in the row, and value.
 REFUSED = ((0, 4.0), (0, np.nan), (1, -1.0), (2, 0.0), (3, np.inf), (4, -0.1), (5, -1e-9))
@@ -44,6 +46,8 @@ class Extension(Judge):
                 assert set(compiled.count(same, size)) == {counts[i]}, "number of one for all"
         self._refuses(columns, counts)
         _lengths(module)
+        for size in (1, 3, 64, 65):
+            _stays_inside(module, [column[:size] for column in columns], counts[:size])
         return answered + int((counts > 0).sum())
 
     def _solved(self, columns: list[Any], contact: bool, rows: Any) -> int:
@@ -76,7 +80,7 @@ class Extension(Judge):
 
 def _built(text: str, folder: Path) -> ModuleType:
     (folder / "_compiled.c").write_text(text, encoding="utf-8")
-    command = [shutil.which("gcc") or "cc", "-std=c11", "-O1", "-w", "-ffp-contract=off", "-shared", "-fPIC"]
+    command = [shutil.which("gcc") or "cc", "-std=c11", *FLAGS, "-ffp-contract=off", "-shared", "-fPIC"]
     command += [f"-I{SOURCE}", f"-I{sysconfig.get_path('include')}", "_compiled.c", "-o", "_compiled.so", "-lm"]
     subprocess.run(command, cwd=folder, check=True)
     spec = importlib.util.spec_from_file_location("_compiled", folder / "_compiled.so")
@@ -116,11 +120,39 @@ def _lengths(module: ModuleType) -> None:
             except ValueError:
                 fits = False
             assert fits == (size == 1 and place < 6), "length of a buffer"
-    for bad in ((9, [np.ones(n)] * 5), (10, [np.ones(n)] * 6)):
-        given = arguments()
-        given[bad[0]] = bad[1]
+    good = arguments()
+    first, further = tuple(good[9]), tuple(good[10])
+    for bad in ((first[:5], further), (first, further[:6]), (good[9], further), (first, good[10])):
         try:
-            call(given)
+            module.solve(*good[:9], *bad)
         except TypeError:
             continue
-        raise AssertionError("tuples of too few")
+        raise AssertionError("tuples of too few, or lists")
+
+
+def _stays_inside(module: ModuleType, columns: list[Any], counts: Any) -> None:
+    """Every buffer ends where memory that may be touched does."""
+    size, kinds = len(counts), [*[np.float64] * 5, np.int8]
+    given = [_at_the_end(column) for column in columns]
+    for contact in (0, 1):
+        room = size * (2 if contact else 3)
+        settled, number = (_at_the_end(np.zeros(size, dtype=np.int8)) for _ in range(2))
+        first = tuple(_at_the_end(np.zeros(size, dtype=kind)) for kind in kinds)
+        further = tuple(_at_the_end(np.zeros(room, dtype=kind)) for kind in kinds)
+        module.solve(*given, contact, settled, number, first, (_at_the_end(np.zeros(size, dtype=np.int64)), *further))
+    found = _at_the_end(np.zeros(size, dtype=np.int8))
+    module.count(*given, found)
+    assert (found == counts).all(), "numbers of a few"
+
+
+def _at_the_end(values: Any) -> Any:
+    """A copy that ends at the border of a page that may not be touched."""
+    page = mmap.PAGESIZE
+    pages = -(-values.nbytes // page)
+    memory = mmap.mmap(-1, (pages + 1) * page)
+    start = ctypes.addressof(ctypes.c_char.from_buffer(memory))
+    if ctypes.CDLL(None).mprotect(ctypes.c_void_p(start + pages * page), ctypes.c_size_t(page), 0):
+        raise OSError("mprotect")
+    copy = np.frombuffer(memory, dtype=values.dtype, count=values.size, offset=pages * page - values.nbytes)
+    copy[:] = values
+    return copy

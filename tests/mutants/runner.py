@@ -35,9 +35,10 @@ SURVIVED, KILLED, BROKEN = 0, 1, 3
 class Runner:
     """A pytest plugin that puts its own loop over mutants in the place of the run of the tests."""
 
-    def __init__(self, module: str, functions: list[str], results: Path, jobs: int, only: list[str], again: bool) -> None:
-        self.module, self.results, self.jobs, self.only = importlib.import_module(module), results, jobs, set(only)
-        self.functions, self.again = functions, again
+    def __init__(self, subject: dict[str, Any], results: Path, jobs: int, only: list[str], again: bool, last: set[str]) -> None:
+        self.module, self.results, self.jobs, self.only = importlib.import_module(subject["module"]), results, jobs, set(only)
+        self.last = last  #: keys that are run last: what probably survives takes longest
+        self.functions, self.prepare, self.again = subject.get("functions", []), subject.get("prepare", []), again
         self.tree = _parsed(str(self.module.__file__))
         self.failed = ""
         self.killers: dict[str, list[str]] = {}
@@ -54,12 +55,16 @@ class Runner:
         sources = [self.tree, *map(_parsed, sorted({str(item.path) for item in items}))]
         text = " ".join([*map(ast.unparse, sources), *(item.nodeid for item in items)])  # layout changes nothing
         digest = hashlib.sha256(text.encode()).hexdigest()[:16]
+        if self.prepare:
+            module, function = self.prepare
+            getattr(sys.modules[module], function)()
         took, reached = self._baseline(items)
         items = sorted(items, key=lambda item: took[item.nodeid])
         known = self._known(digest)
         every = [mutant for mutant in mutants(self.tree) if not self.functions or mutant.scope in self.functions]
         waiting = [mutant for mutant in every if mutant.key not in known]
         waiting = [mutant for mutant in waiting if not self.only or mutant.key in self.only]
+        waiting.sort(key=lambda mutant: mutant.key in self.last)
         gc.collect()
         gc.freeze()  # forks then share what is loaded
         gc.disable()

@@ -18,10 +18,11 @@ import json
 import pkgutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
 from pathlib import Path
 
 from ..function import Function, Module
-from ..language import Source
+from ..language import NOTHING, Source
 from ..quantities import Quantity
 
 
@@ -43,6 +44,7 @@ class Material:
     summary: str = ""  #: one sentence: what the library computes
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    arithmetic: Source = NOTHING  #: double-double numbers, on which the kernel is printed a second time
 
     @property
     def algebra(self) -> dict[str, Function]:
@@ -55,7 +57,7 @@ class Target:
     """A language.
 
     Its name on the command line, its title, its folder below ``generated/``, how its files are made, and the names of those that are
-    exported, with ``{library}`` for that of the library; of these a model without an example, say, may lack some.
+    exported, with ``{library}`` for that of the library and ``*`` for any text; of these a model without an example, say, may lack some.
     """
 
     language: str
@@ -89,8 +91,9 @@ def files(target: Target, material: Material) -> dict[str, str]:
     """Every file of a target, by its path below ``generated/``."""
     rendered = target.render(material)
     if target.exported:
-        names = [name.format(library=material.library) for name in target.exported]
-        entry = {"language": target.language, "title": target.title, "files": [name for name in names if name in rendered]}
+        patterns = [pattern.format(library=material.library) for pattern in target.exported]
+        names = [name for pattern in patterns for name in rendered if fnmatchcase(name, pattern)]
+        entry = {"language": target.language, "title": target.title, "files": names}
         rendered["target.json"] = json.dumps(entry, indent=1) + "\n"
     prefix = f"{target.folder}/" if target.folder else ""
     return {f"{prefix}{name}": text for name, text in rendered.items()}

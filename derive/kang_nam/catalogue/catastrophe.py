@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ...emit.function import Function, Module
-from .. import catastrophe, circles, elimination, equilibrium
+from .. import catastrophe, circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
 from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
 
@@ -62,6 +62,9 @@ def module() -> Module:
             Function("f_changes", "Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn.", "(12), (13) eliminated",
                      (*ANGLE0, *nm.PARAMETERS), _changes(), "((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β))",
                      shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)),
+            Function("f_in_differences", "f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept "
+                     "together: over a box of parameters, or near small deformation, little is lost.", "(12), (13) eliminated",
+                     (*ANGLE, *ANGLE0, *nm.PARAMETERS), _in_differences(), "f, f′, f_μ₀, f′_μ₀", shorthands(equilibrium.CONTACT, nm.B)),
             Function("fold_sextic", "Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are "
                      "all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.", "f = f′ = 0",
                      (*F_COEFFICIENTS, nm.fa_v, nm.fb_v, nm.fd_v, nm.fm_v), sextic, "e0, …, e6", sextic_names),
@@ -120,6 +123,25 @@ def _changes() -> tuple[tuple[sp.Expr, ...], ...]:
             row.append(sp.factor_terms(change))
         rows.append(tuple(row))
     return tuple(rows)
+
+
+def _in_differences() -> tuple[sp.Expr, ...]:
+    """q sin θ F_x as a sum over springs: the inclined one, the one along the belt, and friction."""
+    if not all(step.holds for step in theorem.smallest_without_friction()):
+        raise ArithmeticError("the state of small deformation without friction is not what certificates over boxes take it to be")
+    c, s, c0, s0, B = nm.c, nm.s, nm.c0, nm.s0, nm.B
+    rise, push = B * (s - s0) - nm.kappa, -(nm.sigma * (s - s0) + nm.kappa)
+    along = B * (s * c0 - c * s0) + nm.sigma * s * (c0 - c) - nm.kappa * c
+    along_slope = B * (c * c0 + s * s0) + nm.sigma * (c * (c0 - c) + s**2) + nm.kappa * s
+    friction, friction_slope = s * push, c * (push - nm.sigma * s)
+    value = nm.sigma * c * rise + nm.alpha * along + nm.mu0 * friction
+    slope = nm.sigma * (B * c**2 - s * rise) + nm.alpha * along_slope + nm.mu0 * friction_slope
+    f = equilibrium.spell_out(elimination.f_in_parameters()).subs(equilibrium.CONTACT)
+    by_friction = sp.diff(f, nm.mu0)
+    derived = (f, circles.rotate_derivative(f), by_friction, circles.rotate_derivative(by_friction))
+    arranged = (value, slope, friction, friction_slope)
+    require_same("f in differences", arranged, derived, shorthands(equilibrium.CONTACT, nm.B))
+    return arranged
 
 
 def _fold_sextic() -> tuple[tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr]]:

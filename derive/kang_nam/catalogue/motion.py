@@ -67,7 +67,7 @@ def module() -> Module:
 def _regime_jacobian(
     accelerations: tuple[sp.Expr, ...], side: sp.Symbol
 ) -> tuple[tuple[tuple[sp.Expr, ...], ...], dict[sp.Symbol, sp.Expr]]:
-    """Derivatives of the accelerations in terms of −K and of the friction and its slope, held against direct differentiation."""
+    """Derivatives of the accelerations in terms of −K, the friction and its slope; compared with direct differentiation."""
     state = (nm.x, nm.y, nm.vx, nm.vy)
     mu, slope, pull = sp.Symbol("mu", real=True), sp.Symbol("slope"), sp.Symbol("pull")
     length = mechanics.spring_length(nm.x, nm.y, sp.S.One)

@@ -64,7 +64,7 @@ def module() -> Module:
 
 
 def _flutter_names() -> dict[sp.Symbol, sp.Expr]:
-    """The coefficients that the elimination is written in."""
+    """The coefficients in terms of which the elimination is written."""
     return dict(zip((*stability.LINES, *stability.QUADRATIC), (*_reference_lines(), *stability.flutter_quadratic()), strict=True))
 
 

@@ -13,7 +13,7 @@ from ...function import Function
 from ...quantities import Quantity
 from ...statements import flatten, straight_line
 from ..python.algebra import AlgebraPrinter
-from .comments import WIDTH, comment, plain
+from .layout import broken, comment, plain
 
 #: Names that mean something else in C.
 _NAMES = {"cos": "cos_theta", "sin": "sin_theta"}
@@ -24,7 +24,7 @@ class CPrinter(AlgebraPrinter):
     """The statements of the Python printer in C, operation for operation."""
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
-        return _NAMES.get(expression.name, str(expression.name))
+        return c_name(str(expression.name))
 
     def _print_Integer(self, expression: sp.Integer) -> str:
         if abs(int(expression)) > _LARGEST_EXACT:
@@ -74,6 +74,11 @@ class Emitted:
     operations: int
 
 
+def c_name(name: str) -> str:
+    """A name of the algebra as C has it."""
+    return _NAMES.get(name, name)
+
+
 def _name(symbol: sp.Symbol) -> str:
     return str(_PRINTER.doprint(symbol))
 
@@ -84,11 +89,8 @@ def _result(function: Function) -> str:
 
 
 def _signature(start: str, function: Function, result: str | None) -> str:
-    tied = "\N{NO-BREAK SPACE}"  # a type stays on the line of its name
     arguments = [f"double {_name(symbol)}" for symbol in function.arguments] + ([] if result is None else [result])
-    listed = ", ".join(argument.replace(" ", tied) for argument in arguments)
-    filled = textwrap.fill(f"{start}({listed})", WIDTH, subsequent_indent="    ", break_long_words=False)
-    return filled.replace(tied, " ")
+    return broken(f"{start}({', '.join(arguments)})")
 
 
 def static(name: str, function: Function) -> Emitted:
@@ -111,27 +113,28 @@ def static(name: str, function: Function) -> Emitted:
 
 
 def _statement(target: str, expression: sp.Expr) -> str:
-    line = f"    {target} {_PRINTER.doprint(expression)};"
-    return textwrap.fill(line, WIDTH, subsequent_indent=" " * 8, break_long_words=False, break_on_hyphens=False)
+    return broken(f"    {target} {_spaced(_PRINTER.doprint(expression))};")
+
+
+def _spaced(expression: str) -> str:
+    return re.sub(r"([*/])", r" \1 ", expression)
 
 
 def wrapper(function: Function, library: str) -> str:
     """The public function: no null pointer in, no NaN out."""
     count = len(list(flatten(function.results)))
-    arguments = [_name(symbol) for symbol in function.arguments]
+    arguments = ", ".join(_name(symbol) for symbol in function.arguments)
     several = isinstance(function.results, tuple)
-    passed = ", ".join([*arguments, "value"] if several else arguments)
-    call = f"{'' if several else 'value[0] = '}algebra_{function.name}({passed});"
-    call = textwrap.fill(f"    {call}", WIDTH, subsequent_indent=" " * 8)
-    given = textwrap.fill(f"    const double given[] = {{{', '.join(arguments)}}};", WIDTH, subsequent_indent=" " * 8)
+    name = f"algebra_{function.name}"
+    call = f"{name}({arguments}, value);" if several else f"value[0] = {name}({arguments});"
     return (
         _signature(f"{library}_status {library}_{function.name}", function, _result(function)) + " {\n"
-        f"{given}\n"
+        f"{broken(f'    const double given[] = {{{arguments}}};')}\n"
         f"    double value[{count}];\n"
         f"    if (!result || !finite_all({len(function.arguments)}, given)) {{\n"
         f"        return {library.upper()}_BAD_INPUT;\n"
         "    }\n"
-        f"{call}\n"
+        f"{broken(f'    {call}')}\n"
         f"    return deliver({count}, value, result);\n"
         "}\n"
     )

@@ -8,7 +8,7 @@ from collections import Counter
 #: Calls that are listed by name; ``fabs`` and ``isfinite`` count as one operation each.
 LIBM = ("sqrt", "exp", "sin", "cos", "atan")
 
-_OPERATOR = re.compile(r"(?<= )(?:[-+*/<>]|[<>]=|[-+*/]=)(?= )")
+_OPERATOR = re.compile(r"(?<=\s)(?:[-+*/<>]|[<>]=|[-+*/]=)(?=\s)")
 _LOOP = re.compile(r"for \(int \w+ = \w+; \w+ < (\w+); \w+\+\+\) \{")
 #: The loop over blocks of points: costs are stated for one block.
 _BLOCKS = re.compile(r"for \(size_t \w+ = 0; \w+ < points; \w+ \+= BLOCK\)")

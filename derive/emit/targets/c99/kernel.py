@@ -5,12 +5,11 @@ from __future__ import annotations
 import ast
 import math
 import re
-import textwrap
 from collections import Counter
 from collections.abc import Mapping
 
 from ...language import FLAG, REAL, KernelError, Kinds, Record, Routine, passes
-from .comments import WIDTH, comment, plain
+from .layout import broken, comment
 
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.BitAnd: "&", ast.BitOr: "|"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
@@ -49,7 +48,7 @@ class _Printer:
         head = f"INLINE {self.type(self.it.returns)} {self.it.name}({arguments}) {{"
         unused = "".join(f"    (void){name};\n" for name, _ in self.it.arguments if name not in self.used)
         body = "".join(self.explained(statement, "    ") for statement in self.it.body)
-        return f"{comment(self.it.summary)}{_wrapped(head, '    ')}\n{unused}{body}}}\n"
+        return f"{comment(self.it.summary)}{broken(head)}\n{unused}{body}}}\n"
 
     def type(self, kind: str) -> str:
         return {REAL: "double", FLAG: "int"}.get(kind) or kind
@@ -57,7 +56,7 @@ class _Printer:
     def explained(self, node: ast.stmt, indent: str) -> str:
         """A statement, below the comment that stands above it in the kernel."""
         above = self.kinds.source.lines[node.lineno - 2].strip()
-        said = f"{indent}/* {plain(above.removeprefix('#').strip())} */\n" if above.startswith("# ") else ""
+        said = comment(above.removeprefix("#").strip(), indent) if above.startswith("# ") else ""
         return said + self.statement(node, indent)
 
     def statement(self, node: ast.stmt, indent: str) -> str:
@@ -70,10 +69,10 @@ class _Printer:
                 inside = "".join(self.explained(statement, indent + "    ") for statement in body)
                 return f"{indent}for (int i = 0; i < {passes(node)}; i++) {{\n{inside}{indent}}}\n"
             case ast.Return(value=ast.Call(func=ast.Name(id=name), args=args)) if name in self.kinds.source.records:
-                values = ", ".join(self.print(argument) for argument in args)
-                return f"{_wrapped(f'{indent}const {name} result = {{{values}}};', indent + '    ')}\n{indent}return result;\n"
+                values = ", ".join(self.print(argument, _SUM) for argument in args)
+                return f"{broken(f'{indent}const {name} result = {{{values}}};')}\n{indent}return result;\n"
             case ast.Return(value=ast.expr() as value):
-                return _wrapped(f"{indent}return {self.print(value)};", indent + "    ") + "\n"
+                return broken(f"{indent}return {self.print(value)};") + "\n"
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
 
     def assignment(self, name: str, value: ast.expr, indent: str) -> str:
@@ -81,13 +80,13 @@ class _Printer:
         declared = name in self.names
         self.names[name] = kind
         start = name if declared else f"{'' if self.written[name] > 1 else 'const '}{self.type(kind)} {name}"
-        return _wrapped(f"{indent}{start} = {self.print(value)};", indent + "    ") + "\n"
+        return broken(f"{indent}{start} = {self.print(value)};") + "\n"
 
     def unpacked(self, names: list[str], called: str, args: list[ast.expr], indent: str) -> str:
         """Results of generated algebra, which C returns in an array."""
         array = f"{called}_results"
         passed = ", ".join([*(self.print(argument) for argument in args), array])
-        lines = [f"{indent}double {array}[{len(names)}];", _wrapped(f"{indent}{self.prefix}{called}({passed});", indent + "    ")]
+        lines = [f"{indent}double {array}[{len(names)}];", broken(f"{indent}{self.prefix}{called}({passed});")]
         for place, name in enumerate(names):
             self.names[name] = REAL
             if name in self.used:
@@ -101,9 +100,9 @@ class _Printer:
     def expression(self, node: ast.expr) -> tuple[str, int]:
         match node:
             case ast.Constant(value=float() as value):
-                return _number(value), _ATOM
+                return number(value), _ATOM
             case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=float() as value)):
-                return f"-{_number(value)}", _UNARY
+                return f"-{number(value)}", _UNARY
             case ast.Name(id=name):
                 return name, _ATOM
             case ast.Attribute(value=value, attr=attribute):
@@ -128,13 +127,14 @@ class _Printer:
         if isinstance(op, ast.BitAnd | ast.BitOr):
             # In C, & and | bind more weakly than comparisons: both sides get brackets, except in a chain of the same operator.
             chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
-            sides = self.print(left, strength if chained else _UNARY), self.print(right, _UNARY)
+            sides = self.print(left, strength if chained else _ATOM), self.print(right, _ATOM)
         else:
             sides = self.print(left, strength), self.print(right, strength + 1)
         return f"{sides[0]} {_OPERATORS[type(op)]} {sides[1]}", strength
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
+    """A double with all of its digits."""
     text = repr(value)
     return text if re.search(r"[.en]", text) else f"{text}.0"
 
@@ -155,10 +155,6 @@ def _leaves(target: ast.expr) -> list[str]:
     return [target.id]
 
 
-def _wrapped(line: str, indent: str) -> str:
-    return textwrap.fill(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
-
-
 def constants(values: Mapping[str, tuple[float, str]]) -> str:
     """Named numbers with their comments."""
     lines = []
@@ -166,5 +162,5 @@ def constants(values: Mapping[str, tuple[float, str]]) -> str:
         if math.isinf(value):  # C has a name for it
             continue
         lines += [comment(text)] if text else []
-        lines.append(f"#define {name} {_number(value)}\n")
+        lines.append(f"#define {name} {number(value)}\n")
     return "".join(lines)

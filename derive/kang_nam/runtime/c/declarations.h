@@ -4,7 +4,10 @@
 #define SPRAGSYM_MAX_EQUILIBRIA 4
 
 /** Lift-off or contact: the n-bar of eq. (29). */
-typedef enum { SPRAGSYM_LIFTOFF = 0, SPRAGSYM_CONTACT = 1 } spragsym_regime;
+typedef enum {
+    SPRAGSYM_LIFTOFF = 0,
+    SPRAGSYM_CONTACT = 1
+} spragsym_regime;
 
 /** Stability of an equilibrium: eq. (27). */
 typedef enum {
@@ -33,6 +36,7 @@ typedef struct {
     double alpha;
     double sigma;
     double beta;
+    double theta0;
 } spragsym_model;
 
 /** One equilibrium. */
@@ -55,8 +59,10 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
 /**
  * All equilibria of one regime with their stability, by ascending theta: roots of eq. (12), (13) with eq. (22)-(25).
  *
- * SPRAGSYM_UNCERTAIN: close to a fold or to the onset of flutter, with hardly any preload, or far from the scale of the
- * article. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python
+ * What double precision leaves open is decided in double-double arithmetic, of 106 bits.
+ *
+ * SPRAGSYM_UNCERTAIN: where these do not decide either, on a fold or on the onset of flutter to the last digits, or where
+ * parameters are not 0 and beyond 1e-50 to 1e50. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python
  * package's ladder.
  *
  * @param regime       SPRAGSYM_CONTACT: those with L > 0 and y < 0; SPRAGSYM_LIFTOFF: those with L > 0 and y >= 0.
@@ -64,13 +70,13 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
  * Worst case: @cost:spragsym_equilibria@.
  */
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
-                                    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count);
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count);
 
 /**
  * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
  *
  * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result under -std=c99.
- * Works in blocks of @constant:BLOCK@ points, with 37 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
+ * Works in blocks of @constant:BLOCK@ points, with 50 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
  * stay in the processor's cache. Calls from several threads on different arrays do not disturb each other.
  *
  * @param points      how many; with 0, pointers may be null
@@ -83,8 +89,8 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * Worst case, for each block or part of one: @cost:spragsym_equilibria_batch@.
  */
 spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_parameters given[], spragsym_regime regime,
-                                          spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
-                                          spragsym_status statuses[]);
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]);
 
 /**
  * One step of fixed length of the motion (8)-(11) by the classical Runge-Kutta method, of fourth order across the kinks.

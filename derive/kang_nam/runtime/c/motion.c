@@ -17,7 +17,7 @@ static void derivative(const motion *in, const double state[4], double rate[4]) 
     rate[0] = state[2];
     rate[1] = state[3];
     algebra_regime_rhs(state[0], state[1], state[2], state[3], m->cos0, m->sin0, m->mu0, m->kappa, m->alpha, m->sigma, m->beta,
-                       in->V, in->d, in->nbar, in->side, rate + 2);
+        in->V, in->d, in->nbar, in->side, rate + 2);
 }
 
 static void copy(const double from[4], double to[4]) {

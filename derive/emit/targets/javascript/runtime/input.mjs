@@ -26,7 +26,7 @@ function checked(name, value, remedy = "") {
   }
   const { low, high, low_open, high_open } = ends(name);
   if (!(Number.isFinite(value) && (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high))) {
-    throw new RangeError(`${name} = ${value} is not in ${range(name)}${remedy}`);
+    throw new RangeError(`${name} = ${value} is not in ${range(name)}${Number.isFinite(value) ? remedy : ""}`);
   }
   return value;
 }

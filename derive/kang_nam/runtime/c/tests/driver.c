@@ -3,9 +3,9 @@
 #include "spragsym.h"
 #include "calls.h"
 void equilibria(long points, const spragsym_parameters *in, int regime, spragsym_equilibrium *out,
-                int *counts, int *status);
+    int *counts, int *status);
 void equilibria(long points, const spragsym_parameters *in, int regime, spragsym_equilibrium *out,
-                int *counts, int *status) {
+    int *counts, int *status) {
     for (long i = 0; i < points; i++) {
         spragsym_model model;
         status[i] = (int)spragsym_prepare(&in[i], &model);
@@ -19,7 +19,7 @@ int batch(long points, const spragsym_parameters *in, int regime, spragsym_equil
 int batch(long points, const spragsym_parameters *in, int regime, spragsym_equilibrium *out, int *counts, int *status) {
     spragsym_status all[BATCH] = {SPRAGSYM_OK};
     const spragsym_status worst = spragsym_equilibria_batch((size_t)points, in, (spragsym_regime)regime,
-                                                            (spragsym_equilibrium(*)[4])out, counts, all);
+        (spragsym_equilibrium(*)[4])out, counts, all);
     for (long i = 0; i < points; i++) {
         status[i] = (int)all[i];
     }

@@ -1,0 +1,93 @@
+"""MATLAB and Octave: a package folder with a file a function, and the examples that the model brings."""
+
+from __future__ import annotations
+
+import ast
+import json
+import math
+import re
+import textwrap
+
+from ...quantities import Quantity
+from .. import Material, Target, runtime
+from . import algebra, kernel
+
+#: The model's files that begin with this stand beside the package folder.
+_EXAMPLE = "example_"
+_PRIMITIVES = ("where.m", "larger.m", "smaller.m", "cube_root.m")
+_INPUT = ("parameters.m", "numbers.m", "shown.m", "whole.m")
+
+
+def render(material: Material) -> dict[str, str]:
+    """The files of the package, and examples."""
+    package = f"+{material.library}"
+    own = {name: text for name, text in material.runtime.get("matlab", {}).items() if name.endswith(".m")}
+    texts = {f"{package}/+algebra/{name}.m": algebra.definition(it, material.quantities) for name, it in material.algebra.items()}
+    if material.kernel.routines:
+        texts |= {f"{package}/+kernel/{name}": text for name, text in kernel.render(material).items()}
+        texts |= {f"{package}/+kernel/{name}": runtime(__file__, name) for name in _PRIMITIVES}
+    if own:
+        texts |= {f"{package}/+input/{name}": runtime(__file__, name) for name in _INPUT}
+        texts[f"{package}/+input/range.m"] = _ranges(material)
+    texts |= {name if name.startswith(_EXAMPLE) else f"{package}/{name}": text for name, text in own.items()}
+    texts[f"{package}/Contents.m"] = _contents(material, own)
+    return {name: _spoken(text, _words(material)) for name, text in texts.items()}
+
+
+def _words(material: Material) -> dict[str, str]:
+    """What stands for ``@name@``."""
+    return {
+        "library": material.library,
+        "source": material.digest[:16],
+        "names": ", ".join(f"'{name}'" for name in material.parameters),
+        "base": ", ".join(f"'{name}', {json.dumps(value)}" for name, value in material.base_values.items()),
+    }
+
+
+def _spoken(text: str, words: dict[str, str]) -> str:
+    return re.sub(r"@(\w+)@", lambda place: words.get(place[1], place[0]), text)
+
+
+def _contents(material: Material, own: dict[str, str]) -> str:
+    """What ``help`` says about the package."""
+    lines = textwrap.wrap(f"{material.summary} {material.header.replace('``', '')}", algebra.WIDTH)
+    lines.append("")
+    for name, text in own.items():
+        if not name.startswith(_EXAMPLE):
+            first = re.search(r"^%\w+\s+(.*)$", text, re.MULTILINE)
+            lines += _listed(f"{name.removesuffix('.m'):18} - {first[1] if first else ''}", 2)
+    lines += ["", f"  {material.library}.algebra holds the generated algebra:"]
+    for module in material.modules:
+        lines += _listed(", ".join(it.name for it in module.functions), 4)
+    if material.kernel.routines:
+        said = (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
+        lines += ["", *_listed(f"{material.library}.kernel: {said}", 2)]
+    return "".join(f"% {line}".rstrip() + "\n" for line in lines)
+
+
+def _listed(text: str, indent: int) -> list[str]:
+    return textwrap.wrap(text, algebra.WIDTH, initial_indent=" " * indent, subsequent_indent=" " * (indent + 2))
+
+
+def _ranges(material: Material) -> str:
+    """A function that knows the allowed values of what the algebra takes."""
+    taken = {str(symbol) for function in material.algebra.values() for symbol in function.accepted}
+    cases = ""
+    for name in [*material.parameters, *sorted(taken - set(material.parameters))]:
+        cases += f"    case '{name}'\n      {_ends(material.quantities[name])}\n"
+    return _spoken(runtime(__file__, "range.m"), {"cases": cases.strip()})
+
+
+def _ends(quantity: Quantity) -> str:
+    allowed = quantity.interval
+    ends = [_number(allowed.low), _number(allowed.high)]
+    text = f"{'(' if allowed.low_open else '['}{', '.join(ends)}{')' if allowed.high_open else ']'}"
+    said = ": angles are radians" if quantity.unit == "rad" else ""
+    return f"ends = [{', '.join(ends)}, {allowed.low_open:d}, {allowed.high_open:d}]; text = '{text}'; remedy = '{said}';"
+
+
+def _number(value: float) -> str:
+    return "pi" if value == math.pi else f"{value:g}".replace("inf", "Inf")
+
+
+TARGET = Target("matlab", "MATLAB and Octave", "matlab", render, exported=("+{library}/*.m", f"{_EXAMPLE}*.m"))

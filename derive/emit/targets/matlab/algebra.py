@@ -1,0 +1,81 @@
+"""Generated algebra in MATLAB: a function a file, for arrays of any one size; nested results come one after the other."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping
+
+import sympy as sp
+
+from ...function import Function
+from ...quantities import Quantity
+from ...statements import flatten, straight_line
+from ..python.algebra import AlgebraPrinter
+
+WIDTH = 110
+
+
+class MatlabPrinter(AlgebraPrinter):
+    """Differs from Python in the names of functions, and in rationals: a division of two whole numbers rounds once."""
+
+    def _print_Rational(self, expression: sp.Rational) -> str:
+        return f"({expression.p}/{expression.q})"
+
+    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
+        if expression.exp == 2:  # of a name: straight_line() names what is squared
+            factor = self._print(expression.base)
+            return f"{factor}*{factor}"
+        return super()._print_Pow(expression, rational=rational).replace("xp.", "")
+
+    def _print_exp(self, expression: sp.exp) -> str:
+        return f"exp({self._print(expression.args[0])})"
+
+    def _print_sign(self, expression: sp.sign) -> str:
+        return f"sign({self._print(expression.args[0])})"
+
+
+_PRINTER = MatlabPrinter({"order": None})
+
+
+def elementwise(expression: sp.Expr) -> str:
+    """An expression in which every product and quotient is one of elements; powers are products by now."""
+    return str(_PRINTER.doprint(expression)).replace("*", ".*").replace("/", "./")
+
+
+def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
+    """The file of one function."""
+    body = straight_line(function)
+    results = list(flatten(body.results))
+    names = [f"result{place}" for place in range(1, len(results) + 1)]
+    given = ", ".join(map(str, function.accepted))
+    returned = names[0] if len(names) == 1 else f"[{', '.join(names)}]"
+    lines = [
+        *wrapped(f"function {returned} = {function.name}({given})"),
+        *comment(f"{function.name.upper()}  {function.summary}", ""),
+        *comment(f"Returns {function.returns}, elements one after the other.", "  "),
+        "%",
+        *(line for symbol in function.accepted for line in comment(f"{symbol}: {quantities[str(symbol)].meaning}", "  ")),
+        "%",
+        *comment(f"Source: {function.equations}. Operations: {body.operations}.", "  "),
+    ]
+    if function.further:
+        missing = len(function.arguments)
+        for place, symbol in enumerate(function.further):
+            lines += [f"  if nargin < {missing + place + 1}", f"    {symbol} = 0;", "  end"]
+    for symbol, expression in body.assignments:
+        lines += wrapped(f"  {symbol} = {elementwise(expression)};")
+    for name, expression in zip(names, results, strict=True):
+        lines += wrapped(f"  {name} = {elementwise(expression)};")
+    return "\n".join([*lines, "end", ""])
+
+
+def comment(text: str, indent: str) -> list[str]:
+    """Lines of a help text."""
+    return textwrap.wrap(text, WIDTH, initial_indent=f"%{indent}", subsequent_indent="%  ", break_on_hyphens=False)
+
+
+def wrapped(line: str) -> list[str]:
+    """A statement on as many lines as it needs."""
+    indent = " " * (len(line) - len(line.lstrip()) + 4)
+    broken = textwrap.wrap(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    return [*(f"{part} ..." for part in broken[:-1]), broken[-1]]

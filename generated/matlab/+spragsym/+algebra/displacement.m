@@ -1,0 +1,23 @@
+function [result1, result2] = displacement(cos0, sin0, mu0, kappa, alpha, sigma, beta)
+%DISPLACEMENT  x and y at steady sliding with the spring's angle held at θ₀.
+%  Returns x, y, elements one after the other.
+%
+%  cos0: cos θ₀
+%  sin0: sin θ₀
+%  mu0: friction coefficient at full slip
+%  kappa: preload F_L / (k_c L_0)
+%  alpha: stiffness ratio k_x / k_c
+%  sigma: stiffness ratio k / k_c
+%  beta: stiffness ratio k_y / k_c
+%
+%  Source: (12), (13) linearized. Operations: 20.
+  sin0_2 = sin0.*sin0;
+  cos0_2 = cos0.*cos0;
+  w0 = cos0_2.*sigma;
+  w1 = cos0.*sigma.*sin0;
+  w2 = alpha + w0;
+  determinant = alpha.*beta + alpha.*sigma.*sin0_2 + beta.*w0 - mu0.*w1 + w2;
+  w3 = kappa./determinant;
+  result1 = w3.*(mu0 + w1);
+  result2 = -w2.*w3;
+end

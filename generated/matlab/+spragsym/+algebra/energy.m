@@ -1,0 +1,31 @@
+function result1 = energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, nbar)
+%ENERGY  Kinetic and stored energy, the preload's included, over k_c L_0².
+%  Returns energy, elements one after the other.
+%
+%  x: displacement along the belt over L_0
+%  y: displacement across the belt over L_0, negative into the belt
+%  vx: dx/dτ
+%  vy: dy/dτ
+%  cos0: cos θ₀
+%  sin0: sin θ₀
+%  kappa: preload F_L / (k_c L_0)
+%  alpha: stiffness ratio k_x / k_c
+%  sigma: stiffness ratio k / k_c
+%  beta: stiffness ratio k_y / k_c
+%  nbar: 1 in contact, 0 in lift-off
+%
+%  Source: (1), (2). Operations: 29.
+  base0 = cos0 - x;
+  base0_2 = base0.*base0;
+  base2 = sin0 - y;
+  base2_2 = base2.*base2;
+  L = sqrt(base0_2 + base2_2);
+  base8 = 1 - L;
+  base8_2 = base8.*base8;
+  vx_2 = vx.*vx;
+  vy_2 = vy.*vy;
+  y_2 = y.*y;
+  w0 = y_2./2;
+  x_2 = x.*x;
+  result1 = alpha.*x_2./2 + base8_2.*sigma./2 + beta.*w0 + kappa.*y + nbar.*w0 + vx_2./2 + vy_2./2;
+end

@@ -1,0 +1,143 @@
+"""``spragsym cycles``: a cycle, or a branch of them over a parameter."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..errors import ParameterError
+from ..parameters import ARTICLE
+from .options import DEGREES, Number, as_json, belt, build, parameters, sentence
+from .tables import print_json, print_table
+from .targets import force, refuse
+
+if TYPE_CHECKING:
+    from ..cycles import Cycle, CycleBranch
+
+#: Parameters that can be varied.
+VARIED = ("theta0", *ARTICLE, "V", "d")
+
+
+@click.command()
+@click.option("--theta0", "theta0_deg", type=Number(DEGREES), help=f"{sentence('theta0')[:-1]}, degrees. Default: --from.")
+@parameters
+@belt
+@click.option("--near", metavar="X,Y,VX,VY", help="A state near the cycle. Default: the motion from rest at x = y = 0.")
+@click.option("--vary", type=click.Choice(VARIED), help="Follow the cycle as this varies.")
+@click.option("--from", "low", type=Number(), help="Where the range begins, degrees for theta0.")
+@click.option("--to", "high", type=Number(), help="Where it ends.")
+@click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
+@click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: minutes.")
+@click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
+@force
+@as_json
+def cycles(
+    theta0_deg: float | None, V: float, d: float, near: str | None, vary: str | None, low: float | None, high: float | None,
+    points: int, prove: bool, plot: Path | None, force: bool, json_output: bool, **values: float,
+) -> None:  # fmt: skip
+    """A cycle of the motion with its multipliers; with --vary, a branch of cycles with all that happens on it.
+
+    The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
+    assumption.
+
+    \b
+    Examples:
+      spragsym cycles --theta0 42
+      spragsym cycles --theta0 42 --vary theta0 --from 38 --to 60 --plot branch.pdf
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    if (vary is None) != (low is None) or (low is None) != (high is None):
+        raise click.UsageError("--vary, --from and --to belong together")
+    if plot is not None and (vary is None or plot.suffix not in (".pdf", ".png", ".svg")):
+        raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary, and the ending .pdf, .png or .svg")
+    if theta0_deg is None:
+        if vary != "theta0":
+            raise click.UsageError("--theta0 is missing")
+        theta0_deg = low
+    refuse([] if plot is None else [plot], force)
+    from ..cycles import cycle, cycle_branch
+
+    found = cycle(build(theta0_deg, **values), V=V, d=d, near=_state(near))
+    summary = _summary(found)
+    if prove:
+        from .. import precise
+
+        proof = precise.prove_cycle(found)
+        summary["proved"] = proof.proved
+        summary |= {"error_proved": proof.error, "stable_proved": proof.stable} if proof.proved else {"reason": proof.reason}
+    if vary is not None and low is not None and high is not None:
+        ends = (math.radians(low), math.radians(high)) if vary == "theta0" else (low, high)
+        branch = cycle_branch(found, vary, ends, points=points)
+        summary |= _branch(branch)
+        if plot is not None:
+            _draw(branch, plot)
+            click.echo(f"drew {plot}", err=True)
+    if json_output:
+        print_json(summary)
+        return
+    rows, events = summary.pop("branch", None), summary.pop("branch_events", [])
+    print_table("", ("", ""), [(name, _shown(value)) for name, value in summary.items()])
+    if rows is not None:
+        print_table("Branch", tuple(rows[0]), [list(row.values()) for row in rows])
+        print_table("Events", ("kind", *list(rows[0])[:1], "error", "period", "how"), [list(row.values()) for row in events])
+
+
+def _state(text: str | None) -> list[float] | None:
+    if text is None:
+        return None
+    try:
+        numbers = [float(part) for part in text.split(",")]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 4:
+        raise ParameterError(f"--near {text!r} is not four numbers x,y,vx,vy with commas")
+    return numbers
+
+
+def _summary(found: Cycle) -> dict[str, Any]:
+    return {
+        "period": found.period, "stable": found.stable, "state": found.state.tolist(),
+        "multipliers": [[float(value.real), float(value.imag)] for value in found.multipliers], "error": found.error,
+        "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude,
+        "spring_force": list(found.spring_force), "contact_force": list(found.contact_force), "crossings": len(found.events),
+        "backend": found.backend,
+    }  # fmt: skip
+
+
+def _branch(branch: CycleBranch) -> dict[str, Any]:
+    name = f"{branch.vary}_deg" if branch.vary == "theta0" else branch.vary
+    unit = math.degrees(1.0) if branch.vary == "theta0" else 1.0
+    columns = zip(branch.values.tolist(), branch.periods.tolist(), branch.rms.tolist(), branch.stable.tolist(), strict=True)
+    return {
+        "branch": [{name: unit * v, "period": period, "rms": rms, "stable": stable} for v, period, rms, stable in columns],
+        "branch_events": [
+            {"kind": event.kind, name: unit * event.value, "error": unit * event.error, "period": event.cycle.period,
+             "how": event.how}
+            for event in branch.events
+        ],
+    }  # fmt: skip
+
+
+def _draw(branch: CycleBranch, path: Path) -> None:
+    from ..figures import FORMATS, branch_figure
+    from ..figures.style import house_style
+
+    kind = path.suffix[1:]
+    with house_style():
+        branch_figure(branch).savefig(path, format=kind, metadata=FORMATS[kind])
+
+
+def _shown(value: Any) -> Any:
+    if isinstance(value, list):
+        return "  ".join(
+            f"{item[0]:.9g}{item[1]:+.9g}i"
+            if isinstance(item, list) and item[1]
+            else f"{item[0] if isinstance(item, list) else item:.9g}"
+            for item in value
+        )
+    return value

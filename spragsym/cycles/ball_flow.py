@@ -1,0 +1,231 @@
+"""The flow of a piecewise smooth field in ball arithmetic: enclosures of a trajectory and of the derivative of the flow.
+
+A set of states is carried as a point, known to a ball, and a matrix that encloses the derivative by the start over all of
+the starts: by the mean value theorem a start that is off by δ is at point + matrix δ. Every step is a Taylor polynomial with
+a bound on what is left out: on a polydisc of radii R_i about the states the field is at most F_i, so that the solution is
+analytic for |t| < ρ = min R_i / F_i and its coefficients are at most R_i ρ^−k (Cauchy). Where a border is crossed, all
+trajectories are shown to cross once within a window of 2 η, in which the field changes by no more than its Lipschitz constant
+times η.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from flint import acb, arb, arb_mat
+
+from .field import Field, Mode
+from .jets import Functions, Jet
+
+#: Radii of convergence that are tried.
+TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)
+
+#: Steps are this share of the radius of convergence that is proved.
+SHARE = 1 / 7
+
+#: Halvings of a step in which a border might be met.
+DEEPEST = 12
+
+
+class NotProved(Exception):
+    """What could not be shown."""
+
+
+@dataclass
+class Balls:
+    """A set of states in balls: a point, the derivative by the start, and how far the starts are off."""
+
+    field: Field
+    constants: list[Any]
+    order: int
+    point: list[Any]
+    matrix: Any
+    start: list[Any]
+    mode: Mode
+
+    @property
+    def box(self) -> list[Any]:
+        """All states."""
+        off = self.matrix * arb_mat([[each] for each in self.start])
+        return [value + off[i, 0] for i, value in enumerate(self.point)]
+
+    # ------------------------------------------------------------------------------------------ smooth steps
+
+    def carry(self, duration: Any) -> None:
+        """Carry all states on within the mode, which none may leave."""
+        left = duration
+        while left > 0:
+            box = self.box
+            radius, bounds, slope = self._disc(box)
+            step = left.min(_exact(radius * SHARE))
+            step = left if left < 1.2 * step and left < radius / 4 else step
+            self._step(box, step, radius, bounds, slope)
+            left = left - step
+            if not left.is_exact():
+                raise NotProved("time could not be kept exactly; more bits would do it")
+
+    def _step(self, box: list[Any], step: Any, radius: Any, bounds: list[Any], slope: Any) -> None:
+        ratio = (step / radius).abs_upper()
+        tail = arb(ratio) ** (self.order + 1) / (1 - arb(ratio))
+        point = solution(self.field, self.point, self.constants, self.mode, self.order)
+        within = solution(self.field, box, self.constants, self.mode, self.order)
+        self._stays(within, step, [bound * tail for bound in bounds])
+        derivative = _fundamental(self.field, within, self.constants, self.mode, self.order, step)
+        m, spread = self.field.size, (slope * radius).exp() * tail
+        derivative += arb_mat(m, m, [_around(spread)] * (m * m))
+        self.point = [
+            polynomial(each, self.order, step) + _around(bound * tail) for each, bound in zip(point, bounds, strict=True)
+        ]
+        self.matrix = derivative * self.matrix
+
+    def _disc(self, box: list[Any]) -> tuple[Any, list[Any], Any]:
+        """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
+        n = len(self.field.coordinates)
+
+        def disc(radii: list[Any]) -> list[Any]:
+            return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
+
+        def sizes(radii: list[Any]) -> list[Any]:
+            about = disc(radii)
+            rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, Functions)]
+            return [abs(acb(rate)).abs_upper() for rate in rates]
+
+        still = sizes([arb(1e-3)] * len(box))
+        for length in TIMES:
+            radii = [arb(float(length * 1.1 * size.mid())) + arb(1e-3) for size in still]
+            for _ in range(6):
+                found = sizes(radii)
+                if not all(size.is_finite() for size in found):
+                    break
+                if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
+                    rows = self.field.jacobian(disc(radii), self.constants, self.mode, Functions)
+                    slope = _most([arb(1), *(sum((abs(acb(v)).abs_upper() for v in row), arb(0)) for row in rows)])
+                    return arb(length), radii, slope
+                radii = [arb(float(length * 1.05 * size.mid())) + arb(1e-3) for size in found]
+        raise NotProved("the field could not be bounded about the orbit")
+
+    def _stays(self, within: list[Jet], step: Any, tails: list[Any]) -> None:
+        """Show that no state leaves the mode during a step."""
+        for border in self.field.borders:
+            if border.kink:
+                self._clear(border, within, tails, arb(0), step, 0)
+
+    def _clear(self, border: Any, within: list[Jet], tails: list[Any], begin: Any, end: Any, depth: int) -> None:
+        state = self._during(within, tails, begin.union(end))
+        sign = border.sign(self.mode)
+        if sign * border.level(state, self.constants, self.mode) > 0:
+            return
+        accelerations = self.field.acceleration(state, self.constants, self.mode, Functions)
+        rate = border.rate(state, accelerations, self.constants, self.mode)
+        if rate > 0 or rate < 0:
+            ends = [border.level(self._during(within, tails, t), self.constants, self.mode) for t in (begin, end)]
+            if all(sign * level > 0 for level in ends):
+                return
+        if depth >= DEEPEST:
+            raise NotProved(f"whether the orbit meets {border.name} could not be decided")
+        middle = ((begin + end) / 2).mid()
+        self._clear(border, within, tails, begin, middle, depth + 1)
+        self._clear(border, within, tails, middle, end, depth + 1)
+
+    def _during(self, within: list[Jet], tails: list[Any], times: Any) -> list[Any]:
+        return [polynomial(each, self.order, times) + _around(tail) for each, tail in zip(within, tails, strict=True)]
+
+    # ------------------------------------------------------------------------------------------------ borders
+
+    def cross(self, index: int, window: Any) -> None:
+        """Carry all states over a border, which each of them crosses once within the window."""
+        border, after = self.field.borders[index], self.field.borders[index].beyond(self.mode)
+        sign = border.sign(self.mode)
+        box, n = self.box, len(self.field.coordinates)
+        if not sign * border.level(box, self.constants, self.mode) > 0:
+            raise NotProved(f"that no state has met {border.name} yet could not be shown")
+        hull = [_widened(value, arb(1e-6)) for value in box]
+        speeds, slopes, rates = [], [arb(1)], []
+        for mode in (self.mode, after):
+            accelerations = self.field.acceleration(hull, self.constants, mode, Functions)
+            rates.append(border.rate(hull, accelerations, self.constants, mode))
+            speeds += [abs(value).abs_upper() for value in (*hull[n:], *map(arb, accelerations))]
+            rows = self.field.jacobian(hull, self.constants, mode, Functions)
+            slopes += [sum((abs(arb(v)).abs_upper() for v in row), arb(0)) for row in rows]
+        speed, slope = _most(speeds), _most(slopes)
+        if not window * speed < arb(1e-6):
+            raise NotProved("the window of a crossing is too wide")
+        if not all(sign * rate < 0 for rate in rates):
+            raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
+        mixed = window * slope * window * speed
+        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, Functions)]
+        self.point = [value + window * rate + _around(mixed) for value, rate in zip(self.point, fields, strict=True)]
+        m, spread = self.field.size, _around((window * slope).exp() - 1)
+        near_one = arb_mat(m, m, [(1 if i == j else 0) + spread for i in range(m) for j in range(m)])
+        self.matrix = near_one * self.matrix
+        if not sign * border.level(self.box, self.constants, self.mode) < 0:
+            raise NotProved(f"that every state has crossed {border.name} could not be shown")
+        self.mode = after
+
+
+def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, order: int) -> list[Jet]:
+    """Taylor coefficients of the solution from a state."""
+    n = len(field.coordinates)
+    unknown = [Jet() for _ in state]
+    rates: list[Any] = [*unknown[n:], *field.acceleration(unknown, constants, mode, Functions)]
+    for jet, value in zip(unknown, state, strict=True):
+        jet.known.append(value)
+    for k in range(order):
+        following = [rate[k] / (k + 1) for rate in rates]
+        for jet, value in zip(unknown, following, strict=True):
+            jet.known.append(value)
+    return unknown
+
+
+def _fundamental(field: Field, within: list[Jet], constants: list[Any], mode: Mode, order: int, step: Any) -> Any:
+    """The Taylor polynomial of the derivative of the flow at the end of a step."""
+    n, m = len(field.coordinates), field.size
+    rows = field.jacobian(within, constants, mode, Functions)
+
+    def entry(i: int, j: int, k: int) -> Any:
+        if i < n:
+            return int(k == 0 and j == n + i)
+        value = rows[i - n][j]
+        return value[k] if isinstance(value, Jet) else (value if k == 0 else 0)
+
+    slopes = [arb_mat(m, m, [entry(i, j, k) for i in range(m) for j in range(m)]) for k in range(order)]
+    parts = [arb_mat(m, m, [int(i == j) for i in range(m) for j in range(m)])]
+    for k in range(order):
+        total = slopes[0] * parts[k]
+        for i in range(1, k + 1):
+            total += slopes[i] * parts[k - i]
+        parts.append(total * (arb(1) / (k + 1)))
+    found = parts[-1]
+    for part in reversed(parts[:-1]):
+        found = found * step + part
+    return found
+
+
+def polynomial(jet: Jet, order: int, t: Any) -> Any:
+    """The Taylor polynomial of a series at a time."""
+    found = jet[order]
+    for k in range(order - 1, -1, -1):
+        found = found * t + jet[k]
+    return found
+
+
+def _around(radius: Any) -> Any:
+    """The ball about 0 that holds ±radius."""
+    return arb(0, arb(radius).abs_upper())
+
+
+def _widened(value: Any, radius: Any) -> Any:
+    return value + _around(radius)
+
+
+def _exact(value: Any) -> Any:
+    """A short number at most as large as a ball's."""
+    return arb(float(value.lower()) * (1 - 1e-12))
+
+
+def _most(values: list[Any]) -> Any:
+    found = values[0]
+    for value in values[1:]:
+        found = found.max(value)
+    return found.abs_upper()

@@ -1,0 +1,133 @@
+"""Taylor coefficients of an expression in time, one after the other, over any number type: for python-flint's balls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+
+class Jet:
+    """A power series whose next coefficient is computed when it is asked for; arithmetic builds further ones."""
+
+    def __init__(self, following: Callable[[int], Any] | None = None) -> None:
+        self.known: list[Any] = []
+        self._following = following
+
+    def __getitem__(self, k: int) -> Any:
+        while len(self.known) <= k:
+            assert self._following is not None, "a coefficient of the unknown was asked for before it was there"
+            self.known.append(self._following(len(self.known)))
+        return self.known[k]
+
+    def __add__(self, other: Any) -> Jet:
+        if isinstance(other, Jet):
+            return Jet(lambda k: self[k] + other[k])
+        return Jet(lambda k: self[k] + other if k == 0 else self[k])
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Jet:
+        return Jet(lambda k: -self[k])
+
+    def __sub__(self, other: Any) -> Jet:
+        difference: Jet = self + (-other)
+        return difference
+
+    def __rsub__(self, other: Any) -> Jet:
+        difference: Jet = (-self) + other
+        return difference
+
+    def __mul__(self, other: Any) -> Jet:
+        if isinstance(other, Jet):
+            return Jet(lambda k: _convolved(self, other, 0, k))
+        return Jet(lambda k: self[k] * other)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Jet:
+        if not isinstance(other, Jet):
+            return Jet(lambda k: self[k] / other)
+        return _quotient(lambda k: self[k], other)
+
+    def __rtruediv__(self, other: Any) -> Jet:
+        return _quotient(lambda k: other if k == 0 else 0, self)
+
+    def sqrt(self) -> Jet:
+        """Square root: 2 s₀ s_k = a_k − Σ s_i s_{k−i}, 0 < i < k."""
+        root = Jet()
+
+        def following(k: int) -> Any:
+            if k == 0:
+                return self[0].sqrt()
+            inner = _convolved(root, root, 1, k - 1, k)
+            return (self[k] - inner) / (2 * root[0])
+
+        root._following = following
+        return root
+
+    def exp(self) -> Jet:
+        """Exponential: k e_k = Σ i a_i e_{k−i}, 0 < i ≤ k."""
+        power = Jet()
+
+        def following(k: int) -> Any:
+            if k == 0:
+                return self[0].exp()
+            total = self[1] * power[k - 1]
+            for i in range(2, k + 1):
+                total += i * self[i] * power[k - i]
+            return total / k
+
+        power._following = following
+        return power
+
+
+def _convolved(one: Jet, other: Jet, begin: int, end: int, total: int | None = None) -> Any:
+    """Σ one_i other_{total − i} for begin ≤ i ≤ end; total is end where it is left out."""
+    total = end if total is None else total
+    one[end], other[total - begin]  # all that are needed are there
+    a, b = one.known, other.known
+    found: Any = 0
+    for i in range(begin, end + 1):
+        found += a[i] * b[total - i]
+    return found
+
+
+def _quotient(numerator: Callable[[int], Any], divisor: Jet) -> Jet:
+    """q₀ d₀ = n₀ and q_k d₀ = n_k − Σ q_i d_{k−i}, i < k."""
+    quotient = Jet()
+
+    def following(k: int) -> Any:
+        rest = numerator(k)
+        if k:
+            divisor[k]
+            a, b = quotient.known, divisor.known
+            for i in range(k):
+                rest -= a[i] * b[k - i]
+        return rest / divisor[0]
+
+    quotient._following = following
+    return quotient
+
+
+class Functions:
+    """The namespace that generated functions take, for numbers and series that have these as methods."""
+
+    @staticmethod
+    def sqrt(value: Any) -> Any:
+        """Square root."""
+        return value.sqrt()
+
+    @staticmethod
+    def exp(value: Any) -> Any:
+        """Exponential."""
+        return value.exp()
+
+    @staticmethod
+    def cos(value: Any) -> Any:
+        """Cosine."""
+        return value.cos()
+
+    @staticmethod
+    def sin(value: Any) -> Any:
+        """Sine."""
+        return value.sin()

@@ -1,0 +1,129 @@
+"""Proofs that a cycle exists, is the only one near, and is stable or not."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import subprocess
+import sys
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+import numpy as np
+
+from ..display import Result
+from ..errors import ConvergenceError, MissingExtraError, ParameterError
+from .orbit import Cycle
+from .shooting import rate
+
+#: Seconds after which a proof is given up, unless asked otherwise.
+PATIENCE = 1800.0
+
+#: Digits to which a proof is done: the box of the starts is 10^−digits.
+DIGITS = 25
+
+
+@dataclass(frozen=True, eq=False)
+class CycleProof(Result):
+    """What was proved of a cycle.
+
+    Attributes
+    ----------
+    proved : bool
+        Whether there is exactly one cycle whose state, where x' = 0, and period lie within ``radius`` of those below.
+    reason : str
+        Why not.
+    radius : float
+        Half width of the box in which the cycle exists and is the only one.
+    error : float
+        A proved bound on |state − its state| and |period − its period|, both as they stand.
+    state : tuple of mpf
+    period : mpf
+    multipliers : tuple of (mpc, float)
+        Middles and radii of balls that hold the multipliers, the trivial one first; empty where they could not be told apart.
+    stable : bool or None
+        Whether all others are proved to be within the unit circle (True), or one outside of it (False).
+    values : tuple of float
+        Parameters: the binary numbers that these floats are, exactly.
+    """
+
+    proved: bool
+    reason: str
+    radius: float
+    error: float
+    state: tuple[mpmath.mpf, ...]
+    period: mpmath.mpf
+    multipliers: tuple[tuple[mpmath.mpc, float], ...]
+    stable: bool | None
+    values: tuple[float, ...]
+
+
+def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENCE) -> CycleProof:
+    """Prove that a cycle exists, that it is the only one near, and where its multipliers are.
+
+    A box of starts of half width 10^−digits is carried once around by Taylor polynomials in ball arithmetic, every crossing of
+    a border enclosed and shown to be one; Krawczyk's operator of the return maps the box into itself.
+
+    Parameters
+    ----------
+    cycle : Cycle
+        Of :func:`~spragsym.cycle`; it need not be stable.
+    digits : int
+        10 to 200. A long or unstable cycle needs more of them.
+    patience : float
+        Seconds after which it is given up. The proof runs in a process of its own.
+
+    Returns
+    -------
+    CycleProof
+        With ``proved`` False and the reason where something could not be shown.
+
+    Raises
+    ------
+    MissingExtraError
+        Without python-flint (extra ``certify``).
+
+    Notes
+    -----
+    Source: (8)–(11) as they stand, with the exponential of (10) everywhere. The parameters are taken as the binary numbers
+    that the floats are.
+    """
+    if not importlib.util.find_spec("flint"):
+        raise MissingExtraError("spragsym.precise.prove_cycle", "flint", "certify")
+    if isinstance(digits, bool) or not isinstance(digits, int) or not 10 <= digits <= 200:
+        raise ParameterError(f"digits = {digits!r} is not an integer in [10, 200]")
+    found = _run(claim_of(cycle, digits), patience)
+    if not found["proved"]:
+        return CycleProof(False, found["reason"], float("nan"), float("nan"), (), mpmath.nan, (), None, cycle.values)
+    with mpmath.workdps(60):
+        state = tuple(mpmath.mpf(value) for value in found["state"])
+        multipliers = tuple((mpmath.mpc(real, imaginary), radius) for real, imaginary, radius in found["multipliers"])
+        period = mpmath.mpf(found["period"])
+    return CycleProof(True, "", 10.0**-digits, found["error"], state, period, multipliers, found["stable"], cycle.values)
+
+
+def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
+    """What is to be proved, as JSON holds it."""
+    m, n = cycle.field.size, len(cycle.field.coordinates)
+    moved = [i for i in range(m) if i != n]
+    flow = rate(cycle.field, cycle.state, cycle.loop.constants)
+    slopes = np.column_stack([(cycle.loop.monodromy - np.eye(m))[:, moved], flow])
+    return {
+        "field": cycle.field.name, "values": list(cycle.values), "state": cycle.state.tolist(), "period": cycle.period,
+        "digits": digits, "slopes": slopes.tolist(),
+        "crossings": [[crossing.t, crossing.border] for crossing in cycle.loop.crossings()],
+    }  # fmt: skip
+
+
+def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
+    """The proof in a process of its own."""
+    call = [sys.executable, "-m", "spragsym.cycles.ball_proof"]
+    try:
+        done = subprocess.run(call, input=json.dumps(claim), capture_output=True, text=True, timeout=patience, check=False)
+    except subprocess.TimeoutExpired:
+        return {"proved": False, "reason": f"it was given up after {patience:g} s; give a larger patience or fewer digits"}
+    if done.returncode:
+        raise ConvergenceError(f"the proof stopped: {done.stderr.strip().splitlines()[-1] if done.stderr.strip() else 'no word'}")
+    found: dict[str, Any] = json.loads(done.stdout)
+    return found

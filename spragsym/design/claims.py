@@ -1,0 +1,247 @@
+"""What can be certified over a box of parameters: for each claim a proof for many boxes, and a search for counterexamples."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..catastrophe.paths import quasi_static_path
+from ..exact.affine import Affine
+from ..generated import catastrophe as _catastrophe
+from ..parameters import NAMES, FloatArray, Parameters
+from ..statics import kernel
+from ..statics.solver import Stability, count, equilibria
+from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
+from .gradients import by_parameter
+from .jump_values import first_jumps, small
+
+_in_differences = inspect.unwrap(_catastrophe.f_in_differences)
+_MU0 = NAMES.index("mu0")
+#: A little more than π, beyond which no direction is in contact.
+_ALL = math.pi + 1e-15
+#: What a direction is off the state that it stands for, over what that moves within the box: wide for what is of second order in
+#: the box, and narrow where a fold is near.
+_MARGINS = (0.7, 0.25)
+
+
+@dataclass(frozen=True)
+class Claim:
+    """``prove`` says of which boxes it holds, and which side to cut of the others; ``refute`` gives a counterexample or none."""
+
+    prove: Callable[[Boxes], tuple[NDArray[np.bool_], FloatArray]]
+    refute: Callable[[Boxes], Parameters | None]
+    #: Parameters of which only the upper end matters.
+    from_above: tuple[str, ...] = ()
+
+
+def _point(values: dict[str, FloatArray], i: int) -> Parameters:
+    return Parameters(**{name: float(column[i]) for name, column in values.items()})
+
+
+def _balance(ground: Ground, others: list[Affine]) -> tuple[Affine, Affine, Affine, Affine]:
+    """f, f′, f_μ₀ and f_μ₀′."""
+    return _in_differences(ground.c, ground.s, ground.c0, ground.s0, *others)  # type: ignore[no-any-return]
+
+
+def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:
+    """y ≥ 0 for the state of any direction here: κ ≤ σ (sin θ₀ − sin θ)."""
+    return (others[1] - others[3] * (ground.s0 - ground.s)).sign() < 0
+
+
+# --------------------------------------------------------------------------------------------------- one equilibrium
+
+
+def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+    """Every equilibrium has f′ > 0, and of three the middle one, or of two that meet both, has not: so there is one."""
+
+    def test(ground: Ground) -> Verdict:
+        others = ground.others()
+        value, slope, _, _ = _balance(ground, others)
+        return Verdict((value.sign() != 0) | (slope.sign() > 0) | _not_in_contact(ground, others), (value, slope))
+
+    size = boxes.share.size
+    return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
+
+
+def _three(boxes: Boxes) -> Parameters | None:
+    middle = boxes.middle()
+    many = np.flatnonzero(count(Parameters(**middle)) == 3)
+    return _point(middle, int(many[0])) if many.size else None
+
+
+# --------------------------------------------------------------------------------------------------------- no flutter
+
+
+def _no_flutter(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+    """Every equilibrium in contact has f′ < 0, which is divergence, or a positive discriminant of K in λ²."""
+
+    def test(ground: Ground) -> Verdict:
+        others = ground.others()
+        value, slope, _, _ = _balance(ground, others)
+        done = (value.sign() != 0) | (slope.sign() < 0) | _not_in_contact(ground, others)
+        L, _, _ = kernel.state(ground.c, ground.s, ground.c0, ground.s0, others[1], others[3], others[4], 1)
+        K = kernel.stiffness(ground.c, ground.s, L, others[0], others[2], others[3], others[4], 1)
+        discriminant = kernel.invariants(*K[0], *K[1])[2]
+        return Verdict(done | (discriminant.sign() > 0), (value, slope, discriminant))
+
+    size = boxes.share.size
+    return covered(boxes, constant(0.0, size), constant(_ALL, size), test)
+
+
+def _flutters(boxes: Boxes) -> Parameters | None:
+    middle = boxes.middle()
+    many = np.flatnonzero((equilibria(Parameters(**middle)).stability == Stability.FLUTTER).any(axis=-1))
+    return _point(middle, int(many[0])) if many.size else None
+
+
+# ------------------------------------------------------------------------------------------------------------ no jump
+
+
+def _no_jump(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
+    """On the surface μ₀(θ) rises from below 0 at one direction to above the largest friction at another, and is 0 once between,
+    at the state of small deformation: so that is followed without a fold.
+
+    Candidates for the two directions come from the middle of a box, and the proof does not depend on how.
+    """
+    result, weight = _followed_with(boxes, _MARGINS[0])
+    for margin in _MARGINS[1:]:
+        left = np.flatnonzero(~result)
+        if left.size:
+            result[left], weight[:, left] = _followed_with(boxes.rows(left), margin)
+    return result, weight
+
+
+def _followed_with(boxes: Boxes, margin: float) -> tuple[NDArray[np.bool_], FloatArray]:
+    with np.errstate(all="ignore"):
+        *lines, known = _directions(boxes, margin)
+    result, weight = known.copy(), np.zeros_like(boxes.low)
+    for check in (_ends_hold, _rises, _is_small):
+        some = np.flatnonzero(result)
+        if some.size:
+            result[some], weight[:, some] = check(boxes.rows(some), *(line.rows(some) for line in lines))
+    return result, weight
+
+
+def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[np.bool_]]:
+    """A direction below the state at μ₀ = 0, one above it, one above the state at the largest friction; where they exist."""
+    middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
+    bare = equilibria(Parameters(**middle).replace(mu0=0.0))
+    full = equilibria(Parameters(**middle))
+    first = np.take_along_axis(bare.theta, small(bare)[:, None], axis=-1)
+    later = np.where(full.theta >= first, full.theta, np.inf).min(axis=-1)
+    low, above = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
+    high = _moved(boxes, middle, later, margin)
+    known = np.isfinite(later) & ~bare.undecided & ~full.undecided
+    known &= (low.value - low.reach() > 0) & (high.value + high.reach() < math.pi)
+    return low, above, high, known
+
+
+def _moved(boxes: Boxes, values: dict[str, FloatArray], theta: FloatArray, margin: float) -> Line:
+    """How an equilibrium of the middle moves over the box, to first order, and a little to one side of that."""
+    change = np.stack(list(by_parameter(values, theta).values()))
+    trig = kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:]), 1)
+    slopes = -change / kernel.f_slope(np.cos(theta), np.sin(theta), *trig) * 0.5 * (boxes.high - boxes.low)
+    slopes[_MU0] = 0.0
+    line = Line(theta, slopes)
+    return Line(theta + margin * line.reach() + np.copysign(1e-9, margin), slopes)
+
+
+def _with_friction(ground: Ground, friction: FloatArray) -> list[Affine]:
+    others = ground.others()
+    others[0] = Affine(friction, np.zeros_like(others[1].terms), np.zeros_like(friction))
+    return others
+
+
+def _ends_hold(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+    """f < 0 at the lowest direction without friction, f > 0 at the highest one with the largest; both in contact."""
+    result, weight = np.ones(boxes.share.size, dtype=np.bool_), np.zeros_like(boxes.low)
+    none = np.zeros(boxes.share.size)
+    for line, friction, wanted in ((lowest, none, -1), (highest, boxes.high[_MU0], 1)):
+        ground = at(boxes, line)
+        others = _with_friction(ground, friction)
+        value = _balance(ground, others)[0]
+        inside = others[1] - others[3] * (ground.s0 - ground.s)
+        result &= (value.sign() == wanted) & (inside.sign() > 0)
+        weight = np.maximum(weight, line.slopes**2)
+    return result, np.abs(weight)
+
+
+def _rises(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+    """μ₀(θ) rises between the two directions: f′ f_μ₀ − f f_μ₀′ < 0, in which μ₀ cancels."""
+
+    def test(ground: Ground) -> Verdict:
+        others = _with_friction(ground, np.zeros_like(ground.c.value))
+        value, slope, change, change_slope = _balance(ground, others)
+        rise = slope * change - value * change_slope
+        return Verdict(rise.sign() < 0, (rise,))
+
+    return covered(boxes, lowest, highest, test)
+
+
+def _is_small(boxes: Boxes, lowest: Line, start: Line, highest: Line) -> tuple[NDArray[np.bool_], FloatArray]:
+    """The state at μ₀ = 0 between ``lowest`` and ``start`` has the smallest \\|x\\|.
+
+    Without friction at most one equilibrium has cos θ of the sign of cos θ₀, and any other has \\|x\\| ≥ \\|cos θ₀\\|: see
+    ``smallest_without_friction`` in derive/kang_nam/theorem.py. So L \\|cos θ\\| < 2 \\|cos θ₀\\| is enough, or that there is no
+    other.
+    """
+    ground = at(boxes, start)
+    others = _with_friction(ground, np.zeros(boxes.share.size))
+    above = _balance(ground, others)[0].sign() > 0
+    side = ground.c0.sign()
+    near = lowest.where(side > 0, start)
+    ground = at(boxes, near)
+    L, _, _ = kernel.state(
+        ground.c, ground.s, ground.c0, ground.s0, *(ground.parameters[n] for n in ("kappa", "sigma", "beta")), 1
+    )
+    reach = 2 * ground.c0 - L * ground.c
+    far = at(boxes, start.where(side > 0, lowest)).c.sign() * side > 0
+    result = above & far & (side != 0) & (reach.sign() * side > 0)
+    left = np.flatnonzero(above & ~result)
+    if left.size:
+        some = boxes.rows(left)
+        below = _alone(some, constant(0.0, left.size), lowest.rows(left))
+        result[left] = below & _alone(some, start.rows(left), constant(_ALL, left.size))
+    return result, np.abs(reach.terms[: len(NAMES)])
+
+
+def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
+    """No equilibrium in contact without friction between two directions."""
+
+    def test(ground: Ground) -> Verdict:
+        others = _with_friction(ground, np.zeros_like(ground.c.value))
+        value = _balance(ground, others)[0]
+        return Verdict((value.sign() != 0) | _not_in_contact(ground, others), (value,))
+
+    return covered(boxes, low, high, test)[0]
+
+
+def _jumps(boxes: Boxes) -> Parameters | None:
+    """A point whose state jumps below its friction: the middle of a box, or the corner to which the jump comes down fastest."""
+    middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
+    found = first_jumps(Parameters(**middle), "mu0")
+    with np.errstate(all="ignore"):
+        changes = by_parameter(middle | {"mu0": found.value}, found.theta)
+        slopes = {name: -change / changes["mu0"] for name, change in changes.items()}
+    corner = dict(middle)
+    for j, name in enumerate(NAMES):
+        if name != "mu0":
+            corner[name] = np.where(slopes[name] > 0, boxes.low[j], np.where(slopes[name] < 0, boxes.high[j], middle[name]))
+    for values, jumps in ((middle, found.value), (corner, first_jumps(Parameters(**corner), "mu0").value)):
+        for i in np.flatnonzero(jumps < values["mu0"] * (1 - 1e-11))[:1]:
+            point = _point(values, int(i))
+            if quasi_static_path(point, "mu0", [0.0, float(point.mu0)]).jumps:
+                return point
+    return None
+
+
+CLAIMS = {
+    "no jump": Claim(_no_jump, _jumps, ("mu0",)),
+    "one equilibrium": Claim(_one_equilibrium, _three),
+    "no flutter": Claim(_no_flutter, _flutters),
+}

@@ -1,0 +1,154 @@
+"""How far a design is from a jump: the nearest parameters at which the state of small deformation jumps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..parameters import NAMES, FloatArray, Parameters, PhysicalParameters
+from .borders import on_fold
+from .cells import Boxes
+from .certificates import halved
+from .claims import CLAIMS
+from .jump_values import first_jumps
+from .nearest import nearest, shortened
+from .spaces import Space, space
+
+#: Shares of the distance of which it is asked whether nothing jumps within them, and how many boxes each may take.
+_SHARES, _BOXES = (0.95, 0.8, 0.5, 0.2), 3_000
+
+
+@dataclass(frozen=True)
+class JumpMargin(Result):
+    """The nearest parameters at which the state of small deformation jumps as the friction rises to μ₀.
+
+    Attributes
+    ----------
+    distance : float
+        Root of the sum of squares of the changes over their tolerances; 0 if it jumps as it is, ``inf`` if nothing near jumps.
+    proved : float
+        Within this distance nothing jumps, proved; NaN where it was not asked for.
+    change : dict of str to float
+        What changes, by how much.
+    parameters : Parameters or PhysicalParameters or None
+        The nearest point, on the fold itself.
+    """
+
+    distance: float
+    proved: float
+    change: Mapping[str, float]
+    parameters: Parameters | PhysicalParameters | None
+
+
+def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], *, prove: bool = False) -> JumpMargin:
+    """The nearest parameters at which the state of small deformation jumps, in the metric of the tolerances.
+
+    Parameters
+    ----------
+    p : Parameters or PhysicalParameters
+        One design, with its friction.
+    scale : mapping of str to float
+        A tolerance for each quantity that may be off; the others stay.
+    prove : bool
+        Also prove that nothing jumps within a part of the distance, as large as can be shown in some seconds.
+
+    Returns
+    -------
+    JumpMargin
+
+    Raises
+    ------
+    ParameterError
+        For quantities that ``p`` does not have, and tolerances that are not positive.
+
+    Notes
+    -----
+    Source: f = f′ = 0 at the least change. That the point found is on a fold at which that state jumps is certain; that there is
+    no nearer one is known within ``proved`` only: the search follows rays, up to 256 tolerances away, and then the fold.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> p = Parameters.article(theta0=np.radians(40.0))
+    >>> margin = jump_margin(p, {"theta0": np.radians(1.0), "mu0": 0.05})
+    >>> round(margin.distance, 4), {name: round(value, 4) for name, value in margin.change.items()}
+    (1.6845, {'theta0': 0.0114, 'mu0': 0.0776})
+    """
+    designs = space(p, scale, None)
+    found = nearest(lambda z: jumping(designs, z), designs.limits())
+    if found is None:
+        return JumpMargin(np.inf, _proved(designs, 2.0) if prove else np.nan, {}, None)
+    best = polished(designs, found)
+    distance = float(np.linalg.norm(best))
+    proved = (_proved(designs, distance) if distance else 0.0) if prove else np.nan
+    change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
+    return JumpMargin(distance, proved, change, designs.made(best))
+
+
+def jumping(designs: Space, z: FloatArray) -> NDArray[np.bool_]:
+    """Which designs jump at their own friction or below it."""
+    values = {name: np.broadcast_to(value, z.shape[:-1]) for name, value in designs.parameters(z).items()}
+    return np.asarray(first_jumps(Parameters(**values), "mu0").value <= values["mu0"])
+
+
+def polished(designs: Space, z: FloatArray) -> FloatArray:
+    """The nearest point of the sheet of folds on which a state jumps; where there is none, the border along the ray to it."""
+    values = {name: float(value) for name, value in designs.parameters(z).items()}
+    at = first_jumps(Parameters(**values), "mu0")
+    if not z.any():
+        return z
+    if not np.isnan(at.theta):
+        better = on_fold(designs, z, float(at.theta), {})
+        # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
+        if better is not None and np.linalg.norm(better) <= np.linalg.norm(z):
+            beyond = better * (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
+            if jumping(designs, beyond).any():
+                return better
+    return shortened(lambda points: jumping(designs, points), z)
+
+
+def _proved(designs: Space, distance: float) -> float:
+    """The largest share of the distance within which nothing jumps, proved; 0 if none of those tried can be."""
+    if not isinstance(designs.base, Parameters):
+        return np.nan
+    for share in _SHARES:
+        radius = share * distance
+        if _nothing_jumps_within(designs, radius):
+            return radius
+    return 0.0
+
+
+def _nothing_jumps_within(designs: Space, radius: float) -> bool:
+    """Boxes around the design are halved until each lies outside of the ball or is proved.
+
+    Of the friction only the largest value matters that the ball has over a box of the others.
+    """
+    low, high = designs.limits()
+    if (low > -radius).any() or (high < radius).any():
+        return False
+    values = designs.parameters(np.zeros(len(designs.names)))
+    others = [j for j, name in enumerate(designs.names) if name != "mu0"]
+    place = [NAMES.index(designs.names[j]) for j in others]
+    origin, scale = designs.origin[others, None], designs.scale[others, None]
+    ends = np.array([[float(values[name])] for name in NAMES])
+    begin, end = ends.copy(), ends.copy()
+    begin[place], end[place] = origin - radius * scale, origin + radius * scale
+    pending, seen = Boxes(begin, end, np.ones(1)), 0
+    while pending.share.size:
+        seen += pending.share.size
+        if seen > _BOXES:
+            return False
+        off = (np.clip(origin, pending.low[place], pending.high[place]) - origin) / scale
+        rest = (radius * (1 + 1e-9)) ** 2 - (off**2).sum(axis=0)
+        pending, rest = pending.rows(np.flatnonzero(rest >= 0)), rest[rest >= 0]
+        if "mu0" in designs.names:
+            j, k = NAMES.index("mu0"), designs.names.index("mu0")
+            pending.low[j] = pending.high[j] = designs.origin[k] + designs.scale[k] * np.sqrt(rest)
+        proved, weight = CLAIMS["no jump"].prove(pending)
+        left = np.flatnonzero(~proved)
+        pending = halved(pending.rows(left), weight[:, left])
+    return True

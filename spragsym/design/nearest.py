@@ -1,0 +1,115 @@
+"""The nearest point of a set, in units of tolerances, where only membership can be asked for, of many points at once.
+
+Rays from the origin, evenly spread and the same in every run, are walked outward to their first member; the best of them is
+turned and shortened. That finds a set that a ray meets, and proves nothing about one that all rays miss.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import norm, qmc
+
+from ..parameters import FloatArray
+
+Member = Callable[[FloatArray], NDArray[np.bool_]]
+
+#: Rays for each dimension squared, and radii at which each is asked, the last of them the farthest.
+_RAYS, _RADII = 64, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
+#: Halvings of a radius while rays are compared, and at the end, to the last digit.
+_COARSE, _FINE = 9, 52
+
+
+def nearest(member: Member, limits: tuple[FloatArray, FloatArray]) -> FloatArray | None:
+    """A member about as near to 0 as rays find it, of the shape (dimensions,), or none.
+
+    Parameters
+    ----------
+    member : callable
+        Tells of points, of shape (n, dimensions), which are members.
+    limits : (ndarray, ndarray)
+        The smallest and the largest value of each coordinate.
+    """
+    size = limits[0].size
+    if member(np.zeros((1, size)))[0]:
+        return np.zeros(size)
+    rays = _rays(size)
+    radius = _first(member, rays, limits)
+    if not np.isfinite(radius).any():
+        return None
+    best = np.flatnonzero(radius <= 1.5 * radius.min())
+    found = _shortened(member, rays[best], radius[best], _COARSE)
+    place = int(np.argmin(found))
+    return _turned(member, rays[best[place]], float(found[place]), limits)
+
+
+def _rays(size: int) -> FloatArray:
+    """Unit vectors: both ways along every axis, and evenly in between."""
+    axes = np.concatenate([np.eye(size), -np.eye(size)])
+    if size == 1:
+        return axes
+    number = 1 << int(np.ceil(np.log2(_RAYS * size * size)))
+    points = qmc.Sobol(size, scramble=True, rng=np.random.default_rng(20)).random(number)
+    normal = norm.ppf(np.clip(points, 1e-9, 1 - 1e-9))
+    return np.concatenate([axes, normal / np.linalg.norm(normal, axis=-1, keepdims=True)])
+
+
+def _reach(rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
+    """How far each ray goes within the limits."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ends = np.where(rays > 0, limits[1] / rays, np.where(rays < 0, limits[0] / rays, np.inf))
+    return np.asarray(ends.min(axis=-1))
+
+
+def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
+    """The first of the radii at which each ray is in the set, infinite where none is."""
+    reach = _reach(rays, limits)
+    radius = np.full(len(rays), np.inf)
+    for r in _RADII:
+        asked = np.flatnonzero(np.isinf(radius) & (r <= reach))
+        if asked.size:
+            inside = member(rays[asked] * r)
+            radius[asked[inside]] = r
+        # What lies half as far again beyond the nearest is of no use.
+        if r > 1.5 * radius.min():
+            break
+    ends = np.flatnonzero(np.isinf(radius) & np.isfinite(reach) & (reach < 1.5 * radius.min()) & (reach <= _RADII[-1]))
+    if ends.size:
+        inside = member(rays[ends] * reach[ends, None])
+        radius[ends[inside]] = reach[ends[inside]]
+    return radius
+
+
+def shortened(member: Member, point: FloatArray) -> FloatArray:
+    """A member brought nearer along its ray, to a border of the set, from inside and to the last digit."""
+    radius = float(np.linalg.norm(point))
+    if not radius:
+        return point
+    ray = point[None] / radius
+    return np.asarray(ray[0] * _shortened(member, ray, np.array([radius]), _FINE)[0])
+
+
+def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
+    low, high = np.zeros_like(radius), radius.copy()
+    for _ in range(halvings):
+        middle = 0.5 * (low + high)
+        inside = member(rays * middle[:, None])
+        low, high = np.where(inside, low, middle), np.where(inside, middle, high)
+    return high
+
+
+def _turned(member: Member, ray: FloatArray, radius: float, limits: tuple[FloatArray, FloatArray]) -> FloatArray:
+    """The best ray turned a little, and less and less, as long as that shortens it."""
+    if ray.size > 1:
+        normal = np.random.default_rng(21).standard_normal((64 * ray.size, ray.size))
+        for spread in (0.3, 0.1, 0.1, 0.03, 0.03, 0.01):
+            rays = ray + spread * normal
+            rays /= np.linalg.norm(rays, axis=-1, keepdims=True)
+            tried = radius * (1 - 1e-2 * spread)
+            good = (_reach(rays, limits) >= tried) & member(rays * tried)
+            if good.any():
+                found = _shortened(member, rays[good], np.full(int(good.sum()), tried), _COARSE)
+                ray, radius = rays[good][np.argmin(found)], float(found.min())
+    return ray * radius

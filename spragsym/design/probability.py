@@ -1,0 +1,292 @@
+"""How probable a jump is when parameters are known within tolerances only, and which of them matters."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+
+from ..display import Result, Table
+from ..errors import ParameterError, TargetError
+from ..files import storage
+from ..files.journal import Record, clear, journal
+from ..parameters import NAMES, RANGES, FloatArray, Parameters, PhysicalParameters, Range, as_number, range_of
+from ..sweeps import workers as processes
+from ..sweeps.many import advance
+from ..sweeps.workers import Workers
+from . import sampling
+from .jump_values import first_jumps
+from .spaces import PHYSICAL, dimensionless
+
+#: Independent variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
+Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]
+
+#: Points by default, of which the indices take as many again for every two variables.
+_POINTS = 1 << 16
+
+
+@dataclass(frozen=True)
+class JumpProbability(Result):
+    """The probability that the state of small deformation jumps as the friction rises to μ₀.
+
+    Attributes
+    ----------
+    probability, low, high : float
+        The estimate and its interval.
+    confidence : float
+        Of the interval.
+    n : int
+        Points that it was estimated from.
+    undecided : float
+        Share of the points without an answer, which the interval takes in.
+    first, total : dict of str to float
+        Sobol' indices of every quantity that varies: the share of the variance of "it jumps" that goes with it alone, and with it
+        and all that it does together with others. NaN where everything jumps, or nothing, and empty if not asked for.
+    first_error, total_error : dict of str to float
+        Half-widths of their intervals.
+    """
+
+    probability: float
+    low: float
+    high: float
+    confidence: float
+    n: int
+    undecided: float
+    first: Mapping[str, float]
+    total: Mapping[str, float]
+    first_error: Mapping[str, float]
+    total_error: Mapping[str, float]
+
+    def as_table(self) -> Table:
+        """The probability on the line above, and the indices."""
+        ends = f"{self.low:.4g} to {self.high:.4g} with confidence {self.confidence:.4g}"
+        title = f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}"
+        header = ("", "first order", "±", "total", "±")
+        columns = (self.first, self.first_error, self.total, self.total_error)
+        rows = tuple((f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first)
+        return Table(title, header, rows or (("", "", "", "", ""),))
+
+
+def jump_probability(
+    distribution: Distribution,
+    *,
+    n: int = _POINTS,
+    rng: int | np.random.Generator | None = None,
+    confidence: float = 0.95,
+    sobol: bool = True,
+    replicates: int = 16,
+    workers: Workers = 1,
+    progress: bool = False,
+    store: str | os.PathLike[str] | None = None,
+) -> JumpProbability:
+    """The probability of a jump from tolerances, by quasi-Monte Carlo, with an interval and Sobol' indices.
+
+    Parameters
+    ----------
+    distribution : mapping, or two corners of a box
+        For each dimensionless parameter, or for each of the physical quantities k, k_x, k_y, k_c, F_L, L_0, theta0 and mu0: a
+        number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``. They are
+        independent. Two :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a box.
+    n : int
+        Points, rounded up to a power of two for each replicate.
+    rng : int or numpy.random.Generator, optional
+        An int gives the same points each time.
+    confidence : float
+        Of the intervals.
+    sobol : bool
+        Also estimate the indices, which costs half as many evaluations more for each quantity that varies.
+    replicates : int
+        Independent scramblings, from whose spread the intervals follow.
+    workers : int or map-like callable
+        Processes, −1 for one a core; or ``map(function, chunks)`` of an engine, such as a dask client's. The result is the same.
+    progress : bool
+        Show a bar on stderr.
+    store : path, optional
+        Finished chunks go to ``<store>.partial``; the same call goes on from there after a kill, and reads the file when it is
+        done. Needs an int as ``rng``.
+
+    Returns
+    -------
+    JumpProbability
+
+    Raises
+    ------
+    ParameterError
+        For quantities that are missing or unknown, and distributions that reach out of a range.
+
+    Notes
+    -----
+    Source: :func:`spragsym.jump_value`; an event is a jump at a friction up to μ₀. Interval by Student's distribution over the
+    replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> base = Parameters.article(theta0=np.radians(40.0), mu0=0.55)
+    >>> box = base.replace(mu0=0.5, sigma=0.09), base.replace(mu0=0.65, sigma=0.11)
+    >>> found = jump_probability(box, n=4096, rng=1)
+    >>> round(found.probability, 2), found.high - found.low < 0.01, max(found.total, key=found.total.get)
+    (0.39, True, 'mu0')
+    """
+    variables = _variables(distribution)
+    varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
+    if not varied:
+        raise ParameterError("no quantity of distribution varies; give a range or a distribution for one, or use jump_value")
+    _check(n, replicates, confidence)
+    if store is not None and not isinstance(rng, int | np.integer):
+        raise ParameterError("store needs rng = an integer, so that the same call has the same points")
+    seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
+    tasks = sampling.chunks(n, replicates, seeds)
+    work = partial(sampling.sums, partial(_jumps, variables), len(varied), sobol)
+    records = _records(work, tasks, workers, progress, store, _settings(variables, sobol, tasks))
+    found = sampling.estimate(records, [task.replicate for task in tasks], confidence, True)
+    named = (
+        dict(zip(varied, part.tolist(), strict=True)) if sobol else {}
+        for part in (found.first, found.total, found.first_error, found.total_error)
+    )
+    return JumpProbability(found.mean, found.low, found.high, confidence, found.n, found.undecided, *named)
+
+
+def _check(n: int, replicates: int, confidence: float) -> None:
+    for name, value, least in (("n", n, 2), ("replicates", replicates, 2)):
+        if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < least:
+            raise ParameterError(f"{name} = {value!r}; give an integer of {least} or more")
+    if not 0 < confidence < 1:
+        raise ParameterError(f"confidence = {confidence!r} is not between 0 and 1; give 0.95 for 95 %")
+
+
+# ------------------------------------------------------------------------------------------------------ variables
+
+
+@dataclass(frozen=True)
+class _Uniform:
+    low: float
+    width: float
+
+    def ppf(self, share: Any) -> Any:
+        return self.low + share * self.width
+
+
+def _variables(distribution: Distribution) -> dict[str, Any]:
+    """Each quantity as a float, or as something with a quantile function ``ppf``."""
+    given = _box(*distribution) if isinstance(distribution, tuple) else dict(distribution)
+    names = PHYSICAL if set(given) & (set(PHYSICAL) - set(NAMES)) else NAMES
+    for name in given:
+        if name not in names:
+            raise ParameterError(f"{name!r} in distribution is not a quantity here; the quantities are {', '.join(names)}")
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
+    return {name: _variable(name, given[name]) for name in names}
+
+
+def _box(low: Any, high: Any) -> dict[str, Any]:
+    if type(low) is not type(high) or not isinstance(low, Parameters | PhysicalParameters):
+        raise ParameterError("distribution: the corners of a box are two Parameters or two PhysicalParameters")
+    names = NAMES if isinstance(low, Parameters) else PHYSICAL
+    ends = ((name, as_number(name, getattr(low, name)), as_number(name, getattr(high, name))) for name in names)
+    return {name: one if one == other else (one, other) for name, one, other in ends}
+
+
+def _variable(name: str, given: Any) -> Any:
+    allowed = RANGES[name] if name in RANGES else range_of(name)
+    if hasattr(given, "ppf"):
+        _check_reach(name, float(given.ppf(0.0)), float(given.ppf(1.0)), allowed)
+        return given
+    if isinstance(given, Sequence) and not isinstance(given, str):
+        if len(given) != 2:
+            raise ParameterError(f"{name} has {len(given)} numbers in distribution; a range has two, low and high")
+        low, high = (as_number(f"{name}[{i}]", value, allowed) for i, value in enumerate(given))
+        if low > high:
+            raise ParameterError(f"{name} = ({low:g}, {high:g}) goes down; give the smaller end first")
+        return _Uniform(low, high - low) if low < high else low
+    return as_number(name, given, allowed)
+
+
+def _check_reach(name: str, low: float, high: float, allowed: Range) -> None:
+    below = low < allowed.low
+    if below or not high <= allowed.high:
+        end = f"{low:g}" if below else f"{high:g}"
+        raise ParameterError(
+            f"the distribution of {name} reaches {end}, and {name} must be in {allowed}; truncate it, as by scipy.stats.truncnorm"
+        )
+
+
+def _jumps(variables: Mapping[str, Any], points: FloatArray) -> FloatArray:
+    """1 where the state jumps, 0 where it does not, NaN where that is unknown."""
+    values: dict[str, Any] = {}
+    column = 0
+    for name, one in variables.items():
+        if isinstance(one, float):
+            values[name] = one
+        else:
+            values[name] = one.ppf(points[:, column])
+            column += 1
+    parameters = {name: np.broadcast_to(value, len(points)) for name, value in dimensionless(values).items()}
+    at = first_jumps(Parameters(**parameters), "mu0")
+    result = np.where(at.value <= parameters["mu0"], 1.0, 0.0)
+    result[list(at.reasons)] = np.nan
+    return result
+
+
+# --------------------------------------------------------------------------------------------------------- chunks
+
+
+def _settings(variables: Mapping[str, Any], sobol: bool, tasks: list[sampling.Chunk]) -> dict[str, Any]:
+    """All that the sums depend on, in words."""
+    shares = np.linspace(0.01, 0.99, 9)
+    told = {
+        name: one if isinstance(one, float) else [float(value) for value in np.asarray(one.ppf(shares))]
+        for name, one in variables.items()
+    }
+    return {"jump_probability": told, "sobol": sobol, "chunks": len(tasks), "first": list(tasks[0]), "last": list(tasks[-1])}
+
+
+def _records(
+    work: Any, tasks: list[sampling.Chunk], workers: Workers, progress: bool, store: Any, settings: dict[str, Any]
+) -> list[list[float]]:
+    points = dict(enumerate(tasks))
+    if store is None:
+        return _computed(work, points, workers, progress, {}, None)
+    target = storage.resolved(store)
+    if not target.parent.is_dir() or target.is_dir():
+        raise ParameterError(f"store = {target} can't be a file; give the name of one in an existing folder")
+    key = storage.fingerprint({}, settings)
+    if target.is_file():
+        clear(target, key, len(points))
+        return _loaded(target, key)
+    with journal(target, key, len(points)) as (done, keep):
+        records = _computed(work, points, workers, progress, done, keep)
+        storage.write_text(target, json.dumps({"fingerprint": key, **storage.provenance(), "sums": records}) + "\n")
+    return records
+
+
+def _computed(
+    work: Any, points: dict[int, sampling.Chunk], workers: Workers, progress: bool, done: dict[int, Record], keep: Any
+) -> list[list[float]]:
+    keep = done.__setitem__ if keep is None else keep
+    missing = {i: chunk for i, chunk in points.items() if i not in done}
+    found = processes.results(workers, work, missing, _told)
+    with advance(progress, len(points), len(done)) as step, closing(found):
+        for i, values in found:
+            keep(i, (values, ""))
+            step()
+    return [done[i][0] for i in range(len(points))]
+
+
+def _told(chunk: sampling.Chunk) -> str:
+    return f"points {chunk.begin} to {chunk.begin + chunk.size} of replicate {chunk.replicate}"
+
+
+def _loaded(target: Path, key: str) -> list[list[float]]:
+    content = json.loads(storage.read_text(target))
+    if content.get("fingerprint") != key:
+        raise TargetError(f"{target} exists and holds something else; remove it, or give another path")
+    return [list(map(float, row)) for row in content["sums"]]

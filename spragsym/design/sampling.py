@@ -1,0 +1,126 @@
+"""Mean, variance and Sobol' indices of a function of independent variables, by quasi-Monte Carlo, in chunks and with intervals.
+
+Several independent scramblings of one Sobol' sequence give as many independent means of one distribution, from whose spread the
+interval follows (Student). One more set of points, and mixtures of both, give the indices: first order by Saltelli et al. (2010),
+total by Jansen (1999). Of a chunk only sums are kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from scipy.stats import beta as beta_law
+from scipy.stats import qmc
+from scipy.stats import t as student
+
+from ..parameters import FloatArray
+
+#: Values of a function at points of the unit cube, of shape (points, variables); NaN where it has none.
+Function = Callable[[FloatArray], FloatArray]
+
+#: Fewer hits or misses than this make no normal distribution of the means.
+_FEW = 50
+
+
+class Chunk(NamedTuple):
+    """A part of one scrambled sequence."""
+
+    replicate: int
+    seed: int
+    begin: int
+    size: int
+
+
+def chunks(n: int, replicates: int, seeds: Sequence[int]) -> list[Chunk]:
+    """``n`` points or a few more, in ``replicates`` sequences of a power of two each."""
+    each = 1 << max(int(np.ceil(np.log2(max(n / replicates, 2)))), 1)
+    size = min(each, max(1 << 12, min(1 << 18, each // 8)))
+    return [Chunk(i, seed, begin, size) for i, seed in enumerate(seeds) for begin in range(0, each, size)]
+
+
+def sums(function: Function, variables: int, indices: bool, chunk: Chunk) -> list[float]:
+    """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each variable two sums for its indices."""
+    # SciPy goes forward in sequences of up to 32 bits only.
+    sequence = qmc.Sobol((2 if indices else 1) * variables, rng=np.random.default_rng(chunk.seed), bits=32)
+    if chunk.begin:
+        sequence.fast_forward(chunk.begin)
+    points = sequence.random(chunk.size)
+    base = points[:, :variables]
+    one, unknown = _evaluated(function, base)
+    if not indices:
+        return [float(chunk.size), unknown, float(one.sum()), float(one @ one)]
+    other, more = _evaluated(function, points[:, variables:])
+    result = [2.0 * chunk.size, unknown + more, float(one.sum() + other.sum()), float(one @ one + other @ other)]
+    for j in range(variables):
+        mixed = base.copy()
+        mixed[:, j] = points[:, variables + j]
+        value, _ = _evaluated(function, mixed)
+        result += [float(other @ (value - one)), float(((one - value) ** 2).sum())]
+    return result
+
+
+def _evaluated(function: Function, points: FloatArray) -> tuple[FloatArray, float]:
+    value = np.asarray(function(points), dtype=float)
+    unknown = np.isnan(value)
+    return np.where(unknown, 0.0, value), float(unknown.sum())
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """Mean with its interval, share without a value, and indices with half-widths of theirs, an array over the variables each."""
+
+    n: int
+    mean: float
+    low: float
+    high: float
+    undecided: float
+    first: FloatArray
+    total: FloatArray
+    first_error: FloatArray
+    total_error: FloatArray
+
+
+def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confidence: float, indicator: bool) -> Estimate:
+    """From the sums of all chunks; ``indicator`` says that the function is 0 or 1."""
+    number = max(replicate) + 1
+    table = np.zeros((number, len(records[0])))
+    np.add.at(table, np.asarray(replicate), np.asarray(records))
+    count, unknown, total, squares = table[:, :4].T
+    means = total / count
+    mean, n = float(total.sum() / count.sum()), float(count.sum())
+    quantile = float(student.ppf(0.5 + confidence / 2, number - 1))
+    half = quantile * float(means.std(ddof=1)) / number**0.5
+    low, high = mean - half, mean + half
+    if indicator:
+        hits, missing = float(total.sum()), float(unknown.sum())
+        if min(hits, n - hits) < _FEW:
+            low, high = _exact(hits, n, confidence)
+        # Points without a value may be either.
+        low, high = max(low, 0.0), min(high + missing / n, 1.0)
+    first, first_error = _index(table[:, 4::2], table, 2.0, quantile)
+    whole, whole_error = _index(table[:, 5::2], table, 1.0, quantile)
+    return Estimate(int(n), mean, low, high, float(unknown.sum() / n), first, whole, first_error, whole_error)
+
+
+def _exact(hits: float, n: float, confidence: float) -> tuple[float, float]:
+    """Clopper and Pearson's interval, as for independent points, which spread no less."""
+    tail = (1 - confidence) / 2
+    low = float(beta_law.ppf(tail, hits, n - hits + 1)) if hits else 0.0
+    high = float(beta_law.ppf(1 - tail, hits + 1, n - hits)) if hits < n else 1.0
+    return low, high
+
+
+def _index(parts: FloatArray, table: FloatArray, factor: float, quantile: float) -> tuple[FloatArray, FloatArray]:
+    """A ratio to the variance, and the half-width of its interval from the spread over the replicates (linearized)."""
+    count, _, total, squares = table[:, :4].T
+    mean = total.sum() / count.sum()
+    with np.errstate(invalid="ignore", divide="ignore"):
+        variances = (squares - 2 * mean * total + mean * mean * count) / count
+        values = factor * parts / count[:, None]
+        variance = variances.mean()
+        ratio = values.mean(axis=0) / variance
+        spread = (values - ratio * variances[:, None]).std(axis=0, ddof=1) / variance
+    return ratio, quantile * spread / len(table) ** 0.5

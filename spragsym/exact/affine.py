@@ -1,0 +1,123 @@
+"""Affine arithmetic for many boxes at once: numbers that know, to first order, how they depend on what varies over a box.
+
+An :class:`Affine` stands for value + Σ terms_j ε_j ± error with every \\|ε_j\\| ≤ 1, one ε for each side of a box. Sums and
+products keep the terms, so that what depends on a parameter twice is not widened twice, and what is lost is of second order in
+the size of the box. Every rounding goes into the error: a sign that it leaves open is 0.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .rounded import UNIT
+
+_SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
+
+
+class Affine:
+    """Numbers of ``n`` boxes: ``value`` and ``error`` of shape (n,), ``terms`` of shape (sides, n)."""
+
+    __slots__ = ("error", "terms", "value")
+    __array_ufunc__ = None  # an array on the left leaves the operation to the right
+
+    def __init__(self, value: Any, terms: Any, error: Any = 0.0) -> None:
+        self.value, self.terms, self.error = value, terms, error
+
+    def _spread(self) -> Any:
+        return np.abs(self.terms).sum(axis=0)
+
+    def radius(self) -> Any:
+        """How far from ``value`` the numbers reach."""
+        return (self._spread() + self.error) * _SLACK
+
+    def __add__(self, other: Any) -> Affine:
+        if not isinstance(other, Affine):
+            value = self.value + other
+            return Affine(value, self.terms, (self.error + UNIT * np.abs(value)) * _SLACK)
+        value, terms = self.value + other.value, self.terms + other.terms
+        rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
+        return Affine(value, terms, (self.error + other.error + rounding) * _SLACK)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Affine:
+        return Affine(-self.value, -self.terms, self.error)
+
+    def __sub__(self, other: Any) -> Affine:
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> Affine:
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> Affine:
+        if not isinstance(other, Affine):
+            value, terms = self.value * other, self.terms * other
+            rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
+            return Affine(value, terms, (np.abs(other) * self.error + rounding) * _SLACK + _TINY)
+        value = self.value * other.value
+        left, right = np.abs(self.value), np.abs(other.value)
+        own, others = self._spread(), other._spread()
+        carried = left * other.error + right * self.error + (own + self.error) * (others + other.error)
+        rounding = UNIT * (np.abs(value) + 3 * (left * others + right * own))
+        terms = self.value * other.terms + other.value * self.terms
+        return Affine(value, terms, (carried + rounding) * _SLACK + _TINY)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> Affine:
+        return self.__mul__(other.reciprocal() if isinstance(other, Affine) else 1.0 / other)
+
+    def __rtruediv__(self, other: Any) -> Affine:
+        return self.reciprocal().__mul__(other)
+
+    def __pow__(self, power: int) -> Affine:
+        result = self
+        for _ in range(power - 1):
+            result = result * self
+        return result
+
+    def reciprocal(self) -> Affine:
+        """1/x: 1/m − (x − m)/m² and (x − m)²/(m² x) beyond that; an infinite error where 0 may be in x."""
+        inverse = 1.0 / self.value
+        reach = self.radius()
+        least = np.abs(self.value) - reach
+        slope = -inverse * inverse
+        beyond = (reach * inverse) ** 2 / np.abs(least)
+        terms = slope * self.terms
+        rounding = 4 * UNIT * (np.abs(inverse) + np.abs(terms).sum(axis=0))
+        error = (np.abs(slope) * self.error * _SLACK + beyond + rounding) * _SLACK + _TINY
+        return Affine(inverse, terms, np.where(least > 0, error, np.inf))
+
+    def rows(self, index: Any) -> Affine:
+        """Those of some boxes."""
+        return Affine(self.value[index], self.terms[:, index], np.broadcast_to(self.error, self.value.shape)[index])
+
+    def sign(self) -> NDArray[np.int8]:
+        """−1 or 1 where it has that sign all over the box, else 0."""
+        reach = self.radius()
+        above, below = self.value > reach, -self.value > reach
+        return np.asarray(above, dtype=np.int8) - np.asarray(below, dtype=np.int8)
+
+
+def sides(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[Affine]:
+    """One number for each side of boxes, whose corners have the shape (sides, n)."""
+    middle = 0.5 * (low + high)
+    half = np.maximum(np.nextafter(high - middle, np.inf), np.nextafter(middle - low, np.inf))
+    half = np.where(high > low, half, 0.0)
+    result = []
+    for j in range(len(low)):
+        terms = np.zeros(low.shape)
+        terms[j] = half[j]
+        result.append(Affine(middle[j], terms, np.zeros(low.shape[1])))
+    return result
+
+
+def cosine_and_sine(angle: Affine) -> tuple[Affine, Affine]:
+    """Of an angle; NumPy's are within two units in the last place, and four are taken."""
+    cosine, sine = np.cos(angle.value), np.sin(angle.value)
+    reach = angle.radius()
+    beyond = (0.5 * reach * reach + angle.error + 16 * UNIT * (1 + reach)) * _SLACK
+    return Affine(cosine, -sine * angle.terms, beyond), Affine(sine, cosine * angle.terms, beyond)

@@ -1,0 +1,450 @@
+"""Cycles: against SciPy's own driver, closed forms, published numbers, simulations on both sides, and a proof."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+import json
+import math
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from benchmarks import validate_cycles
+from spragsym.cli.cycles import cycles as command
+from spragsym.cycles import criteria, exponents, finding, saddles, shooting
+from spragsym.cycles.field import Border, Field
+from spragsym.cycles.flows import carrier
+from spragsym.cycles.jets import Jet
+from spragsym.cycles.sprag import SPRAG
+from spragsym.generated import motion
+
+pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
+
+BELT = {"V": 0.5, "d": 10.0}
+
+
+def at(degrees: float, **changes: float) -> ss.Parameters:
+    return ss.Parameters.article(theta0=np.radians(degrees), **changes)
+
+
+@pytest.fixture(scope="module")
+def slow() -> ss.Cycle:
+    """The weakly attracting cycle at 42 degrees."""
+    return ss.cycle(at(42.0), **BELT, near=(2.54, 3.36, 0.0, 0.36))
+
+
+@pytest.fixture(scope="module")
+def branch(slow: ss.Cycle) -> ss.CycleBranch:
+    """Through three grazings and a period doubling."""
+    return ss.cycle_branch(slow, "theta0", (np.radians(41.0), np.radians(43.6)), longest=0.3)
+
+
+# ------------------------------------------------------------------------------------------------------------- orbits
+
+
+def test_a_cycle_is_that_of_another_driver(slow: ss.Cycle) -> None:
+    assert max(validate_cycles.differences(slow)) < 1e-9
+
+
+def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
+    assert slow.residual < 1e-12
+    assert slow.error < 1e-10
+    assert abs(slow.multipliers[0] - 1) < 1e-8
+    assert slow.stable
+    assert 0.996 < slow.multipliers[1].real < 0.997
+    tr = slow.trajectory()
+    assert tr.rms(0.0) == pytest.approx(slow.rms, abs=1e-9)
+    assert tr.mean(0.0) == pytest.approx(slow.mean, abs=1e-9)
+    assert len(tr.events) == len(slow.events) == 4
+    assert np.abs(tr.events.t - slow.events.t).max() < 1e-9
+    assert -tr.y.min() == pytest.approx(slow.contact_force[1], abs=1e-4)
+    assert slow.contact_force[0] == 0
+    x, y, _, _ = tr(np.linspace(0, slow.period, 40001))
+    force = 0.1 * (motion.spring_length(x, y, math.cos(slow.values[0]), math.sin(slow.values[0])) - 1)
+    assert slow.spring_force == pytest.approx((force.min(), force.max()), abs=1e-8)
+
+
+def test_both_integrators_find_the_same(slow: ss.Cycle) -> None:
+    other = ss.cycle(at(42.0), **BELT, near=slow, backend="scipy")
+    assert np.abs(other.state - slow.state).max() < 1e-10
+    assert abs(other.period - slow.period) < 1e-10
+    assert np.abs(other.multipliers - slow.multipliers).max() < 1e-9
+
+
+def test_a_strongly_unstable_cycle_by_multiple_shooting() -> None:
+    worst = ss.cycle(at(35.5), **BELT, near=(3.31193203, 1.56224915, 0.0, 0.02077165), patient=False)
+    assert -150 < worst.multipliers[1].real < -140
+    assert worst.error < 1e-10
+    assert worst.residual < 1e-12
+    assert abs(worst.multipliers[0] - 1) < 1e-8
+    assert not worst.stable
+
+
+def test_a_state_and_a_motion_lead_to_the_same_cycle(slow: ss.Cycle) -> None:
+    tr = ss.simulate(at(42.0), **BELT, t_end=1000.0)
+    found = ss.cycle(at(42.0), **BELT, near=tr)
+    assert found.period == pytest.approx(slow.period, abs=1e-10)
+    twice = shooting.Guess(slow.state[None], 2 * slow.period, slow.values)
+    fly, name = carrier(SPRAG, None)
+    loop = shooting.looped(SPRAG, fly, twice)
+    from spragsym.cycles.orbit import cycle_of
+
+    assert cycle_of(loop, fly, name).period == pytest.approx(slow.period, abs=1e-9)  # never twice round
+
+
+# ----------------------------------------------------------------------------------------- other models, closed forms
+
+
+def field_of(
+    name: str, force: Any, slope: Any, by_parameter: Any, borders: tuple[Border, ...] = (), modes: Any = ((0,),)
+) -> Field:
+    """x″ = force(x, v, parameter, mode) with one parameter."""
+    return Field(
+        name, ("x",), ("e",), lambda values, xp=None: tuple(values),
+        lambda q, c, mode, xp=math: (force(*q, *c, mode),), lambda q, c, mode, xp=math: (slope(*q, *c, mode),),
+        lambda q, c, mode, xp=math: ((by_parameter(*q, *c, mode),),), borders,
+        lambda q, c: next(m for m in modes if all(b.sign(m) * b.level(q, c, m) >= -1e-300 for b in borders)),
+        tuple(modes), lambda name, value: None, lambda *_: None, lambda mode: mode,
+    )  # fmt: skip
+
+
+VAN_DER_POL = field_of(
+    "van der Pol", lambda x, v, e, m: e * (1 - x * x) * v - x, lambda x, v, e, m: (-2 * e * x * v - 1, e * (1 - x * x)),
+    lambda x, v, e, m: (1 - x * x) * v,
+)  # fmt: skip
+
+
+def test_the_published_period_of_van_der_pols_oscillator() -> None:
+    found = finding.cycle_near(VAN_DER_POL, (1.0,), (2.0, 0.0))
+    assert found.period == pytest.approx(6.6632868593231301, abs=1e-12)  # D. Viswanath, 1997; Andersen and Geer, 1982
+    x, v = found.samples.states
+    damping = float((found.samples.weights() * (1 - x**2)).sum())
+    assert found.multipliers[1].real == pytest.approx(math.exp(damping), rel=1e-9)  # Liouville's formula
+
+
+#: Its cycle is the circle of radius sqrt(e), its period 2 π, its multiplier exp(−2 π e).
+CIRCLE = field_of(
+    "circle", lambda x, v, e, m: (e - x * x - v * v) * v - x, lambda x, v, e, m: (-2 * x * v - 1, e - x * x - 3 * v * v),
+    lambda x, v, e, m: v,
+)  # fmt: skip
+
+
+def test_a_branch_ends_at_hopfs_bifurcation() -> None:
+    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
+    assert found.amplitude == pytest.approx(0.5, abs=1e-12)  # the circle of radius sqrt(e)
+    assert found.period == pytest.approx(2 * math.pi, abs=1e-12)
+    assert found.multipliers[1].real == pytest.approx(math.exp(-2 * math.pi * 0.25), rel=1e-10)
+    branch = ss.cycle_branch(found, "e", (-0.5, 0.5))
+    assert branch.amplitude == pytest.approx(np.sqrt(branch.values), abs=1e-9)
+    (end, _) = branch.of("end")
+    assert "equilibrium" in end.how
+    assert abs(end.value) < 1e-6
+    assert abs(end.value) <= end.error
+
+
+def stick_slip(width: float) -> Field:
+    """A block on a belt of speed 0.2, static friction 1, kinetic 0.5: rising over a slip of ``width``, falling over another."""
+    speed, static, kinetic = 0.2, 1.0, 0.5
+
+    def force(x: Any, v: Any, e: Any, mode: Any) -> Any:
+        zone, sign = mode  # zone 0: |slip| < width; 1: to twice that; 2: beyond
+        slip = speed - v
+        steep = static / width * slip
+        falling = sign * static - (static - kinetic) / width * (slip - sign * width)
+        weights = ((1 - zone) * (2 - zone) / 2, zone * (2 - zone), zone * (zone - 1) / 2)
+        return weights[0] * steep + weights[1] * falling + weights[2] * sign * kinetic - x
+
+    def slope(x: Any, v: Any, e: Any, mode: Any) -> Any:
+        zone, _ = mode
+        weights = ((1 - zone) * (2 - zone) / 2, zone * (2 - zone))
+        return -1.0, -weights[0] * static / width + weights[1] * (static - kinetic) / width
+
+    def outer(limit: float) -> Any:
+        return lambda q, c, m: m[1] * (speed - q[1]) / limit - 1
+
+    def rate(limit: float) -> Any:
+        return lambda q, a, c, m: -m[1] * a[0] / limit
+
+    def inner_sign(m: Any) -> Any:
+        return m[0] * (3 - m[0]) - 1  # −1, 1, 1 in zones 0, 1, 2
+
+    def outer_sign(m: Any) -> Any:
+        return m[0] * (m[0] - 1) - 1  # −1, −1, 1
+
+    borders = (
+        Border("sticks", outer(width), rate(width), inner_sign, lambda m: (1 - m[0], m[1])),
+        Border("slips", outer(2 * width), rate(2 * width), outer_sign, lambda m: (3 - m[0], m[1])),
+        Border("sign", lambda q, c, m: speed - q[1], lambda q, a, c, m: -a[0], lambda m: m[1], lambda m: (m[0], -m[1])),
+    )
+    modes = [(zone, sign) for zone in (0, 1, 2) for sign in (1, -1)]
+    return field_of(f"stick-slip {width}", force, slope, lambda *_: 0.0, borders, modes)
+
+
+def test_the_textbook_period_of_stick_slip() -> None:
+    # Sticking 2 A / v from −A to A about the kinetic force, slipping 2 (π − atan(A / v)), A = static − kinetic.
+    exact = 2 * 0.5 / 0.2 + 2 * (math.pi - math.atan(0.5 / 0.2))
+    off = []
+    for width in (4e-3, 1e-3):
+        found = finding.cycle_near(stick_slip(width), (0.0,), (1.0, 0.199))
+        assert found.residual < 1e-12
+        off.append(found.period - exact)
+    assert abs(off[1]) < 0.05
+    assert 0 < off[1] < off[0] / 3  # it goes with the width of the layer, but for a logarithm
+
+
+# ------------------------------------------------------------------------------------------------------ branches
+
+
+def test_a_branch_finds_the_doubling_and_every_grazing(branch: ss.CycleBranch) -> None:
+    assert [event.kind for event in branch.events].count("grazing") == 1
+    (doubling,) = branch.of("period_doubling")
+    assert min(abs(doubling.cycle.multipliers + 1)) < 1e-8
+    assert {event.how for event in branch.of("end")} == {"the range ends"}
+    assert all(event.error < 1e-8 for event in branch.events)
+    assert max(cycle.residual for cycle in branch.cycles) < 1e-12
+
+
+def test_the_doubling_is_seen_by_simulations_on_both_sides(branch: ss.CycleBranch) -> None:
+    (doubling,) = branch.of("period_doubling")
+    before, after = (ss.cycle(at(np.degrees(doubling.value) + side), **BELT, near=doubling.cycle) for side in (-0.3, 0.3))
+    assert before.stable
+    assert not after.stable
+    kick = 1e-4
+    for cycle, grows in ((before, False), (after, True)):
+        p = ss.Parameters(**{name: cycle.parameters[name] for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")})
+        x, y, vx, vy = cycle.state
+        tr = ss.simulate(p, **BELT, x0=x, y0=y + kick, vx0=vx, vy0=vy, t_end=80.5 * cycle.period, rtol=1e-12)
+        off = [np.abs(tr(k * cycle.period)[1] - tr((k + 1) * cycle.period)[1]) for k in (10, 79)]
+        assert (off[1] > off[0]) == grows
+
+
+def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
+    (grazing,) = branch.of("grazing")
+    counts = [len(ss.cycle(at(np.degrees(grazing.value) + side), **BELT, near=grazing.cycle).events) for side in (-0.02, 0.02)]
+    assert sorted(counts) == [4, 6]
+    gap = np.abs(grazing.cycle.samples.states[2] - 0.5).min()
+    assert gap < 1e-4  # between samples it is 0
+
+
+def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> None:
+    (doubling,) = branch.of("period_doubling")
+    doubled = branch.switch(doubling)
+    assert doubled.stable
+    assert doubled.period == pytest.approx(2 * doubling.cycle.period, rel=1e-3)
+    back = ss.cycle_branch(doubled, "theta0", (np.radians(42.9), doubled.values[0] + 1e-6), longest=0.2)
+    ends = [event for event in back.of("end") if "half" in event.how]
+    assert ends[0].value == pytest.approx(doubling.value, abs=1e-8)
+    with pytest.raises(ss.ParameterError, match="no other branch"):
+        branch.switch(branch.of("grazing")[0])
+
+
+def test_a_doubling_in_two_parameters(branch: ss.CycleBranch) -> None:
+    (doubling,) = branch.of("period_doubling")
+    curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
+    assert len(curve.values) == 3
+    angle, friction = curve.values[-1]
+    again = ss.cycle(at(np.degrees(angle), mu0=friction), **BELT, near=curve.cycles[-1])
+    assert min(abs(again.multipliers + 1)) < 1e-8
+    with pytest.raises(ss.ParameterError, match="not followed"):
+        ss.cycle_events(branch.of("end")[0], ("theta0", "mu0"))
+
+
+def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
+    a, b, c = slow.multipliers[1:]
+    assert criteria.at_one(slow.loop) == pytest.approx(((1 - a) * (1 - b) * (1 - c)).real, abs=1e-12)
+    assert criteria.at_minus_one(slow.loop) == pytest.approx(((1 + a) * (1 + b) * (1 + c)).real, abs=1e-12)
+    assert criteria.on_circle(slow.loop) == pytest.approx(((1 - a * b) * (1 - a * c) * (1 - b * c)).real, abs=1e-12)
+
+
+# --------------------------------------------------------------------------------------------- fates and exponents
+
+
+def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
+    found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **BELT)
+    assert found.saddle == "equilibrium"
+    for sign in (-1, 1):
+        p = ss.Parameters.article(theta0=found.value + sign * 1e-9)
+        reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).amplitude(300.0)
+        assert (reach > 1.0) == (sign > 0)
+    friction = ss.sliding_friction(0.5, 0.5, 10.0)
+    rest = ss.equilibria(ss.Parameters.article(theta0=found.value, mu0=friction))
+    (divergent,) = np.flatnonzero(rest.stability == ss.Stability.DIVERGENT)
+    assert found.state[:2] == pytest.approx([rest.x[divergent], rest.y[divergent]], abs=1e-9)
+    with pytest.raises(ss.ParameterError, match="both ends"):
+        ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.70, 0.71), **BELT)
+
+
+def test_the_boundary_of_a_basin_divides_the_sides_of_the_saddle() -> None:
+    found = ss.basin_boundary(at(40.0), **BELT, step=0.05, points=1)
+    fly, _ = carrier(SPRAG, None)
+    values = (np.radians(40.0), 0.5, 0.007, 0.007, 0.1, 0.0, 0.5, 10.0)
+    saddle = saddles.saddle_near(SPRAG, values, found.saddle)
+    assert saddle is not None
+    x, vx = found.points[len(found.points) // 2]
+    sides = [saddles.side(SPRAG, fly, values, np.array([x + off, 0, vx, 0]), 60.0, saddle)[0] for off in (-1e-5, 1e-5)]
+    assert sides[0] * sides[1] < 0
+    with pytest.raises(ss.ParameterError, match="three equilibria"):
+        ss.basin_boundary(at(60.0), **BELT)
+
+
+def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> None:
+    found = ss.lyapunov(at(42.0), **BELT, start=slow.state, t_end=80 * slow.period)
+    expected = np.sort(np.log(np.abs(slow.multipliers)) / slow.period)[::-1]
+    assert found.exponents == pytest.approx(expected, abs=2e-3)
+    assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
+    assert expected.sum() == pytest.approx(found.trace, abs=1e-4)
+
+
+def test_chaos_is_told_from_rest() -> None:
+    still = exponents.exponents_of(VAN_DER_POL, (-1.0,), np.array([0.1, 0.0]), 200.0)
+    assert still.kind == "periodic or at rest"
+    assert still.exponents == pytest.approx([-0.5, -0.5], abs=0.02)  # eigenvalues (−1 ± i √3) / 2 of the rest
+
+
+# -------------------------------------------------------------------------------------------------- clear outcomes
+
+
+def test_what_has_no_cycle_says_what_it_is_instead() -> None:
+    with pytest.raises(ss.ConvergenceError, match="equilibrium"):
+        ss.cycle(at(35.0), **BELT, patient=False)
+    with pytest.raises(ss.ConvergenceError, match=r"no cycle"):
+        ss.cycle(at(60.0), **BELT, patient=False)
+    with pytest.raises(ss.ParameterError, match="shape"):
+        ss.cycle(at(42.0), **BELT, near=(1.0, 2.0))
+
+
+@pytest.mark.parametrize(("V", "d"), [(0.0, 10.0), (0.5, 1e4)])
+def test_extremes_end_in_time(V: float, d: float) -> None:
+    found = None
+    with contextlib.suppress(ss.ConvergenceError):
+        found = ss.cycle(at(42.0), V=V, d=d, patient=False)
+    assert found is None or found.residual < 1e-12
+
+
+def test_a_range_that_is_none(slow: ss.Cycle) -> None:
+    with pytest.raises(ss.ParameterError, match="no range around"):
+        ss.cycle_branch(slow, "theta0", (0.1, 0.2))
+    with pytest.raises(ss.ParameterError, match="not one of"):
+        ss.cycle_branch(slow, "gamma", (0.1, 0.2))
+
+
+# ------------------------------------------------------------------------------------------------ proofs and files
+
+
+def test_series_by_their_coefficients() -> None:
+    x = Jet()
+    x.known = [0.3, 1.0, *[0.0] * 8]
+    inverse, square = 1 / x, x * x
+    assert [inverse[k] for k in range(8)] == pytest.approx([(-1) ** k / 0.3 ** (k + 1) for k in range(8)], rel=1e-12)
+    assert [square[k] for k in range(4)] == pytest.approx([0.09, 0.6, 1.0, 0.0])
+    flint = pytest.importorskip("flint")
+    y = Jet()
+    y.known = [flint.arb(2), flint.arb(1), *[flint.arb(0)] * 8]
+    root, power = y.sqrt(), y.exp()
+    for k in range(8):
+        exact = math.sqrt(2) * math.prod(0.5 - i for i in range(k)) / math.factorial(k) / 2**k
+        assert float(root[k]) == pytest.approx(exact, rel=1e-12)
+        assert float(power[k]) == pytest.approx(math.exp(2) / math.factorial(k), rel=1e-12)
+
+
+def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
+    pytest.importorskip("flint")
+    from spragsym.cycles import ball_proof, proofs
+
+    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
+    claim = proofs.claim_of(found, 12)
+    ball_proof.FIELDS[CIRCLE.name] = CIRCLE
+    try:
+        with ball_proof.bits(ball_proof.bits_for(12)):
+            proved = ball_proof.proved(claim)
+            claim["state"][0] += 1e-3
+            claim["slopes"] = [[1.0, 0.0], [0.0, 1.0]]
+            with pytest.raises(ball_proof.NotProved):
+                ball_proof.proved(claim)
+    finally:
+        del ball_proof.FIELDS[CIRCLE.name]
+    with mpmath.workdps(40):
+        assert abs(mpmath.mpf(proved["period"]) - 2 * mpmath.pi) <= proved["error"]
+        assert abs(mpmath.mpf(proved["state"][0]) - mpmath.mpf(1) / 2) <= proved["error"]
+        trivial, other = proved["multipliers"]
+        assert abs(mpmath.mpf(trivial[0]) - 1) <= trivial[2]
+        assert abs(mpmath.mpf(other[0]) - mpmath.exp(-mpmath.pi / 2)) <= other[2]
+    assert proved["error"] < 1e-12
+    assert other[2] < 1e-6
+    assert proved["stable"] is True
+
+
+def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any) -> None:
+    slow.save(tmp_path / "cycle.csv")
+    assert (tmp_path / "cycle.csv").stat().st_size > 1000
+    assert slow.to_dataset().attrs["cycle_period"] == slow.period
+    near = ",".join(map(str, slow.state))
+    picture = tmp_path / "branch.pdf"
+    vary = ["--vary", "theta0", "--from", "41.9", "--to", "42.1", "--points", "2", "--plot", str(picture)]
+    result = CliRunner().invoke(command, ["--theta0", "42", "--near", near, *vary, "--json"])
+    told = json.loads(result.stdout)
+    assert told["period"] == pytest.approx(slow.period, abs=1e-10)
+    assert [event["kind"] for event in told["branch_events"]] == ["end", "end"]
+    assert picture.exists()
+
+
+def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
+    """The article's model from its page, whose algebra is emitted apart, has the article's cycle."""
+    model = ss.load("kang_nam")
+    found = model.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
+    assert np.abs(found.state - slow.state).max() < 1e-10
+    assert abs(found.period - slow.period) < 1e-10
+    assert np.abs(found.multipliers - slow.multipliers).max() < 1e-9
+
+
+def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
+    flint = pytest.importorskip("flint")
+    from spragsym.cycles import ball_flow, ball_proof
+    from spragsym.cycles.jets import Functions
+
+    fly, _ = carrier(SPRAG, None)
+    none = np.zeros((2, 8))
+    first = slow.loop.crossings()[0]
+    before = fly(slow.state, slow.loop.constants, first.t - 0.1, none).state
+    with ball_proof.bits(200):
+        constants = list(SPRAG.constants([flint.arb(value) for value in slow.values], Functions))
+        off = 2.0**-40
+        unit = flint.arb_mat(4, 4, [int(i == j) for i in range(4) for j in range(4)])
+
+        def begun() -> ball_flow.Balls:
+            point = [flint.arb(float(value)) for value in before]
+            return ball_flow.Balls(SPRAG, constants, 40, point, unit, [flint.arb(0, off)] * 4, (0, 1, 1))
+
+        balls = begun()
+        balls.carry(flint.arb(0.1 - 1e-9))
+        with pytest.raises(ball_flow.NotProved, match="crossed"):
+            begun().cross(0, flint.arb(2e-9))  # far from the border nothing is crossed
+        balls.cross(0, flint.arb(2e-9))
+        balls.carry(flint.arb(0.1))
+        assert balls.mode == (1, 1, 1)
+        duration = 0.1 - 1e-9 + 2e-9 + 0.1
+        for corner in ((1, 1, 1, 1), (-1, 1, -1, 1), (0, 0, 0, 0)):
+            there = fly(before + off * np.array(corner), slow.loop.constants, duration, none)
+            for value, ball in zip(there.state, balls.box, strict=True):
+                assert abs(float(value - ball.mid())) <= float(ball.rad()) + 1e-13
+        for i in range(4):
+            for j in range(4):
+                assert abs(there.by_state[i, j] - float(balls.matrix[i, j].mid())) <= float(balls.matrix[i, j].rad()) + 1e-12
+        assert max(float(balls.matrix[i, j].rad()) for i in range(4) for j in range(4)) < 1e-7
+        stuck = begun()
+        with pytest.raises(ball_flow.NotProved, match="y = 0"):
+            stuck.carry(flint.arb(0.2))  # it leaves the mode on the way
+
+
+def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
+    pytest.importorskip("flint")
+    found = ss.precise.prove_cycle(slow, patience=0.3)
+    assert not found.proved
+    assert "given up" in found.reason
+    with pytest.raises(ss.ParameterError, match="digits"):
+        ss.precise.prove_cycle(slow, digits=3)

@@ -1,0 +1,293 @@
+"""The JavaScript module: the bits of C over all families, Python's folds and motion, errors that say what is wrong."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from benchmarks import c_target, languages
+from benchmarks.languages import NODE, STABILITY, answers, values
+from spragsym import generated
+from spragsym.cli import cli
+from spragsym.parameters import NAMES
+from tests.test_documents import ROOT, fenced
+
+MODULE = ROOT / "generated" / "javascript" / "spragsym.mjs"
+PAGE = ROOT / "docs" / "howto_javascript.md"
+POINT = {"theta0": math.radians(49.0), "mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
+DRIVE = {"V": 0.5, "d": 10.0}
+START = [0.0, 0.0, 0.0, 0.0]
+#: κ, α, σ, β of several shapes of the bifurcation set: two curves, symmetric, closed at one cusp, with flutter, a = 0.
+SETS: tuple[dict[str, float], ...] = (
+    {},
+    {"alpha": 0.0},
+    {"alpha": 0.7},
+    {"alpha": 1.0},
+    {"beta": 0.3},
+    {"kappa": 0.05, "sigma": 0.4},
+)
+
+pytestmark = pytest.mark.skipif(NODE is None, reason="node is not on this machine")
+
+
+# -------------------------------------------------------------------------------------------------- equilibria
+
+
+@pytest.fixture(scope="module")
+def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
+    """Points of all families and what the module says about them, in contact and in lift-off."""
+    p = languages.adversarial(120)
+    return {contact: (p, languages.in_node(p, contact)) for contact in (True, False)}
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: bool) -> None:
+    """Counts, kinds and errors within the bounds of both, against the ladder's digits; and most points are vouched for."""
+    p, found = everything[contact]
+    assert np.mean(found.status == 0) > 0.7
+    assert languages.against_python(found, p, contact).wrong == 0
+    assert 0 < languages.against_python(found, p, contact).largest <= 1
+
+
+@pytest.mark.skipif(c_target.compiler() is None, reason="no C compiler on this machine")
+def test_every_bit_is_that_of_c(everything: Any) -> None:
+    """Statuses, counts, states and bounds, of what is not vouched for as well: one kernel, no operation of it different."""
+    library = c_target.build(str(c_target.compiler()), ("-O1",))
+    for contact, (p, found) in everything.items():
+        assert not languages.unlike_c(found, library, p, contact).any()
+
+
+def test_numbers_that_double_cannot_carry() -> None:
+    found = values([("equilibria", POINT | {"kappa": 1e300, "sigma": 1e300})])
+    assert found == [{"status": "out_of_range", "count": 0, "states": []}]
+
+
+# ------------------------------------------------------------------------------------------------------ algebra
+
+
+def test_algebra_is_that_of_python() -> None:
+    """Every generated function at random arguments; exp may be rounded otherwise by an engine."""
+    rng = np.random.default_rng(18)
+    calls, expected = [], []
+    modules = ("catastrophe", "equilibrium", "linear_sprag", "motion", "scales", "stability")
+    functions = [(name, getattr(module, name)) for module in map(_generated, modules) for name in module.__all__]
+    assert len(functions) > 50
+    for name, function in functions:
+        given = [float(value) for value in rng.uniform(0.2, 0.9, function.__wrapped__.__code__.co_argcount)]
+        calls.append((f"algebra.{name}", *given))
+        expected.append(function(*given))
+    for (name, *_), ours, theirs in zip(calls, values(calls), expected, strict=True):
+        flat = np.array(np.concatenate([np.ravel(part) for part in _leaves(ours)]))
+        assert flat == pytest.approx(np.concatenate([np.ravel(part) for part in _leaves(theirs)]), rel=1e-14, abs=1e-15), name
+
+
+def _generated(name: str) -> Any:
+    return __import__(f"{generated.__name__}.{name}", fromlist=[name])
+
+
+def _leaves(result: Any) -> list[Any]:
+    return [leaf for part in result for leaf in _leaves(part)] if isinstance(result, list | tuple) else [float(result)]
+
+
+# --------------------------------------------------------------------------------------- surface, folds and cusps
+
+
+@pytest.mark.parametrize("changes", SETS)
+def test_bifurcation_set_is_that_of_python(changes: dict[str, float]) -> None:
+    """As many curves, with their ends, and every point on a fold: f = f′ = 0 there to rounding."""
+    p = ss.Parameters.article(**changes)
+    fixed = {name: float(getattr(p, name)) for name in NAMES[2:]}
+    (found,) = values([("bifurcation_set", fixed)])
+    theirs = ss.bifurcation_set(p)
+    assert len(found["curves"]) == len(theirs.curves)
+    assert _ends(found["curves"]) == pytest.approx(_ends([vars(curve) for curve in theirs.curves]), abs=1e-3)
+    for curve in found["curves"]:
+        theta, theta0, mu0 = (np.array(curve[name]) for name in ("theta", "theta0", "mu0"))
+        a, b, d, m = generated_f(theta0, mu0, fixed)
+        c, s = np.cos(theta), np.sin(theta)
+        size = abs(a * s * c) + abs(b * c) + abs(d * s) + abs(m * s * s)
+        assert np.all(abs(a * s * c + b * c + d * s - m * s * s) < 1e-11 * size)
+        slope = a * (c * c - s * s) - b * s + d * c - 2 * m * s * c
+        assert np.all(abs(slope) < 1e-9 * (abs(a) + abs(b * s) + abs(d * c) + abs(m)))
+    assert [cusp["mu0"] for cusp in found["cusps"]] == pytest.approx(theirs.cusps.mu0, rel=1e-12, abs=1e-12)
+    assert [cusp["theta0"] for cusp in found["cusps"]] == pytest.approx(theirs.cusps.theta0, abs=1e-12)
+
+
+def generated_f(theta0: Any, mu0: Any, fixed: dict[str, float]) -> tuple[Any, ...]:
+    """Coefficients of f in contact, written out: (12), (13) eliminated by hand."""
+    kappa, alpha, sigma, beta = (fixed[name] for name in ("kappa", "alpha", "sigma", "beta"))
+    stiff, c0, s0 = beta + 1, np.cos(theta0), np.sin(theta0)
+    return (
+        sigma * (stiff - alpha),
+        -(alpha + sigma) * (stiff * s0 + kappa),
+        mu0 * (sigma * s0 - kappa) + alpha * c0 * (stiff + sigma),
+        mu0 * sigma,
+    )
+
+
+def _ends(curves: Sequence[Any]) -> list[float]:
+    """θ₀ and μ₀/(1 + μ₀) of both ends of every curve, in an order that rounding does not decide."""
+    ends = [
+        tuple(sorted((round(curve["theta0"][k], 3), curve["mu0"][k] / (1 + curve["mu0"][k])) for k in (0, -1)))
+        for curve in curves
+    ]
+    return [float(number) for curve in sorted(ends) for end in curve for number in end]
+
+
+@pytest.mark.parametrize("changes", [{"alpha": 0.7}, {"alpha": 1.0}, {"beta": 0.3}])
+def test_flutter_onsets_are_those_of_python(changes: dict[str, float]) -> None:
+    """The onsets at some frictions, which Python proves complete, lie on the curves, and no others do."""
+    p = ss.Parameters.article(**changes)
+    (curves,) = values([("flutter_boundary", {name: float(getattr(p, name)) for name in NAMES[2:]})])
+    for mu0 in (4.0, 30.0):
+        crossed = []
+        for curve in curves:
+            off = np.array(curve["mu0"]) - mu0
+            theta0 = np.array(curve["theta0"])
+            at = np.flatnonzero(off[:-1] * off[1:] < 0)
+            crossed += list(theta0[at] - off[at] * (theta0[at + 1] - theta0[at]) / (off[at + 1] - off[at]))
+        exact = ss.flutter_onsets(p.replace(mu0=mu0)).theta0
+        assert sorted(crossed) == pytest.approx(exact, abs=5e-3)
+
+
+@pytest.mark.parametrize("vary", ["theta0", "mu0"])
+@pytest.mark.parametrize("changes", SETS[:3])
+def test_folds_are_those_that_python_proves(changes: dict[str, float], vary: str) -> None:
+    given = POINT | changes | ({"theta0": 0.3, "mu0": 15.0} if changes.get("alpha") == 0.7 else {"theta0": 0.7})
+    (found,) = values([("folds", given, {"vary": vary})])
+    theirs = ss.folds(ss.Parameters(**given), vary)
+    assert len(found) > 0
+    for name in ("theta0", "mu0", "theta", "x", "y"):
+        assert [fold[name] for fold in found] == pytest.approx(getattr(theirs, name), rel=1e-9, abs=1e-9)
+
+
+def test_surface_is_that_of_python() -> None:
+    places = [(theta, theta0) for theta in np.linspace(0.1, 3.0, 12) for theta0 in np.linspace(0.1, 3.0, 12)]
+    found = values([("surface", POINT, float(theta), float(theta0)) for theta, theta0 in places])
+    theirs = ss.surface(ss.Parameters.article(), *np.array(places).T)
+    assert any(point is None for point in found)
+    for i, point in enumerate(found):
+        assert (point is None) == (theirs.stability[i] == 0)
+        if point is not None:
+            assert STABILITY.index(point["stability"]) == theirs.stability[i]
+            assert [point[name] for name in ("mu0", "L", "x", "y")] == pytest.approx(
+                [float(getattr(theirs, name)[i]) for name in ("mu0", "L", "x", "y")], rel=1e-12
+            )
+
+
+# ------------------------------------------------------------------------------------------------------- motion
+
+
+def test_right_hand_side_and_energy() -> None:
+    """The equations of motion by Newton's law on the free body, in contact, in lift-off and ahead of the belt."""
+    for state in ([0.3, -0.02, 0.1, 0.2], [0.3, 0.05, 0.1, 0.2], [0.3, -0.02, 0.9, 0.2]):
+        x, y, vx, vy = state
+        spring = np.exp(1j * POINT["theta0"]) - (x + 1j * y)
+        pull = POINT["sigma"] * (abs(spring) - 1) * spring / abs(spring)
+        push = max(-y, 0.0)
+        slip = DRIVE["V"] - vx
+        friction = POINT["mu0"] * math.copysign(1 - math.exp(-DRIVE["d"] * abs(slip)), slip) * push
+        expected = [vx, vy, pull.real - POINT["alpha"] * x + friction, pull.imag - POINT["beta"] * y + push - POINT["kappa"]]
+        rate, regime, energy = values([("motion", method, POINT, DRIVE, state) for method in ("rhs", "regime", "energy")])
+        assert rate == pytest.approx(expected, rel=1e-13, abs=1e-15)
+        assert regime == {"contact": y < 0, "side": 1 if slip > 0 else -1}
+        stored = 0.5 * (POINT["sigma"] * (abs(spring) - 1) ** 2 + POINT["alpha"] * x**2 + POINT["beta"] * y**2 + push**2)
+        assert energy - stored - 0.5 * (vx**2 + vy**2) == pytest.approx(POINT["kappa"] * y, abs=1e-14)
+
+
+@pytest.mark.parametrize(("V", "start"), [(0.2, START), (0.1, [0.0, -0.01, 0.3, 0.0])])
+def test_step_is_of_fourth_order_across_the_kinks(V: float, start: list[float]) -> None:
+    """The orbits leave the belt and come back, or overtake it; the reference is the other integrator at tight tolerance."""
+    end = 60.0
+    p = ss.Parameters(**POINT)
+    names = ("x0", "y0", "vx0", "vy0")
+    run = ss.simulate(p, V=V, d=10.0, t_end=end, rtol=1e-12, **dict(zip(names, start, strict=True)))
+    exact = np.array([run.x[-1], run.y[-1], run.vx[-1], run.vy[-1]])
+    steps = (0.1, 0.05, 0.025, 0.0125)
+    reached = values([("steps", POINT, {"V": V, "d": 10.0}, start, h, round(end / h)) for h in steps])
+    errors = [float(np.abs(np.array(state) - exact).max()) for state in reached]
+    assert errors[-1] < 1e-8
+    assert math.log2(errors[0] / errors[-1]) / 3 > 3.6
+
+
+# ---------------------------------------------------------------------------------------------------- bad input
+
+WRONG: tuple[tuple[tuple[Any, ...], str, str], ...] = (
+    (("equilibria", POINT | {"theta0": 4.0}), "RangeError", "theta0 = 4 is not in (0, pi): angles are radians"),
+    (("equilibria", POINT | {"theta0": 0.0}), "RangeError", "theta0 = 0 is not in (0, pi)"),
+    (("equilibria", POINT | {"mu0": -0.1}), "RangeError", "mu0 = -0.1 is not in [0, Infinity)"),
+    (("equilibria", POINT | {"kappa": 0.0}), "RangeError", "kappa = 0 is not in (0, Infinity)"),
+    (("equilibria", POINT | {"sigma": math.nan}), "RangeError", "sigma = NaN is not in (0, Infinity)"),
+    (("equilibria", POINT | {"beta": math.inf}), "RangeError", "beta = Infinity is not in [0, Infinity)"),
+    (("equilibria", POINT | {"alpha": "1"}), "TypeError", 'alpha = "1" is of type string; it must be a number in [0, Infinity)'),
+    (("equilibria", {"theta0": 1.0}), "TypeError", "mu0 is missing; it is a number in [0, Infinity)"),
+    (("equilibria", POINT | {"V": 1.0}), "TypeError", "V is not among the parameters, which are theta0, mu0"),
+    (("equilibria", None), "TypeError", "the parameters are null; give an object with theta0, mu0"),
+    (("equilibria", POINT, {"contact": 1}), "TypeError", "contact = 1 is of type number; it must be true or false"),
+    (("equilibria", POINT, {"regime": True}), "TypeError", "regime is not among the options, which are contact"),
+    (("surface", POINT, 0.0, 1.0), "RangeError", "theta = 0 is not in (0, pi)"),
+    (("surface", POINT, 1.0, math.nan), "RangeError", "theta0 = NaN is not in (0, pi)"),
+    (("bifurcation_set", POINT, {"n": 2.5}), "RangeError", "n = 2.5 is not a whole number >= 8"),
+    (("folds", POINT, {"vary": "kappa"}), "RangeError", 'vary = "kappa" is not among "theta0" and "mu0"'),
+    (("motion", "rhs", POINT, {"V": 1.0, "d": 0.0}, START), "RangeError", "d = 0 is not in (0, Infinity)"),
+    (("motion", "step", POINT, DRIVE, START, 0.0), "RangeError", "h = 0 is not in (0, Infinity)"),
+    (("motion", "step", POINT, DRIVE, [0.0, 0.0], 0.1), "TypeError", "state = 0,0 is not an array of 4 numbers"),
+    (("motion", "rhs", POINT, DRIVE, [0.0, math.nan, 0.0, 0.0]), "RangeError", "state[1] = NaN is not in"),
+)  # fmt: skip
+
+
+def test_bad_input_is_named() -> None:
+    for (call, error, message), answer in zip(WRONG, answers([call for call, *_ in WRONG]), strict=True):
+        assert answer.get("error") == error, (call, answer)
+        assert message in answer["message"]
+
+
+def test_a_spring_without_length_stops_the_motion() -> None:
+    anchor = [math.cos(POINT["theta0"]), math.sin(POINT["theta0"]), 0.0, 0.0]
+    (answer,) = answers([("motion", "step", POINT, DRIVE, anchor, 0.1)])
+    assert answer["error"] == "RangeError"
+    assert "h is too long, or L = 0" in answer["message"]
+
+
+# ------------------------------------------------------------------------------------------------ export and page
+
+
+def test_export_runs_as_the_page_prints(tmp_path: Path) -> None:
+    """The module with its example, and every program of the page with what it prints."""
+    assert CliRunner().invoke(cli, ["export", "--language", "javascript", "--out", str(tmp_path)]).exit_code == 0
+    printed = subprocess.run(
+        [str(NODE), "example.mjs"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=True
+    ).stdout  # fmt: skip
+    assert "contact: 1, ok\n  theta, L, x, y  2.203367573653  0.949501362252" in printed
+    assert "2 curves of folds, cusps at friction 0.200931782\n" in printed
+    shown = fenced(PAGE, "javascript"), fenced(PAGE, "text")
+    assert len(shown[0]) == len(shown[1]) > 1
+    for number, (program, output) in enumerate(zip(*shown, strict=True)):
+        (tmp_path / f"page{number}.mjs").write_text(program, encoding="utf-8")
+        done = subprocess.run(
+            [str(NODE), f"page{number}.mjs"], cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False
+        )
+        assert (done.stdout, done.stderr) == (output, "")
+
+
+def test_types_name_everything_that_is_exported(tmp_path: Path) -> None:
+    """Names of the module and of its declarations are the same, and so are those of the algebra."""
+    read = f"import * as it from {json.dumps(MODULE.as_uri())};"
+    program = f"{read}\nconsole.log(JSON.stringify([Object.keys(it), Object.keys(it.algebra)]));"
+    (tmp_path / "names.mjs").write_text(program, encoding="utf-8")
+    done = subprocess.run([str(NODE), tmp_path / "names.mjs"], capture_output=True, text=True, timeout=60, check=True)
+    names, algebra = json.loads(done.stdout)
+    types = MODULE.with_name("spragsym.d.ts").read_text(encoding="utf-8")
+    declared = [line.split()[3].split("(")[0].rstrip(":") for line in types.splitlines() if line.startswith("export declare ")]
+    assert sorted(declared) == sorted(names)
+    members = types.split("export declare const algebra: {")[1].split("\n};")[0]
+    assert [line.split("(")[0].strip() for line in members.splitlines() if line.startswith("  ") and "/**" not in line] == algebra

@@ -1,0 +1,261 @@
+"""The MATLAB package in Octave: the bits of C over all families, Python's folds and motion, errors that say what is wrong."""
+
+from __future__ import annotations
+
+import math
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from benchmarks import c_target, languages
+from benchmarks.languages import OCTAVE, octave
+from spragsym import generated
+from spragsym.cli import cli
+from spragsym.parameters import NAMES
+from tests.test_documents import ROOT, fenced
+
+FOLDER = ROOT / "generated" / "matlab"
+PAGE = ROOT / "docs" / "howto_matlab.md"
+
+pytestmark = pytest.mark.skipif(OCTAVE is None, reason="Octave is not on this machine")
+
+
+def numbers(text: str) -> list[list[float]]:
+    """Lines of numbers."""
+    return [[float(word) for word in line.split()] for line in text.splitlines()]
+
+
+def literal(value: Any) -> str:
+    """A number or a column as MATLAB reads it."""
+    flat = np.ravel(value)
+    return f"[{'; '.join(f'{float(entry):.17g}' for entry in flat)}]" if flat.size > 1 else f"{float(flat[0]):.17g}"
+
+
+def shown(expression: str) -> str:
+    """A statement that prints an array on one line, digit for digit."""
+    return f"printf('%.17g ', {expression}); printf('\\n');\n"
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the export in it."""
+    folder = tmp_path_factory.mktemp("matlab")
+    assert CliRunner().invoke(cli, ["export", "--language", "matlab", "--out", str(folder)]).exit_code == 0
+    return folder
+
+
+# -------------------------------------------------------------------------------------------------- equilibria
+
+
+@pytest.fixture(scope="module")
+def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
+    """Points of all families and what Octave says about them, in contact and in lift-off."""
+    p = languages.adversarial(400)
+    return {contact: (p, languages.in_octave(p, contact)) for contact in (True, False)}
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: bool) -> None:
+    """Counts, kinds and errors within the bounds of both, against the ladder's digits; NaN beyond the count."""
+    p, found = everything[contact]
+    assert np.mean(found.status == 0) > 0.7
+    assert languages.against_python(found, p, contact).wrong == 0
+    assert 0 < languages.against_python(found, p, contact).largest <= 1
+    filled = np.arange(4) < found.count[:, None]
+    for name in ("theta", "L", "x", "y"):
+        assert np.array_equal(np.isfinite(found.columns[name]), filled)
+
+
+@pytest.mark.skipif(c_target.compiler() is None, reason="no C compiler on this machine")
+def test_every_bit_is_that_of_c(everything: Any) -> None:
+    """Statuses, counts, states and bounds, of what is not vouched for as well: one kernel, no operation of it different."""
+    library = c_target.build(str(c_target.compiler()), ("-O1",))
+    for contact, (p, found) in everything.items():
+        assert not languages.unlike_c(found, library, p, contact).any()
+
+
+# ------------------------------------------------------------------------------------------------------ algebra
+
+
+def test_algebra_is_that_of_python(package: Path) -> None:
+    """Every generated function, for a column of points; matrices come row by row."""
+    rng = np.random.default_rng(18)
+    program, expected = "", []
+    modules = ("catastrophe", "equilibrium", "linear_sprag", "motion", "scales", "stability")
+    functions = [(name, getattr(module, name)) for module in map(_generated, modules) for name in module.__all__]
+    assert len(functions) > 50
+    for name, function in functions:
+        given = list(rng.uniform(0.2, 0.9, (function.__wrapped__.__code__.co_argcount, 3)))
+        results = _leaves(function(*given))
+        names = [f"r{place}" for place in range(len(results))]
+        program += f"[{', '.join(names)}] = spragsym.algebra.{name}({', '.join(map(literal, given))});\n"
+        program += "".join(shown(f"{result} + zeros(3, 1)") for result in names)
+        expected += [(name, np.broadcast_to(leaf, (3,))) for leaf in results]
+    for (name, theirs), ours in zip(expected, numbers(octave(package, program)), strict=True):
+        assert ours == pytest.approx(theirs, rel=1e-14, abs=1e-15), name
+
+
+def _generated(name: str) -> Any:
+    return __import__(f"{generated.__name__}.{name}", fromlist=[name])
+
+
+def _leaves(result: Any) -> list[Any]:
+    return [leaf for part in result for leaf in _leaves(part)] if isinstance(result, tuple) else [result]
+
+
+# --------------------------------------------------------------------------------------- surface, folds and cusps
+
+
+@pytest.mark.parametrize(
+    ("changes", "at"),
+    [({}, (0.7, 0.5)), ({"alpha": 0.0}, (0.7, 0.5)), ({"alpha": 0.7}, (0.3, 15.0)), ({"alpha": 1.0}, (0.3, 20.0))],
+)
+def test_folds_and_cusps_are_those_that_python_proves(package: Path, changes: dict[str, float], at: tuple[float, float]) -> None:
+    p = ss.Parameters.article(theta0=at[0], **{"mu0": at[1], **changes})
+    given = ", ".join(f"'{name}', {literal(getattr(p, name))}" for name in NAMES)
+    program = f"p = struct({given});\nb = spragsym.bifurcation_set(p, 128);\n" + shown("numel(b.curves)")
+    program += "".join(shown(f"b.cusps.{name}") for name in ("theta0", "mu0", "theta", "x", "y"))
+    program += "f = spragsym.folds(p, 'theta0', 128);\n" + "".join(shown(f"f.{name}") for name in ("theta0", "theta", "x", "y"))
+    found = numbers(octave(package, program))
+    theirs = ss.bifurcation_set(p)
+    assert found[0] == [len(theirs.curves)]
+    for ours, name in zip(found[1:6], ("theta0", "mu0", "theta", "x", "y"), strict=True):
+        assert ours == pytest.approx(getattr(theirs.cusps, name), rel=1e-11, abs=1e-11), name
+    folds = ss.folds(p)
+    assert len(found[6]) > 0
+    for ours, name in zip(found[6:], ("theta0", "theta", "x", "y"), strict=True):
+        assert ours == pytest.approx(getattr(folds, name), rel=1e-9, abs=1e-9), name
+
+
+def test_surface_is_that_of_python(package: Path) -> None:
+    theta, theta0 = (axis.ravel() for axis in np.meshgrid(np.linspace(0.1, 3.0, 12), np.linspace(0.1, 3.0, 12)))
+    program = f"s = spragsym.surface(spragsym.article(), {literal(theta)}, {literal(theta0)});\n"
+    program += "".join(shown(f"s.{name}") for name in ("stability", "mu0", "L", "x", "y"))
+    code, *found = numbers(octave(package, program))
+    theirs = ss.surface(ss.Parameters.article(), theta, theta0)
+    assert np.array_equal(code, theirs.stability)
+    assert set(code) > {0.0, 1.0}
+    for ours, name in zip(found, ("mu0", "L", "x", "y"), strict=True):
+        assert ours == pytest.approx(getattr(theirs, name), rel=1e-12, nan_ok=True), name
+
+
+# ------------------------------------------------------------------------------------------------------- motion
+
+
+def test_right_hand_side_step_and_energy(package: Path) -> None:
+    """Newton's law on the free body in three regimes; and steps across kinks of fourth order, by the other integrator."""
+    p = ss.Parameters.article(theta0=math.radians(49.0))
+    states = ([0.3, -0.02, 0.1, 0.2], [0.3, 0.05, 0.1, 0.2], [0.3, -0.02, 0.9, 0.2])
+    program = "m = spragsym.prepare(spragsym.article('theta0', 49/180*pi), 0.5, 10);\n"
+    for state in states:
+        program += f"z = {literal(state)};\nr = spragsym.regime(m, z);\n"
+        program += shown("[r.contact, r.side]") + shown("spragsym.rhs(m, z)") + shown("spragsym.energy(m, z)")
+    for h, count in ((0.2, 200), (0.1, 400), (0.05, 800)):
+        program += f"z = zeros(4, 1);\nfor k = 1:{count}, z = spragsym.step(m, {h}, z); end\n" + shown("z")
+    found = numbers(octave(package, program))
+    for k, (x, y, vx, vy) in enumerate(states):
+        spring, push, slip = np.exp(1j * math.radians(49.0)) - (x + 1j * y), max(-y, 0.0), 0.5 - vx
+        pull = 0.1 * (abs(spring) - 1) * spring / abs(spring)
+        friction = 0.5 * math.copysign(1 - math.exp(-10 * abs(slip)), slip) * push
+        stored = 0.5 * (0.1 * (abs(spring) - 1) ** 2 + 0.007 * x**2 + push**2) + 0.5 * (vx**2 + vy**2)
+        assert found[3 * k] == [float(y < 0), math.copysign(1.0, slip)]
+        assert found[3 * k + 1] == pytest.approx([vx, vy, pull.real - 0.007 * x + friction, pull.imag + push - 0.007], abs=1e-15)
+        assert found[3 * k + 2] == pytest.approx([stored + 0.007 * y], abs=1e-14)
+    run = ss.simulate(p, V=0.5, d=10.0, t_end=40.0, rtol=1e-12)
+    exact = np.array([run.x[-1], run.y[-1], run.vx[-1], run.vy[-1]])
+    errors = [float(np.abs(np.array(state) - exact).max()) for state in found[9:]]
+    assert any(run.y > 0)
+    assert errors[-1] < 1e-6
+    assert math.log2(errors[0] / errors[-1]) / 2 > 3.6
+
+
+# ---------------------------------------------------------------------------------------------------- bad input
+
+WRONG = (
+    ("spragsym.equilibria(spragsym.article('theta0', 4))", "range", "theta0 = 4 is not in (0, pi): angles are radians"),
+    ("spragsym.equilibria(spragsym.article('theta0', [1, 2, 4]))", "range", "theta0(3) = 4 is not in (0, pi)"),
+    ("spragsym.equilibria(spragsym.article('theta0', NaN))", "range", "theta0 = NaN is not in (0, pi)"),
+    ("spragsym.equilibria(spragsym.article('theta0', 1, 'mu0', -0.1))", "range", "mu0 = -0.1 is not in [0, Inf)"),
+    ("spragsym.equilibria(spragsym.article('theta0', 1, 'kappa', 0))", "range", "kappa = 0 is not in (0, Inf)"),
+    ("spragsym.equilibria(spragsym.article('theta0', 1, 'sigma', Inf))", "range", "sigma = Inf is not in (0, Inf)"),
+    ("spragsym.equilibria(spragsym.article('theta0', 'a'))", "type", "theta0 = 'a' must be real numbers in (0, pi)"),
+    ("spragsym.equilibria(spragsym.article('theta0', 1i))", "type", "must be real numbers in (0, pi)"),
+    ("spragsym.equilibria(spragsym.article('theta0', []))", "type", "must be real numbers in (0, pi)"),
+    ("spragsym.equilibria(spragsym.article())", "missing", "theta0 is missing; it is a number in (0, pi)"),
+    ("spragsym.equilibria(spragsym.article('theta', 1))", "name", "theta is not among the parameters, which are theta0"),
+    ("spragsym.equilibria(spragsym.article('theta0', [1, 2], 'mu0', [1, 2, 3]))", "size", "mu0 has 3 numbers"),
+    ("spragsym.equilibria(7)", "type", "the parameters are 7; give a structure with theta0"),
+    ("spragsym.equilibria(spragsym.article('theta0', 1), 2)", "type", "contact = 2 must be true or false"),
+    ("spragsym.surface(spragsym.article(), 0, 1)", "range", "theta = 0 is not in (0, pi)"),
+    ("spragsym.surface(spragsym.article(), [1, 2], [1, 2, 3])", "size", "theta has 2 numbers and theta0 3"),
+    ("spragsym.bifurcation_set(spragsym.article(), 2)", "range", "n = 2 is not a whole number >= 8"),
+    ("spragsym.folds(spragsym.article(), 'kappa')", "range", "vary = 'kappa' is not among 'theta0' and 'mu0'"),
+    ("spragsym.prepare(spragsym.article('theta0', 1), 1, 0)", "range", "d = 0 is not in (0, Inf)"),
+    ("spragsym.prepare(spragsym.article('theta0', [1, 2]), 1, 1)", "size", "the motion is that of one point; p has 2"),
+    ("spragsym.step(m, 0, zeros(4, 1))", "range", "h = 0 is not in (0, Inf)"),
+    ("spragsym.step(m, 0.1, zeros(3, 1))", "type", "state must be four finite numbers"),
+    ("spragsym.step(m, 0.1, [cos(1), sin(1), 0, 0])", "range", "h is too long, or L = 0"),
+)  # fmt: skip
+
+
+def test_bad_input_is_named(package: Path) -> None:
+    program = "m = spragsym.prepare(spragsym.article('theta0', 1), 1, 1);\n"
+    for call, *_ in WRONG:
+        program += f"try\n  {call};\n  printf('no error\\n');\ncatch e\n  printf('%s %s\\n', e.identifier, e.message);\nend\n"
+    for (call, kind, message), line in zip(WRONG, octave(package, program).splitlines(), strict=True):
+        assert line.startswith(f"spragsym:{kind} "), (call, line)
+        assert message in line, call
+
+
+# ------------------------------------------------------------------------------------------------ help and page
+
+
+def test_every_file_has_a_help_text() -> None:
+    """Its first comment, with its own name in capitals, as ``help`` wants it; and no line that MATLAB's editor would break."""
+    files = sorted(FOLDER.rglob("*.m"))
+    assert len(files) > 100
+    for path in files:
+        lines = path.read_text(encoding="utf-8").splitlines()
+        assert max(map(len, lines)) <= 130, path
+        if path.parent != FOLDER and path.name != "Contents.m":
+            first = next(line for line in lines if line.startswith("%"))
+            assert re.match(rf"%{path.stem.upper()}  \S", first), path
+
+
+def test_examples_run_as_the_page_prints(package: Path) -> None:
+    """Every program of the page with what it prints; the two examples are on it as exported. What is drawn are folds."""
+    programs, outputs = fenced(PAGE, "matlab"), fenced(PAGE, "text")
+    assert len(programs) == len(outputs) > 3
+    examples = [path.read_text(encoding="utf-8") for path in sorted(package.glob("example_*.m"))]
+    assert len(examples) == 2
+    assert set(examples) <= set(programs)
+    try:
+        octave(package, "figure('visible', 'off'); plot(1, 1);")
+    except RuntimeError as error:
+        pytest.skip(f"Octave can't draw on this machine: {str(error).splitlines()[0]}")
+    hidden = "set(0, 'defaultfigurevisible', 'off');\n"
+    drawn = (
+        "for line = findobj(gca, 'type', 'line')', printf('%.17g ', get(line, 'xdata'), get(line, 'ydata')); printf('\\n'); end"
+    )
+    for program, output in zip(programs, outputs, strict=True):
+        draws = "bifurcation_set" in program
+        printed = octave(package, hidden + program + (drawn if draws else ""))
+        assert printed.startswith(output)
+        if draws:
+            _are_folds(numbers(printed.removeprefix(output)))
+
+
+def _are_folds(lines: list[list[float]]) -> None:
+    """Points of a drawing, each line its abscissae in degrees and then its ordinates, against the folds that Python finds."""
+    theirs = ss.bifurcation_set(ss.Parameters.article())
+    curves = np.concatenate([np.stack([np.degrees(curve.theta0), curve.mu0]) for curve in theirs.curves], axis=1)
+    assert len(lines) == 1 + len(theirs.curves)
+    for line in lines:
+        points = np.array(line).reshape(2, -1)
+        far = np.abs(points[:, :, None] - curves[:, None, :]) / (np.array([180.0, 1.0])[:, None, None] + points[:, :, None])
+        assert far.max(axis=0).min(axis=-1).max() < 5e-3

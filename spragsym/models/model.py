@@ -15,7 +15,9 @@ from .describe import described
 if TYPE_CHECKING:
     from ..cycles import Cycle
     from ..sweeps import Sweep
+    from .bifurcation import ModelBifurcationSet
     from .equilibria import ModelEquilibria
+    from .paths import ModelPath
     from .points import ModelPoints
     from .trajectory import ModelTrajectory
 
@@ -101,6 +103,20 @@ class Model:
         from .cusps import cusps
 
         return cusps(self, p, vary, **options)
+
+    def bifurcation_set(
+        self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 60, **options: Any
+    ) -> ModelBifurcationSet:
+        """Curves of folds and all cusps in the plane of two parameters: see :mod:`spragsym.models.bifurcation`."""
+        from .bifurcation import bifurcation_set
+
+        return bifurcation_set(self, p, vary, n, **options)
+
+    def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
+        """A state followed as a parameter moves: see :func:`spragsym.models.paths.quasi_static_path`."""
+        from .paths import quasi_static_path
+
+        return quasi_static_path(self, p, vary, values, **options)
 
     def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
         """All onsets of flutter along one parameter, proved: see :func:`spragsym.models.flutter.flutter_onsets`."""

@@ -133,11 +133,14 @@ def _draw(branch: CycleBranch, path: Path) -> None:
 
 
 def _shown(value: Any) -> Any:
+    """Numbers to twelve digits; multipliers as a+bi."""
+    if isinstance(value, float):
+        return f"{value:.12g}"
     if isinstance(value, list):
-        return "  ".join(
-            f"{item[0]:.9g}{item[1]:+.9g}i"
-            if isinstance(item, list) and item[1]
-            else f"{item[0] if isinstance(item, list) else item:.9g}"
-            for item in value
-        )
+        return "  ".join(_number(item) for item in value)
     return value
+
+
+def _number(item: Any) -> str:
+    real, imaginary = item if isinstance(item, list) else (item, 0.0)
+    return f"{real:.10g}" + (f"{imaginary:+.10g}i" if imaginary else "")

@@ -30,7 +30,7 @@ VARIED = ("theta0", *ARTICLE, "V", "d")
 @click.option("--from", "low", type=Number(), help="Where the range begins, degrees for theta0.")
 @click.option("--to", "high", type=Number(), help="Where it ends.")
 @click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
-@click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: minutes.")
+@click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
 @click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
 @force
 @as_json

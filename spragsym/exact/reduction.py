@@ -33,13 +33,13 @@ _BALLS = Balls()
 #: Times a piece of u is halved before the expansion is made anew for its halves.
 HALVINGS = 60
 #: Pieces of one expansion after which it counts as too wide.
-PIECES = 400
+PIECES = 300
 #: Steps of interval Newton on one root.
 STEPS = 12
 #: Times the other unknowns are given more room.
 WIDENINGS = 8
 #: Times the box itself is halved.
-DEPTH = 12
+DEPTH = 26
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,8 @@ from scipy.optimize import brentq
 import spragsym as ss
 from benchmarks import families
 from spragsym.design import jump_values, sampling
+from spragsym.design.cells import Boxes
+from spragsym.design.claims import CLAIMS
 from spragsym.errors import SweepError
 from spragsym.exact import affine, bernstein
 from spragsym.exact.rounded import Rounded
@@ -255,6 +257,17 @@ def test_what_is_proved_holds_at_random_points_and_what_is_refuted_does_not(clai
             if claim == "no jump":
                 assert ss.quasi_static_path(point, "mu0", [0.0, float(point.mu0)]).jumps
     assert {"proved", "refuted"} <= seen
+
+
+@pytest.mark.parametrize("claim", HOLDS)
+def test_a_proof_does_not_lean_on_the_search_for_counterexamples(claim: str) -> None:
+    """Points at which a claim is false are boxes that its proof alone must refuse."""
+    p = families.random(np.random.default_rng(31), 3000)
+    wrong = np.flatnonzero(~HOLDS[claim](p))[:20]
+    assert wrong.size >= 5
+    corner = np.array([getattr(p, name)[wrong] for name in NAMES])
+    proved, _ = CLAIMS[claim].prove(Boxes(corner, corner, np.ones(wrong.size)))
+    assert not proved.any()
 
 
 def test_a_box_that_touches_the_fold_ends_undecided() -> None:

@@ -20,8 +20,8 @@ Member = Callable[[FloatArray], NDArray[np.bool_]]
 _RAYS, _RADII = 64, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
 #: Points to ask for at once, where there is a choice.
 _POINTS = 4096
-#: Halvings of a radius while rays are compared, and at the end, to the last digit.
-_COARSE, _FINE = 9, 52
+#: Halvings of a radius while rays are compared, and at the end, to 1e-11 of it.
+_COARSE, _FINE = 9, 36
 
 
 def nearest(member: Member, limits: tuple[FloatArray, FloatArray]) -> FloatArray | None:
@@ -87,7 +87,7 @@ def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArra
 
 
 def shortened(member: Member, point: FloatArray) -> FloatArray:
-    """A member brought nearer along its ray, to a border of the set, from inside and to the last digit."""
+    """A member brought nearer along its ray, to a border of the set, from inside."""
     radius = float(np.linalg.norm(point))
     if not radius:
         return point

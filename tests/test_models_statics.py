@@ -10,6 +10,9 @@ import pytest
 
 import spragsym as ss
 from benchmarks import families, validate_models
+from spragsym.models import cusps, points
+from spragsym.models.balance import Balance
+from spragsym.models.conditions import Cusp
 
 STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
@@ -171,6 +174,17 @@ def test_cusps_are_the_articles():
     wanted = (known.mu0 > 0) & (known.theta0 > 0)
     for name in ("theta0", "mu0", "x", "y"):
         assert np.allclose(getattr(found, name), getattr(known, name)[wanted], atol=1e-12)
+
+
+def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
+    vary, spans = ("theta0", "mu0"), np.array([[0.0, np.pi], [0.0, 2.0]])
+    balance = Balance(model("kang_nam"), contact=True)
+    given = points.given_column(model("kang_nam").Parameters(), balance.parameters, vary)
+    found = points.search(balance, vary, Cusp(column=1), given, spans)
+    assert found.roots.point.size == 2
+    proved, unclear = cusps.told_apart(balance, vary, found, given, column=1)
+    assert np.allclose(found.roots.middle[-1, proved], 0.200931781805090, atol=1e-12)
+    assert not unclear.any()
 
 
 def test_flutter_without_damping_is_the_articles():

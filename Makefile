@@ -13,7 +13,7 @@ TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
 SOURCES := pyproject.toml constraints.txt Makefile
 # The compiled solver is made of these.
-COMPILED := spragsym/statics/_compiled.c generated/c/spragsym.c generated/c/spragsym.h
+COMPILED := spragsym/statics/_compiled.c spragsym/dynamics/_carried.c generated/c/spragsym.c generated/c/spragsym.h
 
 # A source distribution comes without symbolic links.
 LINKS := spragsym/derive spragsym/generated

@@ -69,6 +69,8 @@ def validate_values(number: int, seed: int = 1) -> int:
             if found:
                 bad += 1
                 print("wrong:", *found)
+            if seen % 1000 == 0:
+                print(f"{seen} points, {jumping} with a jump, {bad} wrong", flush=True)
     print(f"{seen} points, {jumping} with a jump, {bad} wrong, in {time.perf_counter() - begin:.0f} s")
     return bad
 
@@ -156,8 +158,8 @@ def validate_probability(number: int, seed: int = 3) -> int:
 
 
 def validate_coverage(studies: int, seed: int = 5) -> int:
-    """How many studies' intervals hold what a study of 2²¹ points says."""
-    truth = ss.jump_probability(TOLERANCES, n=1 << 21, rng=seed, sobol=False)
+    """How many studies' intervals hold what a study of 2¹⁸ points says."""
+    truth = ss.jump_probability(TOLERANCES, n=1 << 18, rng=seed, sobol=False)
     found = [ss.jump_probability(TOLERANCES, n=4096, rng=1000 * seed + i, sobol=False) for i in range(studies)]
     held = sum(one.low <= truth.probability <= one.high for one in found)
     print(f"truth {truth.probability:.6f} ± {(truth.high - truth.low) / 2:.6f}; {held} of {studies} intervals hold it")

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import laws, linearization, motion, pages, soundness, statics, units
+from . import equations, laws, linearization, motion, pages, soundness, statics, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -149,6 +149,7 @@ def description(model: Model) -> dict[str, Any]:
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
         },
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        "equations": equations.equations(it),
         "layers": len(laws.layers(it)),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip

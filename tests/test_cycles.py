@@ -436,6 +436,10 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
             for j in range(4):
                 assert abs(there.by_state[i, j] - float(balls.matrix[i, j].mid())) <= float(balls.matrix[i, j].rad()) + 1e-12
         assert max(float(balls.matrix[i, j].rad()) for i in range(4) for j in range(4)) < 1e-7
+        both = begun()
+        both.point = [flint.arb(value) for value in (1.0, 1e-9, 0.5 - 1e-8, -0.5)]
+        with pytest.raises(ball_flow.NotProved, match="x' = V is too near"):
+            both.cross(0, flint.arb(1e-8))
         stuck = begun()
         with pytest.raises(ball_flow.NotProved, match="y = 0"):
             stuck.carry(flint.arb(0.2))  # it leaves the mode on the way
@@ -448,3 +452,22 @@ def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
     assert "given up" in found.reason
     with pytest.raises(ss.ParameterError, match="digits"):
         ss.precise.prove_cycle(slow, digits=3)
+
+
+def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
+    start = ss.cycle(at(60.0), **BELT, near=ss.cycle(at(90.0), **BELT, near=(2.3294, 1.34, 0.0, 0.2515), patient=False))
+    branch = ss.cycle_branch(start, "theta0", (np.radians(55.5), start.values[0] + 1e-6), longest=0.3)
+    (torus,) = branch.of("torus")
+    one, other, _ = torus.cycle.multipliers[1:]
+    assert abs(abs(one) - 1) < 1e-8
+    assert one == pytest.approx(other.conjugate(), abs=1e-12)
+    for side in (-0.8, 0.8):
+        cycle = ss.cycle(at(np.degrees(torus.value) + side), **BELT, near=torus.cycle)
+        x, y, vx, vy = cycle.state
+        start_off = {"x0": x, "y0": y + 1e-6, "vx0": vx, "vy0": vy}
+        tr = ss.simulate(at(np.degrees(torus.value) + side), **BELT, **start_off, t_end=1010.0 * cycle.period, rtol=1e-12)
+        early, late = (
+            max(np.abs(tr(k * cycle.period) - cycle.state).max() for k in range(first, first + 12)) for first in (10, 990)
+        )
+        assert (late > 1.2 * early) == (side < 0)
+        assert (late < 0.8 * early) == (side > 0)

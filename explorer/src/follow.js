@@ -9,6 +9,8 @@ const CLEARLY = 4;
 const SHARE = 0.3;
 /** No step changes a state's direction by more than this, radians; longer ones are halved. */
 const LONGEST = 0.1;
+/** A fold is located within this share of the longest step. */
+const LOCATED = 2 ** -14;
 /** What a first step may change of each parameter. */
 const FIRST = { theta0: 0.035, mu0: 0.02, kappa: 0.002, alpha: 0.05, sigma: 0.02, beta: 0.1 };
 
@@ -90,6 +92,10 @@ export function follow(solve, from, to, theta) {
     }
     const rank = nearest(here.states, now);
     const pair = pairs.find(([before]) => before === rank);
+    if (!pair && !across && step > longest * LOCATED) {
+      step /= 2;
+      continue;
+    }
     const next = pair ? there.states[pair[1]] : landing(there.states, now);
     samples.push({ point, theta: next?.theta ?? null, jump: !pair });
     if (!next) {

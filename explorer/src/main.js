@@ -107,7 +107,7 @@ export function start(solver) {
     if (wanted !== top) {
       top = wanted;
       plane.reach(top);
-      space.reach(top);
+      space?.reach(top);
       kinds.add("family");
     }
     if (kinds.has("family")) {
@@ -119,16 +119,24 @@ export function start(solver) {
       rest(now);
     }
     plane.draw();
-    space.draw();
+    space?.draw();
     if (moving) {
       motion.set(now.point, drive);
     }
     remember();
   }
 
-  function shapes(point) {
-    ask("curves", point, top, (found, error) => { plane.show(found); space.curves(found); $("plane_says").textContent = error ?? ""; });
-    ask("surface", point, top, (found) => space.show(found));
+  let family = "";
+  function shapes({ theta0, mu0, ...point }) {
+    const key = JSON.stringify([point, top]);
+    if (key === family) {
+      return;
+    }
+    family = key;
+    ask("curves", point, top, (found, error) => { plane.show(found); space?.curves(found); $("plane_says").textContent = error ?? ""; });
+    if (space) {
+      ask("surface", point, top, (found) => space.show(found));
+    }
   }
 
   let later = 0;
@@ -222,7 +230,7 @@ export function start(solver) {
   };
   let charts_have_begun = false;
   $("restart").onclick = () => { charts_have_begun = true; begin(); };
-  $("still").onclick = () => { motion.pause(); moving = false; charts_have_begun = false; $("motion_says").textContent = ""; mechanism.roll(0); rest(store.get()); buttons(); };
+  $("still").onclick = () => { motion.pause(); moving = false; charts_have_begun = false; $("motion_says").textContent = ""; mechanism.roll(0); if (store.get()) { rest(store.get()); } buttons(); };
   $("from_state").onclick = () => {
     const state = current(store.get());
     if (state) {
@@ -278,12 +286,13 @@ export function start(solver) {
     const { V = drive.V, d = drive.d, theta = null, ...point } = said ?? {};
     Object.assign(drive, { V, d });
     Object.entries(drive).forEach(([name, value]) => ($(name).value = typed(value)));
+    $("still").onclick();
     store.place({ ...data.presets[0].point, ...point }, theta);
   }
 
-  const redraw = () => { plane.resize(); space.resize(); charts.resize(); };
+  const redraw = () => { plane.resize(); space?.resize(); charts.resize(); };
   new ResizeObserver(redraw).observe($("page"));
-  whenColoursChange(() => { plane.recolour(); space.recolour(); charts.recolour(); });
+  whenColoursChange(() => { plane.recolour(); space?.recolour(); charts.recolour(); });
   window.addEventListener("hashchange", open);
   $("pace").oninput();
   buttons();

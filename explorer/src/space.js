@@ -12,14 +12,15 @@ const [WIDTH, HEIGHT, DEPTH] = [2.6, 1.7, 1.8];
 /** Friction is drawn no further outside than this many times the drawing's. */
 const FAR = 30;
 
+/** Null where the browser has no WebGL. */
 export function createSpace(box, store) {
-  let renderer;
-  try {
-    renderer = new WebGLRenderer({ antialias: true, alpha: true });
-  } catch {
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
+  if (!context) {
     box.querySelector(".missing").hidden = false;
-    return { draw() {}, show() {}, curves() {}, reach() {}, resize() {}, recolour() {} };
+    return null;
   }
+  const renderer = new WebGLRenderer({ canvas, context });
   renderer.setPixelRatio(Math.min(2, devicePixelRatio));
   renderer.localClippingEnabled = true;
   box.append(renderer.domElement);

@@ -20,8 +20,8 @@ from .with_model import ForModels, made_for, model_option
 
 BACKEND = click.option(
     "--backend",
-    type=click.Choice(["heyoka", "scipy"]),
-    help="Integrator. Default: heyoka where it is installed.",
+    type=click.Choice(["heyoka", "compiled", "scipy"]),
+    help="Integrator. Default: heyoka where it is installed, else the compiled one.",
 )
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 

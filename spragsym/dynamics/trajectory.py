@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..files import storage
 from ..generated import motion
 from ..parameters import NAMES, FloatArray, Parameters, degrees
-from . import integrators
+from . import forces, integrators, spectra
 from .course import event_counts
 from .events import Events
 from .problem import MAX_STEPS, Constants, Event, Problem, constants_of, prepare
@@ -90,6 +90,40 @@ class Trajectory(Recorded):
         (mu0,) = self.p.scalars("mu0")
         power: FloatArray = motion.friction_power(self.y, self.vx, mu0, self.V, self.d, self.y < 0, side)
         return power
+
+    def spring_force(self) -> FloatArray:
+        """Tension of the inclined spring over k_c L_0, at the samples: negative where it pushes."""
+        c = self._constants()
+        return forces.spring_force(self.x, self.y, c.cos0, c.sin0, c.sigma)
+
+    def contact_force(self) -> FloatArray:
+        """Force of the contact over k_c L_0, at the samples: 0 where the mass has lifted off."""
+        return forces.contact_force(self.y)
+
+    def spectrum(self, transient: float | None = None, *, of: str = "x", points: int = 4096) -> spectra.Spectrum:
+        """Amplitudes over frequency, in cycles per sqrt(m/k_c), of the motion after ``transient``; see :mod:`.spectra`."""
+        self._values(of)
+        return spectra.spectrum_of(self.after(transient).samples, COMPONENTS.index(of), points)
+
+    def decay_rate(self, transient: float = 0.0, *, of: str = "x") -> float:
+        """The rate at which the swings of x or y shrink after ``transient``, over the unit of time; negative where they grow.
+
+        NaN where there are fewer than two swings. For motions that decay to rest; towards a cycle see :meth:`outcome`.
+        """
+        if of not in ("x", "y"):
+            raise ParameterError(f"of = {of!r} is neither 'x' nor 'y'")
+        late, row = self.after(transient), COMPONENTS.index(of)
+        speed = late.state[row + 2]
+        lowest = late.samples.passages(speed, lambda state: state[row + 2])
+        turns = np.concatenate([lowest, late.samples.passages(-speed, lambda state: -state[row + 2])])
+        return spectra.decay_rate_of(turns, late.samples(turns)[row])
+
+    def plot(self, transient: float = 0.0, *, of: str = "x", ax: Any = None) -> Any:
+        """Draw x over time, or another component (extra ``plot``); returns the line."""
+        from ..figures.motion_pictures import draw_motion
+
+        self._values(of)
+        return draw_motion(self.after(transient), of, ax=ax)
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""
@@ -185,9 +219,9 @@ def simulate(
         Keep the events.
     estimate_error : bool
         Run again, at rtol/100 or the tightest there is, and keep the difference as ``error``.
-    backend : {"heyoka", "scipy"}, optional
-        Taylor series (extra ``fast``) or DOP853; by default heyoka where it is installed. They agree to the
-        tolerance.
+    backend : {"heyoka", "compiled", "scipy"}, optional
+        Taylor series (extra ``fast``), or DOP853 in compiled code or in Python; by default the first of these that
+        is installed. They agree to the tolerance.
     max_steps : int
         Where to give up. A smooth motion takes a few steps per time unit; a stiff one, of large d, up to d times the
         friction, as it creeps. Ten million take heyoka some ten seconds to a minute, and several GB to keep.

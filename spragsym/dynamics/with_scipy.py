@@ -74,6 +74,16 @@ def integrate(problem: Problem) -> Solution:
     return assembled(np.array(times), np.array(states), crossings, problem.t_record)
 
 
+def first_step(problem: Problem, mode: Mode) -> float:
+    """The length of the first step, as SciPy chooses it."""
+    from scipy.integrate import DOP853
+
+    solver = DOP853(
+        _field(problem, mode), 0.0, np.array(problem.start), problem.t_end, rtol=problem.rtol, atol=problem.rtol * 1e-3
+    )
+    return float(solver.h_abs)
+
+
 def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], tuple[float, ...]]:
     n, constants, acceleration = len(problem.field.coordinates), problem.constants, problem.field.acceleration
 

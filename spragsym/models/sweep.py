@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..dynamics.integrators import OF_ANY_MODEL
 from ..dynamics.problem import MAX_STEPS, Problem
 from ..errors import ParameterTypeError
 from ..files import storage
@@ -105,5 +106,5 @@ def rms_sweep(
         raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)")
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **start_of(model, None, single)}
-    settings = settings_of(t_end, transient, rtol, backend, max_steps)
+    settings = settings_of(t_end, transient, rtol, backend, max_steps, OF_ANY_MODEL)
     return carried_out(Plan(inputs, settings, partial(problem_of, model), _ModelResults(model)), workers, progress, store)

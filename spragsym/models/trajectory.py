@@ -203,7 +203,7 @@ def simulate(
     parts = start_of(model, start, single)
     state = tuple(as_number(name, value) for name, value in parts.items())
     problem = prepare(model, p, start=state, t_end=t_end, rtol=rtol, max_steps=max_steps)
-    chosen = integrators.choose(backend)
+    chosen = integrators.choose(backend, integrators.OF_ANY_MODEL)
     trajectory = _run(model, p, problem, chosen)
     if estimate_error:
         reference = _run(model, p, replace(problem, rtol=max(problem.rtol / 100, TIGHTEST)), chosen)

@@ -53,7 +53,7 @@ def rms_sweep(
         Until when to integrate, and what to leave out of every result, by default three quarters of it.
     rtol : float
         Relative tolerance.
-    backend : {"heyoka", "scipy"}, optional
+    backend : {"heyoka", "compiled", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     max_steps : int
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.
@@ -143,14 +143,17 @@ def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.Pa
 # -------------------------------------------------------------------------------------------- all the motions
 
 
-def settings_of(t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int) -> Settings:
+def settings_of(
+    t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int,
+    offered: tuple[str, ...] = integrators.BACKENDS,
+) -> Settings:  # fmt: skip
     """What all motions of a sweep share, each of it checked."""
     t_end = as_number("t_end", t_end, POSITIVE)
     transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
     tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_steps(max_steps)
-    return Settings(t_end, transient, tolerance, integrators.choose(backend), steps)
+    return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
 
 
 def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:

@@ -176,6 +176,17 @@ def test_cusps_are_the_articles():
         assert np.allclose(getattr(found, name), getattr(known, name)[wanted], atol=1e-12)
 
 
+def test_cusps_of_a_law_whose_stiffness_has_no_slope_at_the_border():
+    p = model("hertz_contact").Parameters(theta0=1.0)
+    found = model("hertz_contact").cusps(p, ("theta0", "mu0"), between={"mu0": (0.2, 0.4)})
+    assert found.complete
+    assert len(found) == 1
+    # On both sides of the cusp in friction: one state below it, three a little above it in the wedge.
+    mu0 = found.mu0[0]
+    assert len(model("hertz_contact").folds(p.replace(mu0=mu0 - 1e-3), "theta0", between={"theta0": (0.8, 1.4)})) == 0
+    assert len(model("hertz_contact").folds(p.replace(mu0=mu0 + 1e-3), "theta0", between={"theta0": (0.8, 1.4)})) == 2
+
+
 def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
     vary, spans = ("theta0", "mu0"), np.array([[0.0, np.pi], [0.0, 2.0]])
     balance = Balance(model("kang_nam"), contact=True)

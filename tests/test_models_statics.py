@@ -67,6 +67,30 @@ def test_lift_off():
     assert np.allclose(padded(eq.x, 4), np.sort(known.x, axis=-1), atol=1e-12, equal_nan=True)
 
 
+@pytest.mark.parametrize(
+    ("name", "nothing"),
+    [
+        ("two_springs", {"sigma_2": 0.0}),
+        ("cubic_contact", {"gamma": 0.0}),
+        ("inclined_belt", {"gamma_g": 0.0}),
+        ("damped", {"zeta_x": 0.0, "zeta_y": 0.0, "zeta_s": 0.0}),
+    ],
+)
+def test_what_is_new_at_zero_gives_the_article_back(name, nothing):
+    p = ss.Parameters.article(theta0=np.radians(np.linspace(5, 175, 20)))
+    eq, known = model(name).equilibria(same_parameters(name, p, **nothing)), ss.equilibria(p)
+    assert eq.complete
+    assert eq.whole
+    assert (eq.count == known.count).all()
+    assert np.allclose(padded(eq.x, 3), np.sort(known.x, axis=-1), atol=1e-12, equal_nan=True)
+    assert (padded(eq.stability, 3, 0) == known.stability).all()
+
+
+def test_a_contact_that_never_opens_has_no_lift_off():
+    with pytest.raises(ss.ParameterError, match="never opens"):
+        model("mode_coupling").equilibria(model("mode_coupling").Parameters(), contact=False)
+
+
 @pytest.mark.parametrize("off", [1e-6, 1e-10, 1e-14])
 def test_near_a_fold_the_count_is_right_on_both_sides(off):
     fold = float(ss.folds(ss.Parameters.article()).theta0[0])

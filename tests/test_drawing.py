@@ -1,4 +1,4 @@
-"""The drawings of the pages: as committed, complete, readable by light and by dark, and those of pages that nobody has drawn before."""
+"""The drawings of the pages: as committed, complete, readable by light and by dark, also of new pages."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 def words(svg: str) -> list[str]:
     """Every name in a drawing, indices after an underscore."""
-    texts = [text for text in ElementTree.fromstring(svg).iter(f"{SVG}text")]
+    texts = list(ElementTree.fromstring(svg).iter(f"{SVG}text"))
     marked = [
         (text.text or "") + "".join(("_" + (part.text or "") if part.get("class") else "") + (part.tail or "") for part in text)
         for text in texts
@@ -84,7 +84,7 @@ def luminance(colour: str) -> float:
 def test_lines_and_names_stand_out_by_light_and_by_dark() -> None:
     """Ink, names and forces against the card and against what bodies are filled with: at least 4.5 to 1."""
     for rules in shapes.STYLE.split("@media(prefers-color-scheme:dark)"):
-        colour = {name: value for name, value in re.findall(r"\.?([\w-]+)\{(?:fill|stroke):(#\w+)", rules)}
+        colour = dict(re.findall(r"\.?([\w-]+)\{(?:fill|stroke):(#\w+)", rules))
         for ink in ("ink", "text", "force", "force-name"):
             for ground in ("card", "body", "belt"):
                 light, dark = sorted((luminance(colour[ink]), luminance(colour[ground])), reverse=True)

@@ -14,7 +14,7 @@ import spragsym as ss
 from spragsym.cli.motion import simulate as simulate_command
 from spragsym.dynamics import Event, Trajectory, integrators, simulate, with_compiled, with_heyoka, with_scipy
 from spragsym.dynamics.lobatto import DEGREE, unit_points
-from spragsym.dynamics.problem import Mode, mode_beyond, prepare
+from spragsym.dynamics.problem import event_at, prepare
 from spragsym.files import storage
 from spragsym.generated import stability
 from spragsym.statics.solver import equilibria
@@ -172,8 +172,9 @@ def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
         phase = 4 * np.pi * t
         return np.array([0 * t, 0.3 * np.sin(phase) - 0.2, 0 * t, 1.2 * np.pi * np.cos(phase)])
 
-    time, border = with_scipy.first_crossing(problem, Mode(1, 1, 1), dense, 0.0, 1.0)
-    assert mode_beyond(border, Mode(1, 1, 1)) == (Mode(0, 1, 1), Event.CONTACT_LOST)
+    time, row = with_scipy.first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
+    border = problem.field.borders[row]
+    assert (border.beyond((1, 1, 1)), event_at(border, upward=True)) == ((0, 1, 1), Event.CONTACT_LOST)
     assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
 
 
@@ -183,7 +184,7 @@ def test_a_flight_between_two_points_of_the_search_is_found() -> None:
     def dense(t: np.ndarray) -> np.ndarray:  # above the belt for 0.02, a sixth of the distance of the points
         return np.array([0 * t, 1e-4 - (t - 0.56) ** 2, 0 * t, -2 * (t - 0.56)])
 
-    time, _ = with_scipy.first_crossing(problem, Mode(1, 1, 1), dense, 0.0, 1.0)
+    time, _ = with_scipy.first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
     assert time == pytest.approx(0.55, abs=1e-9)
 
 
@@ -261,7 +262,8 @@ def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, former)
-    assert 0 < with_heyoka.compiled_for(1e-10, watch=False).solver.time < 1e6
+    problem = prepare(p, **BELT, start=(0.0, 0.0, 0.0, 0.0), t_end=1.0, rtol=1e-10)
+    assert 0 < with_heyoka.compiled_for(problem, watch=False).solver.time < 1e6
 
 
 def test_chunks_of_steps_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -10,9 +10,9 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..generated import SOURCE_HASH
 from ..parameters import FloatArray
-from . import with_scipy
+from . import sprag, with_scipy
 from .lobatto import unit_points
-from .problem import GAP, WIDTH, Problem, initial_mode, mode_beyond, out_of_range, too_many_steps
+from .problem import GAP, WIDTH, Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps of a call: Python hears Ctrl-C only between two, and samples of so many are kept until they are used up.
@@ -45,7 +45,9 @@ def _tables() -> FloatArray:
 
 
 def integrate(problem: Problem) -> Solution:
-    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``; of another model's field by SciPy."""
+    if problem.field_of is not sprag.field:
+        return with_scipy.integrate(problem)
     from . import _carried
 
     unit = unit_points()
@@ -73,7 +75,8 @@ def integrate(problem: Problem) -> Solution:
         elapsed, length = elapsed + float(clock[0]), float(clock[1])
         if outcome == ENDED:
             break
-        mode, kind = mode_beyond(border, mode)
+        passed = problem.field.borders[border]
+        kind, mode = event_at(passed, passed.sign(mode) < 0), passed.beyond(mode)
         if kind is not None:
             crossings.append(Crossing(elapsed, tuple(state.tolist()), kind))
     found_times, found_states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))

@@ -14,8 +14,10 @@ from .describe import described
 
 if TYPE_CHECKING:
     from ..cycles import Cycle
+    from ..sweeps import Sweep
     from .equilibria import ModelEquilibria
     from .points import ModelPoints
+    from .trajectory import ModelTrajectory
 
 #: Modules of generated functions.
 PARTS = ("statics", "linearization", "motion")
@@ -112,6 +114,72 @@ class Model:
         from ..cycles.model_fields import field_of
 
         return cycle_near(field_of(self), p.scalars(*self.parameters), near, **options)
+
+    def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
+        """Integrate the motion from an initial state, restarted at every kink of the model's laws.
+
+        Parameters
+        ----------
+        p : Parameters of the model
+            Scalars; V and d are among them.
+        start : array_like, shape (2 n,), optional
+            Coordinates, then rates. Or one by one: ``x0``, ``y0``, …, ``vx0``, …; 0 where nothing is given.
+        t_end, rtol, events, estimate_error, backend, max_steps
+            As for :func:`spragsym.simulate`.
+
+        Returns
+        -------
+        ModelTrajectory
+
+        Raises
+        ------
+        ParameterError, ParameterTypeError
+            For arguments that make no sense, and a start where a spring has no length.
+        ConvergenceError
+            When the integrator cannot go on, or has made ``max_steps``.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> tr = model.simulate(model.Parameters(V=0.2), t_end=200.0)
+        >>> tr.components
+        ('x', 'vx')
+        >>> round(tr.amplitude(), 2)
+        0.59
+        """
+        from .trajectory import simulate
+
+        return simulate(self, p, **options)
+
+    def rms_sweep(self, p: ParameterSet, **options: Any) -> Sweep:
+        """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
+
+        Parameters
+        ----------
+        p : Parameters of the model
+            Any shape; V and d are among them.
+        x0, vx0, … : array_like, optional
+            Initial state by the names of the model's coordinates; they broadcast with ``p``.
+        t_end, transient, rtol, backend, max_steps, workers, progress, store
+            As for :func:`spragsym.rms_sweep`.
+
+        Returns
+        -------
+        Sweep
+            With ``model``; x is the first coordinate and y the second.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> sweep = model.rms_sweep(model.Parameters(zeta=[0.1, 0.5]), t_end=400.0)
+        >>> [ss.sweeps.Regime(code).name for code in sweep.regime]
+        ['LIMIT_CYCLE', 'EQUILIBRIUM']
+        """
+        from .sweep import rms_sweep
+
+        return rms_sweep(self, p, **options)
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

@@ -60,7 +60,10 @@ def resolve(machine: str, python: str) -> str:
     with tempfile.TemporaryDirectory() as folder:
         call = [sys.executable, "-m", "pip", "install", "--quiet", "--dry-run", "--ignore-installed", "--target", folder,
                 "--only-binary=:all:", "--python-version", python, *(f"--platform={tag}" for tag in tags), *wanted]  # fmt: skip
-        done = subprocess.run(call, capture_output=True, text=True, check=False)
+        try:
+            done = subprocess.run(call, capture_output=True, text=True, check=False, timeout=900)
+        except subprocess.TimeoutExpired:
+            return "pip found no answer within fifteen minutes"
     return "" if done.returncode == 0 else " ".join(line for line in done.stderr.splitlines() if line.startswith("ERROR"))
 
 

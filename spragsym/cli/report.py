@@ -15,7 +15,7 @@ from .targets import force, refuse
 @click.command()
 @click.argument("file", type=click.Path(path_type=Path))
 @click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")
-@click.option("--oscillation", is_flag=True, help="Also follow the motion: how hard it hits, from seconds to minutes.")
+@click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
 @click.option("--safety", type=float, default=1.2, show_default=True, help="Factor on the largest friction, for what to change.")
 @force
 @as_json
@@ -25,7 +25,7 @@ def report(file: Path, html: Path | None, oscillation: bool, safety: float, forc
     \b
     Examples:
       spragsym report brake.toml
-      spragsym report brake.toml --oscillation --html report.html
+      spragsym report brake.toml --html report.html
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.

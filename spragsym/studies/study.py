@@ -162,7 +162,7 @@ class Study:
     # ---------------------------------------------------------------------------------------------------------- the answers
 
     def report(
-        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = False, safety: float = 1.2, n: int = 4096
+        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2, n: int = 4096
     ) -> Report:
         """Everything that can be said of this brake.
 
@@ -173,7 +173,7 @@ class Study:
         redesign : bool
             Also what to change.
         oscillation : bool
-            Also look for the cycle of the motion, which takes from seconds to minutes.
+            Also follow the motion, if V and d are known, to a cycle or for as long as it takes: a second, as a rule.
         safety : float
             What is changed keeps the jump at this many times the largest friction.
         n : int

@@ -13,23 +13,34 @@ from .targets import force, refuse
 
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("file", type=click.Path(path_type=Path), required=False)
+@click.option("--example", is_flag=True, help="Print a file to begin with.")
 @click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")
 @click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
 @click.option("--safety", type=float, default=1.2, show_default=True, help="Factor on the largest friction, for what to change.")
 @force
 @as_json
-def report(file: Path, html: Path | None, oscillation: bool, safety: float, force: bool, json_output: bool) -> None:
+def report(
+    file: Path | None, example: bool, html: Path | None, oscillation: bool, safety: float, force: bool, json_output: bool
+) -> None:
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
 
     \b
     Examples:
+      spragsym report --example > brake.toml
       spragsym report brake.toml
       spragsym report brake.toml --html report.html
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
+    if example:
+        from importlib import resources
+
+        click.echo((resources.files("spragsym.studies") / "brake.toml").read_text(encoding="utf-8"), nl=False)
+        return
+    if file is None:
+        raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([] if html is None else [html], force)

@@ -233,3 +233,16 @@ def test_commands_take_the_file(path: Path, capsys: pytest.CaptureFixture[str]) 
     assert answer("equilibria")["equilibria"][0]["x_mm"] == pytest.approx(38 * eq.x[0], rel=1e-9)
     points = answer("equilibria", "--mu0", "0.1:0.5:3")["points"]
     assert [len([row for row in one["equilibria"] if row["state"] == "contact"]) for one in points] == [3, 3, 1]
+
+
+def test_another_model_in_the_units_of_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    other = BRAKE.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n'
+    (tmp_path / "brake.toml").write_text(other.replace("[0.3, 0.6]", "0.3"), encoding="utf-8")
+    with pytest.raises(SystemExit) as stop:
+        main(["report", str(tmp_path / "brake.toml"), "--json"])
+    assert stop.value.code == 0
+    found = json.loads(capsys.readouterr().out)
+    assert set(found) == set(KEYS)
+    # With k_3 = 0 it is the article's model; statics of a model take the friction at full slip.
+    eq = ss.equilibria(brake(mu0=0.3).dimensionless())
+    assert sorted(state["x_mm"] for state in found["states"]) == pytest.approx(np.sort(38 * eq.x).tolist(), rel=1e-6)

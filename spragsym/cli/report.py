@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -10,6 +11,10 @@ from ..errors import ParameterError
 from .options import as_json
 from .tables import print_json
 from .targets import force, refuse
+
+if TYPE_CHECKING:
+    from ..studies import Report
+    from ..studies.other_reports import ModelReport
 
 
 @click.command()
@@ -47,10 +52,19 @@ def report(
     from ..studies import Study
 
     study = Study.from_file(file)
+    if study.model != "kang_nam" and html is not None:
+        raise ParameterError(f"--html {html}: there are pictures for model = 'kang_nam' only, and this is {study.model!r}")
+    if study.model != "kang_nam":
+        _print(study.model_report(), json_output)
+        return
     found = study.report(oscillation=oscillation, safety=safety)
     if html is not None:
         found.to_html(html)
         click.echo(f"wrote {html}", err=True)
+    _print(found, json_output)
+
+
+def _print(found: Report | ModelReport, json_output: bool) -> None:
     if json_output:
         print_json(found.to_dict())
     else:

@@ -20,6 +20,7 @@ from .measurements import FrictionFit
 from .units import Measured, factor, read, shown_in
 
 if TYPE_CHECKING:
+    from .other_reports import ModelReport
     from .reports import Report
 
 #: Units of the report where the data came as plain numbers in SI.
@@ -185,10 +186,18 @@ class Study:
         """
         from .reports import report
 
+        if self.model != "kang_nam":
+            raise ParameterError(f"model = {self.model!r}: this report is of kang_nam; call model_report() for states and folds")
         return report(
             self, probability=probability, redesign=redesign, oscillation=oscillation, n=n,
             safety=as_number("safety", safety, physical_ranges()["k"]),
         )  # fmt: skip
+
+    def model_report(self) -> ModelReport:
+        """States and folds with any model; for all that a report has, the model is ``kang_nam``."""
+        from .other_reports import model_report
+
+        return model_report(self)
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""

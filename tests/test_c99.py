@@ -526,10 +526,15 @@ def test_where_digits_run_out(library: ctypes.CDLL, point: Any) -> None:
     assert [one.theta for one in found] == sorted(one.theta for one in found)
 
 
-def test_fold_is_uncertain(library: ctypes.CDLL) -> None:
-    """The number of roots at a fold is not for double precision to say."""
-    folds = [(math.radians(degrees), *BASE[1:]) for degrees in (44.559317702565, 155.059418789789)]
-    assert [status for status, _ in solve(library, folds, CONTACT)] == [UNCERTAIN, UNCERTAIN]
+def test_next_to_a_fold_is_certain_and_on_a_border_not(library: ctypes.CDLL) -> None:
+    """Double precision can't tell the number of roots next to a fold, double-double arithmetic can; where L = 0 none can."""
+    folds = [(math.nextafter(math.radians(degrees), to), *BASE[1:])
+             for degrees in (44.559317702565, 155.059418789789) for to in (0, 4)]  # fmt: skip
+    for point, (status, found) in zip(folds, solve(library, folds, CONTACT), strict=True):
+        assert status == OK
+        assert len(found) == len(ladder.equilibria(*point).states)
+    [(status, _)] = solve(library, [(1.0, 0.5, 0.1, 0.0, 0.1, 0.0)], LIFTOFF)
+    assert status == UNCERTAIN
 
 
 def test_random_points_are_vouched_for(library: ctypes.CDLL) -> None:

@@ -19,6 +19,7 @@ from benchmarks.validate_equilibria import worst_errors
 from spragsym.generated import kernel
 from spragsym.parameters import NAMES
 from spragsym.statics import block, compiled, ladder, slots, solver
+from spragsym.statics.double_double import DoubleDouble
 
 
 @pytest.fixture(autouse=True)
@@ -89,7 +90,7 @@ def test_the_certificates_settle_most_points() -> None:
 def test_every_rung_gives_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     p = FAMILIES["near folds"](np.random.default_rng(54), 30)
     found = [ss.equilibria(p)]
-    monkeypatch.setattr(solver, "_extended_precision", lambda: False)
+    monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
     found.append(ss.equilibria(p))
     assert found[0].escalated.any()
     assert (found[0].escalated == found[1].escalated).all()
@@ -148,12 +149,10 @@ def test_one_missing_certificate_settles_nothing(monkeypatch: pytest.MonkeyPatch
 
 def test_an_error_at_the_tolerance_is_within_it(monkeypatch: pytest.MonkeyPatch) -> None:
     assert _settled(monkeypatch, {"error": 1e-12})[0]
-    assert block._rounding(np.float64(2.0**-53)) == 0
-    # Where a wider type is rounded to float64 half a unit in the last place is left for it.
-    wide = np.longdouble(2.0**-64)
-    assert block._rounding(wide) >= 2.0**-53
-    for error, sure in ((1e-12, False), (1e-12 - 1.1e-16, False), (1e-12 - 1.3e-16, True)):
-        assert bool(block._sure(kernel.Root(**GOOD | {"error": error, "code": 1.0}), wide)) == sure
+    # What double-double arithmetic found is rounded to float64, θ by as much as an arc tangent of it is off: four units u.
+    for error, sure in ((1e-12, False), (1e-12 - 4.3e-16, False), (1e-12 - 4.6e-16, True)):
+        root = kernel.Root(**GOOD | {"error": error, "code": 1.0})
+        assert bool(block._sure(DoubleDouble(1.0), root)) == sure
 
 
 @pytest.mark.parametrize("t", [(0.5, 0.5, 2.0), (0.5, 2.0, 2.0), (0.5, np.nan, 2.0), (-0.5, 1.0, 2.0), (0.0, 1.0, 2.0)])
@@ -284,17 +283,20 @@ def test_blocks_of_lift_off_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None
         np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
 
 
-@pytest.mark.parametrize(("dtype", "u"), [(np.float64, 2.0**-53), (np.longdouble, np.finfo(np.longdouble).eps / 2)])
-def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyPatch, dtype: Any, u: float) -> None:
+@pytest.mark.parametrize(("wide", "u"), [(False, 2.0**-53), (True, 2.0**-102)])
+def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyPatch, wide: bool, u: float) -> None:
     asked = []
     for name in ("discriminant", "one_positive", "at_root"):
         plain = getattr(kernel, name)
         monkeypatch.setattr(block.kernel, name, lambda *given, plain=plain: (asked.append(given[-1]), plain(*given))[1])
-    point = kernel.Point(*(np.full(3, value, dtype=dtype) for value in (0.8, 0.6, 1.0, 0.1, 0.1, 0.1, 0.1)), 1)
+    values = [np.full(3, value) for value in (0.6, 1.0, 0.1, 0.1, 0.1, 0.1)]
     with np.errstate(all="ignore"):
-        block.solve(point, 3, slots.Slots(3, 3), 0, dtype)
+        if wide:
+            block.solve_widely(values, True, slots.Slots(3, 3), 0, 3)
+        else:
+            block.solve(kernel.Point(np.cos(values[0]), np.sin(values[0]), *values[1:], 1), 3, slots.Slots(3, 3), 0, np.float64)
     assert len(asked) >= 3
-    assert all(type(value) is dtype and value == u for value in asked)
+    assert all(type(value) is np.float64 and value == u for value in asked)
 
 
 @pytest.mark.parametrize("value", [-1.0, 0.0, 1.0])
@@ -418,21 +420,14 @@ def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatc
     assert ss.count(p).tolist() == [3, 3, 3, 3]
 
 
-def test_long_double_is_asked_first_where_it_has_more_digits(monkeypatch: pytest.MonkeyPatch) -> None:
-    one = np.longdouble(1)
-    wider = one + np.longdouble(2.0**-63) != one == one + np.longdouble(2.0**-65)
-    assert solver._extended_precision() == wider
+def test_double_double_arithmetic_is_asked_before_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
     p, plain = FAMILIES["near folds"](np.random.default_rng(54), 60), ladder.equilibria
     calls: list[int] = []
     monkeypatch.setattr(ladder, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
-    numbers = []
-    for extended in (True, False):
-        monkeypatch.setattr(solver, "_extended_precision", lambda extended=extended: extended and wider)
-        calls.clear()
-        assert ss.equilibria(p).escalated.any()
-        numbers.append(len(calls))
-    assert (numbers[0] < numbers[1]) == wider
-    assert numbers[1] > 0
+    assert ss.equilibria(p).escalated.any()
+    assert not calls
+    monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
+    assert ss.equilibria(p).escalated.sum() == len(calls) > 0
 
 
 def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:

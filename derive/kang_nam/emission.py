@@ -49,6 +49,7 @@ def material(digest: str) -> targets.Material:
         header=write.header(),
         summary=SUMMARY,
         runtime=own_files(),
+        arithmetic=language.read(Path(language.__file__).parent / "double_double.py"),
     )
 
 

@@ -6,6 +6,10 @@ numbers and of the records below, assignments, ``+ - * /``, comparisons joined b
 sides of a choice, loops of a fixed number of passes, and calls. There are no branches, so that many points can be worked on side
 by side. ``f``, ``state`` and other names that are not defined here are generated algebra (``derive/emit/catalogue``).
 
+What decides where double precision can't is computed a second time in double-double arithmetic, by the same functions: a number
+is then the exact sum of two doubles, and ``u`` the unit roundoff of such sums. Sizes, bounds and results stay doubles; ``rough``
+is where one turns into the other.
+
 The quartic in t = tan(θ/2) has roots that multiply to −1, so it splits into (t² + p1 t + q1)(t² + p2 t + q2) with real factors,
 q1 < 0 < q2 and q1 q2 = −1: the first holds one positive and one negative root, the second a pair of one sign or a complex one.
 The split comes from the root of the resolvent cubic that lies farthest from the mean of the three. At a fold that root stays
@@ -35,6 +39,11 @@ LARGEST_SCALE = 1e200
 SMALLEST_RATIO = 1e-60
 #: Where P or Q vanishes, as at a cusp, it is replaced by the smallest normal number.
 SMALLEST_NORMAL = 2.2250738585072014e-308
+#: Between these, numbers are far enough from underflow and overflow for the exact products of double-double arithmetic.
+SMALLEST_WIDE = 1e-50
+LARGEST_WIDE = 1e50
+#: The unit roundoff of double-double arithmetic, 2^-102: sixteen units of 2^-106, of which its operations lose 15 at most.
+WIDE_ROUNDOFF = 1.9721522630525295e-31
 #: What underflow may add to P³ + Q² at most, generously.
 UNDERFLOW = 1e-307
 #: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
@@ -211,6 +220,11 @@ def arctangent(t: Real) -> Real:
     return where(t < 0.0, -result, result)
 
 
+def rough(x: Real) -> Real:
+    """A number as a double, for bounds and for results: itself, and of a double-double the leading part."""
+    return x
+
+
 def direction(t: Real) -> Direction:
     """cos θ and sin θ at t = tan(θ/2)."""
     inverse = 1.0 / (1.0 + t * t)
@@ -224,24 +238,41 @@ def ordinary(parameter: Real) -> Flag:
 
 def sound(point: Point) -> Flag:
     """Whether the bounds below can count on relative rounding errors."""
-    positive = (point.sin0 > SMALLEST_PARAMETER) & (point.kappa > SMALLEST_PARAMETER) & (point.sigma > SMALLEST_PARAMETER)
-    return positive & ordinary(point.mu0) & ordinary(point.alpha) & ordinary(point.beta)
+    sin0 = rough(point.sin0)
+    kappa = rough(point.kappa)
+    sigma = rough(point.sigma)
+    across = (sin0 > SMALLEST_PARAMETER) & (kappa > SMALLEST_PARAMETER) & (sigma > SMALLEST_PARAMETER)
+    return across & ordinary(rough(point.mu0)) & ordinary(rough(point.alpha)) & ordinary(rough(point.beta))
+
+
+def tame(parameter: Real) -> Flag:
+    """Whether a parameter is 0 or far from underflow and overflow."""
+    return (parameter < LARGEST_WIDE) & ((parameter > SMALLEST_WIDE) | (parameter <= 0.0))
+
+
+def moderate(point: Point) -> Flag:
+    """Whether double-double arithmetic is as good as its bounds say at this point."""
+    sin0 = rough(point.sin0)
+    across = (sin0 > SMALLEST_WIDE) & tame(rough(point.kappa)) & tame(rough(point.sigma)) & tame(rough(point.beta))
+    return across & tame(rough(point.mu0)) & tame(rough(point.alpha))
 
 
 def balance(point: Point) -> Balance:
     """f of the point: coefficients and sizes over the largest coefficient."""
     a, b, d, m = f_coefficients(point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar)
     a_size, d_size = f_magnitudes(
-        point.cos0, point.sin0, point.mu0, point.kappa, point.alpha, point.sigma, point.beta, point.nbar
-    )
-    scale = maximum(maximum(absolute(a), absolute(b)), maximum(absolute(d), m))  # m = μ₀ σ n̄ is not negative
+        rough(point.cos0), rough(point.sin0), rough(point.mu0), rough(point.kappa), rough(point.alpha), rough(point.sigma),
+        rough(point.beta), rough(point.nbar),
+    )  # fmt: skip
+    # m = μ₀ σ n̄ is not negative.
+    scale = maximum(maximum(absolute(rough(a)), absolute(rough(b))), maximum(absolute(rough(d)), rough(m)))
     over = 1.0 / scale
     return Balance(a * over, b * over, d * over, m * over, a_size * over, d_size * over, scale)
 
 
 def representable(line: Balance) -> Flag:
     """Whether double precision can carry the quartic of this balance."""
-    return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b <= -SMALLEST_RATIO)
+    return (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (rough(line.b) <= -SMALLEST_RATIO)
 
 
 # ---------------------------------------------------------------------------------------------- the number of roots
@@ -269,18 +300,18 @@ def discriminant(line: Balance, u: Real) -> Discriminant:
     """
     r0, r1, r2 = resolvent(line.a, line.b, line.d, line.m)
     it = depressed(r0, r1, r2)
-    size = depressed_size(line.a_size, absolute(line.b), line.d_size, line.m)
-    P_bound = absolute(it.P) + COUNT_P * u * size.P
-    Q_bound = absolute(it.Q) + COUNT_Q * u * size.Q
+    size = depressed_size(line.a_size, absolute(rough(line.b)), line.d_size, rough(line.m))
+    P_bound = absolute(rough(it.P)) + COUNT_P * u * size.P
+    Q_bound = absolute(rough(it.Q)) + COUNT_Q * u * size.Q
     from_P = P_bound * P_bound * size.P * (3.0 * COUNT_P + 4.0)
     from_Q = Q_bound * size.Q * (2.0 * COUNT_Q + 4.0)
-    return Discriminant(it.P * it.P * it.P + it.Q * it.Q, u * (from_P + from_Q) + UNDERFLOW)
+    return Discriminant(rough(it.P * it.P * it.P + it.Q * it.Q), u * (from_P + from_Q) + UNDERFLOW)
 
 
 def one_positive(line: Balance, u: Real) -> Flag:
     """Whether certainly one root in t is positive, and not three: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
     e0, e1, e2, e3, e4 = t_quartic(line.a, line.b, line.d, line.m)
-    return e1 < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
+    return rough(e1) < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
 
 
 def single(point: Point, u: Real) -> Flag:
@@ -315,7 +346,8 @@ def simple_root(a: Real, b: Real, d: Real, m: Real) -> Real:
     """The real root of the resolvent cubic farthest from the mean of the three, to full relative accuracy."""
     r0, r1, r2 = resolvent(a, b, d, m)
     it = depressed(r0, r1, r2)
-    z = outermost(it.P, it.Q)
+    # Newton's step squares the error, so that more than a double would be lost on the start.
+    z = outermost(rough(it.P), rough(it.Q))
     x = z - r2 / 3.0
     slope = (3.0 * x + 2.0 * r2) * x + r1
     step = (((x + r2) * x + r1) * x + r0) / slope
@@ -343,12 +375,18 @@ def polish(A1: Real, A2: Real, A3: Real, p1: Real, q1: Real, p2: Real, q2: Real)
     dp1 = r3 - dp2
     dq1 = r2 - dq2 - p2 * dp1 - p1 * dp2
     # Where three roots meet, the factors share a root and the step is not reliable.
-    good = (q1 + dq1 < 0.0) & (q2 + dq2 > 0.0) & (absolute(dp1 + dp2 + dq1 + dq2) < INFINITY)
-    q1 = q1 + where(good, dq1, 0.0)
-    q2 = q2 + where(good, dq2, 0.0)
-    inverse_q = -1.0 / where(-q1 < q2, q2, q1)
+    new_q1 = q1 + dq1
+    new_q2 = q2 + dq2
+    good = (new_q1 < 0.0) & (new_q2 > 0.0) & (absolute(dp1 + dp2 + dq1 + dq2) < INFINITY)
+    q1 = where(good, new_q1, q1)
+    q2 = where(good, new_q2, q2)
+    larger_second = -q1 < q2
+    inverse_q = -1.0 / where(larger_second, q2, q1)
     return Factors(
-        p1 + where(good, dp1, 0.0), where(-q1 < q2, inverse_q, q1), p2 + where(good, dp2, 0.0), where(-q1 < q2, q2, inverse_q)
+        where(good, p1 + dp1, p1),
+        where(larger_second, inverse_q, q1),
+        where(good, p2 + dp2, p2),
+        where(larger_second, q2, inverse_q),
     )
 
 
@@ -450,40 +488,48 @@ def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
     radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
     """
     at = direction(t)
-    c_size = absolute(at.cosine)
-    s_size = absolute(at.sine)
-    b_size = absolute(line.b)
-    f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -line.m)
-    value = absolute(f(at.cosine, at.sine, line.a, line.b, line.d, line.m)) + COUNT_F * u * f_size
-    slope = f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m)
-    slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * line.m * s_size) * c_size
+    c_size = absolute(rough(at.cosine))
+    s_size = absolute(rough(at.sine))
+    b_size = absolute(rough(line.b))
+    m_size = rough(line.m)
+    f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size)
+    value = absolute(rough(f(at.cosine, at.sine, line.a, line.b, line.d, line.m))) + COUNT_F * u * f_size
+    slope = rough(f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m))
+    slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * m_size * s_size) * c_size
     steepness = absolute(slope) - COUNT_SLOPE * u * slope_size
-    bend = 2.0 * (line.a_size + line.m) + b_size + line.d_size
+    bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size
     newton = value / steepness
     h = newton * bend / steepness
     proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point)
     # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
     radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
 
-    L, x, y = state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar)
-    stiff = point.beta + point.nbar
-    over = 1.0 / (stiff + point.sigma)
-    L_size = (point.sigma * s_size + stiff * point.sin0 + point.kappa) * over / s_size
+    wide_L, wide_x, wide_y = state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar)
+    L = rough(wide_L)
+    x = rough(wide_x)
+    y = rough(wide_y)
+    sin0 = rough(point.sin0)
+    kappa = rough(point.kappa)
+    sigma = rough(point.sigma)
+    nbar = rough(point.nbar)
+    stiff = rough(point.beta) + nbar
+    over = 1.0 / (stiff + sigma)
+    L_size = (sigma * s_size + stiff * sin0 + kappa) * over / s_size
     relative = radius / s_size
     swing = c_size + relative
     rounding = COUNT_STATE * u
     L_error = L_size * (1.01 * relative * swing + rounding)
-    y_size = point.sigma * (point.sin0 + s_size) + point.kappa
-    y_error = (1.01 * point.sigma * radius * swing + rounding * y_size) * over
+    y_size = sigma * (sin0 + s_size) + kappa
+    y_error = (1.01 * sigma * radius * swing + rounding * y_size) * over
     turn = 1.01 * radius * (s_size + radius)
     x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding
     state_error = maximum(L_error, x_error) / maximum(minimum(L, absolute(x)), 1.0)
     error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
-    beyond = (1.0 - 2.0 * point.nbar) * y  # positive on the side of the belt that n̄ says
+    beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
     member = (L > L_error) & (beyond > y_error)
     outsider = (L < -L_error) | (beyond < -y_error)
     uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
-    kind = stability(at, L, slope, uncertainty, point)
+    kind = stability(at, wide_L, slope, uncertainty, point)
     return Root(L, x, y, radius, error, member, outsider, kind.code, proved & kind.certain)
 
 
@@ -494,20 +540,26 @@ def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Poi
     sin θ and L over themselves.
     """
     (K11, K12), (K21, K22) = stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar)
-    trace, determinant, flutter = invariants(K11, K12, K21, K22)
-    pull = point.sigma / absolute(L)
+    wide_trace, determinant, wide_flutter = invariants(K11, K12, K21, K22)
+    trace = rough(wide_trace)
+    flutter = rough(wide_flutter)
+    sigma = rough(point.sigma)
+    nbar = rough(point.nbar)
+    pull = sigma / absolute(rough(L))
     # With N = α + β + n̄ + 2 σ the terms of the discriminant add up to (N + 2 pull)² + 4 pull (μ₀ n̄ + pull), those of the trace to
     # N + 2 pull.
-    size = point.alpha + point.beta + point.nbar + 2.0 * point.sigma + 3.0 * pull
+    size = rough(point.alpha) + rough(point.beta) + nbar + 2.0 * sigma + 3.0 * pull
     margin = COUNT_K * uncertainty * size
     saddle = slope < 0.0
     fluttering = flutter < 0.0
     code = where(saddle, 2.0, where(fluttering, 3.0, where(trace > 0.0, 1.0, 2.0)))
     # Far from a vanishing discriminant, and from a vanishing trace where that decides.
-    far = absolute(flutter) > margin * (size + 1.5 * point.mu0 * point.nbar)
+    far = absolute(flutter) > margin * (size + 1.5 * rough(point.mu0) * nbar)
     return Kind(code, saddle | (far & (fluttering | (absolute(trace) > margin))))
 
 
 def apart(low: Real, low_radius: Real, high: Real, high_radius: Real) -> Flag:
     """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²)."""
-    return 2.0 * (high - low) > (low_radius + high_radius) * (1.0 + maximum(low * low, high * high))
+    low_square = rough(low) * rough(low)
+    high_square = rough(high) * rough(high)
+    return 2.0 * rough(high - low) > (low_radius + high_radius) * (1.0 + maximum(low_square, high_square))

@@ -32,6 +32,7 @@ COMMANDS = {
     "cycles": ("cycles", "Cycles of the motion, and branches of them."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
     "figures": ("figures", "Draw the article's figures, and more."),
+    "explore": ("explore", "Write the explorer, a page for the browser."),
     "derive": ("derive", "Carry the page of a model through to code."),
     "export": ("export", "Write the solver in another language."),
 }

@@ -12,9 +12,11 @@ import click
 from .data import data, length
 from .options import as_json, build, ranges
 from .tables import print_json, print_table
+from .with_model import ForModels, made_for, model_option
 
 
-@click.command()
+@click.command(cls=ForModels)
+@model_option
 @ranges
 @data
 @as_json
@@ -29,6 +31,7 @@ def equilibria(json_output: bool, **values: Any) -> None:
       spragsym equilibria --theta0 30 --mu0 0.7 --json
       spragsym equilibria --theta0 49 --mu0 0:1:11
       spragsym equilibria --data brake.toml
+      spragsym equilibria --model cubic_contact --theta0 49
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
@@ -92,3 +95,6 @@ def _rows(values: dict[str, float]) -> tuple[list[dict[str, Any]], dict[str, str
                 "fold": bool(eq.fold),
             })  # fmt: skip
     return rows, reasons
+
+
+made_for(equilibria, "model_statics", "equilibria_of")

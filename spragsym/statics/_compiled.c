@@ -6,6 +6,8 @@
  * of the six columns theta, L, x, y, error (doubles) and stability (signed chars), of n each; `further` a tuple of a buffer of n
  * 64-bit rows, then the six columns with room for n rows of the slots 1 and up.
  *
+ * solve_widely(the same): in double-double arithmetic.
+ *
  * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
@@ -58,6 +60,12 @@ static double entry(const Py_buffer *view, Py_ssize_t place) {
     return (view->len == (Py_ssize_t)sizeof(double)) ? values[0] : values[place];
 }
 
+static spragsym_parameters parameters_at(const Py_buffer given[PARAMETERS], Py_ssize_t place) {
+    const spragsym_parameters here = {entry(&given[0], place), entry(&given[1], place), entry(&given[2], place),
+        entry(&given[3], place), entry(&given[4], place), entry(&given[5], place)};
+    return here;
+}
+
 /* A block of parameters, the rest of it filled with a harmless point; refused: those that are no parameters. */
 static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssize_t start, int points, point_columns *p,
     int refused[BLOCK]) {
@@ -65,8 +73,7 @@ static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssiz
         spragsym_parameters one = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
         refused[i] = 1;
         if (i < points) {
-            const spragsym_parameters here = {entry(&given[0], start + i), entry(&given[1], start + i), entry(&given[2], start + i),
-                entry(&given[3], start + i), entry(&given[4], start + i), entry(&given[5], start + i)};
+            const spragsym_parameters here = parameters_at(given, start + i);
             if (allowed(&here)) {
                 one = here;
                 refused[i] = 0;
@@ -96,6 +103,28 @@ static void store_none(const Py_buffer columns[COLUMNS], Py_ssize_t place) {
     store(columns, place, Py_NAN, &none);
 }
 
+/* A point's equilibrium into its slot. */
+static void put(buffers *all, Py_ssize_t slots, Py_ssize_t place, Py_ssize_t used, int slot, double theta, const Root *root) {
+    if (slot == 0) {
+        store(all->first, place, theta, root);
+    } else {
+        store(all->further, slots * used + slot - 1, theta, root);
+    }
+}
+
+/* A point is done: whether it is settled, and its row of `further`, if it takes one; the rows that are used by then. */
+static Py_ssize_t close_point(buffers *all, Py_ssize_t slots, Py_ssize_t place, int good, int count, Py_ssize_t used) {
+    ((signed char *)all->settled.buf)[place] = (signed char)good;
+    ((signed char *)all->count.buf)[place] = (signed char)(good ? count : 0);
+    if (good && count > 1) {
+        for (Py_ssize_t slot = count - 1; slot < slots; slot++) {
+            store_none(all->further, slots * used + slot);
+        }
+        ((int64_t *)all->rows.buf)[used++] = (int64_t)place;
+    }
+    return used;
+}
+
 /* What the groups say of a block, into the columns; the rows of `further` that are used by then. */
 static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, int points, const int refused[BLOCK],
     const point_columns *p, const root_columns groups[GROUPS], Py_ssize_t used) {
@@ -110,23 +139,57 @@ static Py_ssize_t unload_columns(buffers *all, double nbar, Py_ssize_t start, in
             const Root root = taken_from(r, lane);
             see(r->t[lane], &root, &sum);
             if (root.member) {
-                if (sum.count == 0) {
-                    store(all->first, start + i, r->theta[lane], &root);
-                } else {
-                    store(all->further, slots * used + sum.count - 1, r->theta[lane], &root);
-                }
-                sum.count++;
+                put(all, slots, start + i, used, sum.count++, r->theta[lane], &root);
             }
             next++;
         }
-        const int good = !refused[i] && stands(&sum);
-        ((signed char *)all->settled.buf)[start + i] = (signed char)good;
-        ((signed char *)all->count.buf)[start + i] = (signed char)(good ? sum.count : 0);
-        if (good && sum.count > 1) {
-            for (Py_ssize_t slot = sum.count - 1; slot < slots; slot++) {
-                store_none(all->further, slots * used + slot);
+        used = close_point(all, slots, start + i, !refused[i] && stands(&sum), sum.count, used);
+    }
+    return used;
+}
+
+/* The same of a group in double-double arithmetic. */
+static Py_ssize_t unload_widely(buffers *all, double nbar, Py_ssize_t start, int points, const wide_points *p,
+    const wide_roots groups[MAX_ROOTS], Py_ssize_t used) {
+    const Py_ssize_t slots = (nbar > 0.0) ? 2 : 3;
+    int next = 0;
+    for (int i = 0; i < points; i++) {
+        tally sum = nothing_yet(nbar, p->certain[i]);
+        const int roots = p->certain[i] ? (int)p->count[i] : 0;
+        for (int j = 0; j < roots; j++) {
+            const wide_roots *const r = &groups[next / WIDE_LANES];
+            const int lane = next % WIDE_LANES;
+            see_widely(paired(r->t_high[lane], r->t_low[lane]), &r->root[lane], &sum);
+            if (r->root[lane].member) {
+                put(all, slots, start + i, used, sum.count++, r->theta[lane], &r->root[lane]);
             }
-            ((int64_t *)all->rows.buf)[used++] = (int64_t)(start + i);
+            next++;
+        }
+        used = close_point(all, slots, start + i, stands(&sum), sum.count, used);
+    }
+    return used;
+}
+
+static Py_ssize_t solve_all_widely(buffers *all, double nbar, Py_ssize_t points) {
+    const spragsym_parameters harmless = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+    wide_roots groups[MAX_ROOTS];
+    wide_points p;
+    Py_ssize_t used = 0;
+    memset(groups, 0, sizeof groups);
+    for (Py_ssize_t start = 0; start < points; start += WIDE_LANES) {
+        const int length = (points - start < WIDE_LANES) ? (int)(points - start) : WIDE_LANES;
+        int refused[WIDE_LANES];
+        for (int i = 0; i < WIDE_LANES; i++) {
+            const spragsym_parameters here = parameters_at(all->given, (i < length) ? start + i : start);
+            refused[i] = !allowed(&here);
+            set_widely(refused[i] ? &harmless : &here, nbar, i, &p);
+        }
+        solve_widely(length, &p, groups);
+        used = unload_widely(all, nbar, start, length, &p, groups, used);
+        for (int i = 0; i < length; i++) {
+            if (refused[i]) {
+                ((signed char *)all->settled.buf)[start + i] = 0;
+            }
         }
     }
     return used;
@@ -182,7 +245,9 @@ static int hold_all(buffers *all, PyObject *const given[PARAMETERS], int contact
         hold_columns(all, further, 1, points * (contact ? 2 : 3));
 }
 
-static PyObject *solve(PyObject *module, PyObject *arguments) {
+typedef Py_ssize_t (*method)(buffers *all, double nbar, Py_ssize_t points);
+
+static PyObject *solve_by(method solver, PyObject *arguments) {
     PyObject *given[PARAMETERS];
     PyObject *settled;
     PyObject *count;
@@ -190,7 +255,6 @@ static PyObject *solve(PyObject *module, PyObject *arguments) {
     PyObject *further;
     int contact;
     buffers all;
-    (void)module;
     all.held = 0;
     if (!PyArg_ParseTuple(arguments, "OOOOOOiOOOO", &given[0], &given[1], &given[2], &given[3], &given[4], &given[5], &contact,
             &settled, &count, &first, &further)) {
@@ -200,11 +264,21 @@ static PyObject *solve(PyObject *module, PyObject *arguments) {
     if (hold_all(&all, given, contact, settled, count, first, further)) {
         const Py_ssize_t points = all.count.len;
         Py_BEGIN_ALLOW_THREADS;
-        used = solve_all(&all, contact ? 1.0 : 0.0, points);
+        used = solver(&all, contact ? 1.0 : 0.0, points);
         Py_END_ALLOW_THREADS;
     }
     release(&all);
     return (used < 0) ? NULL : PyLong_FromSsize_t(used);
+}
+
+static PyObject *solve(PyObject *module, PyObject *arguments) {
+    (void)module;
+    return solve_by(solve_all, arguments);
+}
+
+static PyObject *solve_more(PyObject *module, PyObject *arguments) {
+    (void)module;
+    return solve_by(solve_all_widely, arguments);
 }
 
 /* Points of which one discriminant does not tell the number, put together until they fill a block. */
@@ -314,7 +388,8 @@ static PyObject *count_points(PyObject *module, PyObject *arguments) {
 }
 
 static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
-    {"count", count_points, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
+    {"solve_widely", solve_more, METH_VARARGS, "The same in double-double arithmetic."},
+    {"count", count, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
     {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,

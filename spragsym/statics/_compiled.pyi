@@ -17,4 +17,17 @@ def solve(
     first: tuple[Buffer, ...],
     further: tuple[Buffer, ...],
 ) -> int: ...
+def solve_widely(
+    theta0: Buffer,
+    mu0: Buffer,
+    kappa: Buffer,
+    alpha: Buffer,
+    sigma: Buffer,
+    beta: Buffer,
+    contact: int,
+    settled: Buffer,
+    count: Buffer,
+    first: tuple[Buffer, ...],
+    further: tuple[Buffer, ...],
+) -> int: ...
 def count(theta0: Buffer, mu0: Buffer, kappa: Buffer, alpha: Buffer, sigma: Buffer, beta: Buffer, counts: Buffer) -> None: ...

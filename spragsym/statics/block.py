@@ -1,4 +1,4 @@
-"""Solves a block of points in NumPy, in one float type: first points with one root, then points with several."""
+"""A block of points at once in NumPy, in float64 or in double-double arithmetic."""
 
 from __future__ import annotations
 
@@ -8,17 +8,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated import kernel
+from .double_double import DoubleDouble, cosine_and_sine
 from .slots import Slots, gathered
 
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
 TOLERANCE = 1e-12
 
 
+#: Roundings of a double that θ, L, x and y in double-double arithmetic are off by when they are stored: the arc tangent is within
+#: one unit in the last place, and its argument is rounded.
+_STORED = 4 * 2.0**-53
+
+
 def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np.floating[Any]]) -> NDArray[np.int64]:
     """Solve ``size`` points, write what is settled to ``out`` from row ``begin`` on, and return which of them are not.
 
     Settled: every root is an equilibrium with its digits or certainly none, all of them are different, and in contact their
-    number is odd.
+    number is odd. One root of every point comes first, then all of those that have more.
 
     Parameters
     ----------
@@ -50,23 +56,46 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
     return np.flatnonzero(~settled)
 
 
+def solve_widely(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    """As :func:`solve`, in double-double arithmetic, of points given by θ₀, μ₀, κ, α, σ and β, arrays of length ``size``."""
+    theta0, *others = values
+    u = np.float64(kernel.WIDE_ROUNDOFF)
+    cos0, sin0 = cosine_and_sine(theta0)
+    mu0, kappa, alpha, sigma, beta = map(DoubleDouble, others)
+    point = kernel.Point(cos0, sin0, mu0, kappa, alpha, sigma, beta, int(contact))
+    line = kernel.balance(point)
+    found = kernel.guesses(point, line, u)
+    apart_from_all = kernel.moderate(point) & kernel.representable(line) & found.certain
+    settled = np.zeros(size, dtype=np.bool_)
+    for roots in range(1, 5):
+        rows = np.flatnonzero(apart_from_all & (found.count == roots))
+        if rows.size:
+            t = _stacked([value[rows] for value in found[:roots]])
+            settled[rows] = _some(t, rows_of(point, rows), rows_of(line, rows), out, begin + rows, u)
+    return np.flatnonzero(~settled)
+
+
+def _stacked(values: list[DoubleDouble]) -> DoubleDouble:
+    return DoubleDouble(np.stack([value.high for value in values]), np.stack([value.low for value in values]))
+
+
 def rows_of(record: Any, rows: NDArray[np.int64]) -> Any:
     """Some of the points of a record."""
-    return type(record)(*(value[rows] if np.ndim(value) else value for value in record))
+    return type(record)(*(value[rows] if getattr(value, "ndim", 0) else value for value in record))
 
 
-def _columns(t: Any, root: kernel.Root, rounding: float) -> dict[str, Any]:
-    theta, error = 2.0 * np.arctan(t), root.error + rounding
-    return {"theta": theta, "L": root.L, "x": root.x, "y": root.y, "error": error, "stability": root.code}
+def _columns(t: Any, root: kernel.Root) -> dict[str, Any]:
+    theta = 2.0 * kernel.arctangent(t.high) if isinstance(t, DoubleDouble) else 2.0 * np.arctan(t)
+    return {"theta": theta, "L": root.L, "x": root.x, "y": root.y, "error": _error(t, root), "stability": root.code}
 
 
-def _rounding(u: np.floating[Any]) -> float:
-    """The rounding error made by storing a wider type as float64."""
-    return 0.0 if u > 1e-17 else 1.2e-16
+def _error(t: Any, root: kernel.Root) -> Any:
+    return root.error + _STORED if isinstance(t, DoubleDouble) else root.error
 
 
-def _sure(root: kernel.Root, u: np.floating[Any]) -> Any:
-    return root.member & root.known & (root.error <= TOLERANCE - _rounding(u))
+def _sure(t: Any, root: kernel.Root) -> Any:
+    """Whether an equilibrium has its digits."""
+    return root.member & root.known & (_error(t, root) <= TOLERANCE)
 
 
 def _one_each(
@@ -74,27 +103,28 @@ def _one_each(
 ) -> NDArray[np.bool_]:
     """Points in contact with one root: settle those where the root certainly is an equilibrium."""
     root = kernel.at_root(t, point, line, u)
-    settled: NDArray[np.bool_] = _sure(root, u) & (t > 0.0)
+    settled: NDArray[np.bool_] = _sure(t, root) & (t > 0.0)
     rows = slice(begin, begin + t.size)
-    # Every point in contact has a first equilibrium, so points that are not settled here are overwritten later.
-    for name, values in _columns(t, root, _rounding(u)).items():
+    # What is not settled is written again by whoever settles it: there is always a first equilibrium.
+    for name, values in _columns(t, root).items():
         out.first[name][rows] = values
     out.count[rows] = settled
     return settled
 
 
 def _some(
-    t: NDArray[Any], point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
+    t: Any, point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
 ) -> NDArray[np.bool_]:
     """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
     roots, points = t.shape
     every = np.tile(np.arange(points), roots)
-    root = kernel.at_root(t.ravel(), rows_of(point, every), rows_of(line, every), u)
-    sure = (_sure(root, u) | root.outsider).reshape(t.shape)
+    flat = t.each(np.ravel) if isinstance(t, DoubleDouble) else t.ravel()
+    root = kernel.at_root(flat, rows_of(point, every), rows_of(line, every), u)
+    sure = (_sure(t, root) | root.outsider).reshape(t.shape)
     radius = np.broadcast_to(root.radius, every.shape).reshape(t.shape)
     # Two proved roots are different when the intervals that hold them are.
     settled: NDArray[np.bool_] = sure.all(axis=0) & kernel.apart(t[:-1], radius[:-1], t[1:], radius[1:]).all(axis=0)
-    columns = {name: values.reshape(t.shape) for name, values in _columns(t.ravel(), root, _rounding(u)).items()}
+    columns = {name: values.reshape(t.shape) for name, values in _columns(flat, root).items()}
     count, packed = gathered(root.member.reshape(t.shape), columns, out.slots)
     if point.nbar > 0:
         settled &= (count % 2 == 1) & (t[0] > 0.0)

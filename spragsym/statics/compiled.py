@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 
 import numpy as np
@@ -32,6 +32,19 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
     """
     from . import _compiled
 
+    return _solve(_compiled.solve, values, contact, out, begin, size)
+
+
+def solve_widely(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int) -> NDArray[np.int64]:
+    """The same in double-double arithmetic, as :func:`spragsym.statics.block.solve_widely`."""
+    from . import _compiled
+
+    return _solve(_compiled.solve_widely, values, contact, out, begin, size)
+
+
+def _solve(
+    method: Callable[..., int], values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begin: int, size: int
+) -> NDArray[np.int64]:
     rows, further = _room(out.slots - 1, size)
     settled = np.empty(size, dtype=np.bool_)
     here = slice(begin, begin + size)
@@ -39,7 +52,7 @@ def solve(values: Sequence[NDArray[np.float64]], contact: bool, out: Slots, begi
     some = tuple(column[:size] for column in further)
     theta0, mu0, kappa, alpha, sigma, beta = values
     results = settled, out.count[here], first, (rows[:size], *some)
-    used = _compiled.solve(theta0, mu0, kappa, alpha, sigma, beta, int(contact), *results)
+    used = method(theta0, mu0, kappa, alpha, sigma, beta, int(contact), *results)
     if used:
         out.further.append((begin + rows[:used], {name: some[i][:used].T.copy() for i, name in enumerate(COLUMNS)}))
     return np.flatnonzero(~settled)

@@ -28,6 +28,8 @@ T = TypeVar("T")
 
 #: Points solved at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 14
+#: The same in double-double arithmetic, which has more in between.
+WIDE_BLOCK = 1 << 12
 
 
 class Stability(enum.IntEnum):
@@ -159,7 +161,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     -----
     Source: the quartic in t = tan(θ/2) of f(θ) = q sin θ F_x, (12)–(13) eliminated; stability by (27)–(28). The count is proved:
     the sign of the discriminant with a bound on its rounding error, each root by Newton–Kantorovich. Where float64 can't, the
-    point is solved again with more digits: extended precision where the machine has it, then intervals.
+    point is solved again with more digits: in double-double arithmetic, and what that can't settle in intervals.
 
     Examples
     --------
@@ -296,19 +298,12 @@ def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:
 
 
 def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64]) -> tuple[NDArray[np.int64], dict[int, str]]:
-    """Solve the given points again in the machine's widest type, and those that it can't settle in intervals.
+    """Solve the given points again, in double-double arithmetic and then, what that can't settle, in intervals.
 
     Returns which of them are folds, and why points are left without an answer, by row.
     """
-    given = [np.broadcast_to(getattr(p, name), p.shape).flat[rows] for name in NAMES]
-    left = np.arange(rows.size)
-    if _extended_precision():
-        theta0, mu0, kappa, alpha, sigma, beta = (value.astype(np.longdouble) for value in given)
-        again = Slots(rows.size, out.slots)
-        with np.errstate(all="ignore"):
-            point = kernel.Point(np.cos(theta0), np.sin(theta0), mu0, kappa, alpha, sigma, beta, int(contact))
-            left = block.solve(point, rows.size, again, 0, np.longdouble)
-        out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
+    given = [np.ascontiguousarray(np.broadcast_to(getattr(p, name), p.shape).flat[rows]) for name in NAMES]
+    left = _solve_widely(given, contact, out, rows)
     folds: list[int] = []
     reasons: dict[int, str] = {}
     if left.size:
@@ -329,9 +324,21 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64])
     return np.array(folds, dtype=np.int64), reasons
 
 
-def _extended_precision() -> bool:
-    """Whether long double is the 80-bit type, with its 64-bit significand."""
-    return bool(np.finfo(np.longdouble).nmant == 63)
+def _solve_widely(
+    given: list[NDArray[np.float64]], contact: bool, out: Slots, rows: NDArray[np.int64]
+) -> NDArray[np.int64]:  # fmt: skip
+    """Double-double arithmetic on the points of ``rows``; which of them it leaves open, by position in ``rows``."""
+    compiled_or_not, _ = backends.chosen()
+    solve = compiled.solve_widely if compiled_or_not == "compiled" else block.solve_widely
+    again = Slots(rows.size, out.slots)
+    left = []
+    for begin in range(0, rows.size, WIDE_BLOCK):
+        values = [value[begin : begin + WIDE_BLOCK] for value in given]
+        with np.errstate(all="ignore"):
+            left.append(begin + solve(values, contact, again, begin, values[0].size))
+    again.clear()
+    out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
+    return np.concatenate(left)
 
 
 def _store(columns: Columns, place: int, found: Settled, parameters: dict[str, float]) -> None:

@@ -22,7 +22,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 from ..function import Function, Module
-from ..language import Source
+from ..language import NOTHING, Source
 from ..quantities import Quantity
 
 
@@ -44,6 +44,7 @@ class Material:
     summary: str = ""  #: one sentence: what the library computes
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    arithmetic: Source = NOTHING  #: double-double numbers, on which the kernel is printed a second time
 
     @property
     def algebra(self) -> dict[str, Function]:

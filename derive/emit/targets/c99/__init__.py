@@ -7,9 +7,9 @@ import textwrap
 from collections.abc import Mapping
 
 from ...function import Function
-from ...language import Kinds, Routine
+from ...language import Kinds, Routine, Source
 from .. import Material, Target, runtime
-from . import algebra, cost, kernel
+from . import algebra, cost, kernel, wide
 from .layout import plain
 
 
@@ -84,19 +84,26 @@ def _called(material: Material, known: Mapping[str, Function]) -> set[str]:
 
 def _kernel(material: Material, known: Mapping[str, Function]) -> str:
     source = material.kernel
-    kinds = Kinds(source)
     numbers = {item.name: (item.value, item.comment) for item in source.constants}
     numbers |= {name: (value, "") for name, value in material.counts.items()}
+    once = _printed(source, numbers)
+    if not material.arithmetic.routines:
+        return once
+    numbers = {item.name: (item.value, item.comment) for item in material.arithmetic.constants}
+    return "\n".join([once, _printed(material.arithmetic, numbers), wide.render(material)])
+
+
+def _printed(source: Source, numbers: Mapping[str, tuple[float, str]]) -> str:
+    """Constants, records and functions."""
     return "\n".join([
         kernel.constants(numbers),
         *(kernel.structure(record) for record in source.records.values()),
-        *(kernel.routine(it, kinds, "algebra_") for it in _in_order(material)),
+        *(kernel.routine(it, Kinds(source), "algebra_") for it in _in_order(source)),
     ])  # fmt: skip
 
 
-def _in_order(material: Material) -> list[Routine]:
+def _in_order(source: Source) -> list[Routine]:
     """Routines, each after those that it calls."""
-    source = material.kernel
     kinds = Kinds(source)
     ordered: dict[str, Routine] = {}
 

@@ -24,7 +24,7 @@ class CPrinter(AlgebraPrinter):
     """The statements of the Python printer in C, operation for operation."""
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
-        return _NAMES.get(expression.name, str(expression.name))
+        return c_name(str(expression.name))
 
     def _print_Integer(self, expression: sp.Integer) -> str:
         if abs(int(expression)) > _LARGEST_EXACT:
@@ -72,6 +72,11 @@ class Emitted:
     name: str
     text: str
     operations: int
+
+
+def c_name(name: str) -> str:
+    """A name of the algebra as C has it."""
+    return _NAMES.get(name, name)
 
 
 def _name(symbol: sp.Symbol) -> str:

@@ -100,9 +100,9 @@ class _Printer:
     def expression(self, node: ast.expr) -> tuple[str, int]:
         match node:
             case ast.Constant(value=float() as value):
-                return _number(value), _ATOM
+                return number(value), _ATOM
             case ast.UnaryOp(op=ast.USub(), operand=ast.Constant(value=float() as value)):
-                return f"-{_number(value)}", _UNARY
+                return f"-{number(value)}", _UNARY
             case ast.Name(id=name):
                 return name, _ATOM
             case ast.Attribute(value=value, attr=attribute):
@@ -133,7 +133,8 @@ class _Printer:
         return f"{sides[0]} {_OPERATORS[type(op)]} {sides[1]}", strength
 
 
-def _number(value: float) -> str:
+def number(value: float) -> str:
+    """A double with all of its digits."""
     text = repr(value)
     return text if re.search(r"[.en]", text) else f"{text}.0"
 
@@ -161,5 +162,5 @@ def constants(values: Mapping[str, tuple[float, str]]) -> str:
         if math.isinf(value):  # C has a name for it
             continue
         lines += [comment(text)] if text else []
-        lines.append(f"#define {name} {_number(value)}\n")
+        lines.append(f"#define {name} {number(value)}\n")
     return "".join(lines)

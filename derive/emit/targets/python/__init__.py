@@ -17,9 +17,20 @@ def render(material: Material) -> dict[str, str]:
         "py.typed": "",
         "_broadcast.py": runtime(__file__, "_broadcast.py").replace("@header@", material.header),
         **{f"{module.name}.py": algebra.render(module, material.quantities, material.header) for module in material.modules},
-        **({"kernel.py": kernel.render(material, header)} if material.kernel.routines else {}),
+        **(_kernel(material, header) if material.kernel.routines else {}),
         "quantities.py": quantities.render(material, header),
     }
+
+
+def _kernel(material: Material, header: str) -> dict[str, str]:
+    """The kernel, its cube root, and double-double numbers for it to run on."""
+    files = {
+        "kernel.py": kernel.render(material, header),
+        "_cube_root.py": runtime(__file__, "_cube_root.py").replace("@header@", material.header),
+    }
+    if material.arithmetic.routines:
+        files["double_double.py"] = kernel.arithmetic(material.arithmetic, header)
+    return files
 
 
 def _package(material: Material) -> str:
@@ -27,6 +38,8 @@ def _package(material: Material) -> str:
     summaries = {module.name: module.summary for module in material.modules}
     if material.kernel.routines:
         summaries["kernel"] = (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
+    if material.arithmetic.routines:
+        summaries["double_double"] = (ast.get_docstring(ast.parse(material.arithmetic.text)) or "").partition("\n")[0]
     summaries["quantities"] = "What every name stands for, its unit, its allowed values and its value in the article."
     listed = "\n".join(f"- :mod:`{name}`: {summary}" for name, summary in summaries.items())
     return (

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import ast
+from collections.abc import Iterable
 
-from ...language import Kinds
+from ...language import Kinds, Source
 from .. import Material
 
 
-#: What the language's primitives are for arrays.
+#: What the language's primitives are for arrays; the cube root has a file of its own.
 _PRIMITIVES = {
-    "where": "where", "maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt", "cube_root": "cbrt",
+    "where": "where", "maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt",
 }  # fmt: skip
 
 
@@ -22,21 +23,45 @@ def render(material: Material, header: str) -> str:
     called = {name for it in source.routines.values() for name in kinds.calls(it)}
     homes = {function.name: module.name for module in material.modules for function in module.functions}
     used = sorted((homes[name], name) for name in called if name in homes)
-    docstring = ast.get_docstring(tree) or ""
-    first, rest = docstring.split("\n\n", 1)
-    explained = rest.split("\n\n", 1)[1]
     bound = "\n".join(f"{name} = inspect.unwrap(_{home}.{name})" for home, name in used)
-    primitives = "\n".join(f"{name}: Any = numpy.{function}" for name, function in _PRIMITIVES.items())
     imports = "\n".join(f"from . import {home} as _{home}" for home in sorted({home for home, _ in used}))
     counts = "\n".join(f"{name} = {value!r}" for name, value in material.counts.items())
-    constants_and_code = "\n".join(source.lines[source.first_line - 1 :]) + "\n"
+    # Another number type says by itself what its leading double is.
+    code = _code(source).replace("\ndef rough(", "\n@functools.singledispatch\ndef rough(")
     return (
-        f'"""{first}\n\n{explained}\n\n{header}\n"""\n\n'
-        "from __future__ import annotations\n\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
-        f"{imports}\n\n"
-        "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an array of such.\nFlag: TypeAlias = Any\n\n"
-        f"{primitives}\n"
+        f"{_docstring(tree, header)}"
+        "from __future__ import annotations\n\nimport functools\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\n"
+        f"import numpy\n\n{imports}\nfrom ._cube_root import cube_root\n\n"
+        f"{_TYPES}{_primitives(_PRIMITIVES)}\n"
         f"{bound}\n\n"
         "# Counts of roundings, derived from the statements of this file and of the algebra.\n"
-        f"{counts}\n\n{constants_and_code}"
+        f"{counts}\n\n{code}"
     )
+
+
+def arithmetic(source: Source, header: str) -> str:
+    """``generated/double_double.py``: operations on numbers of two floats each, or arrays of such."""
+    used = [name for name in _PRIMITIVES if any(name in Kinds(source).calls(it) for it in source.routines.values())]
+    return (
+        f"{_docstring(ast.parse(source.text), header)}"
+        "from __future__ import annotations\n\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
+        f"{_TYPES}{_primitives(used)}\n\n{_code(source)}"
+    )
+
+
+_TYPES = "#: A float, or an array of any float type.\nReal: TypeAlias = Any\n#: A truth value, or an array of such.\nFlag: TypeAlias = Any\n\n"
+
+
+def _docstring(tree: ast.Module, header: str) -> str:
+    """The source's own, without the paragraph on how it is read."""
+    first, rest = (ast.get_docstring(tree) or "").split("\n\n", 1)
+    explained = rest.split("\n\n", 1)[1]
+    return f'"""{first}\n\n{explained}\n\n{header}\n"""\n\n'
+
+
+def _primitives(names: Iterable[str]) -> str:
+    return "\n".join(f"{name}: Any = numpy.{_PRIMITIVES[name]}" for name in names)
+
+
+def _code(source: Source) -> str:
+    return "\n".join(source.lines[source.first_line - 1 :]) + "\n"

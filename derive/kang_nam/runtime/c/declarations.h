@@ -36,6 +36,7 @@ typedef struct {
     double alpha;
     double sigma;
     double beta;
+    double theta0;
 } spragsym_model;
 
 /** One equilibrium. */
@@ -58,8 +59,10 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
 /**
  * All equilibria of one regime with their stability, by ascending theta: roots of eq. (12), (13) with eq. (22)-(25).
  *
- * SPRAGSYM_UNCERTAIN: close to a fold or to the onset of flutter, with hardly any preload, or far from the scale of the
- * article. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python
+ * What double precision leaves open is decided in double-double arithmetic, of 106 bits.
+ *
+ * SPRAGSYM_UNCERTAIN: where these do not decide either, on a fold or on the onset of flutter to the last digits, or where
+ * parameters are not 0 and beyond 1e-50 to 1e50. The best guess is written, which may be none at all; decide with a margin in the parameters, or with the Python
  * package's ladder.
  *
  * @param regime       SPRAGSYM_CONTACT: those with L > 0 and y < 0; SPRAGSYM_LIFTOFF: those with L > 0 and y >= 0.
@@ -73,7 +76,7 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
  * spragsym_equilibria at many points: the same bits, several times as fast where the compiler makes vector instructions.
  *
  * gcc and clang do with -O3 -march=native -fno-math-errno -fno-trapping-math, of which none changes a result under -std=c99.
- * Works in blocks of @constant:BLOCK@ points, with 37 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
+ * Works in blocks of @constant:BLOCK@ points, with 50 kB on the stack. A point takes 192 bytes of results: calls of some thousand points
  * stay in the processor's cache. Calls from several threads on different arrays do not disturb each other.
  *
  * @param points      how many; with 0, pointers may be null

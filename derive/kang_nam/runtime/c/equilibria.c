@@ -52,6 +52,7 @@ spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym
     model->alpha = parameters->alpha;
     model->sigma = parameters->sigma;
     model->beta = parameters->beta;
+    model->theta0 = parameters->theta0;
     return SPRAGSYM_OK;
 }
 
@@ -133,7 +134,7 @@ CLONED static void root_at_columns(double nbar, root_columns *r) {
 /* The equilibria of a point as they are written, root by root in ascending order. */
 typedef struct {
     double nbar;
-    double t;      /* of the last root */
+    Wide t;        /* of the last root */
     double radius; /* of the interval in theta that holds it */
     int roots;
     int count;
@@ -141,26 +142,35 @@ typedef struct {
 } tally;
 
 static tally nothing_yet(double nbar, int certain) {
-    const tally none = {nbar, 0.0, 0.0, 0, 0, certain};
+    const tally none = {nbar, {0.0, 0.0}, 0.0, 0, 0, certain};
     return none;
 }
 
 static int sure(const Root *at) { return at->outsider || (at->member && at->known && at->error <= TOLERANCE); }
 
-/* Two proved roots are different when the intervals that hold them are; in contact all lie above t = 0. */
-static void see(double t, const Root *at, tally *sum) {
-    const int separate = (sum->roots > 0) ? apart(sum->t, sum->radius, t, at->radius) : !(sum->nbar > 0.0) || t > 0.0;
+static int above(double t, const tally *sum) { return !(sum->nbar > 0.0) || t > 0.0; }
+
+static void seen(Wide t, const Root *at, int separate, tally *sum) {
     sum->certain = sum->certain && sure(at) && separate;
     sum->t = t;
     sum->radius = at->radius;
     sum->roots++;
 }
 
-static void add(double t, double theta, const Root *at, tally *sum,
-    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+/* Two proved roots are different when the intervals that hold them are; in contact all lie above t = 0. */
+static void see(double t, const Root *at, tally *sum) {
+    const int separate = (sum->roots > 0) ? apart(sum->t.high, sum->radius, t, at->radius) : above(t, sum);
+    seen(paired(t, 0.0), at, separate, sum);
+}
+
+static void see_widely(Wide t, const Root *at, tally *sum) {
+    const int separate = (sum->roots > 0) ? wide_apart(sum->t, sum->radius, t, at->radius) : above(t.high, sum);
+    seen(t, at, separate, sum);
+}
+
+static void add(double theta, const Root *at, tally *sum, spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
     const int contact = sum->nbar > 0.0;
     const double clear = contact ? -at->y : at->y;
-    see(t, at, sum);
     if (isfinite(at->L + at->x + at->y) && at->L > 0.0 && (clear > 0.0 || (!contact && clear >= 0.0))) {
         const double error = isfinite(at->error) ? at->error : HUGE_VAL;
         const spragsym_equilibrium found = {theta, at->L, at->x, at->y, error, (spragsym_stability)(int)at->code};
@@ -186,6 +196,200 @@ static void clear_from(int count, spragsym_equilibrium equilibria[SPRAGSYM_MAX_E
     }
 }
 
+/* Roundings of a double that theta, L, x and y are off by when they are stored: the arc tangent is within one unit in the
+ * last place, and its argument is rounded. */
+#define STORED (4.0 * UNIT_ROUNDOFF)
+/* Points, and then roots, that are worked on side by side in double-double arithmetic. */
+#define WIDE_LANES 8
+#define WIDE_GROUPS 8
+#if WIDE_GROUPS * WIDE_LANES != BLOCK
+#error "spragsym: the groups must have room for every point of a block"
+#endif
+
+/* Points that double precision leaves open. */
+typedef struct {
+    double theta0[WIDE_LANES];
+    double mu0[WIDE_LANES];
+    double kappa[WIDE_LANES];
+    double alpha[WIDE_LANES];
+    double sigma[WIDE_LANES];
+    double beta[WIDE_LANES];
+    double nbar[WIDE_LANES];
+    SplitDirection undeformed[WIDE_LANES];
+    double t_high[MAX_ROOTS][WIDE_LANES];
+    double t_low[MAX_ROOTS][WIDE_LANES];
+    double count[WIDE_LANES];
+    int certain[WIDE_LANES];
+} wide_points;
+
+/* Guessed roots with their points, and what is there. */
+typedef struct {
+    SplitDirection undeformed[WIDE_LANES];
+    double mu0[WIDE_LANES];
+    double kappa[WIDE_LANES];
+    double alpha[WIDE_LANES];
+    double sigma[WIDE_LANES];
+    double beta[WIDE_LANES];
+    double nbar[WIDE_LANES];
+    double t_high[WIDE_LANES];
+    double t_low[WIDE_LANES];
+    double theta[WIDE_LANES];
+    Root root[WIDE_LANES];
+} wide_roots;
+
+INLINE WidePoint widened(SplitDirection undeformed, double mu0, double kappa, double alpha, double sigma, double beta,
+    double nbar) {
+    const WidePoint point = {paired(undeformed.cosine_high, undeformed.cosine_low),
+        paired(undeformed.sine_high, undeformed.sine_low),
+        paired(mu0, 0.0),
+        paired(kappa, 0.0),
+        paired(alpha, 0.0),
+        paired(sigma, 0.0),
+        paired(beta, 0.0),
+        paired(nbar, 0.0)};
+    return point;
+}
+
+CLONED static void turn_widely(wide_points *p) {
+    for (int i = 0; i < WIDE_LANES; i++) {
+        p->undeformed[i] = dd_cosine_and_sine(p->theta0[i]);
+    }
+}
+
+CLONED static void guess_widely(wide_points *p) {
+    for (int i = 0; i < WIDE_LANES; i++) {
+        const WidePoint point =
+            widened(p->undeformed[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]);
+        const WideBalance line = wide_balance(point);
+        const WideGuesses all = wide_guesses(point, line, WIDE_ROUNDOFF);
+        p->t_high[0][i] = all.t0.high;
+        p->t_high[1][i] = all.t1.high;
+        p->t_high[2][i] = all.t2.high;
+        p->t_high[3][i] = all.t3.high;
+        p->t_low[0][i] = all.t0.low;
+        p->t_low[1][i] = all.t1.low;
+        p->t_low[2][i] = all.t2.low;
+        p->t_low[3][i] = all.t3.low;
+        p->count[i] = all.count;
+        p->certain[i] = all.certain & wide_representable(line) & wide_moderate(point);
+    }
+}
+
+CLONED static void root_at_widely(wide_roots *r) {
+    for (int i = 0; i < WIDE_LANES; i++) {
+        const WidePoint point =
+            widened(r->undeformed[i], r->mu0[i], r->kappa[i], r->alpha[i], r->sigma[i], r->beta[i], r->nbar[i]);
+        Root root = wide_at_root(paired(r->t_high[i], r->t_low[i]), point, wide_balance(point), WIDE_ROUNDOFF);
+        root.error = root.error + STORED;
+        r->theta[i] = 2.0 * arctangent(r->t_high[i]);
+        r->root[i] = root;
+    }
+}
+
+/* A point into a lane. */
+static void set_widely(const spragsym_parameters *given, double nbar, int lane, wide_points *p) {
+    p->theta0[lane] = given->theta0;
+    p->mu0[lane] = given->mu0;
+    p->kappa[lane] = given->kappa;
+    p->alpha[lane] = given->alpha;
+    p->sigma[lane] = given->sigma;
+    p->beta[lane] = given->beta;
+    p->nbar[lane] = nbar;
+}
+
+/* Roots of all certain points one after the other; how many. */
+static int line_up_widely(const wide_points *p, wide_roots groups[MAX_ROOTS]) {
+    int total = 0;
+    for (int i = 0; i < WIDE_LANES; i++) {
+        const int count = p->certain[i] ? (int)p->count[i] : 0;
+        for (int j = 0; j < MAX_ROOTS; j++) {
+            if (j < count) {
+                wide_roots *const r = &groups[total / WIDE_LANES];
+                const int lane = total % WIDE_LANES;
+                r->undeformed[lane] = p->undeformed[i];
+                r->mu0[lane] = p->mu0[i];
+                r->kappa[lane] = p->kappa[i];
+                r->alpha[lane] = p->alpha[i];
+                r->sigma[lane] = p->sigma[i];
+                r->beta[lane] = p->beta[i];
+                r->nbar[lane] = p->nbar[i];
+                r->t_high[lane] = p->t_high[j][i];
+                r->t_low[lane] = p->t_low[j][i];
+                total++;
+            }
+        }
+    }
+    return total;
+}
+
+/* What is at the roots of a group of points; what stands in lanes from `points` on has none. */
+static void solve_widely(int points, wide_points *p, wide_roots groups[MAX_ROOTS]) {
+    turn_widely(p);
+    guess_widely(p);
+    for (int i = 0; i < WIDE_LANES; i++) {
+        p->certain[i] = p->certain[i] && i < points;
+    }
+    const int total = line_up_widely(p, groups);
+    for (int i = 0; i < MAX_ROOTS; i++) {
+        if (i * WIDE_LANES < total) {
+            root_at_widely(&groups[i]);
+        }
+    }
+}
+
+/* The equilibria of one lane of a group, whose roots begin at `next`; whether they are settled, or else nothing is written. */
+static int take_widely(const wide_points *p, const wide_roots groups[MAX_ROOTS], int lane, int next, int *count,
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    spragsym_equilibrium found[SPRAGSYM_MAX_EQUILIBRIA];
+    tally sum = nothing_yet(p->nbar[lane], p->certain[lane]);
+    for (int j = 0; j < MAX_ROOTS; j++) {
+        if (p->certain[lane] && (double)j < p->count[lane]) {
+            const wide_roots *const r = &groups[(next + j) / WIDE_LANES];
+            const int at = (next + j) % WIDE_LANES;
+            see_widely(paired(r->t_high[at], r->t_low[at]), &r->root[at], &sum);
+            add(r->theta[at], &r->root[at], &sum, found);
+        }
+    }
+    if (!stands(&sum)) {
+        return 0;
+    }
+    clear_from(sum.count, found);
+    for (int i = 0; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
+        equilibria[i] = found[i];
+    }
+    *count = sum.count;
+    return 1;
+}
+
+/* One point that double precision leaves open. */
+static int settled_widely(const spragsym_model *model, double nbar, int *count,
+    spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA]) {
+    const WidePoint point = widened(dd_cosine_and_sine(model->theta0), model->mu0, model->kappa, model->alpha, model->sigma,
+        model->beta, nbar);
+    const WideBalance line = wide_balance(point);
+    const WideGuesses all = wide_guesses(point, line, WIDE_ROUNDOFF);
+    const Wide t[MAX_ROOTS] = {all.t0, all.t1, all.t2, all.t3};
+    spragsym_equilibrium found[SPRAGSYM_MAX_EQUILIBRIA];
+    tally sum = nothing_yet(nbar, all.certain && wide_representable(line) && wide_moderate(point));
+    for (int i = 0; i < MAX_ROOTS; i++) {
+        if (sum.certain && (double)i < all.count) {
+            Root root = wide_at_root(t[i], point, line, WIDE_ROUNDOFF);
+            root.error = root.error + STORED;
+            see_widely(t[i], &root, &sum);
+            add(2.0 * arctangent(t[i].high), &root, &sum, found);
+        }
+    }
+    if (!stands(&sum)) {
+        return 0;
+    }
+    clear_from(sum.count, found);
+    for (int i = 0; i < SPRAGSYM_MAX_EQUILIBRIA; i++) {
+        equilibria[i] = found[i];
+    }
+    *count = sum.count;
+    return 1;
+}
+
 spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime regime,
     spragsym_equilibrium equilibria[SPRAGSYM_MAX_EQUILIBRIA], int *count) {
     if (!model || !equilibria || !count || (regime != SPRAGSYM_CONTACT && regime != SPRAGSYM_LIFTOFF)) {
@@ -203,12 +407,13 @@ spragsym_status spragsym_equilibria(const spragsym_model *model, spragsym_regime
     for (int i = 0; i < MAX_ROOTS; i++) {
         if ((double)i < all.count) {
             const Root root = at_root(t[i], point, line, UNIT_ROUNDOFF);
-            add(t[i], 2.0 * arctangent(t[i]), &root, &sum, equilibria);
+            see(t[i], &root, &sum);
+            add(2.0 * arctangent(t[i]), &root, &sum, equilibria);
         }
     }
     clear_from(sum.count, equilibria);
     *count = sum.count;
-    return stands(&sum) ? SPRAGSYM_OK : SPRAGSYM_UNCERTAIN;
+    return (stands(&sum) || settled_widely(model, nbar, count, equilibria)) ? SPRAGSYM_OK : SPRAGSYM_UNCERTAIN;
 }
 
 /* The guesses of all points one after the other; how many. Points that are refused have none. */
@@ -301,7 +506,8 @@ static spragsym_status unload(double nbar, int points, const point_columns *p, c
                     const root_columns *const r = &groups[next / LANES];
                     const int lane = next % LANES;
                     const Root root = taken_from(r, lane);
-                    add(r->t[lane], r->theta[lane], &root, &sum, equilibria[i]);
+                    see(r->t[lane], &root, &sum);
+                    add(r->theta[lane], &root, &sum, equilibria[i]);
                     next++;
                 }
             }
@@ -310,6 +516,48 @@ static spragsym_status unload(double nbar, int points, const point_columns *p, c
             if (statuses[i] == SPRAGSYM_OK && !stands(&sum)) {
                 statuses[i] = SPRAGSYM_UNCERTAIN;
             }
+            worst = (statuses[i] > worst) ? statuses[i] : worst;
+        }
+    }
+    return worst;
+}
+
+/* Points that double precision left open, a group at a time; the largest status. */
+static spragsym_status reconsider(double nbar, int points, const spragsym_parameters given[],
+    spragsym_equilibrium equilibria[][SPRAGSYM_MAX_EQUILIBRIA], int counts[],
+    spragsym_status statuses[]) {
+    wide_points p;
+    wide_roots groups[MAX_ROOTS];
+    int place[BLOCK];
+    int open = 0;
+    for (int i = 0; i < BLOCK; i++) {
+        if (i < points && statuses[i] == SPRAGSYM_UNCERTAIN) {
+            place[open] = i;
+            open++;
+        }
+    }
+    memset(groups, 0, sizeof groups);
+    for (int i = 0; i < WIDE_GROUPS; i++) {
+        const int left = open - i * WIDE_LANES;
+        if (left > 0) {
+            const int filled = (left < WIDE_LANES) ? left : WIDE_LANES;
+            const int *const at = place + i * WIDE_LANES;
+            int next = 0;
+            for (int j = 0; j < WIDE_LANES; j++) {
+                set_widely(&given[at[(j < filled) ? j : 0]], nbar, j, &p);
+            }
+            solve_widely(filled, &p, groups);
+            for (int j = 0; j < WIDE_LANES; j++) {
+                if (j < filled && take_widely(&p, groups, j, next, &counts[at[j]], equilibria[at[j]])) {
+                    statuses[at[j]] = SPRAGSYM_OK;
+                }
+                next += p.certain[j] ? (int)p.count[j] : 0;
+            }
+        }
+    }
+    spragsym_status worst = SPRAGSYM_OK;
+    for (int i = 0; i < BLOCK; i++) {
+        if (i < points) {
             worst = (statuses[i] > worst) ? statuses[i] : worst;
         }
     }
@@ -336,8 +584,10 @@ spragsym_status spragsym_equilibria_batch(size_t points, const spragsym_paramete
         guess_columns(&p);
         refuse(length, &p, statuses + start, refused);
         solve_columns(nbar, length, refused, &p, groups);
-        const spragsym_status status =
-            unload(nbar, length, &p, groups, equilibria + start, counts + start, statuses + start);
+        spragsym_status status = unload(nbar, length, &p, groups, equilibria + start, counts + start, statuses + start);
+        if (status >= SPRAGSYM_UNCERTAIN) {
+            status = reconsider(nbar, length, given + start, equilibria + start, counts + start, statuses + start);
+        }
         worst = (status > worst) ? status : worst;
     }
     return worst;

@@ -19,43 +19,51 @@ function result = at_root(t, point, line, u)
   % a count of roundings
   COUNT_THETA = 16.0;
   at = spragsym.kernel.direction(t);
-  c_size = abs(at.cosine);
-  s_size = abs(at.sine);
-  b_size = abs(line.b);
-  f_size = spragsym.algebra.f(c_size, s_size, line.a_size, b_size, line.d_size, -line.m);
-  value = abs(spragsym.algebra.f(at.cosine, at.sine, line.a, line.b, line.d, line.m)) + COUNT_F .* u .* ...
-      f_size;
-  slope = spragsym.algebra.f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m);
-  slope_size = line.a_size + b_size .* s_size + (line.d_size + 2.0 .* line.m .* s_size) .* c_size;
+  c_size = abs(spragsym.kernel.rough(at.cosine));
+  s_size = abs(spragsym.kernel.rough(at.sine));
+  b_size = abs(spragsym.kernel.rough(line.b));
+  m_size = spragsym.kernel.rough(line.m);
+  f_size = spragsym.algebra.f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size);
+  value = abs(spragsym.kernel.rough(spragsym.algebra.f(at.cosine, at.sine, line.a, line.b, line.d, line.m))) + ...
+      COUNT_F .* u .* f_size;
+  slope = spragsym.kernel.rough(spragsym.algebra.f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m));
+  slope_size = line.a_size + b_size .* s_size + (line.d_size + 2.0 .* m_size .* s_size) .* c_size;
   steepness = abs(slope) - COUNT_SLOPE .* u .* slope_size;
-  bend = 2.0 .* (line.a_size + line.m) + b_size + line.d_size;
+  bend = 2.0 .* (line.a_size + m_size) + b_size + line.d_size;
   newton = value ./ steepness;
   h = newton .* bend ./ steepness;
   proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS .* s_size) & ...
       spragsym.kernel.sound(point);
   % The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
   radius = spragsym.kernel.where(proved, 1.0001 .* newton ./ (1.0 - h), INFINITY);
-  [L, x, y] = spragsym.algebra.state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, ...
-      point.beta, point.nbar);
-  stiff = point.beta + point.nbar;
-  over = 1.0 ./ (stiff + point.sigma);
-  L_size = (point.sigma .* s_size + stiff .* point.sin0 + point.kappa) .* over ./ s_size;
+  [wide_L, wide_x, wide_y] = spragsym.algebra.state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, ...
+      point.sigma, point.beta, point.nbar);
+  L = spragsym.kernel.rough(wide_L);
+  x = spragsym.kernel.rough(wide_x);
+  y = spragsym.kernel.rough(wide_y);
+  sin0 = spragsym.kernel.rough(point.sin0);
+  kappa = spragsym.kernel.rough(point.kappa);
+  sigma = spragsym.kernel.rough(point.sigma);
+  nbar = spragsym.kernel.rough(point.nbar);
+  stiff = spragsym.kernel.rough(point.beta) + nbar;
+  over = 1.0 ./ (stiff + sigma);
+  L_size = (sigma .* s_size + stiff .* sin0 + kappa) .* over ./ s_size;
   relative = radius ./ s_size;
   swing = c_size + relative;
   rounding = COUNT_STATE .* u;
   L_error = L_size .* (1.01 .* relative .* swing + rounding);
-  y_size = point.sigma .* (point.sin0 + s_size) + point.kappa;
-  y_error = (1.01 .* point.sigma .* radius .* swing + rounding .* y_size) .* over;
+  y_size = sigma .* (sin0 + s_size) + kappa;
+  y_error = (1.01 .* sigma .* radius .* swing + rounding .* y_size) .* over;
   turn = 1.01 .* radius .* (s_size + radius);
   x_error = L_error .* swing + L_size .* (turn + rounding .* c_size) + rounding;
   state_error = spragsym.kernel.larger(L_error, x_error) ./ spragsym.kernel.larger(spragsym.kernel.smaller(L, ...
       abs(x)), 1.0);
   error = spragsym.kernel.larger(state_error, spragsym.kernel.larger(radius + COUNT_THETA .* u, y_error));
-  beyond = (1.0 - 2.0 .* point.nbar) .* y;
+  beyond = (1.0 - 2.0 .* nbar) .* y;
   member = (L > L_error) & (beyond > y_error);
   outsider = (L < -L_error) | (beyond < -y_error);
   uncertainty = spragsym.kernel.larger(relative, L_error ./ abs(L)) + 8.0 .* u;
-  kind = spragsym.kernel.stability(at, L, slope, uncertainty, point);
+  kind = spragsym.kernel.stability(at, wide_L, slope, uncertainty, point);
   result.L = L;
   result.x = x;
   result.y = y;

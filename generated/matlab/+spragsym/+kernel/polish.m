@@ -19,12 +19,15 @@ function result = polish(A1, A2, A3, p1, q1, p2, q2)
   dp1 = r3 - dp2;
   dq1 = r2 - dq2 - p2 .* dp1 - p1 .* dp2;
   % Where three roots meet, the factors share a root and the step is not reliable.
-  good = (q1 + dq1 < 0.0) & (q2 + dq2 > 0.0) & (abs(dp1 + dp2 + dq1 + dq2) < INFINITY);
-  q1 = q1 + spragsym.kernel.where(good, dq1, 0.0);
-  q2 = q2 + spragsym.kernel.where(good, dq2, 0.0);
-  inverse_q = -1.0 ./ spragsym.kernel.where(-q1 < q2, q2, q1);
-  result.p1 = p1 + spragsym.kernel.where(good, dp1, 0.0);
-  result.q1 = spragsym.kernel.where(-q1 < q2, inverse_q, q1);
-  result.p2 = p2 + spragsym.kernel.where(good, dp2, 0.0);
-  result.q2 = spragsym.kernel.where(-q1 < q2, q2, inverse_q);
+  new_q1 = q1 + dq1;
+  new_q2 = q2 + dq2;
+  good = (new_q1 < 0.0) & (new_q2 > 0.0) & (abs(dp1 + dp2 + dq1 + dq2) < INFINITY);
+  q1 = spragsym.kernel.where(good, new_q1, q1);
+  q2 = spragsym.kernel.where(good, new_q2, q2);
+  larger_second = -q1 < q2;
+  inverse_q = -1.0 ./ spragsym.kernel.where(larger_second, q2, q1);
+  result.p1 = spragsym.kernel.where(good, p1 + dp1, p1);
+  result.q1 = spragsym.kernel.where(larger_second, inverse_q, q1);
+  result.p2 = spragsym.kernel.where(good, p2 + dp2, p2);
+  result.q2 = spragsym.kernel.where(larger_second, q2, inverse_q);
 end

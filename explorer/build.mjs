@@ -1,0 +1,40 @@
+// Bundles the explorer: `make explorer`. Same sources and lock file, same bytes.
+import { build } from "esbuild";
+import { readFile, readdir, writeFile } from "node:fs/promises";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const HERE = dirname(fileURLToPath(import.meta.url));
+const OUT = process.argv[2] ?? join(HERE, "..", "spragsym", "explorer", "assets");
+
+await build({
+  absWorkingDir: HERE,
+  entryPoints: { explorer: "src/main.js", worker: "src/worker.js", style: "src/style.css" },
+  outdir: OUT,
+  bundle: true,
+  minify: true,
+  format: "iife",
+  globalName: "explorer", // of both scripts: each has a thread of its own
+  target: "es2022",
+  charset: "utf8",
+  legalComments: "none", // the licences are in the page in full
+  logLevel: "warning",
+});
+
+/** The licence of a library that is bundled, with its name and version. */
+async function licence(name) {
+  const folder = join(HERE, "node_modules", name);
+  const { version, license } = JSON.parse(await readFile(join(folder, "package.json"), "utf8"));
+  const file = (await readdir(folder)).sort().find((entry) => /^licen[cs]e/i.test(entry));
+  const text = file ? await readFile(join(folder, file), "utf8") : fromReadme(await readFile(join(folder, "README.md"), "utf8"));
+  return `${name} ${version}, ${license}\n\n${text.trim()}\n`;
+}
+
+/** The section on the licence, where it has no file of its own. */
+function fromReadme(text) {
+  return text.slice(text.search(/^#+\s*licen[cs]e/im)).split("\n").slice(1).join("\n");
+}
+
+const { dependencies } = JSON.parse(await readFile(join(HERE, "package.json"), "utf8"));
+const licences = await Promise.all(Object.keys(dependencies).sort().map(licence));
+await writeFile(join(OUT, "licences.txt"), licences.join("\n" + "-".repeat(80) + "\n\n"));

@@ -1,0 +1,65 @@
+// Asks the worker for the drawings of a family; without a worker the page itself works them out, a little later.
+
+import { answer } from "./shapes.js";
+
+export const BEGIN = "//# start";
+
+/** `ask(what, point, top, done)`; of several questions of one kind only the last is answered. */
+export function createAsking(solver) {
+  const latest = {};
+  const waiting = {};
+  let id = 0;
+  let busy = false;
+  const worker = started();
+
+  function arrived({ id: answered, what, value, error }) {
+    busy = false;
+    const question = latest[what];
+    if (question && question.id === answered) {
+      question.done(value ?? null, error);
+    }
+    next();
+  }
+
+  function next() {
+    const what = ["curves", "surface"].find((name) => waiting[name]);
+    if (!what || busy) {
+      return;
+    }
+    const question = waiting[what];
+    delete waiting[what];
+    busy = true;
+    if (worker.thread) {
+      worker.thread.postMessage(question);
+    } else {
+      setTimeout(() => arrived(answer(solver, question)), 0);
+    }
+  }
+
+  function started() {
+    const box = { thread: null };
+    try {
+      const code = document.getElementById("code").textContent.split(BEGIN)[0];
+      const text = `${document.getElementById("worker").textContent}\n${code}\nexplorer.serve({ equilibria, bifurcation_set, flutter_boundary, surface });`;
+      box.thread = new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })), { type: "module" });
+      box.thread.onmessage = ({ data }) => arrived(data);
+      box.thread.onerror = (event) => {
+        event.preventDefault();
+        box.thread = null; // a browser that runs no worker from a file
+        busy = false;
+        Object.entries(latest).forEach(([what, { id: number, point, top }]) => (waiting[what] = { id: number, what, point, top }));
+        next();
+      };
+    } catch {
+      box.thread = null;
+    }
+    return box;
+  }
+
+  return (what, point, top, done) => {
+    id += 1;
+    latest[what] = { id, point, top, done };
+    waiting[what] = { id, what, point, top };
+    next();
+  };
+}

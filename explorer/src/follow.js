@@ -1,0 +1,128 @@
+// The quasi-static state along a straight way through the parameters: it stays on its sheet until the sheet ends at a fold.
+//
+// Equilibria before and after a step are matched in their order by theta. A step is halved until the match is beyond doubt, so that
+// a fold, or a pair of folds, cannot be stepped over unseen but within FINEST of the way.
+
+const FINEST = 2 ** -30;
+/** A match counts if every other one moves the states this much further, and if states move less than this share of their gaps. */
+const CLEARLY = 4;
+const SHARE = 0.3;
+/** No step changes a state's direction by more than this, radians; longer ones are halved. */
+const LONGEST = 0.1;
+/** A fold is located within this share of the longest step. */
+const LOCATED = 2 ** -14;
+/** What a first step may change of each parameter. */
+const FIRST = { theta0: 0.035, mu0: 0.02, kappa: 0.002, alpha: 0.05, sigma: 0.02, beta: 0.1 };
+
+/** The point at a share of the way; the ends exactly. */
+export function between(from, to, share) {
+  if (share >= 1) {
+    return { ...to };
+  }
+  return Object.fromEntries(Object.keys(to).map((name) => [name, from[name] + share * (to[name] - from[name])]));
+}
+
+/** All ways to pick n of 0 … m − 1, ascending. */
+function picks(m, n, from = 0) {
+  if (n === 0) {
+    return [[]];
+  }
+  const found = [];
+  for (let first = from; first <= m - n; first++) {
+    found.push(...picks(m, n - 1, first + 1).map((rest) => [first, ...rest]));
+  }
+  return found;
+}
+
+/**
+ * Which of the directions `after` continue which of `before`: pairs of ranks, and whether that is beyond doubt. Both ascend, and the
+ * shorter list is matched whole.
+ */
+export function matched(before, after) {
+  const turned = before.length > after.length;
+  const [few, many] = turned ? [after, before] : [before, after];
+  const cost = (ranks) => Math.max(0, ...ranks.map((rank, i) => Math.abs(many[rank] - few[i])));
+  const ways = picks(many.length, few.length).map((ranks) => ({ ranks, moved: cost(ranks) })).sort((a, b) => a.moved - b.moved);
+  const [best, other] = ways;
+  const gap = Math.min(...[before, after].flatMap((list) => list.slice(1).map((theta, i) => theta - list[i])));
+  const apart = other ? other.moved > CLEARLY * best.moved : best.moved < SHARE * gap;
+  const pairs = best.ranks.map((rank, i) => (turned ? [rank, i] : [i, rank]));
+  return { pairs, sure: apart && best.moved < LONGEST };
+}
+
+/** The state a jump leads to: the nearest in direction that is not divergent. */
+function landing(states, theta) {
+  const left = states.filter(({ stability }) => stability !== "divergent");
+  return left.sort((a, b) => Math.abs(a.theta - theta) - Math.abs(b.theta - theta))[0] ?? null;
+}
+
+/**
+ * Follows the state in direction theta on the straight way between two points. `solve` gives the equilibria at a point.
+ *
+ * Returns the state's direction at the end (null if nothing is left), the samples on the way, each `{ point, theta, jump }`, and
+ * `decided`, false if the end is undecided in double precision: then theta is the last that was decided, at the last sample.
+ */
+export function follow(solve, from, to, theta) {
+  const angles = ({ states }) => states.map((state) => state.theta);
+  const size = Math.max(...Object.keys(FIRST).map((name) => Math.abs(to[name] - from[name]) / FIRST[name]));
+  const longest = 1 / Math.max(1, Math.ceil(size));
+  const samples = [];
+  // Where double precision can't decide, the way is taken up again beyond: by longer and longer steps once the short ones are used up.
+  const shortest = longest * 2 ** -12;
+  let [at, step, here, now, across] = [0, longest, solve(from), theta, false];
+  if (here.status !== "ok" || now === null) {
+    return settled(solve, to, now, samples);
+  }
+  while (at < 1) {
+    const end = at + step >= 1 ? 1 : at + step;
+    const point = between(from, to, end);
+    const there = solve(point);
+    if (there.status !== "ok") {
+      across ||= step <= shortest;
+      if (across && end === 1) {
+        return { theta: now, samples, decided: false };
+      }
+      step = across ? 3 * step : step / 2;
+      continue;
+    }
+    const { pairs, sure } = matched(angles(here), angles(there));
+    if (!sure && !across && step > FINEST) {
+      step /= 2;
+      continue;
+    }
+    const rank = nearest(here.states, now);
+    const pair = pairs.find(([before]) => before === rank);
+    if (!pair && !across && step > longest * LOCATED) {
+      step /= 2;
+      continue;
+    }
+    const next = pair ? there.states[pair[1]] : landing(there.states, now);
+    samples.push({ point, theta: next?.theta ?? null, jump: !pair });
+    if (!next) {
+      return settled(solve, to, null, samples);
+    }
+    [at, here, now, step, across] = [end, there, next.theta, Math.min(2 * step, longest), false];
+  }
+  return { theta: now, samples, decided: true };
+}
+
+/** The rank of the state nearest to a direction. */
+export function nearest(states, theta) {
+  let best = 0;
+  states.forEach((state, i) => {
+    if (Math.abs(state.theta - theta) < Math.abs(states[best].theta - theta)) {
+      best = i;
+    }
+  });
+  return best;
+}
+
+/** Without a decided start there is nothing to follow: the state nearest to the last one, or to small deformation. */
+function settled(solve, to, theta, samples) {
+  const { status, states } = solve(to);
+  const state = status === "ok" ? landing(states, theta ?? to.theta0) : null;
+  if (state) {
+    samples.push({ point: { ...to }, theta: state.theta, jump: true });
+  }
+  return { theta: state ? state.theta : theta, samples, decided: status === "ok" };
+}

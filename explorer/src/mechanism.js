@@ -1,0 +1,155 @@
+// The mechanism, drawn to scale from a state: anchor and mass can be dragged.
+
+import { degrees, written } from "./numbers.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+/** Length 1 of the model in the drawing, and where its origin is. */
+const [SCALE, LEFT, FLOOR] = [150, 300, 250];
+const [WIDTH, HEIGHT] = [64, 44]; // of the mass
+const ARROWS = [["spring", "S"], ["preload", "κ"], ["normal", "n"], ["friction", "μ₀n"]];
+
+const at = (x, y) => [LEFT + SCALE * x, FLOOR - SCALE * y];
+
+function part(parent, name, attributes = {}) {
+  const element = document.createElementNS(SVG, name);
+  Object.entries(attributes).forEach(([key, value]) => element.setAttribute(key, value));
+  parent.append(element);
+  return element;
+}
+
+/** A zigzag between two points. */
+function coil([x1, y1], [x2, y2], turns = 9, width = 7) {
+  const length = Math.hypot(x2 - x1, y2 - y1) || 1;
+  const [ux, uy] = [(x2 - x1) / length, (y2 - y1) / length];
+  const points = [[x1, y1]];
+  for (let i = 0; i < 2 * turns; i++) {
+    const [along, across] = [0.15 + (0.7 * (i + 0.5)) / (2 * turns), (i % 2 ? 1 : -1) * width];
+    points.push([x1 + along * (x2 - x1) - across * uy, y1 + along * (y2 - y1) + across * ux]);
+  }
+  points.splice(1, 0, [x1 + 0.15 * (x2 - x1), y1 + 0.15 * (y2 - y1)]);
+  points.push([x1 + 0.85 * (x2 - x1), y1 + 0.85 * (y2 - y1)], [x2, y2]);
+  return points.map(([x, y]) => `${x.toFixed(1)},${y.toFixed(1)}`).join(" ");
+}
+
+/** `on.anchor(theta0)` and `on.mass(x, y, done)` are called as they are dragged. */
+export function createMechanism(box, on) {
+  const svg = part(box, "svg", { viewBox: "0 62 640 258", role: "group", "aria-label": "The mechanism: a mass on a moving belt, leaned on by an inclined spring" });
+  const defs = part(svg, "defs");
+  const tip = part(defs, "marker", { id: "tip", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto-start-reverse" });
+  part(tip, "path", { d: "M0,0 L8,4 L0,8 z", class: "tip" });
+  const floor = FLOOR + HEIGHT / 2;
+  part(svg, "rect", { x: 0, y: floor, width: 640, height: 18, class: "belt" });
+  const marks = part(svg, "path", { class: "marks", d: "" });
+  const speed = part(svg, "text", { x: 560, y: floor + 40, class: "note" });
+  speed.textContent = "belt →";
+  part(svg, "path", { d: `M8,${FLOOR - 40} v80`, class: "wall" });
+  const arc = part(svg, "path", { class: "arc" });
+  const free = part(svg, "path", { class: "free" });
+  const tie = part(svg, "polyline", { class: "tie" });
+  const upright = part(svg, "polyline", { class: "tie" });
+  const ghosts = part(svg, "g");
+  const spring = part(svg, "polyline", { class: "spring" });
+  const mass = part(svg, "rect", { width: WIDTH, height: HEIGHT, rx: 4, class: "mass", tabindex: 0, role: "slider", id: "mass",
+    "aria-label": "The mass: drag it, or move it with arrow keys, and let go to see it move from there" });
+  const hub = part(svg, "circle", { r: 4, class: "hub" });
+  const arrows = Object.fromEntries(ARROWS.map(([name]) => [name, part(svg, "path", { class: `force ${name}`, "marker-end": "url(#tip)" })]));
+  const names = Object.fromEntries(ARROWS.map(([name, text]) => {
+    const label = part(svg, "text", { class: "force-name" });
+    label.textContent = text;
+    return [name, label];
+  }));
+  const anchor = part(svg, "circle", { r: 11, class: "anchor", tabindex: 0, role: "slider", id: "anchor", "aria-valuemin": 0, "aria-valuemax": 180,
+    "aria-label": "Anchor of the spring: its inclination theta0 in degrees" });
+  const angle = part(svg, "text", { class: "note" });
+  const legend = part(svg, "text", { x: 12, y: 84, class: "note" });
+
+  let now = { x: 0, y: 0 };
+
+  function place(event) {
+    const matrix = svg.getScreenCTM().inverse();
+    const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
+    return [(x - LEFT) / SCALE, (FLOOR - y) / SCALE];
+  }
+
+  function dragged(element, moved, let_go = () => {}) {
+    element.addEventListener("pointerdown", (event) => {
+      element.setPointerCapture(event.pointerId);
+      element.focus({ preventScroll: true });
+      event.preventDefault();
+    });
+    element.addEventListener("pointermove", (event) => element.hasPointerCapture(event.pointerId) && moved(...place(event)));
+    element.addEventListener("pointerup", let_go);
+  }
+
+  dragged(anchor, (x, y) => on.anchor(Math.atan2(Math.max(y, 1e-4), x)));
+  anchor.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: 1, ArrowUp: 1, ArrowRight: -1, ArrowDown: -1 }[event.key];
+    if (step) {
+      event.preventDefault();
+      on.anchor(now.theta0 + (step * (event.shiftKey ? 5 : 0.5) * Math.PI) / 180);
+    }
+  });
+  dragged(mass, (x, y) => on.mass(x, y, false), () => on.mass(now.x, now.y, true));
+  mass.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: [-0.02, 0], ArrowRight: [0.02, 0], ArrowUp: [0, 0.02], ArrowDown: [0, -0.02] }[event.key];
+    if (step || event.key === "Enter" || event.key === " ") {
+      event.preventDefault();
+      on.mass(now.x + (step?.[0] ?? 0), now.y + (step?.[1] ?? 0), !step);
+    }
+  });
+
+  /** Draw the mass at x, y; `others` are further equilibria, `forces` what acts on the mass, `note` a line of text. */
+  function draw({ theta0, x, y, alpha, beta, others = [], forces = null, note = "", kind = "" }) {
+    now = { theta0, x, y };
+    const [pin, centre] = [at(Math.cos(theta0), Math.sin(theta0)), at(x, y)];
+    anchor.setAttribute("cx", pin[0]);
+    anchor.setAttribute("cy", pin[1]);
+    anchor.setAttribute("aria-valuenow", degrees(theta0).toFixed(2));
+    mass.setAttribute("aria-valuetext", `x ${written(x, 4)}, y ${written(y, 4)}`);
+    mass.setAttribute("class", `mass ${kind}`);
+    mass.setAttribute("x", centre[0] - WIDTH / 2);
+    mass.setAttribute("y", centre[1] - HEIGHT / 2);
+    hub.setAttribute("cx", centre[0]);
+    hub.setAttribute("cy", centre[1]);
+    spring.setAttribute("points", coil(pin, centre));
+    tie.setAttribute("points", alpha > 0 ? coil([8, centre[1]], [centre[0] - WIDTH / 2, centre[1]], 12, 4) : "");
+    upright.setAttribute("points", beta > 0 ? coil([centre[0] + 20, 62], [centre[0] + 20, centre[1] - HEIGHT / 2], 8, 4) : "");
+    const origin = at(0, 0);
+    free.setAttribute("d", `M${origin} L${pin}`);
+    arc.setAttribute("d", `M${at(0.25, 0)} A${0.25 * SCALE},${0.25 * SCALE} 0 0 0 ${at(0.25 * Math.cos(theta0), 0.25 * Math.sin(theta0))}`);
+    angle.textContent = `θ₀ = ${written(degrees(theta0), 4)}°`;
+    const sideways = pin[0] > 500 ? -14 : 16;
+    angle.setAttribute("text-anchor", sideways < 0 ? "end" : "start");
+    angle.setAttribute("x", pin[0] + sideways);
+    angle.setAttribute("y", pin[1] - 6);
+    legend.textContent = note;
+    ghosts.replaceChildren();
+    others.forEach((state) => {
+      const [gx, gy] = at(state.x, state.y);
+      part(ghosts, "rect", { x: gx - WIDTH / 2, y: gy - HEIGHT / 2, width: WIDTH, height: HEIGHT, rx: 4, class: `ghost ${state.stability}` });
+    });
+    push(forces, centre);
+  }
+
+  /** Arrows of the forces, the longest of a fixed length. */
+  function push(forces, [x, y]) {
+    const largest = forces ? Math.max(...ARROWS.map(([name]) => Math.hypot(...forces[name]))) : 0;
+    for (const [name] of ARROWS) {
+      const [fx, fy] = forces ? forces[name] : [0, 0];
+      const length = largest ? Math.hypot(fx, fy) / largest : 0;
+      const shown = length > 0.03;
+      arrows[name].setAttribute("d", shown ? `M${x},${y} l${(70 * fx) / largest},${(-70 * fy) / largest}` : "");
+      names[name].setAttribute("x", x + (shown ? (84 * fx) / largest : 0) - 6);
+      names[name].setAttribute("y", y - (shown ? (84 * fy) / largest : 0) + 5);
+      names[name].style.display = shown ? "" : "none";
+    }
+  }
+
+  /** The belt by how far it has run. */
+  function roll(way) {
+    const shift = (((way * SCALE) % 32) + 32) % 32;
+    marks.setAttribute("d", Array.from({ length: 22 }, (_, i) => `M${i * 32 - 32 + shift},${floor + 3} l8,12`).join(" "));
+  }
+  roll(0);
+  return { draw, roll };
+}

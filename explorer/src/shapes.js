@@ -1,0 +1,110 @@
+// What is drawn of a whole family, that is at given kappa, alpha, sigma and beta: curves, strips of three equilibria, the surface.
+
+const COLUMNS = 240;
+/** Nodes of the surface along each of its two coordinates, how much closer they are in the middle, and nodes of a ruling. */
+const NODES = 140;
+const GRADING = 3.5;
+const RULED = 360;
+/** How far from 0 and pi the surface ends, and how far outside a node is still moved to the edge, radians. */
+const EDGE = 1e-3;
+const OUTSIDE = 0.2;
+/** Of the set's finer features none is visible beyond this many directions of the spring. */
+const FINE = 120;
+
+/** Curves of folds and flutter onsets, cusps, and where there are how many equilibria, for friction up to `top`. */
+export function curvesOf(solver, point, top) {
+  const { curves, cusps } = solver.bifurcation_set(point, { n: FINE });
+  const flutter = solver.flutter_boundary(point, { n: FINE });
+  return { curves, cusps, flutter, strips: strips(solver, point, curves, top) };
+}
+
+/** Friction at which a polyline meets a column. */
+function crossings({ theta0, mu0 }, at) {
+  const found = [];
+  for (let i = 1; i < theta0.length; i++) {
+    const [a, b] = [theta0[i - 1], theta0[i]];
+    if ((a < at) !== (b < at)) {
+      found.push(mu0[i - 1] + ((mu0[i] - mu0[i - 1]) * (at - a)) / (b - a));
+    }
+  }
+  return found;
+}
+
+/**
+ * Per column of the plane the intervals of friction with more than one equilibrium: the folds end them, and the solver says which.
+ * For drawing only.
+ */
+function strips(solver, point, curves, top) {
+  const found = [];
+  for (let i = 0; i < COLUMNS; i++) {
+    const theta0 = (Math.PI * (i + 0.5)) / COLUMNS;
+    const ends = [0, ...curves.flatMap((curve) => crossings(curve, theta0)).filter((mu0) => mu0 > 0 && mu0 < top).sort((a, b) => a - b), top];
+    for (let k = 1; k < ends.length; k++) {
+      const { count } = solver.equilibria({ ...point, theta0, mu0: 0.5 * (ends[k - 1] + ends[k]) });
+      if (count > 1) {
+        found.push({ i, low: ends[k - 1], high: ends[k], count });
+      }
+    }
+  }
+  return { columns: COLUMNS, found };
+}
+
+const KINDS = { stable: 0, divergent: 1, flutter: 2 };
+
+/** Nodes from −1 to 1, closest in the middle, where the surface is steepest. */
+const graded = Array.from({ length: NODES }, (_, i) => Math.sinh(GRADING * ((2 * i) / (NODES - 1) - 1)) / Math.sinh(GRADING));
+
+const kept = (angle) => Math.min(Math.PI - EDGE, Math.max(EDGE, angle));
+
+/**
+ * The surface as a grid over theta − theta0 and theta + theta0: its steep parts run along theta = theta0 and theta = pi − theta0.
+ * Nodes a little outside 0 … pi are moved to the edge. Friction is NaN where there is no state.
+ */
+export function surfaceOf(solver, point) {
+  const size = NODES * NODES;
+  const grid = { nodes: NODES, theta0: new Float32Array(size), theta: new Float32Array(size), mu0: new Float32Array(size).fill(NaN), kind: new Uint8Array(size) };
+  for (let i = 0; i < NODES; i++) {
+    for (let j = 0; j < NODES; j++) {
+      const [minus, plus] = [Math.PI * graded[i], Math.PI * (1 + graded[j])];
+      const [theta0, theta] = [(plus - minus) / 2, (plus + minus) / 2];
+      const at = i * NODES + j;
+      [grid.theta0[at], grid.theta[at]] = [kept(theta0), kept(theta)];
+      const outside = Math.max(Math.abs(theta0 - kept(theta0)), Math.abs(theta - kept(theta)));
+      const found = outside < OUTSIDE ? solver.surface(point, kept(theta), kept(theta0)) : null;
+      if (found) {
+        grid.mu0[at] = found.mu0;
+        grid.kind[at] = KINDS[found.stability];
+      }
+    }
+  }
+  return { ...grid, rulings: rulings(solver, point) };
+}
+
+/** Lines of equal inclination on the surface: its shape is seen without colour. Runs of [theta0, mu0, theta]. */
+function rulings(solver, point) {
+  const lines = [];
+  for (let theta0 = 15; theta0 < 180; theta0 += 15) {
+    let run = [];
+    for (let j = 1; j < RULED; j++) {
+      const [at, theta] = [(Math.PI * theta0) / 180, (Math.PI * j) / RULED];
+      const found = solver.surface(point, theta, at);
+      if (found) {
+        run.push([at, found.mu0, theta]);
+      } else if (run.length) {
+        lines.push(run);
+        run = [];
+      }
+    }
+    lines.push(run);
+  }
+  return lines;
+}
+
+/** Both, as a message asks for them. */
+export function answer(solver, { id, point, top, what }) {
+  try {
+    return { id, what, value: what === "curves" ? curvesOf(solver, point, top) : surfaceOf(solver, point) };
+  } catch (error) {
+    return { id, what, error: String(error.message ?? error) };
+  }
+}

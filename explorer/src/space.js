@@ -1,0 +1,222 @@
+// The equilibrium surface over the plane of theta0 and mu0, its height the direction of the spring, with the state and its path on it.
+
+import {
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Line, LineBasicMaterial, LineDashedMaterial,
+  Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Plane, Scene, SphereGeometry, Sprite, SpriteMaterial,
+  CanvasTexture, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { colours } from "./colours.js";
+
+const [WIDTH, HEIGHT, DEPTH] = [2.6, 1.7, 1.8];
+/** Friction is drawn no further outside than this many times the drawing's. */
+const FAR = 30;
+
+/** Null where the browser has no WebGL. */
+export function createSpace(box, store) {
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
+  if (!context) {
+    box.querySelector(".missing").hidden = false;
+    return null;
+  }
+  const renderer = new WebGLRenderer({ canvas, context });
+  renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  renderer.localClippingEnabled = true;
+  box.append(renderer.domElement);
+  const [scene, camera] = [new Scene(), new PerspectiveCamera(35, 1, 0.1, 50)];
+  camera.position.set(-2.6, 2.1, 4.6);
+  const controls = new OrbitControls(camera, renderer.domElement);
+  controls.enablePan = false;
+  controls.minDistance = 2.5;
+  controls.maxDistance = 9;
+  controls.addEventListener("change", draw_soon);
+  scene.add(new AmbientLight(0xffffff, 1.5));
+  const light = new DirectionalLight(0xffffff, 2.2);
+  light.position.set(-1, 3, 2);
+  scene.add(light);
+  const clip = [new Plane(new Vector3(0, 0, -1), DEPTH / 2 + 1e-3), new Plane(new Vector3(0, 0, 1), DEPTH / 2 + 1e-3)];
+
+  let [top, colour, surface, sets, pending] = [1, colours(), null, null, false];
+  const put = (theta0, mu0, theta) => new Vector3(
+    WIDTH * (theta0 / Math.PI - 0.5), HEIGHT * (theta / Math.PI - 0.5), DEPTH * (0.5 - mu0 / top),
+  );
+
+  const ball = new Mesh(new SphereGeometry(0.05, 24, 16), new MeshBasicMaterial());
+  scene.add(ball);
+  const groups = { surface: [], curves: [], path: [], frame: [] };
+
+  function replace(name, objects) {
+    for (const old of groups[name]) {
+      scene.remove(old);
+      old.geometry?.dispose();
+      old.material.map?.dispose();
+      old.material.dispose();
+    }
+    groups[name] = objects;
+    objects.forEach((object) => scene.add(object));
+    draw_soon();
+  }
+
+  function line(points, material) {
+    const object = new Line(new BufferGeometry().setFromPoints(points), material);
+    object.computeLineDistances();
+    return object;
+  }
+
+  function sheet() {
+    if (!surface) {
+      return;
+    }
+    const { nodes, theta0, theta, mu0, kind } = surface;
+    const [places, paint, faces] = [new Float32Array(3 * mu0.length), new Float32Array(3 * mu0.length), []];
+    const hues = [colour.stable, colour.divergent, colour.flutter].map((hue) => new Color(hue));
+    for (let at = 0; at < mu0.length; at++) {
+      const value = Number.isNaN(mu0[at]) ? 0 : mu0[at]; // no triangle has a corner without a state
+      put(theta0[at], Math.max(-FAR * top, Math.min(FAR * top, value)), theta[at]).toArray(places, 3 * at);
+      hues[kind[at]].toArray(paint, 3 * at);
+      if (at >= nodes && at % nodes) {
+        triangles(at - nodes - 1, at - nodes, at - 1, at, mu0, faces);
+      }
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(places, 3));
+    geometry.setAttribute("color", new BufferAttribute(paint, 3));
+    geometry.setIndex(faces);
+    geometry.computeVertexNormals();
+    const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }; // lines on the surface stay whole
+    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, clippingPlanes: clip, ...offset });
+    const ruled = () => new LineBasicMaterial({ color: colour.ink, transparent: true, opacity: 0.4, clippingPlanes: clip });
+    const lines = surface.rulings.filter((run) => run.length > 1);
+    replace("surface", [new Mesh(geometry, material), ...lines.map((run) => line(run.map((at) => put(...at)), ruled()))]);
+  }
+
+  /** Two triangles of a cell, where the surface has all of their corners and one is not far outside the drawing. */
+  function triangles(a, b, c, d, mu0, faces) {
+    for (const corners of [[a, b, c], [b, d, c]]) {
+      const values = corners.map((corner) => mu0[corner]);
+      if (!values.some(Number.isNaN) && Math.max(...values) > 0 && Math.min(...values) < top) {
+        faces.push(...corners);
+      }
+    }
+  }
+
+  function folds() {
+    if (!sets) {
+      return;
+    }
+    const ink = () => new LineBasicMaterial({ color: colour.ink, clippingPlanes: clip });
+    const faint = () => new LineBasicMaterial({ color: colour.faint, clippingPlanes: clip });
+    replace("curves", sets.curves.flatMap(({ theta0, mu0, theta }) => [
+      line(theta0.map((value, i) => put(value, mu0[i], theta[i])), ink()),
+      line(theta0.map((value, i) => put(value, mu0[i], 0)), faint()),
+    ]));
+  }
+
+  function frame() {
+    const corners = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => put(u * Math.PI, v * top, 0));
+    const faint = () => new LineBasicMaterial({ color: colour.faint });
+    const post = [put(0, 0, 0), put(0, 0, Math.PI)];
+    replace("frame", [
+      line(corners, faint()), line(post, faint()),
+      label("θ₀ = 0°", put(0, 0, 0).add(new Vector3(0.05, -0.13, 0.12))), label("180°", put(Math.PI, 0, 0).add(new Vector3(0, -0.13, 0.12))),
+      label(`μ₀ = ${top}`, put(0, top, 0).add(new Vector3(-0.15, -0.13, 0))), label("θ = 180°", put(0, 0, Math.PI).add(new Vector3(0, 0.1, 0))),
+    ]);
+  }
+
+  function label(text, place) {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [256, 64];
+    const ctx = canvas.getContext("2d");
+    ctx.font = "36px system-ui, sans-serif";
+    ctx.textAlign = "center";
+    ctx.textBaseline = "middle";
+    ctx.fillStyle = colour.ink;
+    ctx.fillText(text, 128, 32);
+    const sprite = new Sprite(new SpriteMaterial({ map: new CanvasTexture(canvas), depthTest: false }));
+    sprite.scale.set(0.72, 0.18, 1);
+    sprite.position.copy(place);
+    return sprite;
+  }
+
+  /** The path on the surface: whole where the state followed, dashed where it jumped. */
+  function trail(path) {
+    const [pieces, jumps] = [[[]], []];
+    path.forEach(({ theta0, mu0, theta, jump }, i) => {
+      const at = put(theta0, mu0, theta);
+      if (jump && i) {
+        jumps.push([pieces.at(-1).at(-1), at]);
+        pieces.push([]);
+      }
+      pieces.at(-1).push(at);
+    });
+    const solid = new LineBasicMaterial({ color: colour.path, depthTest: false });
+    const dashed = new LineDashedMaterial({ color: colour.jump, dashSize: 0.06, gapSize: 0.04, depthTest: false });
+    replace("path", [
+      ...pieces.filter((piece) => piece.length > 1).map((piece) => line(piece, solid.clone())),
+      ...jumps.filter(([from]) => from).map((jump) => line(jump, dashed.clone())),
+    ]);
+  }
+
+  function draw_soon() {
+    if (!pending) {
+      pending = true;
+      requestAnimationFrame(() => { pending = false; renderer.render(scene, camera); });
+    }
+  }
+
+  function draw() {
+    const { path, point, theta } = store.get();
+    trail(path);
+    ball.visible = theta !== null;
+    ball.material.color.set(colour.accent);
+    ball.material.depthTest = false;
+    ball.renderOrder = 2;
+    if (theta !== null) {
+      ball.position.copy(put(point.theta0, Math.min(point.mu0, top), theta));
+    }
+    draw_soon();
+  }
+
+  function resize() {
+    const [width, height] = [Math.max(200, box.clientWidth), Math.max(200, box.clientHeight)];
+    renderer.setSize(width, height);
+    camera.aspect = width / height;
+    camera.fov = width < 1.25 * height ? 44 : 35;
+    camera.updateProjectionMatrix();
+    draw_soon();
+  }
+
+  renderer.domElement.tabIndex = 0;
+  renderer.domElement.setAttribute("role", "img");
+  renderer.domElement.setAttribute("aria-label", "The equilibrium surface; arrow keys turn it, plus and minus come closer and go away");
+  renderer.domElement.addEventListener("keydown", (event) => {
+    const turns = { ArrowLeft: [-0.1, 0, 1], ArrowRight: [0.1, 0, 1], ArrowUp: [0, -0.1, 1], ArrowDown: [0, 0.1, 1], "+": [0, 0, 0.9], "-": [0, 0, 1.1] };
+    const turn = turns[event.key];
+    if (turn) {
+      event.preventDefault();
+      camera.position.applyAxisAngle(new Vector3(0, 1, 0), turn[0]);
+      camera.position.y = Math.max(-4, Math.min(6, camera.position.y - 4 * turn[1]));
+      camera.position.multiplyScalar(turn[2]);
+      controls.update();
+      draw_soon();
+    }
+  });
+
+  function all() {
+    frame();
+    sheet();
+    folds();
+    draw();
+  }
+  resize();
+  frame();
+  return {
+    draw,
+    show: (found) => { surface = found; sheet(); },
+    curves: (found) => { sets = found; folds(); },
+    reach: (value) => { top = value; all(); },
+    resize,
+    recolour: () => { colour = colours(); all(); },
+  };
+}

@@ -1,0 +1,70 @@
+// The table of all states at the point, and the words about the one that the mass is on.
+
+import { forces } from "./forces.js";
+import { degrees, written } from "./numbers.js";
+import { current } from "./store.js";
+
+const COLUMNS = ["", "regime", "stability", "θ in °", "x", "y", "L", "error bound", "spring force", "normal force", "friction"];
+const SIGNS = { stable: "●", divergent: "▲", flutter: "≈" };
+const ABOUT = {
+  stable: "stable: pushed a little, the mass comes back",
+  divergent: "unstable (divergence): pushed a little, the mass leaves without swinging",
+  flutter: "unstable (flutter): pushed a little, the mass swings more and more",
+};
+
+/** What status says, in a sentence; empty where double precision vouches. */
+export function undecided({ contact, liftoff }) {
+  const words = [["in contact", contact], ["in lift-off", liftoff]].flatMap(([where, { status }]) => {
+    if (status === "uncertain") {
+      return `Undecided ${where}: double precision can't tell how many states there are here, or of which kind. The rows are a best guess; the Python package decides.`;
+    }
+    return status === "out_of_range" ? `Undecided ${where}: numbers of this size are beyond double precision.` : [];
+  });
+  return words.join(" ");
+}
+
+export function createStates(table, store, algebra) {
+  table.innerHTML = `<thead><tr>${COLUMNS.map((name) => `<th scope="col">${name}</th>`).join("")}</tr></thead><tbody></tbody>`;
+  const body = table.tBodies[0];
+
+  function row(state, regime, point, chosen) {
+    const of = forces(algebra, point, state, regime === "contact");
+    const values = [written(degrees(state.theta), 8), written(state.x, 7), written(state.y, 7), written(state.L, 7), written(state.error, 2),
+      written(Math.hypot(...of.spring), 5), written(of.normal[1], 5), written(of.friction[0], 5)];
+    const line = document.createElement("tr");
+    line.className = `${state.stability}${chosen ? " chosen" : ""}`;
+    if (chosen) {
+      line.setAttribute("aria-current", "true");
+    }
+    line.innerHTML = `<td>${chosen ? "<b title='the mass is here'>➤<span class='hidden'> the mass is here</span></b>" : ""}</td><td>${regime}</td>
+      <td title="${ABOUT[state.stability]}"><i aria-hidden="true">${SIGNS[state.stability]}</i> ${state.stability}</td>${values.map((value) => `<td>${value}</td>`).join("")}`;
+    return line;
+  }
+
+  return () => {
+    const now = store.get();
+    const [at, { contact, liftoff }] = [current(now), now.found];
+    body.replaceChildren(
+      ...contact.states.map((state) => row(state, "contact", now.point, state === at && now.decided)),
+      ...liftoff.states.map((state) => row(state, "lift-off", now.point, false)),
+    );
+  };
+}
+
+/** What a reader should know now, in a few words. */
+export function story({ point, theta, decided, found, last, jumps }) {
+  const state = current({ found, theta });
+  if (!decided) {
+    return `Undecided here: double precision can't tell the states apart this close to a fold. The mass stays at its last decided state, θ = ${written(degrees(theta ?? point.theta0), 4)}°.`;
+  }
+  if (!state) {
+    return "No state in contact with the belt: see the motion below.";
+  }
+  const where = Math.abs(state.theta - point.theta0) < 0.35 ? "hardly moved" : "swept along by the belt";
+  const kind = state.stability === "flutter" ? "; it flutters, so the motion below swings up" : "";
+  const jump = last
+    ? ` It jumped from θ = ${written(degrees(last.from), 4)}° to ${written(degrees(last.to), 4)}° when the point crossed the fold at θ₀ = ${written(degrees(last.theta0), 4)}°, μ₀ = ${written(last.mu0, 4)}.`
+    : "";
+  const more = jumps > 1 ? ` ${jumps} jumps on this path.` : "";
+  return `${found.contact.count} ${found.contact.count === 1 ? "state" : "states"} in contact. The mass is ${where}: θ = ${written(degrees(state.theta), 4)}°, x = ${written(state.x, 4)}${kind}.${jump}${more}`;
+}

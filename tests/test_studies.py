@@ -27,23 +27,9 @@ d = "10 s/m"
 model = "kang_nam"
 """
 KEYS = [
-    "mu_jump",
-    "theta0_jump_deg",
-    "mu_cusp",
-    "mu_effective",
-    "margin_percent",
-    "states",
-    "frequencies_hz",
-    "spring_force_N",
-    "contact_force_N",
-    "displacement_mm",
-    "oscillation",
-    "certificate",
-    "probability",
-    "sobol",
-    "redesign",
-    "warnings",
-]
+    "mu_jump", "theta0_jump_deg", "mu_cusp", "mu_effective", "margin_percent", "states", "frequencies_hz", "spring_force_N",
+    "contact_force_N", "displacement_mm", "oscillation", "certificate", "probability", "sobol", "redesign", "warnings",
+]  # fmt: skip
 
 
 @pytest.fixture(scope="module")
@@ -60,7 +46,7 @@ def study(path: Path) -> ss.Study:
 
 @pytest.fixture(scope="module")
 def report(study: ss.Study) -> ss.Report:
-    return study.report(n=1024)
+    return study.report(n=1024, oscillation=False)
 
 
 def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) -> None:
@@ -88,3 +74,175 @@ def test_json_has_the_keys_of_the_contract(path: Path, capsys: pytest.CaptureFix
     assert stop.value.code == 0
     found = json.loads(capsys.readouterr().out)
     assert list(found) == KEYS
+
+
+def brake(**changes: float) -> ss.PhysicalParameters:
+    values = dict(
+        m=0.35, k=180e3, k_x=9e3, k_y=0.0, k_c=1.5e6, F_L=420.0, L_0=0.038, theta0=math.radians(52), mu0=0.3, V=1.2, d=10.0
+    )
+    return ss.PhysicalParameters(**(values | changes))
+
+
+def test_a_study_from_numbers_is_the_study_of_the_file(report: ss.Report) -> None:
+    tolerance = {"k": "15 %", "k_x": 1350.0, "k_c": (1275e3, 1725e3), "theta0": "1 deg", "mu0": (0.3, 0.6)}
+    found = ss.Study(brake(mu0=0.45), tolerance=tolerance).report(oscillation=False, n=1024)
+    assert found.to_dict()["mu_jump"] == pytest.approx(report.mu_jump, rel=1e-12)
+    assert found.probability is not None
+    assert report.probability is not None
+    assert found.probability.probability == pytest.approx(report.probability.probability, abs=0.01)
+    assert found.verdict == report.verdict.replace("52 deg", "52 deg")
+
+
+def test_changes_keep_the_target_as_they_are_printed(study: ss.Study, report: ss.Report) -> None:
+    assert report.target == pytest.approx(1.2 * study.friction[2])
+    assert len(report.redesign) >= 5
+    for change in report.redesign:
+        values = dict(study.values)
+        for name, value in change.after.items():
+            printed = float(study.shown(name, value, 12).split()[0])
+            values[name] = math.radians(printed) if name == "theta0" else printed * (value / study.in_file(name, value))
+        jump = ss.jump_value(ss.PhysicalParameters(**values).dimensionless())
+        assert math.isnan(jump) or jump >= report.target
+
+
+def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(report: ss.Report) -> None:
+    from spragsym.studies.tolerances import certificate
+
+    far = ss.Study(brake(mu0=0.2), tolerance={"k": "5 %", "k_c": "5 %", "mu0": 0.02})
+    assert certificate(far).outcome == "proved"
+    found = report.certificate
+    assert found is not None
+    assert found.outcome == "refuted"
+    assert found.counterexample is not None
+    values = dict(found.counterexample)
+    p = ss.PhysicalParameters(m=0.35, **values).dimensionless()
+    up = ss.quasi_static_path(p, "mu0", [0.0, values["mu0"]])
+    assert len(up.jumps) == 1
+
+
+CAUTIONS = {
+    "a deep contact": ({"F_L": 42e3}, "linear contact means nothing"),
+    "a stiff strut": ({"k": 1.8e6}, "should be the stiffest"),
+    "a slow belt": ({"V": 0.05}, "friction works at 39.3 % of mu0: 0.118 in place of 0.3"),
+    "mm/s for m/s": ({"V": 1200.0}, "looks like mm/s"),
+    "radians for degrees": ({"theta0": math.radians(0.9)}, "looks like radians"),
+    "percent for a number": ({"mu0": 45.0}, "more than any brake has"),
+}
+
+
+@pytest.mark.parametrize("name", CAUTIONS)
+def test_answers_that_would_mislead_come_with_a_warning(name: str) -> None:
+    changes, part = CAUTIONS[name]
+    found = ss.Study(brake(**changes)).report(probability=False, redesign=False, oscillation=False)
+    assert any(part in one for one in found.warnings), found.warnings
+    plain = ss.Study(brake()).report(probability=False, redesign=False, oscillation=False)
+    assert not any(part in one for one in plain.warnings)
+
+
+def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: ss.Report, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    for name in ("a.html", "b.html"):
+        study.to_html(tmp_path / name, report)
+    text = (tmp_path / "a.html").read_text(encoding="utf-8")
+    assert text == (tmp_path / "b.html").read_text(encoding="utf-8")
+    assert text.count("<svg") == 3
+    assert report.verdict in text
+    assert "src=" not in text
+    assert "http" not in text.replace("http://www.w3.org", "")
+
+
+def test_friction_that_was_measured(tmp_path: Path) -> None:
+    speed = np.linspace(0.02, 1.5, 30)
+    noise = np.random.default_rng(3).normal(0, 0.004, speed.size)
+    rows = [f"{v},{mu}" for v, mu in zip(speed, 0.42 * (1 - np.exp(-8.0 * speed)) + noise, strict=True)]
+    (tmp_path / "measured.csv").write_text("\n".join(["speed,friction", *rows]))
+    lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
+    (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
+    found = ss.Study.from_file(tmp_path / "brake.toml")
+    for name, truth in (("mu0", 0.42), ("d", 8.0)):
+        one = found.quantities[name]
+        assert one.low < truth < one.high
+        assert one.value == pytest.approx(truth, rel=0.05)
+
+
+def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
+    found = ss.Study(brake(mu0=0.45)).report(probability=False, redesign=False)
+    lives = found.oscillation
+    assert lives is not None
+    assert lives.kind == "cycle"
+    # Periods counted by hand: upward passages of the mean in a motion of the dimensionless model.
+    p, belt = brake(mu0=0.45).dimensionless(), brake(mu0=0.45).belt()
+    x, y, vx, vy = lives.motion.state
+    tr = ss.simulate(p, **belt, x0=x, y0=y, vx0=vx, vy0=vy, t_end=3.5 * lives.motion.period)
+    second = math.sqrt(0.35 / 1.5e6)
+    assert 1 / (lives.frequency_hz * second) == pytest.approx(lives.motion.period, rel=1e-12)
+    again = tr(lives.motion.period)
+    assert np.abs(again - lives.motion.state).max() < 1e-6
+    assert 57000 * tr.contact_force().max() == pytest.approx(lives.contact_force_N[1], rel=1e-3)
+    assert 57000 * tr.spring_force().min() == pytest.approx(lives.spring_force_N[0], rel=1e-2)
+
+
+def test_forces_and_spectra_of_a_motion() -> None:
+    p = ss.Parameters.article(theta0=math.radians(30))
+    eq = ss.equilibria(p.replace(mu0=ss.sliding_friction(0.5, 0.5, 10.0)))
+    start = dict(x0=float(eq.x[0]) + 1e-3, y0=float(eq.y[0]))
+    tr = ss.simulate(p, V=0.5, d=10.0, t_end=400.0, **start)
+    L = np.hypot(math.cos(p.theta0) - tr.x, math.sin(p.theta0) - tr.y)
+    assert np.allclose(tr.spring_force(), 0.1 * (L - 1), atol=1e-14)
+    assert np.allclose(tr.contact_force(), np.where(tr.y < 0, -tr.y, 0.0), atol=0)
+    slow = np.abs(eq.eigenvalues[0].imag).min() / (2 * math.pi)
+    assert tr.spectrum(0.0).peak() == pytest.approx(slow, rel=0.01)
+    # A motion so small is linear: the slow mode's rate is that of the linearization.
+    from spragsym.cycles.sprag import SPRAG
+
+    constants = SPRAG.constants((*p.scalars(*("theta0", "mu0", "kappa", "alpha", "sigma", "beta")), 0.5, 10.0))
+    rows = np.array(SPRAG.jacobian((eq.x[0], eq.y[0], 0.0, 0.0), constants, (1, 1, 1)), dtype=float)
+    roots = np.linalg.eigvals(np.vstack([np.hstack([np.zeros((2, 2)), np.eye(2)]), rows]))
+    rate = -roots[np.argmin(np.abs(roots.imag))].real
+    assert tr.decay_rate() == pytest.approx(rate, rel=0.2)
+    with pytest.raises(ss.ParameterError, match="points"):
+        tr.spectrum(points=3)
+    with pytest.raises(ss.ParameterError, match="of = 'vx'"):
+        tr.decay_rate(of="vx")
+
+
+def test_arrays_of_physical_parameters() -> None:
+    many = brake(k=np.array([150e3, 180e3]), theta0=np.radians([[50.0], [52.0]]))  # type: ignore[arg-type]
+    assert many.shape == (2, 2)
+    one = brake().dimensionless()
+    assert ss.jump_value(many.dimensionless())[1, 1] == pytest.approx(ss.jump_value(one), rel=1e-12)
+    with pytest.raises(ss.ParameterError, match="broadcast"):
+        brake(k=np.ones(2), k_c=np.ones(3))  # type: ignore[arg-type]
+
+
+def test_commands_take_the_file(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def answer(*arguments: str) -> dict[str, object]:
+        with pytest.raises(SystemExit) as stop:
+            main([*arguments, "--data", str(path), "--json"])
+        assert stop.value.code == 0
+        return json.loads(capsys.readouterr().out)  # type: ignore[no-any-return]
+
+    p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
+    found = ss.folds(p, "alpha")
+    rows = answer("folds", "--vary", "k_x")["folds"]
+    assert [row["k_x_N/mm"] for row in rows] == pytest.approx((1500 * found.alpha).tolist(), rel=1e-9)
+    assert answer("critical")["mu_jump"] == pytest.approx(ss.jump_value(p), rel=1e-12)
+    jumps = answer("path", "--points", "3")["jumps"]
+    assert jumps[0]["mu0"] == pytest.approx(ss.jump_value(p), rel=1e-12)
+    eq = ss.equilibria(p)
+    assert answer("equilibria")["equilibria"][0]["x_mm"] == pytest.approx(38 * eq.x[0], rel=1e-9)
+    points = answer("equilibria", "--mu0", "0.1:0.5:3")["points"]
+    assert [len([row for row in one["equilibria"] if row["state"] == "contact"]) for one in points] == [3, 3, 1]
+
+
+def test_another_model_in_the_units_of_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    other = BRAKE.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n'
+    (tmp_path / "brake.toml").write_text(other.replace("[0.3, 0.6]", "0.3"), encoding="utf-8")
+    with pytest.raises(SystemExit) as stop:
+        main(["report", str(tmp_path / "brake.toml"), "--json"])
+    assert stop.value.code == 0
+    found = json.loads(capsys.readouterr().out)
+    assert set(found) == set(KEYS)
+    # With k_3 = 0 it is the article's model; statics of a model take the friction at full slip.
+    eq = ss.equilibria(brake(mu0=0.3).dimensionless())
+    assert sorted(state["x_mm"] for state in found["states"]) == pytest.approx(np.sort(38 * eq.x).tolist(), rel=1e-6)

@@ -6,17 +6,21 @@ import warnings
 from collections.abc import Callable
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 
-from ..errors import TargetError
+from ..errors import ParameterError, TargetError
 from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
+from .data import data, in_units
 from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
 from .tables import print_json
 from .targets import force, refuse, set_aside
 from .with_model import ForModels, made_for, model_option
+
+if TYPE_CHECKING:
+    from ..dynamics import Trajectory
 
 BACKEND = click.option(
     "--backend",
@@ -54,11 +58,13 @@ def _start(function: Any) -> Any:
     help="Estimate the error by a second run at a tighter tolerance.",
 )
 @click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
+@click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg).")
 @force
+@data
 @as_json
 def simulate(
     theta0_deg: float, V: float, d: float, t_end: float, transient: float, rtol: float, backend: str | None,
-    estimate_error: bool, output: Path | None, force: bool, json_output: bool, **values: float,
+    estimate_error: bool, output: Path | None, plot: Path | None, force: bool, json_output: bool, **values: float,
 ) -> None:  # fmt: skip
     """Integrate the motion from an initial state, by default from rest at x = y = 0.
 
@@ -78,15 +84,20 @@ def simulate(
     from ..files import storage
 
     p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})
+    if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
+        raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    refuse([one for one in (output, plot) if one is not None], force)
     if output is not None:
-        refuse([output], force)
         storage.check_target(output, 10_000_000)
     tr = integrate(
         p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]  # values by name, of several types
     )  # fmt: skip
-    summary = summary_of(tr, transient)
+    summary = in_units(summary_of(tr, transient))
     if output is not None:
         tr.save(output)
+    if plot is not None:
+        _draw(tr, transient, plot)
+        click.echo(f"drew {plot}", err=True)
     print_summary(summary, json_output)
 
 
@@ -112,7 +123,16 @@ def print_summary(summary: dict[str, Any], json_output: bool) -> None:
         print_json(summary)
         return
     for name, value in summary.items():
-        click.echo(f"{name:16} {value:.10g}" if isinstance(value, float) else f"{name:16} {value}")
+        click.echo(f"{name:18} {value:.10g}" if isinstance(value, float) else f"{name:18} {value}")
+
+
+def _draw(tr: Trajectory, transient: float, path: Path) -> None:
+    from ..figures import FORMATS, motion_figure
+    from ..figures.style import house_style
+
+    kind = path.suffix[1:]
+    with house_style():
+        motion_figure(tr, transient).savefig(path, format=kind, metadata=FORMATS[kind])
 
 
 def _axes(function: Any) -> Any:

@@ -88,6 +88,15 @@ class Axis(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic 
             return np.linspace(float(start), float(stop), int(count)) if int(count) > 1 else None
 
 
+class Numbers(Number):
+    """A number, or numbers as :class:`Axis` takes them."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        if isinstance(value, str) and ("," in value or ":" in value):
+            return Axis(self.allowed).convert(value, param, ctx)
+        return super().convert(value, param, ctx)
+
+
 class Workers(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
     """A number of processes, or -1 for one per core."""
 
@@ -108,18 +117,23 @@ def _flag(param: click.Parameter | None) -> str:
     return "value" if param is None else max(param.opts, key=len)
 
 
-def parameters(function: F) -> F:
+def parameters(function: F, kind_of: type[Number] = Number) -> F:
     """``--mu0 --kappa --alpha --sigma --beta``, with the article's base values as defaults."""
     for name, value in reversed(ARTICLE.items()):
-        kind = Number(RANGES[name])
+        kind = kind_of(RANGES[name])
         function = click.option(f"--{name}", type=kind, default=value, show_default=True, help=sentence(name))(function)
     return function
 
 
-def theta0(function: F) -> F:
+def theta0(function: F, kind_of: type[Number] = Number) -> F:
     """``--theta0`` in degrees."""
     text = f"{sentence('theta0')[:-1]}, degrees."
-    return click.option("--theta0", "theta0_deg", type=Number(DEGREES), required=True, help=text)(function)
+    return click.option("--theta0", "theta0_deg", type=kind_of(DEGREES), required=True, help=text)(function)
+
+
+def ranges(function: F) -> F:
+    """``--theta0`` and the other parameters, each of which may be numbers ``a,b,c`` or ``start:stop:count``."""
+    return theta0(parameters(function, Numbers), Numbers)
 
 
 def belt(function: F) -> F:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -11,35 +12,59 @@ from .options import as_json
 from .tables import print_json
 from .targets import force, refuse
 
+if TYPE_CHECKING:
+    from ..studies import Report
+    from ..studies.other_reports import ModelReport
+
 
 @click.command()
-@click.argument("file", type=click.Path(path_type=Path))
+@click.argument("file", type=click.Path(path_type=Path), required=False)
+@click.option("--example", is_flag=True, help="Print a file to begin with.")
 @click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")
-@click.option("--oscillation", is_flag=True, help="Also follow the motion: how hard it hits, from seconds to minutes.")
+@click.option("--oscillation/--no-oscillation", default=True, show_default=True, help="Follow the motion: how hard it hits.")
 @click.option("--safety", type=float, default=1.2, show_default=True, help="Factor on the largest friction, for what to change.")
 @force
 @as_json
-def report(file: Path, html: Path | None, oscillation: bool, safety: float, force: bool, json_output: bool) -> None:
+def report(
+    file: Path | None, example: bool, html: Path | None, oscillation: bool, safety: float, force: bool, json_output: bool
+) -> None:
     """A verdict on the brake whose data stand in FILE, with units and tolerances.
 
     \b
     Examples:
+      spragsym report --example > brake.toml
       spragsym report brake.toml
-      spragsym report brake.toml --oscillation --html report.html
+      spragsym report brake.toml --html report.html
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
+    if example:
+        from importlib import resources
+
+        click.echo((resources.files("spragsym.studies") / "brake.toml").read_text(encoding="utf-8"), nl=False)
+        return
+    if file is None:
+        raise click.UsageError("FILE is missing; begin with spragsym report --example > brake.toml")
     if html is not None and html.suffix.lower() not in (".html", ".htm"):
         raise ParameterError(f"--html {html}: the ending must be .html")
     refuse([] if html is None else [html], force)
     from ..studies import Study
 
     study = Study.from_file(file)
+    if study.model != "kang_nam" and html is not None:
+        raise ParameterError(f"--html {html}: there are pictures for model = 'kang_nam' only, and this is {study.model!r}")
+    if study.model != "kang_nam":
+        _print(study.model_report(), json_output)
+        return
     found = study.report(oscillation=oscillation, safety=safety)
     if html is not None:
         found.to_html(html)
         click.echo(f"wrote {html}", err=True)
+    _print(found, json_output)
+
+
+def _print(found: Report | ModelReport, json_output: bool) -> None:
     if json_output:
         print_json(found.to_dict())
     else:

@@ -17,6 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from .bifurcation_sets import figure_11, figure_12, figure_14
+from .brakes import draw_operating_point, draw_rising_friction, draw_shares
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
 from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
 from .extras import (  # fmt: skip
@@ -27,6 +28,7 @@ from .extras import (  # fmt: skip
     figure_sensitivity,
 )
 from .files import FORMATS, write
+from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
 from .oscillation import branch_figure, figure_cycles, figure_cycles_plane
 from .style import Sheet
@@ -63,8 +65,15 @@ __all__ = [
     "branch_figure",
     "branches",
     "draw_branches",
+    "draw_motion",
+    "draw_operating_point",
     "draw_path",
+    "draw_phase",
+    "draw_rising_friction",
+    "draw_shares",
+    "draw_spectrum",
     "mark_folds",
+    "motion_figure",
     "plot_equilibria",
     "write",
     *(function.__name__ for function in FIGURES.values()),

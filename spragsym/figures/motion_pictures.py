@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..dynamics import Trajectory
-from .style import BLUE, own_axes
+from .style import BLUE, DOUBLE, GREY, Sheet, own_axes, panels, styled
 
 #: What an axis says.
 _LABELS = {"x": r"$x$ / $L_0$", "y": r"$y$ / $L_0$", "vx": r"$x'$ / $L_0\sqrt{k_c/m}$", "vy": r"$y'$ / $L_0\sqrt{k_c/m}$"}
@@ -44,7 +44,7 @@ def draw_phase(motion: Trajectory, ax: Axes | None = None, *, length: float = 1.
     t = np.linspace(motion.t[0], motion.t[-1], 6000)
     x, _, vx, _ = motion(t)
     (line,) = ax.plot(length * x, speed * vx, color=BLUE, linewidth=0.8)
-    ax.axhline(speed * motion.V, color="#6b6b6b", linewidth=0.6, linestyle=":")
+    ax.axhline(speed * motion.V, color=GREY, linewidth=0.6, linestyle=":")
     across, up = labels or (_LABELS["x"], _LABELS["vx"])
     ax.set(xlabel=across, ylabel=up)
     return line
@@ -61,3 +61,20 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     across, up = labels or (r"frequency $\times\ \sqrt{m/k_c}$", f"amplitude of {_LABELS[of]}")
     ax.set(xlabel=across, ylabel=up)
     return line
+
+
+@styled
+def motion_figure(motion: Trajectory, transient: float = 0.0) -> Sheet:
+    """x over time; what follows the transient in the plane of x and x′, and its spectrum."""
+    figure, (axes,) = panels(1, 3, DOUBLE, 2.4)
+    late = motion.after(transient)
+    draw_motion(motion, ax=axes[0])
+    draw_phase(late, ax=axes[1])
+    draw_spectrum(late, ax=axes[2])
+    found = late.spectrum(0.0)
+    return figure.describe(
+        f"""A motion, belt speed V = {motion.V:g}, steepness d = {motion.d:g}. (a) Displacement along the belt over time. (b)
+        Speed over displacement and (c) spectrum, both after the time {transient:g}. Dotted: the speed of the belt.""",
+        a={"t": motion.t, "x": motion.x}, b={"x": late.x, "vx": late.vx},
+        c={"frequency": found.frequency, "amplitude": found.amplitude},
+    )  # fmt: skip

@@ -11,10 +11,11 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Any
 
+from ..dynamics.problem import BELT_SPEED
 from ..errors import ParameterError, ParameterTypeError, SpragsymError
 from ..generated.quantities import QUANTITIES
 from ..names import hint
-from ..parameters import PhysicalParameters, degrees, physical_ranges, shown
+from ..parameters import RANGES, PhysicalParameters, degrees, physical_ranges, shown
 from . import other_models
 from .measurements import FrictionFit, fit_friction, read_friction
 from .units import EXAMPLES, Measured, factor, read
@@ -176,7 +177,7 @@ def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:
 
 def _check_range(key: str, found: Measured, given: Any, where: str, unit: str) -> None:
     """Both ends of the tolerance lie where the model allows it."""
-    allowed = physical_ranges().get(key)
+    allowed = BELT_SPEED if key == "V" else physical_ranges().get(key)
     if allowed is None:
         return
     for end in (found.value, found.low, found.high):
@@ -186,10 +187,15 @@ def _check_range(key: str, found: Measured, given: Any, where: str, unit: str) -
             limits = f"{low} 0" if unit != "rad" else "between 0 deg and 180 deg"
             word = "is not" if what else "must be"
             text = f"{key} = {given!r}{what} {word} {limits}"
-            remedy = allowed.remedy if unit != "rad" else ""
+            remedy = "" if unit == "rad" else allowed.remedy or _remedy(key)
             raise ParameterError(
                 f"{where}: {text}; " + (remedy or f'write for instance {key} = "{EXAMPLES.get(unit, "1 " + unit)}"')
             )
+
+
+def _remedy(key: str) -> str:
+    """Why the quantity can't be 0, in the words of the dimensionless parameter that it makes."""
+    return RANGES[{"k": "sigma", "F_L": "kappa"}[key]].remedy if key in ("k", "F_L") else ""
 
 
 def _in_words(value: float, unit: str, si: str) -> str:

@@ -11,7 +11,6 @@ from ..catastrophe import critical_friction, folds
 from ..catastrophe.fold_points import Folds
 from ..design import jump_margin, jump_value
 from ..display import Result
-from ..errors import ParameterError
 from .cautions import cautions
 from .oscillations import Oscillation, oscillation_of
 from .redesigns import Change, changes
@@ -96,11 +95,6 @@ class Report(Result):
 
 def report(study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int) -> Report:
     """The report of a study; see :meth:`Study.report`."""
-    if study.model != "kang_nam":
-        raise ParameterError(
-            f"model = {study.model!r}: a report needs the closed forms of kang_nam; its states and folds are found by "
-            "spragsym.studies.other_models.summary"
-        )
     low, working, high = study.friction
     p = study.dimensionless
     mu_jump = float(jump_value(p, "mu0"))

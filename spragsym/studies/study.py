@@ -20,6 +20,7 @@ from .measurements import FrictionFit
 from .units import Measured, factor, read, shown_in
 
 if TYPE_CHECKING:
+    from .other_reports import ModelReport
     from .reports import Report
 
 #: Units of the report where the data came as plain numbers in SI.
@@ -162,7 +163,7 @@ class Study:
     # ---------------------------------------------------------------------------------------------------------- the answers
 
     def report(
-        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = False, safety: float = 1.2, n: int = 4096
+        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2, n: int = 4096
     ) -> Report:
         """Everything that can be said of this brake.
 
@@ -173,7 +174,7 @@ class Study:
         redesign : bool
             Also what to change.
         oscillation : bool
-            Also look for the cycle of the motion, which takes from seconds to minutes.
+            Also follow the motion, if V and d are known, to a cycle or for as long as it takes: a second, as a rule.
         safety : float
             What is changed keeps the jump at this many times the largest friction.
         n : int
@@ -185,10 +186,18 @@ class Study:
         """
         from .reports import report
 
+        if self.model != "kang_nam":
+            raise ParameterError(f"model = {self.model!r}: this report is of kang_nam; call model_report() for states and folds")
         return report(
             self, probability=probability, redesign=redesign, oscillation=oscillation, n=n,
             safety=as_number("safety", safety, physical_ranges()["k"]),
         )  # fmt: skip
+
+    def model_report(self) -> ModelReport:
+        """States and folds with any model; for all that a report has, the model is ``kang_nam``."""
+        from .other_reports import model_report
+
+        return model_report(self)
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""

@@ -1,0 +1,146 @@
+"""``spragsym folds``, ``path`` and ``critical``: where states meet, how one is followed, and when it jumps."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import click
+
+from ..errors import ParameterError
+from .data import data, length, varied, vary
+from .options import Number, as_json, build, parameters, theta0
+from .tables import print_json, print_table
+
+
+@click.command()
+@theta0
+@parameters
+@vary
+@data
+@as_json
+def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> None:
+    """All folds along one parameter: which state ends there, when, and where it jumps to.
+
+    \b
+    Examples:
+      spragsym folds --theta0 40
+      spragsym folds --data brake.toml --vary k_x
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    from ..catastrophe import folds as solve
+
+    name, unit, title = varied(vary)
+    found = solve(build(theta0_deg, **values), name)
+    size, end = length()
+    rows: list[dict[str, Any]] = [
+        {
+            title: unit * float(getattr(found, name)[i]), "kind": str(found.kind[i]), "ends": str(found.ends[i]),
+            "when": str(found.when[i]), "theta_deg": math.degrees(found.theta[i]), f"x{end}": size * float(found.x[i]),
+            "theta_after_deg": math.degrees(found.theta_after[i]), f"x_after{end}": size * float(found.x_after[i]),
+        }
+        for i in range(found.theta.size)
+    ]  # fmt: skip
+    if json_output:
+        print_json({"vary": vary, "folds": rows})
+    elif rows:
+        print_table("", tuple(rows[0]), [list(row.values()) for row in rows])
+    else:
+        click.echo(f"no folds as {vary} varies")
+
+
+@click.command()
+@theta0
+@parameters
+@vary
+@click.option("--from", "low", type=Number(), default=0.0, show_default=True, help="First value; degrees for theta0.")
+@click.option("--to", "high", type=Number(), default=1.0, show_default=True, help="Last value, larger or smaller.")
+@click.option("--points", type=click.IntRange(2, 100_000), default=11, show_default=True, help="Values, the ends included.")
+@data
+@as_json
+def path(
+    theta0_deg: float, vary: str, low: float, high: float, points: int, json_output: bool, **values: float
+) -> None:  # fmt: skip
+    """The state of small deformation, followed as one parameter moves: where it goes and where it jumps.
+
+    \b
+    Examples:
+      spragsym path --theta0 40 --to 0.9
+      spragsym path --data brake.toml --vary theta0 --from 10 --to 80
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    import numpy as np
+
+    from ..catastrophe import quasi_static_path
+    from ..statics.solver import Stability
+
+    if low == high:
+        raise ParameterError(f"--from {low:g} and --to are the same; give two values")
+    name, unit, title = varied(vary)
+    found = quasi_static_path(build(theta0_deg, **values), name, np.linspace(low, high, points) / unit)
+    size, end = length()
+    states = [
+        {title: float(unit * value), "stability": Stability(int(code)).name.lower(), "theta_deg": math.degrees(theta),
+         f"x{end}": float(size * x), f"y{end}": float(size * y)}
+        for value, code, theta, x, y in zip(found.values, found.stability, found.theta, found.x, found.y, strict=True)
+    ]  # fmt: skip
+    jumps = [
+        {title: unit * jump.value, "theta_before_deg": math.degrees(jump.theta_before), f"x_before{end}": size * jump.x_before,
+         "theta_after_deg": math.degrees(jump.theta_after), f"x_after{end}": size * jump.x_after}
+        for jump in found.jumps
+    ]  # fmt: skip
+    if json_output:
+        print_json({"vary": vary, "states": states, "jumps": jumps})
+        return
+    print_table("States", tuple(states[0]), [list(row.values()) for row in states])
+    if jumps:
+        print_table("Jumps", tuple(jumps[0]), [list(row.values()) for row in jumps])
+    else:
+        click.echo("No jumps")
+
+
+@click.command()
+@theta0
+@parameters
+@vary
+@data
+@as_json
+def critical(theta0_deg: float, vary: str, json_output: bool, **values: float) -> None:
+    """Where the state of small deformation jumps first as one parameter moves, and the frictions that decide whether it can.
+
+    Friction and inclination rise from their lower end; the others move up and down from their value.
+
+    \b
+    Examples:
+      spragsym critical --theta0 40
+      spragsym critical --data brake.toml --vary theta0
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    from ..catastrophe import critical_friction, linear_critical_friction
+    from ..design import jump_value
+
+    name, unit, title = varied(vary)
+    p = build(theta0_deg, **values)
+    ways = ("up",) if name in ("mu0", "theta0") else ("up", "down")
+    found = {way: unit * float(jump_value(p, name, direction=way)) for way in ways}
+    solved = {"mu_jump": jump_value(p), "mu_cusp": critical_friction(p), "mu_cr": linear_critical_friction(p)}
+    frictions = {key: float(value) for key, value in solved.items()}
+    if json_output:
+        print_json({"vary": vary, "quantity": title, "jump": found, **frictions})
+        return
+    rows = [(f"{title} at the first jump, {way}", _or(value, "never")) for way, value in found.items()]
+    meanings = {
+        "mu_jump": "friction at which it jumps at this angle", "mu_cusp": "friction below which it jumps at no angle",
+        "mu_cr": "friction of the linear sprag model",
+    }  # fmt: skip
+    print_table("", ("", "value"), rows + [(text, _or(frictions[key], "none")) for key, text in meanings.items()])
+
+
+def _or(value: float, word: str) -> float | str:
+    return value if math.isfinite(value) else word

@@ -1,0 +1,213 @@
+"""Every mistake in a file of data is told with the file, the line, the key, the value and the remedy."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import spragsym as ss
+from spragsym.studies.brake_files import read_brake
+
+GOOD = {
+    "m": '"0.35 kg"', "k": '"180 N/mm ± 15 %"', "L_0": '"38 mm"', "theta0": '"52 deg ± 1 deg"', "k_x": '"9 N/mm ± 15 %"',
+    "k_y": '"0 N/mm"', "k_c": '"1500 N/mm ± 15 %"', "F_L": '"420 N"', "mu0": '"[0.3, 0.6]"', "V": '"1.2 m/s"', "d": '"10 s/m"',
+}  # fmt: skip
+#: Line of a key: the table's name is line 1.
+LINES = {name: number for number, name in enumerate(GOOD, 2)}
+
+#: (key, what stands behind =, what the message must say besides file, line and key).
+VALUES = [
+    ("m", "0.35", ["0.35", "no unit", 'm = "0.35 kg"']),
+    ("m", '"0.35"', ["'0.35'", "no unit", "kg"]),
+    ("m", '"0.35 N"', ["a force", "a mass", '"0.35 kg"']),
+    ("m", '"350 mm"', ["a length", "a mass"]),
+    ("m", '"0,35 kg"', ["'0,35 kg'", "comma", '"0.35 kg"']),
+    ("m", '"-0.35 kg"', ["'-0.35 kg'", "above 0"]),
+    ("m", '"0 kg"', ["'0 kg'", "above 0"]),
+    ("m", '"kg"', ["'kg'", "begin with a number"]),
+    ("m", '"a third kg"', ["begin with a number"]),
+    ("m", '""', ["empty", '"0.35 kg"']),
+    ("m", '"  "', ["empty"]),
+    ("m", "true", ["True", "neither text nor a number"]),
+    ("m", "[0.3, 0.4]", ["[0.3, 0.4]", "neither text nor a number"]),
+    ("m", "2026-01-01", ["neither text nor a number"]),
+    ("m", "{ value = 1 }", ["neither text nor a number"]),
+    ("m", '"nan kg"', ["'nan kg'", "begin with a number"]),
+    ("m", '"inf kg"', ["begin with a number"]),
+    ("m", '"1e400 kg"', ["too large"]),
+    ("m", '"0.35 kg ± 120 %"', ["'0.35 kg ± 120 %'", "reaches -0.07 kg", "not above 0"]),
+    ("m", '"0.35 kilos"', ["'kilos'", "a time"]),
+    ("m", '"0.35 kg; import os"', ["can't be read"]),
+    ("m", '"' + "9" * 300 + ' kg"', ["too long"]),
+    ("k", '"180 N"', ["'N'", "a force", "a stiffness", '"180 N/mm"']),
+    ("k", '"180 N/mm^2"', ["a pressure", "a stiffness"]),
+    ("k", '"180 n/mm"', ["'n/mm'", '"180 N/mm"']),
+    ("k", '"180 N/mm ± 15"', ["tolerance without unit", "15 %", "15 N/mm"]),
+    ("k", '"180 N/mm ± 15 deg"', ["an angle", "a stiffness"]),
+    ("k", '"180 N/mm ± -15 %"', ["-15", "positive"]),
+    ("k", '"180 N/mm ±"', ["behind ±"]),
+    ("k", '"180 N/mm 15 %"', ["'180 N/mm 15 %'", '"180 N/mm"']),
+    ("k", '"180 ± 15 %"', ["no unit"]),
+    ("k", '"[150, 210]"', ["no unit"]),
+    ("k", '"[210, 150] N/mm"', ["begins above its end", "smaller number first"]),
+    ("k", '"[150 N/mm, 210 kN/m]"', ["N/mm and kN/m", "one unit"]),
+    ("k", '"[150, 180, 210] N/mm"', ["two numbers"]),
+    ("k", '"[150] N/mm"', ["two numbers"]),
+    ("k", '"[150, 210 N/mm"', ["two numbers"]),
+    ("k", '"(150, 210) N/mm"', ["begin with a number"]),
+    ("k", '"[0, 210] N/mm"', ["reaches 0 N/mm", "inclined spring"]),
+    ("k", '"1 800 N/mm"', ["blank"]),
+    ("k", '"1,800 N/mm"', ["comma"]),
+    ("L_0", '"38 degC"', ["zero point"]),
+    ("L_0", '"38 N/mm/(N"', ["'N/mm/(N'"]),
+    ("theta0", '"52"', ["no unit", '"52 deg"']),
+    ("theta0", "52", ["52", "no unit", '"52 deg"']),
+    ("theta0", '"52 mm"', ["a length", "an angle"]),
+    ("theta0", '"180 deg"', ["'180 deg'", "between 0 deg and 180 deg"]),
+    ("theta0", '"0 deg"', ["between 0 deg and 180 deg"]),
+    ("theta0", '"52 rad"', ["'52 rad'", "between 0 deg and 180 deg"]),
+    ("theta0", '"0.5 deg ± 1 deg"', ["reaches -0.5 deg", "between 0 deg and 180 deg"]),
+    ("k_y", '"-1 N/mm"', ["at least 0"]),
+    ("F_L", '"0 N"', ["'0 N'", "nothing presses"]),
+    ("F_L", '"42 kg"', ["a mass", "a force"]),
+    ("mu0", '"0.45 N"', ["'N'", "number without unit", '"0.45"']),
+    ("mu0", '"-0.1"', ["'-0.1'", "supplement"]),
+    ("mu0", '"0.1 ± 0.2"', ["reaches -0.1"]),
+    ("V", '"1.2 s"', ["a time", "a speed"]),
+    ("V", '"1.2 1/s"', ["'1.2 1/s'"]),
+    ("V", '"-1.2 m/s"', ["'-1.2 m/s'", "mirror image"]),
+    ("d", '"10 m/s"', ["a speed", "a time per length", '"10 s/m"']),
+    ("d", '"0 s/m"', ["above 0"]),
+]  # fmt: skip
+
+
+def written(folder: Path, lines: dict[str, str], *more: str, head: str = "[brake]") -> Path:
+    file = folder / "brake.toml"
+    file.write_text("\n".join([head, *(f"{key} = {value}" for key, value in lines.items()), *more]) + "\n", encoding="utf-8")
+    return file
+
+
+def message(file: Path) -> str:
+    with pytest.raises(ss.ParameterError) as caught:
+        read_brake(file)
+    text = str(caught.value)
+    assert str(file) in text
+    assert "\n" not in text
+    return text
+
+
+@pytest.mark.parametrize(("key", "value", "parts"), VALUES, ids=[f"{key}={value[:24]}" for key, value, _ in VALUES])
+def test_a_wrong_value(key: str, value: str, parts: list[str], tmp_path: Path) -> None:
+    text = message(written(tmp_path, GOOD | {key: value}))
+    assert f", line {LINES[key]}: {key} = " in text
+    assert ";" in text  # the remedy
+    for part in parts:
+        assert part in text
+
+
+#: What is done to the file: (lines, more lines, head, where, parts of the message).
+WHOLE = {
+    "a key is missing": ({k: v for k, v in GOOD.items() if k != "k_c"}, (), "[brake]", "line 1", ["k_c", '"180 N/mm"']),
+    "all are missing": ({}, (), "[brake]", "line 1", ["m, k, k_x", "add lines"]),
+    "a misspelt key": (GOOD, ('kx = "9 N/mm"',), "[brake]", "line 13", ["kx", "did you mean k_x?"]),
+    "an unknown key": (GOOD, ('colour = "red"',), "[brake]", "line 13", ["colour", "the keys are"]),
+    "a key twice": (GOOD, ('m = "0.4 kg"',), "[brake]", "line 13", ["m is there twice"]),
+    "no table": (GOOD, (), "# nothing", "line 2", ["[brake] is missing"]),
+    "another table": (GOOD, (), "[brakes]", "line 1", ["[brake] is missing", "'brakes'"]),
+    "two tables": (GOOD, ("[extra]", "a = 1"), "[brake]", "line 13", ["'extra'", "below [brake]"]),
+    "no quotes": (GOOD | {"m": "0.35 kg"}, (), "[brake]", "line 2", ["not TOML", 'm = "0.35 kg"']),
+    "an open quote": (GOOD | {"k": '"180 N/mm'}, (), "[brake]", "line 3", ["not TOML", "quotes"]),
+    "a colon": (GOOD, ('x: "1 m"',), "[brake]", "line 13", ["not TOML"]),
+    "a bracket": (GOOD, (), "[brake", "line 1", ["not TOML"]),
+    "an unknown model": (GOOD, ('model = "kang"',), "[brake]", "line 13", ["'kang'", "kang_nam"]),
+    "a model's number": (GOOD, ("model = 3",), "[brake]", "line 13", ["model = 3", 'model = "kang_nam"']),
+    "friction twice": (GOOD, ('friction = "a.csv"',), "[brake]", "line 13", ["mu0 is given too"]),
+    "friction a number": (GOOD, ("friction = 0.4",), "[brake]", "line 13", ["0.4", "measured.csv"]),
+}
+
+
+@pytest.mark.parametrize("name", WHOLE)
+def test_a_wrong_file(name: str, tmp_path: Path) -> None:
+    lines, more, head, where, parts = WHOLE[name]
+    text = message(written(tmp_path, lines, *more, head=head))
+    assert f", {where}: " in text
+    assert ";" in text
+    for part in parts:
+        assert part in text
+
+
+MEASURED = {
+    "missing": (None, ["a.csv", "can't be read"]),
+    "words": ("v,mu\n0.1,0.2\nfast,0.4\n", ["line 3", "'fast,0.4'", "0.5,0.41"]),
+    "one column": ("0.1\n0.2\n", ["line 1", "0.5,0.41"]),
+    "one speed": ("0.1,0.2\n0.1,0.21\n", ["at least two", "different"]),
+    "negative": ("0.1,0.2\n0.2,-0.3\n", ["line 2", "negative"]),
+}
+
+
+@pytest.mark.parametrize("name", MEASURED)
+def test_a_wrong_measurement(name: str, tmp_path: Path) -> None:
+    content, parts = MEASURED[name]
+    if content is not None:
+        (tmp_path / "a.csv").write_text(content, encoding="utf-8")
+    lines = {key: value for key, value in GOOD.items() if key not in ("mu0", "d")} | {"friction": '"a.csv"'}
+    text = message(written(tmp_path, lines))
+    assert ", line 11: friction = 'a.csv'" in text
+    for part in parts:
+        assert part in text
+
+
+def test_files_that_are_none(tmp_path: Path) -> None:
+    assert "No such file" in message(tmp_path / "nothing.toml")
+    assert "is a folder" in message(tmp_path)
+    (tmp_path / "latin.toml").write_bytes('[brake]\nk = "180 N/mm ± 15 %"\n'.encode("latin-1"))
+    assert "UTF-8" in message(tmp_path / "latin.toml")
+    (tmp_path / "empty.toml").write_text("")
+    assert "is empty" in message(tmp_path / "empty.toml")
+    (tmp_path / "large.toml").write_text("#" * (1 << 21))
+    assert "bytes" in message(tmp_path / "large.toml")
+
+
+def test_the_good_file_is_good(tmp_path: Path) -> None:
+    found = read_brake(written(tmp_path, GOOD)).quantities
+    # By hand: 180 N/mm = 180 000 N/m, 15 % of it 27 000; 38 mm = 0.038 m; 52° = 52 π/180.
+    assert (found["k"].value, found["k"].low, found["k"].high) == (180e3, 153e3, 207e3)
+    assert found["L_0"].value == pytest.approx(0.038, rel=1e-15)
+    assert found["theta0"].value == pytest.approx(0.90757121103705141, rel=1e-15)
+    assert found["theta0"].high == pytest.approx(0.92502450355699461, rel=1e-15)
+    assert (found["mu0"].value, found["mu0"].low, found["mu0"].high) == (0.45, 0.3, 0.6)
+
+
+#: Text, SI unit, value by hand.
+CONVERSIONS = [
+    ("1 lbf/in", "N/m", 4.4482216152605 / 0.0254),
+    ("1 kgf", "N", 9.80665),
+    ("2.5 lb", "kg", 2.5 * 0.45359237),
+    ("1.5 in", "m", 0.0381),
+    ("90 km/h", "m/s", 25.0),
+    ("30 arcmin", "rad", 0.5 * 3.141592653589793 / 180),
+    ("200 gon", "rad", 3.141592653589793),
+    ("1500 N/mm", "N/m", 1.5e6),
+    ("1.5 MN/m", "N/m", 1.5e6),
+    ("0.01 s/mm", "s/m", 10.0),
+    ("45 %", "1", 0.45),
+    ("1.2e3 mm/s", "m/s", 1.2),
+    ("52°", "rad", 52 * 3.141592653589793 / 180),
+]
+
+
+@pytest.mark.parametrize(("text", "si", "value"), CONVERSIONS)
+def test_conversions_by_hand(text: str, si: str, value: float) -> None:
+    from spragsym.studies.units import read
+
+    assert read(text, si).value == pytest.approx(value, rel=1e-14)
+
+
+@pytest.mark.parametrize("sign", ["±", "+-", "+/-", "± ", " +- "])
+def test_signs_of_a_tolerance(sign: str) -> None:
+    from spragsym.studies.units import read
+
+    found = read(f"180 N/mm {sign} 15 %", "N/m")
+    assert (found.low, found.high) == (153e3, 207e3)
+    assert read(f"0.5{sign}0.1", "1").high == 0.6

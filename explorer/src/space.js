@@ -103,6 +103,7 @@ export function createSpace(box, store) {
 
   function folds() {
     if (!sets) {
+      replace("curves", []);
       return;
     }
     const ink = () => new LineBasicMaterial({ color: colour.ink, clippingPlanes: clip });
@@ -214,6 +215,7 @@ export function createSpace(box, store) {
   return {
     draw,
     show: (found) => { surface = found; sheet(); },
+    hide: () => { [surface, sets] = [null, null]; replace("surface", []); folds(); },
     curves: (found) => { sets = found; folds(); },
     reach: (value) => { top = value; all(); },
     resize,

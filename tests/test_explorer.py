@@ -1,4 +1,4 @@
-"""The explorer: its bytes, and in a browser its numbers, jumps at folds, none around the cusp, keys, touch, words, and no error."""
+"""The explorer: its bytes, and in a browser its numbers, jumps at folds and none around the cusp, keys, touch, words."""
 
 from __future__ import annotations
 
@@ -32,7 +32,9 @@ BASE = ss.Parameters.article()
 #: Drawing in 3D by software takes most of a test's time: one test has it.
 WITHOUT_WEBGL = """
 const get = HTMLCanvasElement.prototype.getContext;
-HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind === "webgl2" ? null : get.call(this, kind, ...more); };
+HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  return kind === "webgl2" ? null : get.call(this, kind, ...more);
+};
 """
 
 
@@ -69,7 +71,7 @@ def test_a_name_can_not_end_the_script() -> None:
 def test_presets_are_single_points() -> None:
     assert [list(preset.point) for preset in article_presets()] == [list(NAMES)] * len(article_presets())
     for bad in (BASE, BASE.replace(theta0=np.array([0.5, 0.6]))):
-        with pytest.raises(ss.ParameterError, match="theta0 = .* is not one number"):
+        with pytest.raises(ss.ParameterError, match=r"theta0 = .* is not one number"):
             Preset.of("mine", bad)
 
 
@@ -201,7 +203,8 @@ def test_numbers_are_pythons_at_ten_thousand_points(explorer: Explorer) -> None:
     n = 10_000
     p = ss.Parameters(
         theta0=rng.uniform(0.01, 3.13, n), mu0=rng.uniform(0, 2, n), kappa=10 ** rng.uniform(-4, 0, n),
-        alpha=rng.uniform(0, 1, n) * (rng.random(n) < 0.8), sigma=10 ** rng.uniform(-2, 1, n), beta=rng.uniform(0, 3, n) * (rng.random(n) < 0.8),
+        alpha=rng.uniform(0, 1, n) * (rng.random(n) < 0.8), sigma=10 ** rng.uniform(-2, 1, n),
+        beta=rng.uniform(0, 3, n) * (rng.random(n) < 0.8),
     )  # fmt: skip
     contact = rng.random(n) < 0.7
     points = [{**{name: float(getattr(p, name)[i]) for name in NAMES}, "contact": bool(contact[i])} for i in range(n)]
@@ -259,7 +262,8 @@ def test_around_the_cusp_there_is_no_jump(explorer: Explorer) -> None:
 def test_the_walks_do_what_their_buttons_say(explorer: Explorer) -> None:
     """Across: a jump. Back: none. Home: the second one. Around, from the start again: none."""
     walks: dict[str, tuple[list[float], str]] = {
-        "across": ([60, 0.5], "It jumped"), "back": ([30, 0.5], "It jumped"), "home": ([30, 0.5], "2 jumps"), "around": ([60, 0.5], ""),
+        "across": ([60, 0.5], "It jumped"), "back": ([30, 0.5], "It jumped"),
+        "home": ([30, 0.5], "2 jumps"), "around": ([60, 0.5], ""),
     }  # fmt: skip
     sheets = []
     for way, (end, words) in walks.items():
@@ -302,7 +306,8 @@ def test_numbers_as_people_type_them(explorer: Explorer, typed: str, value: floa
 
 
 @pytest.mark.parametrize(("name", "typed", "words"), [
-    ("mu0", "abc", "not a number"), ("mu0", "", "not a number"), ("mu0", "1.234,5", "not a number"), ("mu0", "-0,1", "at least 0"),
+    ("mu0", "abc", "not a number"), ("mu0", "", "not a number"), ("mu0", "1.234,5", "not a number"),
+    ("mu0", "-0,1", "at least 0"),
     ("theta0_deg", "180", "between 0 and 180"), ("theta0_deg", "0", "between 0 and 180"), ("kappa", "0", "greater than 0"),
     ("sigma", "1e999", "not a number"), ("beta", "−1", "at least 0"), ("alpha", "NaN", "not a number"),
 ])  # fmt: skip

@@ -13,7 +13,7 @@ TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
 SOURCES := pyproject.toml constraints.txt Makefile
 # The compiled solver is made of these.
-COMPILED := spragsym/statics/_compiled.c generated/c/spragsym.c generated/c/spragsym.h
+COMPILED := spragsym/statics/_compiled.c spragsym/dynamics/_carried.c generated/c/spragsym.c generated/c/spragsym.h
 
 # A source distribution comes without symbolic links.
 LINKS := spragsym/derive spragsym/generated
@@ -26,7 +26,7 @@ CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --error-exitcode=1 --std=c
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 
-.PHONY: help explorer derive test check lint coverage mutants regenerate package bench figures docs check-claims clean
+.PHONY: help derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
@@ -37,6 +37,7 @@ help:
 	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
 	@echo "make regenerate    derive again and compare generated/ with what is committed"
 	@echo "make check         what CI runs: lint, types, tests with coverage, generated/ as committed"
+	@echo "make installs      every extra resolves from wheels on Windows, macOS and Linux, if a registry can be reached"
 	@echo "make package       build the wheel and the source distribution into dist/"
 	@echo "make bench         time the solvers"
 	@echo "make figures       draw the article's figures into figures/"
@@ -95,7 +96,11 @@ regenerate: $(DERIVE)
 	git diff --exit-code -- generated/
 	@test -z "$$(git status --porcelain -- generated/)" || { git status --short -- generated/; exit 1; }
 
-check: lint coverage regenerate
+check: lint coverage regenerate installs
+
+# Every extra from wheels alone, on each machine and Python: where a registry can be reached.
+installs: $(TEST)
+	$(BIN)/python .ci/installs.py
 
 package: $(TEST)
 	$(BIN)/python -m build --no-isolation --outdir dist .

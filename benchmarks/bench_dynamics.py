@@ -144,7 +144,7 @@ def overhead_table() -> None:
         return min(seconds) / times * 1e6
 
     def bare(problem: Problem) -> None:
-        compiled = compiled_for(problem.rtol, watch=False)
+        compiled = compiled_for(problem, watch=False)
         compiled.begin(problem)
         compiled.solver.propagate_until(problem.t_end)
 

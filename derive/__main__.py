@@ -36,6 +36,13 @@ T = TypeVar("T")
 DEFAULT = Path(__file__).parent.parent / "generated"
 
 
+def readable() -> None:
+    """On a console that can't print Greek letters, their names instead of an exception."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="namereplace")
+
+
 def main(arguments: list[str] | None = None) -> int:
     """Exit code 0: written; 1: a check failed and nothing was written; 2: usage."""
     parser = argparse.ArgumentParser(prog="python -m derive", description="Derive the model, check the article, emit generated/.")
@@ -47,6 +54,7 @@ def main(arguments: list[str] | None = None) -> int:
     )
     parser.add_argument("--model", type=Path, metavar="PAGE.py", help="derive this page only, and write its folder to --out")
     options = parser.parse_args(arguments)
+    readable()
     if options.model is not None:
         if options.out == DEFAULT or options.variant:
             parser.error("--model needs a folder of its own, --out DIR, and no --variant")

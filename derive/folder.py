@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import laws, linearization, motion, pages, statics
+from . import equations, laws, linearization, motion, pages, soundness, statics, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -20,6 +20,7 @@ from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
 from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
+from .model import Page
 from .pages import Model
 
 #: Text of a function → the model and the module that have it first.
@@ -37,6 +38,7 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
     alone = shared is None
     files = {f"{module.name}.py": _module(model, module, header, shared) for module in modules(model.mechanics)}
     if alone:
+        files["page.py"] = model.text
         files["_broadcast.py"] = runtime(python_target.__file__, "_broadcast.py").replace("@header@", header)
     digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     entries = {**description(model), "files": digests}
@@ -68,8 +70,8 @@ def _module(model: Model, module: Module, header: str, shared: Shared | None) ->
         else:
             borrowed.setdefault(home, []).append(function.name)
     symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
-    meanings = _meanings(model.mechanics)
-    table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", 110, subsequent_indent="    ") for name in symbols)
+    known = meanings(model.mechanics)
+    table = "\n".join(textwrap.fill(f"{name} : {known[name]}", 110, subsequent_indent="    ") for name in symbols)
     imports = ["from types import ModuleType\n\nimport numpy\n"] if own else []
     local = [f"from {'._broadcast' if shared is None else '..._broadcast'} import Number, broadcasting"] if own else []
     local += [f"from ..{home}.{part} import {', '.join(sorted(names))}" for (home, part), names in sorted(borrowed.items())]
@@ -83,7 +85,7 @@ def _module(model: Model, module: Module, header: str, shared: Shared | None) ->
     return "\n\n\n".join([head, *own]) + "\n"
 
 
-def _meanings(model: Mechanics) -> Mapping[str, str]:
+def meanings(model: Mechanics) -> Mapping[str, str]:
     """What every argument of the generated functions is."""
     entries: dict[str, str] = {}
     for coordinate in model.page.coordinates:
@@ -115,10 +117,14 @@ def description(model: Model) -> dict[str, Any]:
         "name": model.name,
         "summary": model.page.summary,
         "drawing": model.docstring,
-        "source": hashlib.sha256(model.text.encode()).hexdigest(),
+        "source": model.digest,
         "units": [{"name": str(unit.symbol), "unit": unit.unit, "meaning": unit.meaning} for unit in model.page.units],
         "coordinates": [
-            {"name": str(entry.symbol), "rate": str(entry.rate), "meaning": entry.meaning, "unit": entry.unit}
+            {
+                "name": str(entry.symbol), "rate": str(entry.rate), "meaning": entry.meaning, "unit": entry.unit,
+                "scale": _scale(model.page, units.read(entry.unit)),
+                "rate_scale": _scale(model.page, units.times(units.read(entry.unit), units.TIME, -1)),
+            }
             for entry in model.page.coordinates
         ],
         "parameters": [
@@ -129,6 +135,10 @@ def description(model: Model) -> dict[str, Any]:
             }
             for datum in it.parameters
         ],
+        "scales": {
+            name: _scale(model.page, dimension)
+            for name, dimension in (("length", units.LENGTH), ("time", units.TIME), ("force", units.FORCE))
+        },
         "angles": {str(angle.symbol): [str(angle.c), str(angle.s)] for angle in it.angles},
         "arguments": {
             "statics": [str(symbol) for symbol in statics.arguments(it)],
@@ -139,9 +149,16 @@ def description(model: Model) -> dict[str, Any]:
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
         },
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        "equations": equations.equations(it),
         "layers": len(laws.layers(it)),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
+
+
+def _scale(page: Page, dimension: units.Dimension) -> str:
+    """The unit of a dimensionless number: a product of the quantities that become 1."""
+    scale = soundness.scale(page, dimension)
+    return "" if scale is None else str(scale)
 
 
 def _domain(domain: str) -> dict[str, Any]:

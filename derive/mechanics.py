@@ -260,6 +260,10 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], sp.Expr, sp.E
         else:
             line = line_of(spring.ends, scaled(spring.length), spring.line)
             energy += stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
+    for torsion in page.torsions:
+        line = line_of(torsion.ends, None, torsion.line)
+        cosine, sine = (scaled(function(torsion.rest)) for function in (sp.cos, sp.sin))
+        energy += scaled(torsion.stiffness) * turning(line.c * cosine + line.s * sine) / 2
     for damper in page.dampers:
         coefficient = scaled(damper.coefficient)
         if damper.ends is None:
@@ -269,6 +273,12 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], sp.Expr, sp.E
             speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
         dissipation += coefficient * speed**2 / 2
     return tuple(found), energy, dissipation
+
+
+def turning(cosine: sp.Expr) -> sp.Expr:
+    """φ² by its cosine, to the second power of u = sin²(φ/2) = (1 − cos φ)/2: φ² = 4 (u + u²/3 + 8 u³/45 + …)."""
+    u = (1 - cosine) / 2
+    return 4 * (u + u**2 / 3)
 
 
 def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:

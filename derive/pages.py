@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import hashlib
 import traceback
 from dataclasses import dataclass
 from functools import cache
@@ -27,6 +28,11 @@ class Model:
     page: Page
     mechanics: Mechanics
 
+    @property
+    def digest(self) -> str:
+        """SHA-256 of the page's text."""
+        return hashlib.sha256(self.text.encode()).hexdigest()
+
 
 def shipped() -> tuple[Path, ...]:
     """The pages that come with the package, the article's first."""
@@ -35,8 +41,8 @@ def shipped() -> tuple[Path, ...]:
 
 
 @cache
-def read(path: Path) -> Model:
-    """Read a page, once: it is run as a module of this package, wherever it stands.
+def read(path: Path, name: str = "") -> Model:
+    """Read a page, once: it is run as a module of this package, wherever it stands. The model has the file's name, or another.
 
     Raises
     ------
@@ -45,18 +51,18 @@ def read(path: Path) -> Model:
     """
     text = path.read_text(encoding="utf-8")
     try:
-        return _model(path, text)
+        return _model(path, text, name or path.stem)
     except PageError as error:
         raise error.of(path.name) from error
 
 
-def _model(path: Path, text: str) -> Model:
+def _model(path: Path, text: str, name: str) -> Model:
     page, docstring = _run(path, text)
     soundness.check_units(page)
     soundness.groups(page)
     model = mechanics.of(page)
     soundness.check_forces(model)
-    return Model(path.stem, text, docstring, page, model)
+    return Model(name, text, docstring, page, model)
 
 
 def _run(path: Path, text: str) -> tuple[Page, str]:

@@ -44,6 +44,14 @@ def check_units(page: Page) -> None:
     for spring in page.springs:
         square = _square(spring, known, expect)
         expect(spring.stiffness, units.times(units.ENERGY, square, -1), "the stiffness of this spring", spring.line)
+    for torsion in page.torsions:
+        expect(torsion.stiffness, units.ENERGY, "the stiffness of this torsion spring", torsion.line)
+        for part in (*torsion.ends[0], *torsion.ends[1]):
+            expect(part, units.LENGTH, "the end of this line", torsion.line)
+        if not torsion.rest.free_symbols <= {datum.symbol for datum in page.parameters if datum.unit == "rad"}:
+            raise PageError(
+                torsion.line, "the inclination at rest of a torsion spring is made of angles of the page; give rest=theta0"
+            )
     for damper in page.dampers:
         square = _square(damper, known, expect)
         power = units.times(units.times(units.ENERGY, square, -1), units.TIME)

@@ -18,6 +18,12 @@ import pathlib as _pathlib
 import re as _re
 from typing import Any as _Any
 
+# In a checkout derive/ and generated/ stand beside this folder, with links to them in it; where links can't be made, as by git on
+# Windows unless it is told to, the folders are found beside it all the same.
+_HERE = _pathlib.Path(__file__).parent
+if not (_HERE / "generated").is_dir() and (_HERE.parent / "generated").is_dir():
+    __path__.append(str(_HERE.parent))
+
 _LIST = _pathlib.Path(__file__).with_suffix(".pyi")
 #: Public name → where it is, read from the list that type checkers read. The name of a module stands for the module.
 _HOMES = {

@@ -72,6 +72,8 @@ from .statics import count as count
 from .statics import equilibria as equilibria
 from .statics import get_backend as get_backend
 from .statics import set_backend as set_backend
+from .studies import Report as Report
+from .studies import Study as Study
 from .sweeps import Basin as Basin
 from .sweeps import Sensitivity as Sensitivity
 from .sweeps import Sweep as Sweep

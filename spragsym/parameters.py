@@ -192,6 +192,15 @@ def check_names(given: Iterable[str], known: Iterable[str]) -> None:
             raise ParameterTypeError(f"{name} is not a parameter{remark}")
 
 
+def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The shape that named shapes broadcast to, or an error that lists them."""
+    try:
+        return np.broadcast_shapes(*given.values())
+    except ValueError as error:
+        listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
+        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+
+
 @dataclass(frozen=True, eq=False)
 class ParameterSet(Shown):
     """Dimensionless parameters of a model, scalars or arrays that broadcast together; a subclass has a field for each."""
@@ -216,14 +225,7 @@ class ParameterSet(Shown):
     @property
     def shape(self) -> tuple[int, ...]:
         """Common shape of all parameters."""
-        given = {name: getattr(self, name).shape for name in self.ranges if getattr(self, name) is not None}
-        try:
-            return np.broadcast_shapes(*given.values())
-        except ValueError as error:
-            listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
-            raise ParameterError(
-                f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones"
-            ) from error
+        return common_shape({name: np.shape(getattr(self, name)) for name in self.ranges})
 
     def replace(self, **changes: ArrayLike | None) -> Self:
         """A copy with other values."""
@@ -328,33 +330,33 @@ def _equal(one: FloatArray | None, other: FloatArray | None) -> bool:
 class Scales(Shown):
     """What one dimensionless unit is, in the units of the data."""
 
-    length: float
-    time: float
-    force: float
+    length: Any
+    time: Any
+    force: Any
 
 
 @named
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class PhysicalParameters(Shown):
-    """The model in newtons, metres, kilograms and seconds, or any consistent system of units.
+    """The model in newtons, metres, kilograms and seconds, or any consistent system of units; scalars or arrays that broadcast.
 
     Parameters
     ----------
-    m : float
+    m : array_like
         Mass.
-    k, k_x, k_y, k_c : float
+    k, k_x, k_y, k_c : array_like
         Stiffness of the inclined spring, along the belt, across it, and of the contact.
-    F_L : float
+    F_L : array_like
         Preload.
-    L_0 : float
+    L_0 : array_like
         Length of the undeformed inclined spring.
-    theta0 : float
+    theta0 : array_like
         Its inclination, radians, in (0, π).
-    mu0 : float
+    mu0 : array_like
         Friction coefficient.
-    V : float, optional
+    V : array_like, optional
         Belt speed.
-    d : float, optional
+    d : array_like, optional
         Steepness of the friction law in creep, per unit of speed.
 
     Notes
@@ -371,27 +373,38 @@ class PhysicalParameters(Shown):
     50000.0
     """
 
-    m: float
-    k: float
-    k_x: float
-    k_y: float
-    k_c: float
-    F_L: float
-    L_0: float
-    theta0: float
-    mu0: float
-    V: float | None = None
-    d: float | None = None
+    m: Any
+    k: Any
+    k_x: Any
+    k_y: Any
+    k_c: Any
+    F_L: Any
+    L_0: Any
+    theta0: Any
+    mu0: Any
+    V: Any = None
+    d: Any = None
 
     def __post_init__(self) -> None:
-        for name in ("m", "k", "k_x", "k_y", "k_c", "F_L", "L_0"):
-            object.__setattr__(self, name, as_number(name, getattr(self, name), range_of(name)))
-        for name in ("theta0", "mu0"):
-            object.__setattr__(self, name, as_number(name, getattr(self, name), RANGES[name]))
-        if self.V is not None:
-            object.__setattr__(self, "V", as_number("V", self.V, range_of("V_dim")))
-        if self.d is not None:
-            object.__setattr__(self, "d", as_number("d", self.d, range_of("d_dim")))
+        for name, allowed in physical_ranges().items():
+            given = getattr(self, name)
+            if given is not None or name not in ("V", "d"):
+                array = as_numbers(name, given, allowed)
+                object.__setattr__(self, name, array if array.ndim else float(array))
+        self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Common shape of all quantities."""
+        return common_shape({field.name: np.shape(getattr(self, field.name)) for field in fields(self)})
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+
+    def __hash__(self) -> int:
+        return hash(tuple(getattr(self, field.name) for field in fields(self)))  # arrays do not hash
 
     def __getattr__(self, name: str) -> Any:
         # Every function of the model first asks its parameters for one of these.
@@ -404,27 +417,38 @@ class PhysicalParameters(Shown):
     @property
     def scales(self) -> Scales:
         """Scales of length, time and force: multiply a dimensionless result by its scale."""
-        return Scales(*(float(value) for value in _scales.scales(self.m, self.k_c, self.L_0)))
+        return Scales(*(_as_given(value) for value in _scales.scales(self.m, self.k_c, self.L_0)))
 
     def dimensionless(self) -> Parameters:
         """The same system as :class:`Parameters`."""
         kappa, alpha, sigma, beta, *_ = self._groups()
         return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta)
 
-    def belt(self) -> dict[str, float]:
+    def belt(self) -> dict[str, Any]:
         """Dimensionless ``V`` and ``d``, as :func:`spragsym.simulate` takes them; an error if one was not given."""
         for name in ("V", "d"):
             if getattr(self, name) is None:
                 raise ParameterError(f"{name} is missing from the physical parameters, and the motion in time needs it")
         V, d = self._groups()[4:6]
-        return {"V": float(V), "d": float(d)}
+        return {"V": _as_given(V), "d": _as_given(d)}
 
-    def _groups(self) -> tuple[float, ...]:
+    def _groups(self) -> tuple[Any, ...]:
         absent = 0.0  # V and d enter their own groups only
         return _scales.dimensionless_groups(
             self.m, self.k_c, self.L_0, self.F_L, self.k_x, self.k, self.k_y,
             absent if self.V is None else self.V, absent if self.d is None else self.d,
         )  # fmt: skip
+
+
+def physical_ranges() -> dict[str, Range]:
+    """Allowed values of the quantities of :class:`PhysicalParameters`."""
+    own = {name: range_of(name) for name in ("m", "k", "k_x", "k_y", "k_c", "F_L", "L_0")}
+    return own | {name: RANGES[name] for name in ("theta0", "mu0")} | {name: range_of(f"{name}_dim") for name in ("V", "d")}
+
+
+def _as_given(value: Any) -> Any:
+    """A single number as a float."""
+    return float(value) if np.ndim(value) == 0 else value
 
 
 #: What :class:`Parameters` has and :class:`PhysicalParameters` has not.

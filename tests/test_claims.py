@@ -454,6 +454,26 @@ def test_amplitude_jump_by_another_integrator() -> None:
     assert value("fig-7b", "before the fold by (deg)") == pytest.approx(fold - at, abs=0.006)
 
 
+def test_the_fate_of_rest() -> None:
+    """On both sides of it by another integrator; the saddle is an equilibrium by forces alone."""
+    at = value("fig-7b-fate", "theta0_deg")
+    low, high = (rms(motion(at + step, [0, 0, 0, 0], 500.0), 300, 500) for step in (-1e-5, 1e-5))
+    assert low < 0.3 < 0.8 < high
+    growth = growth_by_differences(at, value("fig-7b-fate", "x of the saddle"))
+    assert growth == pytest.approx(value("fig-7b-fate", "its growth rate"), rel=1e-7)
+
+
+def test_the_oscillation_far_below_the_fold() -> None:
+    """One round by another integrator, from a state of the cycle, leads back to it."""
+    periods = value("fig-7-oscillation", "periods")
+    near: Any = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
+    for degrees, period in zip((40.0, 30.0, 20.0, 10.0), reversed(periods), strict=True):
+        near = ss.cycle(ss.Parameters.article(theta0=np.radians(degrees)), V=0.5, d=10.0, near=near)
+        end = motion(degrees, near.state, period, rtol=1e-9).y[:, -1]
+        assert np.abs(end - near.state).max() < 1e-4
+    assert max(value("fig-7-oscillation", "largest multipliers")) < 1
+
+
 # ------------------------------------------------------------------------------------------------- the ledger
 
 
@@ -476,7 +496,7 @@ def test_statuses() -> None:
     for id, row in record().items():
         by_status[row["status"]].add(id)
     assert by_status[Status.NOT_REPRODUCED] == set()
-    assert by_status[Status.NOT_STATED] == {"fig-3", "fig-7a", "fig-7b"}
+    assert by_status[Status.NOT_STATED] == {"fig-3", "fig-7a", "fig-7b", "fig-7b-fate", "fig-7-oscillation"}
     # A wrong number of an equation or a figure is another matter than a wrong statement.
     assert by_status[Status.MISPRINT] == {"claim-reference-10", "claim-reference-12", "claim-reference-22"}
     assert by_status[Status.CORRECTED] == {"claim-mu-cr", "claim-must-jump", "claim-roots-of-21"}

@@ -143,6 +143,7 @@ MOTION = ["--theta0", "49", "--t-end", "20", "--backend", "scipy"]
 WRITING = {
     "bifurcation": (["bifurcation", "--plot"], "a.svg"),
     "check": (["check", "--report"], "a.md"),
+    "report": (["report", str(Path(__file__).parents[1] / "docs/brake.toml"), "--html"], "a.html"),
     "simulate": (["simulate", *MOTION, "-o"], "a.csv"),
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
     "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 import signal
+from importlib.util import find_spec
 
 import numpy as np
 import pytest
@@ -12,26 +12,30 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.motion import simulate as simulate_command
-from spragsym.dynamics import Event, Trajectory, integrators, simulate, with_heyoka, with_scipy
+from spragsym.dynamics import Event, Trajectory, integrators, simulate, with_compiled, with_heyoka, with_scipy
 from spragsym.dynamics.lobatto import DEGREE, unit_points
-from spragsym.dynamics.problem import Mode, mode_beyond, prepare
+from spragsym.dynamics.problem import event_at, prepare
 from spragsym.files import storage
 from spragsym.generated import stability
 from spragsym.statics.solver import equilibria
 
 BACKENDS = [
     "scipy",
-    pytest.param("heyoka", marks=pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="no heyoka")),
+    pytest.param("compiled", marks=pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")),
+    pytest.param("heyoka", marks=pytest.mark.skipif(not find_spec("heyoka"), reason="no heyoka")),
 ]
 BASE = ss.Parameters.article(theta0=np.radians(49))
 BELT = {"V": 0.5, "d": 10.0}
 
 
+def _installed() -> list[str]:
+    return [name for name in integrators.BACKENDS if (with_compiled.available() if name == "compiled" else find_spec(name))]
+
+
 @pytest.fixture(scope="module")
 def base() -> dict[str, Trajectory]:
     """The article's Figure 7a at the tightest tolerance, by each backend."""
-    names = [name for name in integrators.BACKENDS if importlib.util.find_spec(name)]
-    return {name: simulate(BASE, **BELT, rtol=1e-13, backend=name) for name in names}
+    return {name: simulate(BASE, **BELT, rtol=1e-13, backend=name) for name in _installed()}
 
 
 def test_two_integrators_agree_on_the_base_case(base: dict[str, Trajectory]) -> None:
@@ -39,6 +43,26 @@ def test_two_integrators_agree_on_the_base_case(base: dict[str, Trajectory]) -> 
     one, other = base["scipy"], base["heyoka"]
     assert one.rms() == pytest.approx(other.rms(), rel=1e-8)
     assert one.amplitude() == pytest.approx(other.amplitude(), rel=1e-8)
+
+
+@pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")
+def test_compiled_is_scipy_step_for_step(base: dict[str, Trajectory]) -> None:
+    """The same steps and events; digits part slowly, as sums of another order round otherwise."""
+    short = {name: simulate(BASE, **BELT, t_end=40.0, rtol=1e-9, backend=name) for name in ("compiled", "scipy")}
+    assert short["compiled"].t.size == short["scipy"].t.size
+    np.testing.assert_allclose(short["compiled"].t, short["scipy"].t, atol=1e-7)
+    np.testing.assert_allclose(short["compiled"].state, short["scipy"].state, atol=1e-8)
+    assert base["compiled"].rms() == pytest.approx(base["scipy"].rms(), rel=1e-8)
+
+
+@pytest.mark.skipif(not with_compiled.available(), reason="no C compiler on installation")
+def test_compiled_has_the_same_bits_in_chunks_of_any_size(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = simulate(BASE, **BELT, t_end=60.0, backend="compiled")
+    monkeypatch.setattr(with_compiled, "CHUNK", 7)
+    pieces = simulate(BASE, **BELT, t_end=60.0, backend="compiled")
+    np.testing.assert_array_equal(pieces.t, whole.t)
+    np.testing.assert_array_equal(pieces.state, whole.state)
+    np.testing.assert_array_equal(pieces.events.t, whole.events.t)
 
 
 def test_crossings_of_the_base_case(base: dict[str, Trajectory]) -> None:
@@ -133,7 +157,7 @@ def test_start_on_the_kink_is_the_limit_of_starts_beside_it(backend: str) -> Non
 
 def test_short_flights_are_found_within_a_step() -> None:
     # Thrown off the belt for a tenth of a time unit, well inside one step of either integrator.
-    for backend in [name for name in integrators.BACKENDS if importlib.util.find_spec(name)]:
+    for backend in _installed():
         tr = simulate(BASE, **BELT, y0=-1e-6, vy0=4e-4, t_end=5.0, rtol=1e-9, backend=backend)
         assert tr.events.which[:2].tolist() == [Event.CONTACT_LOST, Event.CONTACT_REGAINED]
         flight = np.diff(tr.events.t[:2])[0]
@@ -148,8 +172,9 @@ def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
         phase = 4 * np.pi * t
         return np.array([0 * t, 0.3 * np.sin(phase) - 0.2, 0 * t, 1.2 * np.pi * np.cos(phase)])
 
-    time, border = with_scipy.first_crossing(problem, Mode(1, 1, 1), dense, 0.0, 1.0)
-    assert mode_beyond(border, Mode(1, 1, 1)) == (Mode(0, 1, 1), Event.CONTACT_LOST)
+    time, row = with_scipy.first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
+    border = problem.field.borders[row]
+    assert (border.beyond((1, 1, 1)), event_at(border, upward=True)) == ((0, 1, 1), Event.CONTACT_LOST)
     assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
 
 
@@ -159,21 +184,22 @@ def test_a_flight_between_two_points_of_the_search_is_found() -> None:
     def dense(t: np.ndarray) -> np.ndarray:  # above the belt for 0.02, a sixth of the distance of the points
         return np.array([0 * t, 1e-4 - (t - 0.56) ** 2, 0 * t, -2 * (t - 0.56)])
 
-    time, _ = with_scipy.first_crossing(problem, Mode(1, 1, 1), dense, 0.0, 1.0)
+    time, _ = with_scipy.first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
     assert time == pytest.approx(0.55, abs=1e-9)
 
 
-def test_two_integrators_find_the_same_events_from_random_starts() -> None:
-    pytest.importorskip("heyoka")
+def test_integrators_find_the_same_events_from_random_starts() -> None:
     rng = np.random.default_rng(5)
     for _ in range(15):
         p = ss.Parameters.article(theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5))
         start = dict(zip(("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True))
         belt = {"V": rng.uniform(0.02, 0.5), "d": rng.uniform(1, 30)}
-        one, other = (simulate(p, **belt, **start, t_end=40.0, rtol=1e-12, backend=name) for name in integrators.BACKENDS)
-        assert one.events.which.tolist() == other.events.which.tolist()
-        np.testing.assert_allclose(one.events.t, other.events.t, atol=1e-8)
-        np.testing.assert_allclose(one(np.arange(40.0)), other(np.arange(40.0)), atol=1e-8)
+        one, *others = (simulate(p, **belt, **start, t_end=40.0, rtol=1e-12, backend=name) for name in _installed())
+        assert others
+        for other in others:
+            assert one.events.which.tolist() == other.events.which.tolist()
+            np.testing.assert_allclose(one.events.t, other.events.t, atol=1e-8)
+            np.testing.assert_allclose(one(np.arange(40.0)), other(np.arange(40.0)), atol=1e-8)
 
 
 def _through_a_thin_layer(rtol: float, backend: str) -> np.ndarray:
@@ -236,7 +262,8 @@ def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, former)
-    assert 0 < with_heyoka.compiled_for(1e-10, watch=False).solver.time < 1e6
+    problem = prepare(p, **BELT, start=(0.0, 0.0, 0.0, 0.0), t_end=1.0, rtol=1e-10)
+    assert 0 < with_heyoka.compiled_for(problem, watch=False).solver.time < 1e6
 
 
 def test_chunks_of_steps_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -323,7 +350,7 @@ BAD = [
     ({"x0": np.nan}, "x0 = nan"),
     ({"vy0": np.inf}, "vy0 = inf"),
     ({"x0": float(np.cos(BASE.theta0)), "y0": float(np.sin(BASE.theta0))}, "anchor .* start anywhere else"),
-    ({"backend": "euler"}, "backend = 'euler' is not one of heyoka, scipy"),
+    ({"backend": "euler"}, "backend = 'euler' is not one of heyoka, compiled, scipy"),
 ]
 
 
@@ -360,7 +387,12 @@ def test_measures_refuse_what_they_cannot_measure(base: dict[str, Trajectory]) -
 
 def test_scipy_is_the_fallback(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(integrators.importlib.util, "find_spec", lambda name: None)
+    if with_compiled.available():
+        assert simulate(BASE, **BELT, t_end=5.0).backend == "compiled"
+    monkeypatch.setattr(with_compiled, "available", lambda: False)
     assert simulate(BASE, **BELT, t_end=5.0).backend == "scipy"
+    with pytest.raises(ss.BackendError, match="was not built"):
+        simulate(BASE, **BELT, t_end=5.0, backend="compiled")
     with pytest.raises(ss.MissingExtraError, match=r"spragsym\[fast\]"):
         simulate(BASE, **BELT, t_end=5.0, backend="heyoka")
 

@@ -26,15 +26,11 @@ PAGE = ROOT / "docs" / "howto_javascript.md"
 POINT = {"theta0": math.radians(49.0), "mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
 DRIVE = {"V": 0.5, "d": 10.0}
 START = [0.0, 0.0, 0.0, 0.0]
-#: κ, α, σ, β of several shapes of the bifurcation set: two curves, symmetric, closed at one cusp, with flutter, a = 0.
+#: Changes to the article's values that give sets of other shapes: symmetric, one curve, a = 0 and all but 0, none.
 SETS: tuple[dict[str, float], ...] = (
-    {},
-    {"alpha": 0.0},
-    {"alpha": 0.7},
-    {"alpha": 1.0},
-    {"beta": 0.3},
-    {"kappa": 0.05, "sigma": 0.4},
-)
+    {}, {"alpha": 0.0}, {"alpha": 0.7}, {"alpha": 1.0}, {"alpha": 1.02, "sigma": 0.03}, {"alpha": 1.0001}, {"beta": 0.3},
+    {"kappa": 0.05, "sigma": 0.4}, {"kappa": 0.3, "alpha": 0.02, "sigma": 3.0},
+)  # fmt: skip
 
 pytestmark = pytest.mark.skipif(NODE is None, reason="node is not on this machine")
 

@@ -113,7 +113,13 @@ def _leaves(result: Any) -> list[Any]:
 
 @pytest.mark.parametrize(
     ("changes", "at"),
-    [({}, (0.7, 0.5)), ({"alpha": 0.0}, (0.7, 0.5)), ({"alpha": 0.7}, (0.3, 15.0)), ({"alpha": 1.0}, (0.3, 20.0))],
+    [
+        ({}, (0.7, 0.5)),
+        ({"alpha": 0.0}, (0.7, 0.5)),
+        ({"alpha": 0.7}, (0.3, 15.0)),
+        ({"alpha": 1.0}, (0.3, 20.0)),
+        ({"alpha": 1.001}, (0.3, 20.0)),
+    ],
 )
 def test_folds_and_cusps_are_those_that_python_proves(package: Path, changes: dict[str, float], at: tuple[float, float]) -> None:
     p = ss.Parameters.article(theta0=at[0], **{"mu0": at[1], **changes})

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from benchmarks import families
+from benchmarks import families, validate_models
 
 STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
@@ -92,70 +92,13 @@ def test_shapes_and_one_point():
 # ------------------------------------------------------------------------------- other pages, by other formulations
 
 
-def by_angle(p, penetration):
-    """All x of one spring with any contact law, from a scalar equation in the spring's direction.
-
-    ``penetration(force)`` is the depth at which the contact pushes with that force. Along the belt and across it the balance gives
-    (x, y) from the normal force n: its root in n for each θ would be two unknowns; instead L follows from the y balance by bisection,
-    and the x balance is one function of θ, whose signs on a fine grid are refined to 50 digits.
-    """
-    theta0, mu, kappa, alpha, sigma, beta = (mp.mpf(float(getattr(p, key))) for key in STATES)
-    c0, s0 = mp.cos(theta0), mp.sin(theta0)
-
-    def rest(theta):
-        c, s = mp.cos(theta), mp.sin(theta)
-
-        # y = s0 − L s; kappa + sigma (s − s0) + (beta + sigma) y − n = 0 with n = law(−y): n as unknown.
-        def across(n):
-            return kappa + sigma * (s - s0) - (beta + sigma) * penetration(n) - n
-
-        low, high = mp.mpf(0), kappa + sigma * 2
-        if across(low) < 0:
-            return None
-        n = mp.findroot(across, (low, high), solver="anderson", tol=1e-90) if across(low) > 0 else low
-        y = -penetration(n)
-        L = (s0 - y) / s
-        x = c0 - L * c
-        return L, x, y, alpha * x + sigma * (x - c0 + c) - mu * n
-
-    grid = [mp.pi * k / 300 for k in range(1, 300)]
-    found = []
-    values = [rest(theta) for theta in grid]
-    for k in range(len(grid) - 1):
-        one, two = values[k], values[k + 1]
-        if one and two and one[3] * two[3] < 0 and one[0] > 0 and two[0] > 0:
-            theta = mp.findroot(lambda t: rest(t)[3], (grid[k], grid[k + 1]), solver="anderson", tol=1e-60)
-            found.append(rest(theta)[1:3])
-    return sorted(found)
-
-
-def hertz(n):
-    return mp.cbrt(n) ** 2
-
-
-def cubic(gamma):
-    def depth(n):
-        # gamma d³ + d − n = 0 by Cardano's formula, with gamma > 0.
-        half = n / (2 * gamma)
-        root = mp.sqrt(half**2 + 1 / (27 * mp.mpf(gamma) ** 3))
-        return mp.cbrt(half + root) - mp.cbrt(root - half)
-
-    return depth
-
-
-@pytest.mark.parametrize(("name", "law"), [("hertz_contact", hertz), ("cubic_contact", cubic(100))])
 @pytest.mark.parametrize("changes", [{"theta0": 0.6}, {"theta0": 1.3, "mu0": 0.22, "beta": 0.1}])
-def test_contact_laws_against_a_scalar_equation(name, law, changes):
-    with mp.workdps(50):
-        p = model(name).Parameters(**changes)
-        want = by_angle(p, law)
-        eq = model(name).equilibria(p)
-        assert eq.complete
-        assert int(eq.count) == len(want)
-        for slot, (x, y) in enumerate(want):
-            assert abs(eq.x[slot] - x) <= eq.error[slot] + 1e-40
-            assert abs(eq.y[slot] - y) <= eq.error[slot] + 1e-40
-        assert eq.error.max() < 1e-12
+@pytest.mark.parametrize("name", ["cubic_contact", "hertz_contact", "inclined_belt", "trolley", "two_springs"])
+def test_pages_against_other_formulations_in_50_digits(name, changes):
+    same, ratio = validate_models.compare(name, model(name).Parameters(**changes))
+    assert same
+    assert ratio <= 1
+    assert ss.load(name).equilibria(model(name).Parameters(**changes)).error.max() < 1e-12
 
 
 def test_linear_models_in_closed_form():
@@ -275,3 +218,46 @@ def test_what_does_not_vary_is_refused():
         model("kang_nam").folds(p, "mu0", between={"theta0": (0, 1)})
     with pytest.raises(ss.ParameterError, match="is no range"):
         model("kang_nam").folds(p, "mu0", between={"mu0": (1, 0)})
+
+
+# -------------------------------------------------------------------------------------- the plane, and paths in it
+
+
+def test_bifurcation_set_is_the_articles():
+    found = model("kang_nam").bifurcation_set(model("kang_nam").Parameters(theta0=1.0), n=12, between={"mu0": (0.0, 1.0)})
+    assert found.complete
+    assert len(found) == 2
+    assert np.allclose(found.cusps.mu0, 0.200931781805090, atol=1e-12)
+    for curve in found.curves:
+        for theta0, mu0, x in zip(curve.theta0, curve.mu0, curve.x, strict=True):
+            known = ss.folds(ss.Parameters.article(theta0=theta0), "mu0")
+            # At the cusp, which is no fold of its own, the two folds have met.
+            assert np.abs(known.mu0 - mu0).min(initial=np.inf) < 1e-7 or np.abs(found.cusps.mu0 - mu0).min() < 1e-12, (theta0, x)
+        # From point to point no farther than to the next line, but for the steep ends.
+        assert np.abs(np.diff(curve.theta0)).max() < 2.1 * np.pi / 12
+    # All folds of a line are on the curves.
+    line = found.lines["theta0"][4]
+    on_line = np.concatenate([curve.mu0[curve.theta0 == line] for curve in found.curves])
+    known = ss.folds(ss.Parameters.article(theta0=line), "mu0").mu0
+    assert np.allclose(np.sort(on_line), known[known < 1], atol=1e-12)
+
+
+def test_path_is_the_articles_with_its_jump():
+    values = np.radians(np.arange(1.0, 180.0, 6.0))
+    p = model("kang_nam").Parameters(theta0=1.0, mu0=0.7)
+    found = model("kang_nam").quasi_static_path(p, "theta0", values)
+    known = ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", values)
+    assert np.allclose(found.x, known.x, atol=1e-12)
+    assert (found.stability == known.stability).all()
+    assert [jump.kind for jump in found.jumps] == ["fold"]
+    assert np.isclose(found.jumps[0].value, known.jumps[0].value, atol=1e-12)
+    assert abs(found.jumps[0].before["x"] - known.jumps[0].x_before) < 1e-9
+    assert abs(found.jumps[0].after["x"] - known.jumps[0].x_after) < 1e-2
+
+
+def test_path_errors_name_the_remedy():
+    p = model("kang_nam").Parameters(theta0=1.0)
+    with pytest.raises(ss.ParameterError, match="do not go one way"):
+        model("kang_nam").quasi_static_path(p, "theta0", [0.1, 0.3, 0.2])
+    with pytest.raises(ss.ParameterError, match="give 'small'"):
+        model("kang_nam").quasi_static_path(p, "theta0", [1.2, 1.3], start="middle")

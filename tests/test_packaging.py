@@ -57,6 +57,37 @@ def test_the_folders_are_reached_through_the_package() -> None:
         assert os.readlink(link) == f"../{folder}"
 
 
+@pytest.mark.parametrize("instead", ["text", "nothing"])
+def test_a_checkout_without_links_works(instead: str, tmp_path: Path) -> None:
+    """As git leaves it on Windows: a link is a file with its target's name. In a folder that is hard to spell."""
+    clone = tmp_path / "ein Gerät"
+    for name in ("spragsym", "derive", "generated"):
+        shutil.copytree(ROOT / name, clone / name, symlinks=True, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
+    for name in ("derive", "generated"):
+        (clone / "spragsym" / name).unlink()
+        if instead == "text":
+            (clone / "spragsym" / name).write_text(f"../{name}", encoding="utf-8")
+    code = (
+        "import spragsym as ss, spragsym.derive.emit.write, numpy as np; from spragsym.statics import compiled\n"
+        "assert not compiled.available()\n"
+        "print(ss.__file__, ss.equilibria(ss.Parameters.article(theta0=np.radians(49.0))).count)"
+    )
+    call = [sys.executable, "-c", code]
+    environment = {**os.environ, "PYTHONPATH": str(clone), "PYTHONUTF8": "1"}
+    done = subprocess.run(call, cwd=clone, env=environment, capture_output=True, encoding="utf-8", timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout.split()[-1] == "1"
+    assert str(clone) in done.stdout
+
+
+def test_line_ends_are_the_same_everywhere() -> None:
+    """git is told to, so that hashes and comparisons of bytes hold on Windows."""
+    assert "* text=auto eol=lf" in (ROOT / ".gitattributes").read_text(encoding="utf-8").splitlines()
+    for name in ("derive", "generated", "spragsym"):
+        files = (path for path in (ROOT / name).rglob("*") if path.suffix in (".py", ".c", ".h", ".json", ".md", ".js", ".m"))
+        assert [path for path in files if b"\r" in path.read_bytes()] == []
+
+
 def test_version_stands_in_one_place() -> None:
     assert "version" not in PROJECT["project"]
     holders = [

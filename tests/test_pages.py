@@ -14,7 +14,7 @@ import sympy as sp
 import spragsym as ss
 from spragsym.derive import folder, pages, soundness
 from spragsym.derive import units as measured
-from spragsym.derive.kang_nam import generality
+from spragsym.derive.kang_nam import generality, variant
 from spragsym.derive.model import PageError
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
@@ -198,3 +198,41 @@ def test_a_model_describes_itself(name: str) -> None:
     assert {key: float(getattr(p, key)) for key in model.base} == model.base
     with pytest.raises(ss.ParameterError):
         model.Parameters(**{model.parameters[-1]: float("nan")})
+
+
+# ------------------------------------------------------------------------------------------------ what falls of the article
+
+
+def judged(name: str) -> dict[str, tuple[str, str]]:
+    model = pages.read(pages.SHIPPED / f"{name}.py").mechanics
+    return {row.id: (row.status, row.remark) for row in variant.judge(model)}
+
+
+def test_every_row_holds_for_the_articles_page() -> None:
+    assert {status for status, _ in judged("kang_nam").values()} == {variant.HOLDS}
+
+
+def test_a_constant_force_changes_the_right_sides_only() -> None:
+    """On the tilted belt the weight stands in b and in nothing that is made of D; the quartic in b_1, b_2 stays."""
+    rows = judged("inclined_belt")
+    assert {id for id, (status, _) in rows.items() if status == variant.FAILS} == {
+        *(f"eq-{number}" for number in (1, 2, 8, 9, 12, 13, 14, 15, 19, 25)), "A10", "A11", "A12", "A13",
+    }  # fmt: skip
+    assert rows["A10"][1] == "b_1: -gamma_g*sin_psi"
+    assert {status for status, _ in rows.values()} == {variant.HOLDS, variant.FAILS}
+
+
+def test_dampers_change_motion_and_stability_only() -> None:
+    rows = judged("damped")
+    assert {id for id, (status, _) in rows.items() if status != variant.HOLDS} == {
+        f"eq-{number}" for number in (1, 2, 8, 9, 12, 13, 27)
+    }
+    assert "zeta_x" in rows["eq-27"][1]
+
+
+def test_a_cubic_contact_leaves_no_quartic() -> None:
+    rows = judged("cubic_contact")
+    assert rows["eq-11"] == (variant.FAILS, "n(δ): depth**3*gamma")
+    assert all(rows[id][0] == variant.NO_MEANING for id in ("eq-16", "eq-21", "A2", "A11"))
+    assert all(rows[id][0] == variant.HOLDS for id in ("eq-6", "eq-10", "eq-25", "A9", "A12", "def-kappa"))
+    assert {status for status, _ in judged("stick_slip").values()} == {variant.NO_MEANING}

@@ -140,3 +140,9 @@ def test_a_fold_counts_twice() -> None:
     assert generated.f_slope(Fraction(3, 5), Fraction(4, 5), *coefficients) == 0
     assert generated.f_curvature(Fraction(3, 5), Fraction(4, 5), *coefficients) != 0
     assert _contact_roots(Fraction(0), sin0, *parameters) == 3
+
+
+def test_what_is_small_without_friction_is_proved() -> None:
+    steps = theorem.smallest_without_friction()
+    assert [step.claim for step in steps if not step.holds] == []
+    assert len(steps) == 4

@@ -14,7 +14,7 @@ from tests.test_documents import ROOT, assert_shown, commands, run
 
 pytest.importorskip("sympy")
 
-PAGE = ROOT / "docs/howto_model.md"
+PAGE = ROOT / "docs/howto_article.md"
 
 
 def sections() -> dict[str, str]:
@@ -86,7 +86,7 @@ def test_a_symbol_without_a_dimension_goes_into_the_groups(tmp_path: Path) -> No
     text = (tmp_path / "variant/motion.py").read_text(encoding="utf-8")
     signatures = dict(re.findall(r"^def (\w+)\((.*?)\) ->", text, re.MULTILINE | re.DOTALL))
     assert {name for name, arguments in signatures.items() if "mu_s:" in arguments} == {
-        "friction", "rhs", "regime_rhs", "regime_jacobian", "friction_power",
+        "friction", "rhs", "regime_rhs", "regime_jacobian", "regime_by_parameters", "friction_power",
     }  # fmt: skip
     assert not (tmp_path / "variant/c").exists()
 

@@ -7,7 +7,7 @@ isolated by :mod:`spragsym.exact.bernstein`, and every sign that says what a fol
 from __future__ import annotations
 
 import inspect
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,13 +32,13 @@ _angles = inspect.unwrap(_catastrophe.fold_angles)
 class FoldArrays:
     """Folds in contact of many points, in no order: the point of each, and what :class:`~.fold_points.Turn` says of it.
 
-    ``value`` and ``t`` = tan(θ/2) carry proved bounds; ``best`` is ``value`` with fewer roundings. Of points in ``undecided``
-    nothing is listed.
+    ``value`` and ``t`` = tan(θ/2) carry proved bounds; ``best`` is the same as ``value`` with less uncertainty. Of points in
+    ``undecided`` nothing is listed.
     """
 
     row: NDArray[np.intp]
     value: Rounded
-    best: FloatArray
+    best: Rounded
     t: Rounded
     side: NDArray[np.int8]
     upper: NDArray[np.bool_]
@@ -71,17 +71,81 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     value = -at_zero / slope
     here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)} | {vary: value}
     upper = roots.rising * slope.sign()
-    return _kept(roots, value, value.value, (c, s, cos0.rows(roots.row), sin0.rows(roots.row)), here, -roots.rising, upper)
+    old, new = ([_rows(part, roots.row) for part in parts] for parts in (without, change))
+
+    def parts_at(v: Rounded) -> tuple[list[Any], list[Any]]:
+        return [one + v * other for one, other in zip(old, new, strict=True)], new
+
+    best = _sharpened(roots.t, value, parts_at)
+    return _kept(roots, value, best, (c, s, cos0.rows(roots.row), sin0.rows(roots.row)), here, -roots.rising, upper)
 
 
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
-    values = [Rounded(given[name]) for name in NAMES[1:]]
-    mu0, kappa, alpha, sigma, beta = values
+    """With α = 0 cos θ₀ drops out of f: θ₀ and π − θ₀ are folds together, where the second relation holds."""
+    free = np.broadcast_to(given["alpha"] == 0, size)
+    found = []
+    for rows in (np.flatnonzero(~free), np.flatnonzero(free)):
+        if rows.size:
+            values = [Rounded(np.broadcast_to(given[name], size)[rows]) for name in NAMES[1:]]
+            part = _with_alpha(values, rows.size) if not free[rows[0]] else _without_alpha(values, rows.size)
+            found.append((rows, part))
+    return _merged(found, size)
+
+
+def _with_alpha(values: list[Rounded], size: int) -> FoldArrays:
     roots = bernstein.positive_roots(_squares(values), size)
     here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)}
     c, s, _ = on_circle(roots.t)
-    sin0 = _sine(c, s, *here.values())
-    cos0 = _angles(c, s, *here.values())[1]
+    return _at_angles(roots, here, _angles(c, s, *here.values())[1], _sine(c, s, *here.values()))
+
+
+def _without_alpha(values: list[Rounded], size: int) -> FoldArrays:
+    _, cosines = _cubics(*values)
+    roots = bernstein.positive_roots([_as_rounded(part) for part in cosines], size)
+    here = {name: one.rows(roots.row) for name, one in zip(NAMES[1:], values, strict=True)}
+    c, s, _ = on_circle(roots.t)
+    square = 1 - _sine(c, s, *here.values()) ** 2
+    undecided = roots.undecided.copy()
+    undecided[roots.row[square.sign() == 0]] = True
+    keep = np.flatnonzero(square.sign() > 0)
+    roots = bernstein.Roots(roots.row[keep], roots.t.rows(keep), roots.rising[keep], undecided)
+    here = {name: one.rows(keep) for name, one in here.items()}
+    cos0, sin0 = square.rows(keep).sqrt(), _sine(*on_circle(roots.t)[:2], *here.values())
+    both = [(np.arange(size), _at_angles(roots, here, one, sin0)) for one in (cos0, -cos0)]
+    return _merged(both, size)
+
+
+def _merged(parts: list[tuple[NDArray[np.intp], FoldArrays]], size: int) -> FoldArrays:
+    """Folds of several sets of points, each with the places of its points among ``size``."""
+    undecided = np.zeros(size, dtype=np.bool_)
+    for rows, part in parts:
+        undecided[rows[part.undecided]] = True
+
+    def joined(of: Callable[[FoldArrays], Any]) -> Any:
+        return np.concatenate([of(part) for _, part in parts])
+
+    def numbers(of: Callable[[FoldArrays], Rounded]) -> Rounded:
+        return Rounded(joined(lambda part: of(part).value), joined(lambda part: of(part).error))
+
+    row = np.concatenate([rows[part.row] for rows, part in parts])
+    every = FoldArrays(
+        row, numbers(lambda part: part.value), numbers(lambda part: part.best), numbers(lambda part: part.t),
+        joined(lambda part: part.side), joined(lambda part: part.upper), undecided,
+    )  # fmt: skip
+    keep = np.flatnonzero(~undecided[row])
+    return FoldArrays(
+        row[keep],
+        every.value.rows(keep),
+        every.best.rows(keep),
+        every.t.rows(keep),
+        every.side[keep],
+        every.upper[keep],
+        undecided,
+    )
+
+
+def _at_angles(roots: bernstein.Roots, here: Mapping[str, Rounded], cos0: Rounded, sin0: Rounded) -> FoldArrays:
+    c, s, _ = on_circle(roots.t)
     trig = kernel.f_coefficients(cos0, sin0, *here.values(), 1)
     change = kernel.f(c, s, *(_as_rounded(part) for part in _changes(cos0, sin0, *here.values())[0]))
     curvature = kernel.f_curvature(c, s, *trig).sign()
@@ -89,11 +153,52 @@ def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     # The true point lies on the unit circle, at most this far from the computed one.
     distance = np.hypot(sin0.error, cos0.error)
     theta0 = Rounded(angle, np.where(distance < 0.1, 1.01 * distance, 4.0) + 1e-15)
-    # f′ = 0 on a fold, so that f at the best θ gives θ₀ to the second order in what θ is off by.
-    exact = [Rounded(part.value) for part in here.values()]
-    mid = kernel.f_coefficients(Rounded(np.cos(angle)), Rounded(np.sin(angle)), *exact, 1)
-    best = angle - kernel.f(Rounded(c.value), Rounded(s.value), *mid).value / change.value
+
+    def parts_at(v: Rounded) -> tuple[list[Any], list[Any]]:
+        cos_v, sin_v = cosine_and_sine(v.value)
+        at = [Rounded(one.value, one.error + v.error) for one in (cos_v, sin_v)]
+        return [*kernel.f_coefficients(*at, *here.values(), 1)], [_as_rounded(one) for one in _changes(*at, *here.values())[0]]
+
+    # Twice as wide, so that the surface beside the fold is in it too.
+    best = _sharpened(roots.t, Rounded(theta0.value, 2 * theta0.error), parts_at)
     return _kept(roots, theta0, best, (c, s, cos0, sin0), here, -curvature * change.sign(), curvature)
+
+
+def _sharpened(t: Rounded, value: Rounded, parts_at: Callable[[Rounded], tuple[list[Any], list[Any]]]) -> Rounded:
+    """The value v on a fold from f = f′ = 0, by Newton's rule, with a bound on its error.
+
+    ``parts_at`` gives the coefficients of f and of f_v. On the surface f = 0 is dv/dθ = −f′/f_v, which is 0 on the fold: from a
+    direction that is off by ρ ≤ |f′|/|f″| v is off by ρ (|f′| + |f″| ρ)/|f_v| at most. Where that can't be told, infinite.
+    """
+    low, high = t.value - t.error, t.value + t.error
+    at, v = t.value, value.value
+    for _ in range(3):
+        c, s, scale = on_circle(at)
+        trig, change = ([_plain(part) for part in parts] for parts in parts_at(Rounded(v)))
+        v = v - kernel.f(c, s, *trig) / kernel.f(c, s, *change)
+        at = np.clip(at - 0.5 * scale * kernel.f_slope(c, s, *trig) / kernel.f_curvature(c, s, *trig), low, high)
+    c, s, _ = on_circle(Rounded(at))
+    trig, change = parts_at(value)
+    cross = kernel.f_slope(*on_circle(t)[:2], *change)
+    curvature = kernel.f_curvature(*on_circle(t)[:2], *trig)
+    along = kernel.f(c, s, *change)
+    on_surface = Rounded(v) - kernel.f(c, s, *parts_at(Rounded(v))[0]) / along
+    slope = _size(kernel.f_slope(c, s, *parts_at(on_surface)[0]))
+    least = np.abs(along.value) - along.error
+    bend = np.abs(curvature.value) - curvature.error - _size(cross) * slope / least
+    off = slope / bend
+    drift = off * (slope + _size(curvature) * off) / least
+    inside = (np.abs(on_surface.value - value.value) + on_surface.error <= value.error) & (least > 0) & (bend > 0)
+    return Rounded(on_surface.value, np.where(inside, on_surface.error + 1.01 * drift, np.inf))
+
+
+def _plain(part: Any) -> Any:
+    return part.value if isinstance(part, Rounded) else part
+
+
+def _size(number: Rounded) -> FloatArray:
+    """The largest size that it may have."""
+    return np.asarray(1.01 * (np.abs(number.value) + number.error))
 
 
 def _squares(values: list[Rounded]) -> list[Rounded]:
@@ -121,7 +226,7 @@ def _product(one: list[Rounded], other: list[Rounded]) -> list[Rounded]:
 def _kept(
     roots: bernstein.Roots,
     value: Rounded,
-    best: FloatArray,
+    best: Rounded,
     angles: tuple[Rounded, Rounded, Rounded, Rounded],
     here: Mapping[str, Rounded],
     side: NDArray[np.int8],
@@ -135,7 +240,9 @@ def _kept(
     undecided = roots.undecided.copy()
     undecided[roots.row[vague]] = True
     keep = np.flatnonzero(~out & ~undecided[roots.row])
-    return FoldArrays(roots.row[keep], value.rows(keep), best[keep], roots.t.rows(keep), side[keep], upper[keep] > 0, undecided)
+    return FoldArrays(
+        roots.row[keep], value.rows(keep), best.rows(keep), roots.t.rows(keep), side[keep], upper[keep] > 0, undecided
+    )
 
 
 def _as_rounded(part: Any) -> Rounded:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from . import computed
+from . import computed, oscillation
 from .rows import Statement, Status
 
 _PROMISED = "what the library promises: 1e-12 relative to the larger of 1 and the value"
@@ -227,6 +227,33 @@ STATEMENTS: tuple[Statement, ...] = (
         command=_figure(7),
         digits=5,
         tolerance=_MOTION,
+    ),
+    Statement(
+        id="fig-7b-fate",
+        where="Section 3, before Figure 7; Figure 7b",
+        stated="the amplitude increases drastically 'near the value of catastrophe'",
+        compute=oscillation.fate_of_rest,
+        outcome="the jump is no bifurcation: there the start at rest lies on the stable manifold of the divergent equilibrium, "
+        "at which the motion then hovers; other starts jump elsewhere, and stable sliding goes on to the fold",
+        status=Status.NOT_STATED,
+        test="test_the_fate_of_rest",
+        command="spragsym figures --only cycles --out figures",
+        digits=9,
+        tolerance="a unit of the last digit given: the saddle's stable manifold, refined to later and later times",
+    ),
+    Statement(
+        id="fig-7-oscillation",
+        where="Section 3, before Figure 7",
+        stated="'the sprag-slip oscillation was initiated from the catastrophic behavior': the sliding equilibrium meets the "
+        "catastrophe and seeks the adjacent attractor",
+        compute=oscillation.lives_below,
+        outcome="the oscillation is there without it: with V = 0.5, d = 10 a stable limit cycle lies beside stable sliding at "
+        "10, 20, 30 and 40 degrees, far below the fold; a knock can start it where the statics see nothing",
+        status=Status.NOT_STATED,
+        test="test_the_oscillation_far_below_the_fold",
+        command="spragsym cycles --theta0 42 --vary theta0 --from 10 --to 60",
+        digits=9,
+        tolerance="a unit of the last digit given: the error of the cycles is below 1e-10",
     ),
     *_family(8, "beta", (1.0, 2.0), ((0.0, True), (1.0, True), (2.0, False))),
     *_family(9, "alpha", (0.007, 0.07), ((0.007, True), (0.07, False), (0.7, False))),

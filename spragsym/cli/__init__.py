@@ -21,6 +21,7 @@ from ..names import closest, latin
 
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
+    "report": ("report", "A verdict on the brake of a file, with units."),
     "check": ("check", "Hold the article against the derivation."),
     "equilibria": ("equilibria", "All equilibria of one point."),
     "bifurcation": ("bifurcation", "Folds, cusps, flutter onsets, critical frictions."),

@@ -13,9 +13,11 @@ from ..parameters import shown
 from .options import as_json, build, parameters
 from .tables import print_json, print_table
 from .targets import force, refuse
+from .with_model import ForModels, made_for, model_option
 
 
-@click.command()
+@click.command(cls=ForModels)
+@model_option
 @parameters
 @as_json
 @click.option(
@@ -33,6 +35,7 @@ def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: flo
       spragsym bifurcation
       spragsym bifurcation --alpha 0.7 --json
       spragsym bifurcation --plot folds.pdf
+      spragsym bifurcation --model two_springs
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
@@ -99,3 +102,6 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
         "mu_cr": linear if math.isfinite(linear) else None,
         "mu_cusp": None if math.isinf(lowest) else lowest,
     }
+
+
+made_for(bifurcation, "model_statics", "bifurcation_of")

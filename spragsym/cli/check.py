@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 from collections.abc import Sequence
+from dataclasses import asdict
 from importlib import resources
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,7 @@ from ..errors import MissingExtraError
 from .options import as_json
 from .tables import print_json, show
 from .targets import force, holds, refuse
+from .with_model import TEXT, page_of
 
 _STYLES = {"confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
 
@@ -29,8 +31,9 @@ _CLAIM_STYLES = {
 @click.option(
     "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from the records; check nothing."
 )
+@click.option("--model", "model_name", metavar="NAME|DIR", help=f"{TEXT} What holds of the article for it.")
 @force
-def check(json_output: bool, claims: bool, report: Path | None, force: bool) -> None:
+def check(json_output: bool, claims: bool, report: Path | None, model_name: str | None, force: bool) -> None:
     """Hold every printed equation of the article against the derivation, or every statement against computation.
 
     Every row is recomputed. The committed record is read only to see whether a row has changed.
@@ -41,11 +44,14 @@ def check(json_output: bool, claims: bool, report: Path | None, force: bool) -> 
       spragsym check --claims
       spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
+      spragsym check --model cubic_contact
 
     \b
     Exit codes: 0 every row is as recorded; 1 a row is not; 2 usage.
     """
-    if report is not None:
+    if model_name is not None:
+        _check_model(model_name, json_output)
+    elif report is not None:
         from ..claims.report import page
 
         text = page()
@@ -100,6 +106,32 @@ def _check_equations(json_output: bool) -> None:
         click.echo(f"spragsym check: {row.id} ({row.where}): {row.note}", err=True)
     if changed or derivation.failures(rows):
         sys.exit(1)
+
+
+def _check_model(name: str, json_output: bool) -> None:
+    """Which rows of the article hold for a model, fail, or have no meaning there."""
+    from ..models import load
+
+    model = load(name)
+    try:
+        from ..derive import pages
+        from ..derive.kang_nam import variant
+    except ModuleNotFoundError as error:
+        raise MissingExtraError("spragsym check --model", error.name or "sympy", "derive") from error
+    rows = variant.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
+    if json_output:
+        print_json([asdict(row) for row in rows])
+        return
+    from rich.text import Text
+
+    from .tables import print_table
+
+    styles = {variant.HOLDS: "green", variant.FAILS: "bold red", variant.NO_MEANING: "dim"}
+    print_table("", ("row", "where", "status", "model less article"), [
+        (row.id, row.where, Text(row.status, style=styles[row.status]), row.remark) for row in rows
+    ])  # fmt: skip
+    hold, fail, none = (sum(row.status == status for row in rows) for status in styles)
+    click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)
 
 
 def _changed(rows: list[dict[str, str]], recorded: list[dict[str, str]]) -> list[str]:

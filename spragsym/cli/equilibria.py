@@ -9,9 +9,11 @@ import click
 
 from .options import as_json, build, parameters, theta0
 from .tables import print_json, print_table
+from .with_model import ForModels, made_for, model_option
 
 
-@click.command()
+@click.command(cls=ForModels)
+@model_option
 @theta0
 @parameters
 @as_json
@@ -22,6 +24,7 @@ def equilibria(theta0_deg: float, json_output: bool, **values: float) -> None:
     Examples:
       spragsym equilibria --theta0 49
       spragsym equilibria --theta0 30 --mu0 0.7 --json
+      spragsym equilibria --model cubic_contact --theta0 49
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
@@ -67,3 +70,6 @@ def _rows(theta0_deg: float, values: dict[str, float]) -> tuple[list[dict[str, A
                 "fold": bool(eq.fold),
             })  # fmt: skip
     return rows, reasons
+
+
+made_for(equilibria, "model_statics", "equilibria_of")

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import click
 
+from ..errors import MissingExtraError
 from .targets import force, holds, refuse
+from .with_model import TEXT, page_of
 
 
 def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
@@ -24,6 +26,7 @@ def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
 
 
 @click.command()
+@click.option("--model", "model_name", metavar="NAME|DIR", help=TEXT)
 @click.option("--language", type=click.Choice(sorted(languages())), default="c", show_default=True, help="Language to write.")
 @click.option(
     "--out",
@@ -32,15 +35,18 @@ def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
     help="Folder to write to, made if missing.",
 )
 @force
-def export(language: str, out: Path, force: bool) -> None:
+def export(model_name: str | None, language: str, out: Path, force: bool) -> None:
     """Write the solver in another language, with an example that runs.
 
     All equilibria with their stability, an error bound and a status, the generated algebra, the right-hand side, and a
-    step in time across the kinks. JavaScript and MATLAB have folds, cusps and the surface as well.
+    step in time across the kinks. JavaScript and MATLAB have folds, cusps and the surface as well. Of another model, in C:
+    its forces with first and second derivatives, its motion with Jacobians, borders, energy and powers, derived anew from
+    its page (extra derive).
 
     \b
     Examples:
       spragsym export --language c --out sprag
+      spragsym export --model trolley --out trolley_c
       make -C sprag && ./sprag/example
       spragsym export --language javascript --out web
       spragsym export --language matlab --out octave
@@ -48,8 +54,7 @@ def export(language: str, out: Path, force: bool) -> None:
     \b
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
     """
-    folder, names = languages()[language]
-    texts = {name: (folder / name).read_text(encoding="utf-8") for name in names}
+    texts = _of_model(model_name, language) if model_name else _of_article(language)
     changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
     refuse((out / name for name in changed), force)
     out.mkdir(parents=True, exist_ok=True)
@@ -58,3 +63,21 @@ def export(language: str, out: Path, force: bool) -> None:
         (out / name).write_text(text, encoding="utf-8", newline="\n")
     for name in texts:
         click.echo(out / name)
+
+
+def _of_article(language: str) -> dict[str, str]:
+    folder, names = languages()[language]
+    return {name: (folder / name).read_text(encoding="utf-8") for name in names}
+
+
+def _of_model(name: str, language: str) -> dict[str, str]:
+    """The functions of a model in the language, from its page: that of the package, or the one in its folder."""
+    from ..models import load
+
+    model = load(name)
+    try:
+        from ..derive import export as translation
+        from ..derive import pages
+    except ModuleNotFoundError as error:
+        raise MissingExtraError("spragsym export --model", error.name or "sympy", "derive") from error
+    return translation.export(page_of(model, pages.SHIPPED), model.name, language)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
@@ -15,13 +16,14 @@ from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
 from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
 from .tables import print_json
 from .targets import force, refuse, set_aside
+from .with_model import ForModels, made_for, model_option
 
-_BACKEND = click.option(
+BACKEND = click.option(
     "--backend",
-    type=click.Choice(["heyoka", "scipy"]),
-    help="Integrator. Default: heyoka where it is installed.",
+    type=click.Choice(["heyoka", "compiled", "scipy"]),
+    help="Integrator. Default: heyoka where it is installed, else the compiled one.",
 )
-_RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
+RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
 def _start(function: Any) -> Any:
@@ -36,14 +38,15 @@ def _start(function: Any) -> Any:
     return function
 
 
-@click.command()
+@click.command(cls=ForModels)
+@model_option
 @theta0
 @parameters
 @belt
 @_start
 @window
-@_RTOL
-@_BACKEND
+@RTOL
+@BACKEND
 @click.option(
     "--error",
     "estimate_error",
@@ -66,11 +69,11 @@ def simulate(
     Examples:
       spragsym simulate --theta0 49
       spragsym simulate --theta0 49 -V 0.2 --error -o run.nc
+      spragsym simulate --model trolley --theta0 49
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    from ..dynamics import Event
     from ..dynamics import simulate as integrate
     from ..files import storage
 
@@ -81,22 +84,35 @@ def simulate(
     tr = integrate(
         p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]  # values by name, of several types
     )  # fmt: skip
+    summary = summary_of(tr, transient)
+    if output is not None:
+        tr.save(output)
+    print_summary(summary, json_output)
+
+
+def summary_of(tr: Any, transient: float) -> dict[str, Any]:
+    """What is said of a motion."""
+    from ..dynamics import Event
+
     late = tr.after(transient)
-    assert tr.events is not None
     summary: dict[str, Any] = {
-        "rms": late.rms(0.0), "rms_about_mean": late.rms(0.0, about="mean"), "mean": late.mean(0.0),
-        "amplitude": late.amplitude(0.0), "period": late.period(0.0), "converged": late.converged(0.0),
+        "rms": late.rms(0.0, of=tr.components[0]), "rms_about_mean": late.rms(0.0, of=tr.components[0], about="mean"),
+        "mean": late.mean(0.0, of=tr.components[0]), "amplitude": late.amplitude(0.0, of=tr.components[0]),
+        "period": late.period(0.0), "converged": late.converged(0.0),
         **{kind.name.lower(): len(tr.events.of(kind)) for kind in Event}, "backend": tr.backend,
     }  # fmt: skip
     if tr.error is not None:
         summary["error"] = float(tr.error.max())
-    if output is not None:
-        tr.save(output)
+    return summary
+
+
+def print_summary(summary: dict[str, Any], json_output: bool) -> None:
+    """As a list or as JSON."""
     if json_output:
         print_json(summary)
-    else:
-        for name, value in summary.items():
-            click.echo(f"{name:16} {value:.10g}" if isinstance(value, float) else f"{name:16} {value}")
+        return
+    for name, value in summary.items():
+        click.echo(f"{name:16} {value:.10g}" if isinstance(value, float) else f"{name:16} {value}")
 
 
 def _axes(function: Any) -> Any:
@@ -112,12 +128,13 @@ def _axes(function: Any) -> Any:
     return function
 
 
-@click.command()
+@click.command(cls=ForModels)
+@model_option
 @_axes
 @_start
 @window
-@_RTOL
-@_BACKEND
+@RTOL
+@BACKEND
 @workers(1)
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
@@ -136,32 +153,42 @@ def sweep(
     Examples:
       spragsym sweep --theta0 30:60:61 -o rms.nc
       spragsym sweep --theta0 30:60:61 -V 0.2,0.5,1 -j 2 -o rms.csv
+      spragsym sweep --model stribeck --theta0 30:60:61 -o rms.nc
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
 
-    from ..sweeps import Regime, rms_sweep
+    from ..sweeps import rms_sweep
 
     start = {name: values.pop(name) for name in ("x0", "y0", "vx0", "vy0")}
     axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}
-    grid = dict(zip(axes, _open_grid(list(axes.values())), strict=True))
+    grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})
+    settings: dict[str, Any] = {"t_end": t_end, "transient": transient, "rtol": rtol, "backend": backend, "workers": workers}
+    run_sweep(lambda: rms_sweep(p, grid["V"], grid["d"], **start, **settings, progress=not quiet, store=output), output, force)
+
+
+def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:
+    """Run a sweep to its file, and say what its motions came to."""
+    from ..sweeps import Regime
+
     try:
         with set_aside(output) if force else nullcontext(), warnings.catch_warnings():
             warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
-            result = rms_sweep(
-                p, grid["V"], grid["d"], **start, t_end=t_end, transient=transient, rtol=rtol, backend=backend,
-                workers=workers, progress=not quiet, store=output,
-            )  # fmt: skip
+            result = run()
     except TargetError as error:
         raise TargetError(f"{error}, or use --force to overwrite") from error
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
     click.echo(f"{output}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
 
 
-def _open_grid(axes: list[FloatArray]) -> list[FloatArray]:
+def open_grid(axes: list[FloatArray]) -> list[FloatArray]:
     """Axes of more than one number along dimensions of their own, the others as single numbers."""
     long = [i for i, axis in enumerate(axes) if axis.size > 1]
     opened = dict(zip(long, np.ix_(*(axes[i] for i in long)), strict=True))
     return [opened.get(i, axis.reshape(()) if axis.size == 1 else axis) for i, axis in enumerate(axes)]
+
+
+made_for(simulate, "model_motion", "simulate_of")
+made_for(sweep, "model_motion", "sweep_of")

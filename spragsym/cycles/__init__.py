@@ -2,9 +2,9 @@
 
 from .basin_boundaries import BasinBoundary, basin_boundary
 from .branch import CycleBranch, CycleEvent, cycle_branch
+from .exponents import Lyapunov, lyapunov
 from .fates import FateBoundary, fate_boundary
 from .finding import cycle
-from .lyapunov import Lyapunov, lyapunov
 from .orbit import Cycle
 from .two_parameters import EventCurve, cycle_events
 

@@ -91,6 +91,7 @@ class Balls:
             rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, Functions)]
             return [abs(acb(rate)).abs_upper() for rate in rates]
 
+        # A square root is analytic there: a disc about a positive number that reaches the branch cut holds 0, where 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
         for length in TIMES:
             radii = [arb(float(length * 1.1 * size.mid())) + arb(1e-3) for size in still]
@@ -133,6 +134,12 @@ class Balls:
 
     # ------------------------------------------------------------------------------------------------ borders
 
+    def keeps_clear(self, states: list[Any], but: int = -1) -> None:
+        """Show that states are inside of all borders of the mode but one."""
+        for i, border in enumerate(self.field.borders):
+            if border.kink and i != but and not border.sign(self.mode) * border.level(states, self.constants, self.mode) > 0:
+                raise NotProved(f"{border.name} is too near to be told from what happens beside it")
+
     def cross(self, index: int, window: Any) -> None:
         """Carry all states over a border, which each of them crosses once within the window."""
         border, after = self.field.borders[index], self.field.borders[index].beyond(self.mode)
@@ -141,6 +148,7 @@ class Balls:
         if not sign * border.level(box, self.constants, self.mode) > 0:
             raise NotProved(f"that no state has met {border.name} yet could not be shown")
         hull = [_widened(value, arb(1e-6)) for value in box]
+        self.keeps_clear(hull, but=index)
         speeds, slopes, rates = [], [arb(1)], []
         for mode in (self.mode, after):
             accelerations = self.field.acceleration(hull, self.constants, mode, Functions)

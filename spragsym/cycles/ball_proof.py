@@ -150,6 +150,7 @@ def _krawczyk(
     field, m = balls.field, balls.field.size
     box, n = balls.box, len(balls.field.coordinates)
     around = [value + arb(0, arb(1e-6)) for value in box]
+    balls.keeps_clear(around)
     accelerations = field.acceleration(around, balls.constants, balls.mode, Functions)
     rates = [*around[n:], *map(arb, accelerations)]
     rows = field.jacobian(around, balls.constants, balls.mode, Functions)

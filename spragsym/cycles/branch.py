@@ -13,9 +13,9 @@ from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, angle, between, corrected, cut_finer, fixed, point_of, started
 from .flows import carrier
-from .inspection import Finding, Seen, findings
+from .inspection import Finding, Seen, findings, halved, repeats
 from .orbit import Cycle, cycle_of
-from .shooting import Guess, Loop, divided, looped, rate
+from .shooting import Guess, Loop, divided, extent, looped, rate
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
@@ -26,8 +26,14 @@ STRAIGHT = 0.97
 #: Of the period of the first cycle: beyond it, a branch ends if it comes to rest somewhere.
 LONG = 6.0
 
+#: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
+SHRUNK = 0.1
+
 #: Slowest part of an orbit that is said to come to rest.
 STILL = 2e-3
+
+
+MERGES = "it meets the cycle of half its period, which doubles there"
 
 
 @dataclass(frozen=True, eq=False)
@@ -167,6 +173,7 @@ class End(Finding):
     """Where a branch ends, and why."""
 
     how: str = ""
+    value: float | None = None
 
 
 @dataclass(frozen=True)
@@ -189,7 +196,10 @@ class _Trace:
         if found.border >= 0:
             how = self.setting.field.borders[found.border].name
         cycle = cycle_of(found.loop, self.setting.fly, self.backend)
-        return CycleEvent(found.kind, self.value(found.loop), cycle, found.error, how, found.border, found.loop)
+        value = self.value(found.loop)
+        if isinstance(found, End) and found.value is not None:
+            value = found.value
+        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop)
 
     def follow(self, start: Point, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""
@@ -212,11 +222,20 @@ class _Trace:
             stop = self._beyond(point, ahead)
             if stop is not None:
                 ahead = stop
+            if repeats(ahead.loop) and not repeats(point.loop):
+                # A long step has gone over the place where the branch ends, on to a shorter cycle twice round.
+                merged = halved(setting, ahead.loop) or halved(setting, point.loop)
+                if merged is not None:
+                    yield End("end", merged, 1e-11, how=MERGES)
+                    return
             after = Seen(setting, ahead)
             arc = length if stop is None else between(setting, point, ahead)
             for found in findings(seen, after, arc, before):
                 if found.kind == "merging":
-                    yield End("end", found.loop, found.error, how="it meets the cycle of half its period, which doubles there")
+                    yield End("end", found.loop, found.error, how=MERGES)
+                    return
+                if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
+                    yield self._shrunk(before, seen)
                     return
                 yield found
             yield ahead
@@ -232,6 +251,15 @@ class _Trace:
             point, seen = finer, after if finer is ahead else Seen(setting, finer)
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
         yield End("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
+
+    def _shrunk(self, before: Seen | None, last: Seen) -> End:
+        """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""
+        how, value = "it shrinks onto an equilibrium", self.value(last.point.loop)
+        if before is None:
+            return End("end", last.point.loop, abs(value), how=how)
+        first, squares = self.value(before.point.loop), [extent(each.point.loop) ** 2 for each in (before, last)]
+        there = value - squares[1] * (value - first) / (squares[1] - squares[0])
+        return End("end", last.point.loop, abs(there - value) * squares[1] / squares[0], how=how, value=there)
 
     def _beyond(self, point: Point, ahead: Point) -> Point | None:
         """The point at the end of the range, if it was passed."""
@@ -249,18 +277,25 @@ class _Trace:
 
     def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
         loop = ahead.loop
-        turns = [turn.state for turn in loop.turns()]
-        if float(np.ptp(turns, axis=0).max()) < 1e-3:
+        if extent(loop) < 1e-3:
             return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
         error = abs(self.value(loop) - self.value(point.loop))
         if loop.guess.period > LONG * self.setting.period and slowest(loop) < STILL:
             return End("homoclinic", loop, error, how=f"it comes to rest near {np.round(stillest(loop), 6).tolist()}")
-        away = loop.guess.vector[: self.setting.field.size] - start.loop.guess.vector[: self.setting.field.size]
-        near_start = float(np.abs(away).max()) < 0.5 * self.longest and abs(self.value(loop) - self.value(start.loop)) < 1e-3
-        if count > 20 and near_start and len(loop.guess.states) == len(start.loop.guess.states):
-            near_start = abs(loop.guess.period / start.loop.guess.period - 1) < 1e-2
-            return End("closed", loop, 0.0) if near_start and angle(self.setting, start, ahead) > 0.9 else None
+        if count > 10 and self._passes(start, point, ahead):
+            return End("closed", loop, 0.0)
         return None
+
+    def _passes(self, start: Point, point: Point, ahead: Point) -> bool:
+        """Whether the start lies on the step from one point to the next: a branch that closes."""
+        if not len(start.loop.guess.states) == len(point.loop.guess.states) == len(ahead.loop.guess.states):
+            return False
+        weights = self.setting.weights(len(start.loop.guess.states))
+        begin, end, there = (weights * each.loop.guess.coordinates(self.setting.free) for each in (point, ahead, start))
+        way, off = end - begin, there - begin
+        share = float(way @ off) / float(way @ way)
+        aside = float(np.linalg.norm(off - share * way))
+        return 0 <= share <= 1 and aside < 0.05 * float(np.linalg.norm(way)) and angle(self.setting, start, ahead) > 0.9
 
     def _lost(self, point: Point, error: ConvergenceError) -> End:
         loop = point.loop

@@ -15,7 +15,7 @@ from .field import Field
 from .flows import carrier, flow
 from .orbit import Cycle, cycle_of
 from .passage import Fly, Turn
-from .shooting import LARGEST_GROWTH, Guess, Loop, across, divided, growth, looped, solved
+from .shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
 from .sprag import SPRAG
 
 #: Returns of a motion are looked at over this time, then over longer ones.
@@ -82,7 +82,7 @@ def cycle_near(
     fly, name = carrier(field, backend)
     values = tuple(float(value) for value in values)
     if isinstance(near, Cycle):
-        return _checked(_from_guess(field, fly, Guess(near.loop.guess.states, near.period, values)), fly, name)
+        return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
     settled = isinstance(near, Trajectory)
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
@@ -98,9 +98,20 @@ def cycle_near(
     raise ConvergenceError(_why(field, values, start, stage))
 
 
+def _towards(field: Field, fly: Fly, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
+    """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
+    try:
+        return _from_guess(field, fly, Guess(known.states, known.period, values))
+    except ConvergenceError:
+        if halvings == 0 or values == known.values:
+            raise
+    middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
+    between = _towards(field, fly, known, middle, halvings - 1)
+    return _towards(field, fly, between.guess, values, halvings - 1)
+
+
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
-    extent = np.ptp([turn.state[0] for turn in loop.turns()] or [0.0])
-    if not extent > 1e-7:
+    if not extent(loop) > 1e-7:
         raise ConvergenceError(
             "there is no cycle near: what Newton's method finds is rest, at "
             f"{np.round(loop.guess.states[0], 9).tolist()}; start farther from it"
@@ -128,7 +139,7 @@ def _by_returns(field: Field, fly: Fly, values: tuple[float, ...], turns: list[T
             loop = _from_guess(field, fly, guess)
         except ConvergenceError:
             continue
-        if np.ptp([turn.state[0] for turn in loop.turns()] or [0.0]) > 1e-6:
+        if extent(loop) > 1e-6:
             return loop
     return None
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..dynamics.integrators import choose
+from ..dynamics.integrators import OF_ANY_MODEL, choose
 from . import with_heyoka, with_scipy
 from .field import Field
 from .passage import Fly
@@ -17,6 +17,6 @@ def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
 
 def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
     """``fly`` of an integrator, and the integrator's name."""
-    name = choose(backend)
+    name = choose(backend, OF_ANY_MODEL)
     fly: Fly = flow(field, name).fly
     return fly, name

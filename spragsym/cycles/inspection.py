@@ -156,6 +156,17 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
     yield Finding(kind, point.loop, min(error, abs(point.tangent[-1]) * 1e-9 + 1e-11))
 
 
+def repeats(loop: Loop) -> bool:
+    """Whether a loop is one orbit twice round: its turns of the second half are those of the first."""
+    turns = [turn for turn in loop.turns() if turn.border == -1]
+    half = loop.guess.period / 2
+    for turn in turns:
+        later = [each for each in turns if abs(each.t - turn.t - half) < 1e-3 * half]
+        if turn.t < 0.9 * half and not any(np.abs(each.state - turn.state).max() < 1e-5 for each in later):
+            return False
+    return bool(turns)
+
+
 def halved(setting: Setting, loop: Loop) -> Loop | None:
     """The doubling of the cycle of half the period, where a doubled cycle ends near a loop; None if it is no such end."""
     guess, field = loop.guess, setting.field

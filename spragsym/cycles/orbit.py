@@ -180,7 +180,7 @@ def refined(loop: Loop, fly: Fly) -> Loop:
     while True:
         cut = divided(field, fly, guess, pieces)
         try:
-            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=6)
+            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=7, precision=1e-15)
         except ConvergenceError:
             found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
@@ -241,8 +241,8 @@ def _events(loop: Loop) -> Events:
     crossings = loop.crossings()
     kinds = []
     for crossing in crossings:
-        names = loop.field.borders[crossing.border].crossings
-        kinds.append(Event[names[0 if crossing.sign > 0 else 1].upper()])
+        name = loop.field.borders[crossing.border].crossings[0 if crossing.sign > 0 else 1].upper()
+        kinds.append(Event[name] if name in Event.__members__ else -1)
     states = np.array([crossing.state for crossing in crossings]).reshape(-1, loop.field.size)
     return Events(np.array([crossing.t for crossing in crossings]), states, np.array(kinds, dtype=np.intp))
 

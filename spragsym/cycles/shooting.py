@@ -147,11 +147,12 @@ def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> 
 
 def solved(
     field: Field, fly: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, reach: float = np.inf,
-    iterations: int = 12,
+    iterations: int = 12, precision: float = 1e-13,
 ) -> Loop:  # fmt: skip
     """The closed loop near a guess under further conditions, as many as there are free parameters and one.
 
-    ``reach`` bounds how far the states may move from the guess. Raises ConvergenceError where there is none.
+    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as small as rounding, end it.
+    Raises ConvergenceError where there is none.
     """
     start, size, before = guess, guess.states.size, np.inf
     loop = looped(field, fly, guess, free)
@@ -161,7 +162,7 @@ def solved(
         step = newton_step(np.vstack([loop.slopes(len(free)), rows]), residual)
         width = float(np.abs(step).max())
         scale = 1 + float(np.abs(loop.guess.vector).max())
-        small = width <= 1e-13 * scale or (width <= 1e-8 * scale and width > 0.2 * before)
+        small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
         if small and float(np.abs(residual).max()) <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
             return loop
         if iteration and width > 1e3 * before:
@@ -215,6 +216,12 @@ def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
     for _ in range(pieces - 1):
         states.append(fly(states[-1], constants, guess.period / pieces, none).state)
     return Guess(np.array(states), guess.period, guess.values)
+
+
+def extent(loop: Loop) -> float:
+    """How far apart the turns of an orbit are: the largest of all components."""
+    states = [*(turn.state for turn in loop.turns()), *loop.guess.states]
+    return float(np.ptp(states, axis=0).max())
 
 
 def growth(loop: Loop) -> float:

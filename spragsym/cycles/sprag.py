@@ -8,9 +8,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
-from ..dynamics import simulate
+from ..dynamics import forces, simulate
 from ..dynamics.problem import BELT_SPEED, CREEP, WIDTH, acceleration, constants_of, jacobian
 from ..generated import motion
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_number
@@ -81,15 +79,11 @@ def _simulate(values: Sequence[float], state: Sequence[float], t_end: float, **o
 
 
 def _spring_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:
-    """Tension of the inclined spring over k_c L_0."""
-    force: FloatArray = constants[5] * (motion.spring_length(states[0], states[1], *constants[:2]) - 1)
-    return force
+    return forces.spring_force(states[0], states[1], constants[0], constants[1], constants[5])
 
 
 def _contact_force(states: FloatArray, _: Sequence[float]) -> FloatArray:
-    """(11)."""
-    force: FloatArray = np.maximum(-states[1], 0.0)
-    return force
+    return forces.contact_force(states[1])
 
 
 #: (8)–(11), over (contact, side, near).

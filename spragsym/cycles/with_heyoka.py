@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -11,7 +12,7 @@ import numpy as np
 from ..dynamics.lobatto import unit_points
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import GAP, Field
+from .field import GAP, Field, Mode
 from .passage import Crossing, Passage, Turn
 
 #: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.
@@ -56,8 +57,9 @@ class Compiled:
         ]
         self.crossings: list[Crossing] = []
         self.turns: list[Turn] = []
+        self.mode: Mode = field.modes[0]
         self.solver = hy.taylor_adaptive(
-            system, [0.0] * len(system), pars=[0.0] * (self.constants + width + 2 * parameters * derivatives),
+            system, [0.0] * len(system),
             tol=TOLERANCE, compact_mode=True,
             t_events=[
                 hy.t_event(value, callback=partial(self._cross, i), cooldown=0.0, direction=hy.event_direction.negative)
@@ -70,13 +72,16 @@ class Compiled:
         """heyoka copies its callbacks; they must go on to write here."""
         return self
 
-    def _mode(self) -> tuple[int, ...]:
-        return tuple(round(value) for value in self.solver.pars[self.constants : self.constants + len(self.field.modes[0])])
+    def _set(self, begin: int, values: Sequence[float]) -> None:
+        """Set parameters; those at the end that the model does not use are not there."""
+        end = min(begin + len(values), len(self.solver.pars))
+        if end > begin:
+            self.solver.pars[begin:end] = values[: end - begin]
 
     def _cross(self, index: int, solver: Any, _: int) -> bool:
-        border, mode = self.field.borders[index], self._mode()
-        after = border.beyond(mode)
-        solver.pars[self.constants : self.constants + len(mode)] = after
+        border = self.field.borders[index]
+        self.mode = after = border.beyond(self.mode)
+        self._set(self.constants, after)
         if border.kink:
             self.crossings.append(Crossing(solver.time, index, int(border.sign(after)), solver.state[: self.m].copy()))
         return True
@@ -100,8 +105,8 @@ class Compiled:
         solver.state[:m] = state
         if self.derivatives:
             solver.state[m : m + m * m : m + 1] = UNIT
-        given = (*constants, *self.field.initial_mode(state, constants), *np.ravel(directions))
-        solver.pars[:] = given[: len(solver.pars)]
+        self.mode = self.field.initial_mode(state, constants)
+        self._set(0, (*constants, *self.mode, *np.ravel(directions)))
         solver.reset_cooldowns()
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
@@ -119,7 +124,7 @@ class Compiled:
         end, by_state, by_parameters = self._split(solver.state)
         if outcome != hy.taylor_outcome.time_limit or not np.isfinite(end).all():
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}")
-        if not self.field.is_inside(end, constants, self._mode()):
+        if not self.field.is_inside(end, constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {duration:.6g}; use backend='scipy'")
         return Passage(end, by_state, by_parameters, tuple(self.crossings), tuple(self.turns))
 

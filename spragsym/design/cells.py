@@ -12,8 +12,10 @@ from numpy.typing import NDArray
 from ..exact.affine import Affine, cosine_and_sine, sides
 from ..parameters import NAMES, FloatArray
 
-#: Cells of a box to begin with, and how often one is halved before the box is given up as it is.
-CELLS, HALVINGS = 4, 4
+#: Cells of a box to begin with, how often one is halved in any case, and at most.
+_CELLS, _ALWAYS, _HALVINGS = 4, 4, 40
+#: A box is given up where the direction contributes less than this share of what the box's own sides do to an open quantity.
+_SHARE = 0.25
 
 
 class Boxes(NamedTuple):
@@ -98,22 +100,25 @@ def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdic
     """Of which boxes all directions between two pass a test, and how much each side matters where they don't."""
     size = boxes.share.size
     weight = np.zeros((len(NAMES), size))
-    box = np.tile(np.arange(size), CELLS)
-    begin = np.repeat(np.arange(CELLS) / CELLS, size)
-    end = begin + 1.0 / CELLS
-    for halving in range(HALVINGS + 1):
+    box = np.tile(np.arange(size), _CELLS)
+    begin = np.repeat(np.arange(_CELLS) / _CELLS, size)
+    end = begin + 1.0 / _CELLS
+    result = np.ones(size, dtype=np.bool_)
+    for halving in range(_HALVINGS + 1):
         if not box.size:
             break
         with np.errstate(all="ignore"):
             done, decisive = test(over(boxes.rows(box), low.rows(box), high.rows(box), begin, end))
+        parts = [np.abs(np.nan_to_num(quantity.terms[:, ~done])) for quantity in decisive]
+        useful = [part[-1] > _SHARE * part[:-1].sum(axis=0) for part in parts]
+        hopeless = (~np.logical_or.reduce(useful) & (halving >= _ALWAYS)) | (halving == _HALVINGS)
         box, begin, end = box[~done], begin[~done], end[~done]
-        if halving == HALVINGS:
-            for quantity in decisive:
-                part = np.abs(quantity.terms[: len(NAMES)]) / (np.abs(quantity.value) + quantity.radius())
-                np.maximum.at(weight.T, box, np.nan_to_num(part[:, ~done].T))
-        else:
-            middle = 0.5 * (begin + end)
-            box, begin, end = np.tile(box, 2), np.concatenate([begin, middle]), np.concatenate([middle, end])
-    result = np.ones(size, dtype=np.bool_)
-    result[box] = False
+        for part in parts:
+            sizes = part[:-1, hopeless]
+            np.maximum.at(weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T)
+        result[box[hopeless]] = False
+        keep = result[box]
+        box, begin, end = box[keep], begin[keep], end[keep]
+        middle = 0.5 * (begin + end)
+        box, begin, end = np.tile(box, 2), np.concatenate([begin, middle]), np.concatenate([middle, end])
     return result, weight

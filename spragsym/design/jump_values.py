@@ -25,6 +25,8 @@ from ..statics.solver import Equilibria, Stability, equilibria
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 13
+#: Largest error of a value over max(1, |value|), proved.
+_LARGEST_ERROR = 1e-12
 #: Where θ₀ begins to rise; folds below it are looked for exactly.
 _FIRST_ANGLE = 2.0**-40
 #: Parameters that rise from their lower end; the others move from the value that they have.
@@ -162,7 +164,7 @@ def _walk(
     undecided[found.row[near]] = True
     keep = np.flatnonzero((ahead > 0) & ~near)
     keep = keep[np.lexsort((ahead[keep], found.row[keep]))]
-    row, value, best = found.row[keep], found.value.rows(keep), found.best[keep]
+    row, value, best = found.row[keep], found.value.rows(keep), found.best.rows(keep)
     same = row[1:] == row[:-1]
     apart = forward * (value.value[1:] - value.value[:-1]) > 1.01 * (value.error[1:] + value.error[:-1])
     undecided[row[1:][same & ~apart]] = True
@@ -177,7 +179,9 @@ def _walk(
         points, grows = row[now], opens[now] > 0
         undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
         jumps = ~grows & ~done[points] & np.where(upper[now], rank[points] >= 1, rank[points] <= 1)
-        result[points[jumps]], theta[points[jumps]] = best[now[jumps]], at[now[jumps]]
+        result[points[jumps]], theta[points[jumps]] = best.value[now[jumps]], at[now[jumps]]
+        coarse = best.error[now] > _LARGEST_ERROR * np.maximum(np.abs(best.value[now]), 1.0)
+        undecided[points[jumps & coarse]] = True
         done[points[jumps]] = True
         rank[points] = np.where(grows & ~upper[now], 2, 0)
         count[points] = np.where(grows, 3, 1)

@@ -43,7 +43,8 @@ def chunks(n: int, replicates: int, seeds: Sequence[int]) -> list[Chunk]:
 
 def sums(function: Function, variables: int, indices: bool, chunk: Chunk) -> list[float]:
     """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each variable two sums for its indices."""
-    sequence = qmc.Sobol((2 if indices else 1) * variables, rng=np.random.default_rng(chunk.seed), bits=50)
+    # SciPy goes forward in sequences of up to 32 bits only.
+    sequence = qmc.Sobol((2 if indices else 1) * variables, rng=np.random.default_rng(chunk.seed), bits=32)
     if chunk.begin:
         sequence.fast_forward(chunk.begin)
     points = sequence.random(chunk.size)

@@ -22,15 +22,15 @@ class Course:
     ----------
     begin, end : float
         Times between which it was measured.
-    first, last : ndarray, shape (4,)
-        x, y, x', y' at these.
+    first, last : ndarray, shape (2 n,)
+        The n coordinates and their rates at these; x stands for the first coordinate, x' for its rate.
     maxima_t : ndarray, shape (k,)
         Times at which x is largest: x' = 0 on the way down.
-    maxima : ndarray, shape (k, 4)
+    maxima : ndarray, shape (k, 2 n)
         States there.
-    integrals : ndarray, shape (k + 1, 3)
-        From ``begin`` to these times, and last to ``end``: of u = x − x(begin), of u², and of y.
-    minima : ndarray, shape (l, 4)
+    integrals : ndarray, shape (k + 1, n + 1)
+        From ``begin`` to these times, and last to ``end``: of u = x − x(begin), of u², and of the other coordinates.
+    minima : ndarray, shape (l, 2 n)
         States at which x is least.
     events : ndarray of int, shape (4,)
         How often each :class:`~spragsym.dynamics.problem.Event` happened.
@@ -54,7 +54,7 @@ class Course:
     def moments(self, row: int = -1) -> tuple[float, float]:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
         end = self.end if row == -1 else self.maxima_t[row]
-        shift, square, _ = (self.integrals[row] / (end - self.begin)).tolist()
+        shift, square, *_ = (self.integrals[row] / (end - self.begin)).tolist()
         return float(self.first[0]) + shift, math.sqrt(max(square - shift * shift, 0.0))
 
 
@@ -65,13 +65,14 @@ Flow: TypeAlias = Callable[[FloatArray, float], Course]
 def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
     """The course of a motion given by its samples, and the number of events of each kind."""
     t, states = samples.t, samples.states
+    n = len(states) // 2
 
     def integrands(state: FloatArray) -> FloatArray:
         shift = state[0] - states[0, 0]
-        return np.array([shift, shift**2, state[1]])
+        return np.array([shift, shift**2, *state[1:n]])
 
-    lowest = samples.passages(states[2], lambda state: state[2])
-    highest = samples.passages(-states[2], lambda state: -state[2])
+    lowest = samples.passages(states[n], lambda state: state[n])
+    highest = samples.passages(-states[n], lambda state: -state[n])
     return Course(
         float(t[0]), float(t[-1]), states[:, 0], states[:, -1], highest, samples(highest).T,
         samples.integrals_to(np.append(highest, t[-1]), integrands), samples(lowest).T, events,

@@ -36,8 +36,11 @@ MISSED = 0.25
 #: Cycles that are looked for, of one motion.
 CANDIDATES = 3
 
-#: x, y, y' where x' = 0 on the way down.
-SECTION = [0, 1, 3]
+
+def _section(states: FloatArray) -> FloatArray:
+    """States where x' = 0 without that rate: x, y, y' for two coordinates."""
+    section: FloatArray = np.delete(states, states.shape[-1] // 2, axis=-1)
+    return section
 
 
 @dataclass(frozen=True)
@@ -51,12 +54,11 @@ class _Returns:
 
     def __call__(self, state: FloatArray) -> tuple[FloatArray, float, Course]:
         """The return after about a period, when it was, and the way there."""
-        x, y, vy = state * self.scale
-        course = self.flow(np.array([x, y, 0.0, vy]), 1.1 * self.period)
+        course = self.flow(np.insert(state * self.scale, (len(state) + 1) // 2, 0.0), 1.1 * self.period)
         late = np.flatnonzero(course.maxima_t > 0.5 * self.period)
         if not len(late):
             raise ConvergenceError("the motion does not come back")
-        returns = course.maxima[late][:, SECTION] / self.scale
+        returns = _section(course.maxima[late]) / self.scale
         off = np.abs(returns - state).max(axis=1) + np.abs(course.maxima_t[late] / self.period - 1)
         best = int(np.argmin(off))
         return returns[best], float(course.maxima_t[late[best]]), course
@@ -64,7 +66,7 @@ class _Returns:
     def slope(self, state: FloatArray, image: FloatArray | None = None) -> FloatArray:
         """Derivative of the map: by central differences, or by forward ones where the image of the state is given."""
         columns = []
-        for h in self.step * np.eye(3):
+        for h in self.step * np.eye(len(state)):
             back, width = (self(state - h)[0], 2 * self.step) if image is None else (image, self.step)
             columns.append((self(state + h)[0] - back) / width)
         return np.array(columns).T
@@ -100,7 +102,7 @@ def on_cycle(course: Course, problem: Problem, flow: Flow, tol: float) -> Outcom
     if len(course.maxima) < 3:
         return None
     scale = _scale(course)
-    states = course.maxima[:, SECTION] / scale
+    states = _section(course.maxima) / scale
     for k in _candidates(states):
         period = float(course.maxima_t[-1] - course.maxima_t[-1 - k])
         step = float(np.clip((10 * problem.rtol) ** 0.4, 1e-5, 1e-2))
@@ -123,7 +125,7 @@ def on_cycle(course: Course, problem: Problem, flow: Flow, tol: float) -> Outcom
 
 def _scale(course: Course) -> FloatArray:
     """Extents of x, y and y' over all its turning points, those across the belt at least 1 % of that along it."""
-    turns = np.vstack([course.maxima, course.minima])[:, SECTION]
+    turns = _section(np.vstack([course.maxima, course.minima]))
     extent: FloatArray = np.ptp(turns, axis=0)
     scale: FloatArray = np.maximum(extent, 1e-2 * extent[0] + 1e-300)
     return scale
@@ -150,7 +152,7 @@ def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle |
     """The fixed point near ``start``, whose image is known, by Broyden's method; None where there is none near."""
     state, slope = start, returns.slope(start, image)
     for _ in range(12):
-        step = np.linalg.solve(np.eye(3) - slope, image - state)
+        step = np.linalg.solve(np.eye(len(state)) - slope, image - state)
         if not np.abs(state + step - start).max() < 4 * CLOSE:
             return None
         state, before = state + step, image
@@ -160,7 +162,7 @@ def _newton(returns: _Returns, start: FloatArray, image: FloatArray) -> _Cycle |
         if missed <= 10 * returns.step**2:
             slope = returns.settled_slope(state)
             # What is missed counts many times over where a multiplier is near 1: once more, with the best slope.
-            state = state + np.linalg.solve(np.eye(3) - slope, image - state)
+            state = state + np.linalg.solve(np.eye(len(state)) - slope, image - state)
             _, period, course = returns(state)
             return _Cycle(state, period, slope, course)
         if size > returns.step**2:
@@ -172,7 +174,7 @@ def _once_round(cycle: _Cycle, k: int, flow: Flow, scale: FloatArray, step: floa
     """The same orbit over its least period, with the number of its largest x."""
     course = cycle.course
     within = (course.maxima_t > 1e-3 * cycle.period) & (course.maxima_t < (1 - 1e-3) * cycle.period)
-    states = course.maxima[within][:, SECTION] / scale
+    states = _section(course.maxima[within]) / scale
     for row in np.flatnonzero(np.abs(states - cycle.state).max(axis=1) <= 1e-4):
         if k % (row + 1) == 0:
             period = float(course.maxima_t[within][row])
@@ -199,7 +201,7 @@ def _nears(cycle: _Cycle, off: FloatArray, returns: _Returns, tol: float) -> boo
 def _modes(slope: FloatArray) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Multipliers and their vectors; the three directions themselves where the vectors tell nothing apart."""
     values, vectors = np.linalg.eig(slope)
-    return values.astype(complex), (vectors if abs(np.linalg.det(vectors)) > 1e-9 else np.eye(3)).astype(complex)
+    return values.astype(complex), (vectors if abs(np.linalg.det(vectors)) > 1e-9 else np.eye(len(vectors))).astype(complex)
 
 
 def _contracted(modes: tuple[NDArray[np.complex128], NDArray[np.complex128]], off: FloatArray, sizes: FloatArray) -> bool:
@@ -251,11 +253,17 @@ def _described(cycle: _Cycle, scale: FloatArray, regime: Regime, rate: float, di
     round_once = course.maxima[(course.maxima_t > 1e-3 * cycle.period) & (course.maxima_t <= course.maxima_t[row])]
     # Of maxima that agree but for rounding the one highest above the belt, so that a cycle has one such state.
     top = round_once[round_once[:, 0] >= round_once[:, 0].max() - 1e-6 * scale[0]]
-    x, y, _, vy = (float(value) for value in top[np.argmax(top[:, 1])])
+    x, y, vy = _first_two(top[np.argmax(top[:, 1])])
     return Outcome(
         regime, rate=rate, distance=distance, period=cycle.period, cycle_mean=mean, cycle_rms=math.hypot(mean, spread),
         cycle_x=x, cycle_y=y, cycle_vy=vy,
     )  # fmt: skip
+
+
+def _first_two(state: FloatArray) -> tuple[float, float, float]:
+    """x, y and y' of a state; NaN for a second coordinate that is not there."""
+    n = len(state) // 2
+    return (float(state[0]), float(state[1]), float(state[n + 1])) if n > 1 else (float(state[0]), math.nan, math.nan)
 
 
 def same_orbit(one: Any, other: Any) -> bool:

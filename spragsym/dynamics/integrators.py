@@ -1,6 +1,6 @@
 """The available integrators, and the choice between them.
 
-Both are existing ones, restarted wherever the field of (8)–(11) has a kink: they integrate the analytic continuation of
+All are existing methods, restarted wherever the field of (8)–(11) has a kink: they integrate the analytic continuation of
 one mode of the field (:mod:`~spragsym.dynamics.problem`), find where the motion leaves it, and go on in the next.
 """
 
@@ -13,32 +13,50 @@ from types import ModuleType
 
 import numpy as np
 
-from ..errors import MissingExtraError, ParameterError
+from ..errors import BackendError, MissingExtraError, ParameterError
 from ..parameters import FloatArray
-from . import with_heyoka, with_scipy
+from . import with_compiled, with_heyoka, with_scipy
 from .course import Course, Flow, course_of
 from .problem import Event, Problem
 from .solution import Solution
 
-BACKENDS = ("heyoka", "scipy")
+#: In the order in which they are preferred.
+BACKENDS = ("heyoka", "compiled", "scipy")
+#: Those that take the field of any model; what is compiled on installation is the article's.
+OF_ANY_MODEL = ("heyoka", "scipy")
 
-_INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "scipy": with_scipy}
+_INTEGRATORS: dict[str, ModuleType] = {"heyoka": with_heyoka, "compiled": with_compiled, "scipy": with_scipy}
 
 
-def choose(backend: str | None) -> str:
-    """The backend that will run: heyoka where it is installed, else SciPy; a named one or an error."""
+def choose(backend: str | None, offered: tuple[str, ...] = BACKENDS) -> str:
+    """The backend that will run: the first of those offered that is there, or the one that is named, or an error."""
     if backend is None:
-        return "heyoka" if importlib.util.find_spec("heyoka") else "scipy"
-    if backend not in BACKENDS:
-        raise ParameterError(f"backend = {backend!r} is not one of {', '.join(BACKENDS)}; leave it out for the fastest")
-    if backend == "heyoka" and not importlib.util.find_spec("heyoka"):
-        raise MissingExtraError("backend='heyoka'", "heyoka", "fast")
+        return next(name for name in offered if _is_there(name))
+    if backend not in offered:
+        raise ParameterError(f"backend = {backend!r} is not one of {', '.join(offered)}; leave it out for the fastest")
+    if not _is_there(backend):
+        raise _missing(backend)
     return backend
+
+
+def _is_there(backend: str) -> bool:
+    if backend == "compiled":
+        return with_compiled.available()
+    return backend != "heyoka" or importlib.util.find_spec("heyoka") is not None
+
+
+def _missing(backend: str) -> Exception:
+    if backend == "heyoka":
+        return MissingExtraError("backend='heyoka'", "heyoka", "fast")
+    return BackendError(
+        "the backend 'compiled' was not built, for want of a C compiler or for a derivation that has changed since; "
+        "install spragsym again, with a compiler, or install a wheel"
+    )
 
 
 def version(backend: str) -> str:
     """Name and version of the integrator, which decide the last bits of a result."""
-    return f"{backend} {importlib.metadata.version(backend)}"
+    return with_compiled.version() if backend == "compiled" else f"{backend} {importlib.metadata.version(backend)}"
 
 
 def integrate(problem: Problem, backend: str) -> Solution:
@@ -48,10 +66,10 @@ def integrate(problem: Problem, backend: str) -> Solution:
 
 
 def measure(problem: Problem, backend: str) -> Course:
-    """Quantities of the motion after ``t_record``: heyoka measures them while it integrates, SciPy from the samples."""
+    """Quantities of the motion after ``t_record``: heyoka measures them while it integrates, the others from the samples."""
     if backend == "heyoka":
         return with_heyoka.watch(problem)
-    solution = with_scipy.integrate(problem)
+    solution = integrate(problem, backend)
     return course_of(solution.samples, np.bincount(solution.event_kinds, minlength=len(Event)))
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from ..generated import motion
 from ..parameters import FloatArray
 from .course import Course
-from .problem import Event, Problem
+from .problem import Constants, Event, Problem
 
 
 def lifted_for_good(course: Course, problem: Problem) -> bool:
@@ -18,7 +18,10 @@ def lifted_for_good(course: Course, problem: Problem) -> bool:
     Without contact nothing changes the energy U + kinetic. About a stable equilibrium in lift-off the region of less energy
     than any higher stationary value of U has no way out and does not reach the belt: such values are at the other equilibria in
     lift-off, along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and brings the mass back.
+    All of these are known for the article's model; of others it is not told.
     """
+    if not isinstance(problem.constants, Constants):
+        return False
     if course.last[1] <= 0 or course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any():
         return False
     from ..statics.solver import Stability, equilibria

@@ -12,17 +12,22 @@ that the integrator stops at.
 
 from __future__ import annotations
 
-import inspect
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cached_property
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..generated import motion
 from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, Range, as_number
+from . import sprag
+from .field import GAP, Border, Field, Mode
+from .sprag import WIDTH, acceleration, jacobian
+
+__all__ = ["GAP", "WIDTH", "Mode", "acceleration", "jacobian"]
 
 BELT_SPEED = Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x")
 CREEP = Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction")
@@ -33,18 +38,8 @@ RELATIVE_TOLERANCE = Range(
 #: Default number of steps after which a motion is given up.
 MAX_STEPS = 10_000_000
 
-#: How far beyond its border a mode is left, in L_0 and in units of speed.
-GAP = 1e-12
-
-#: Distance between dropping the exponential of (10) and including it again, in units of its exponent.
-WIDTH = 5.0
-
 #: x, y, x', y'.
 State: TypeAlias = tuple[float, float, float, float]
-
-#: Accelerations and their derivatives in one mode, continued beyond its borders: for scalars, without checks.
-acceleration: Any = inspect.unwrap(motion.regime_rhs)
-jacobian: Any = inspect.unwrap(motion.regime_jacobian)
 
 
 class Event(IntEnum):
@@ -70,32 +65,35 @@ class Constants(NamedTuple):
     d: float
 
 
-class Mode(NamedTuple):
-    """Where the field is analytic."""
-
-    contact: int
-    """1 in contact, 0 without."""
-    side: int
-    """1 where the belt is ahead of the mass, −1 where it is behind."""
-    near: int
-    """1 where the exponential of (10) is felt, 0 where it is left out."""
-
-
 @dataclass(frozen=True)
 class Problem:
-    """One motion: its constants and initial state, and what to keep of it."""
+    """One motion: its constants and initial state, and what to keep of it; the field is the article's unless given."""
 
-    constants: Constants
-    start: State
+    constants: Any
+    start: tuple[float, ...]
     t_end: float
     t_record: float
     rtol: float
     max_steps: int = MAX_STEPS
+    #: The field, for a given reach of the exponentials of the friction law.
+    field_of: Callable[[float], Field] = sprag.field
 
     @property
     def reach(self) -> float:
-        """d |V − x'| beyond which the exponential of (10) is below the tolerance, and left out."""
+        """Minus the exponent of an exponential of (10) beyond which it is below the tolerance, and left out."""
         return 5 - math.log(self.rtol)
+
+    @cached_property
+    def field(self) -> Field:
+        """The field of the motion."""
+        return self.field_of(self.reach)
+
+    @property
+    def belt(self) -> float:
+        """Sliding speed of a mass at rest; 1 for a model without friction."""
+        still = [0.0] * self.field.size
+        slip = next((border for border in self.field.borders if "mass_overtakes" in border.crossings), None)
+        return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
 
     @property
     def parameters(self) -> Parameters:
@@ -146,10 +144,10 @@ def as_steps(max_steps: int) -> int:
 
 def too_many_steps(problem: Problem, t: float) -> ConvergenceError:
     """The error of a motion that has used its steps."""
+    than = f" than {problem.constants.d:g}" if isinstance(problem.constants, Constants) else ""
     return ConvergenceError(
         f"max_steps = {problem.max_steps} steps were made by t = {t:.6g} of {problem.t_end:g}; give a larger max_steps, a "
-        f"smaller t_end or a larger rtol than {problem.rtol:g}, or a smaller d than {problem.constants.d:g}, which makes "
-        "creep stiff"
+        f"smaller t_end or a larger rtol than {problem.rtol:g}, or a smaller d{than}, which makes creep stiff"
     )
 
 
@@ -162,25 +160,17 @@ def out_of_range() -> ConvergenceError:
 
 
 def initial_mode(problem: Problem) -> Mode:
-    """On a border both sides are right, since the field is continuous; contact, and the belt ahead, are chosen."""
-    _, y, vx, _ = problem.start
-    V, d = problem.constants[-2:]
-    return Mode(int(y <= 0), 1 if vx <= V else -1, int(d * abs(V - vx) <= problem.reach))
+    """On a border either side is right, as the field is continuous: contact, and the belt ahead."""
+    return problem.field.initial_mode(problem.start, problem.constants)
 
 
-def mode_beyond(border: int, mode: Mode) -> tuple[Mode, Event | None]:
-    """The mode beyond one of the three borders, and the kind of event that passing it is, if it is one."""
-    if border == 0:
-        return mode._replace(contact=1 - mode.contact), Event.CONTACT_LOST if mode.contact else Event.CONTACT_REGAINED
-    if border == 1:
-        return mode._replace(side=-mode.side), Event.MASS_OVERTAKES if mode.side > 0 else Event.BELT_OVERTAKES
-    return mode._replace(near=1 - mode.near), None
+def event_at(border: Border, upward: bool) -> Event | None:
+    """What a user calls crossing a border towards positive or negative levels, if anything."""
+    name = border.crossings[0 if upward else 1]
+    return Event[name.upper()] if name else None
 
 
 def is_inside(problem: Problem, mode: Mode, state: FloatArray) -> bool:
     """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
-    y, vx = float(state[1]), float(state[2])
-    V, d = problem.constants[-2:]
-    slip = mode.side * (V - vx)
-    depth = d * slip - problem.reach - WIDTH * mode.near
-    return min((-y if mode.contact else y), slip, -depth if mode.near else depth) >= -2 * GAP
+    values = state[: problem.field.size].tolist()
+    return all(border.sign(mode) * border.level(values, problem.constants, mode) >= -2 * GAP for border in problem.field.borders)

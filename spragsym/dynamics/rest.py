@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..generated import motion
 from ..parameters import NAMES, FloatArray, Parameters
 from .course import Course
-from .problem import Event, Problem, acceleration, jacobian
+from .problem import Event, Problem
 from .regimes import SETTLED, Outcome, Regime
 
 #: Fewest maxima of x in a window from which a decay is read.
@@ -40,27 +40,42 @@ class Rest:
     vectors: NDArray[np.complex128]
 
 
-def rest_near(problem: Problem, x: float, y: float) -> Rest | None:
-    """The equilibrium in contact that Newton's method finds from x, y, at the friction μ(V); None where it finds none."""
-    constants = (*problem.constants, 1, 1)
+def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
+    """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none."""
+    field, constants, n = problem.field, problem.constants, len(place)
+    mode = field.modes[0]
+    q = place.tolist()
+    still = [0.0] * n
     for _ in range(30):
-        ax, ay = acceleration(x, y, 0.0, 0.0, *constants, xp=_FLOATS)
-        (xx, xy, xv, _), (yx, yy, _, _) = jacobian(x, y, 0.0, 0.0, *constants, xp=_FLOATS)
-        determinant = xx * yy - xy * yx
-        if determinant == 0:
+        pull = field.acceleration([*q, *still], constants, mode, _FLOATS)
+        rows = field.jacobian([*q, *still], constants, mode, _FLOATS)
+        step = _solved([row[:n] for row in rows], pull)
+        if step is None:
             return None
-        dx, dy = (xy * ay - yy * ax) / determinant, (yx * ax - xx * ay) / determinant
-        x, y = x + dx, y + dy
-        if not abs(x) + abs(y) < FAR:
+        q = [value + change for value, change in zip(q, step, strict=True)]
+        if not sum(map(abs, q)) < FAR:
             return None
-        if abs(dx) + abs(dy) <= 1e-12:
+        if sum(map(abs, step)) <= 1e-12:
             break
     else:
         return None
-    if y > 0:
+    if any(border.sign(mode) * border.level([*q, *still], constants, mode) < 0 for border in field.borders if border.kink):
         return None
-    linear = np.array([[0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0], [xx, xy, xv, 0.0], [yx, yy, 0.0, 0.0]])
-    return Rest(np.array([x, y, 0.0, 0.0]), *np.linalg.eig(linear))
+    linear = np.block([[np.zeros((n, n)), np.eye(n)], [np.array(rows)]])
+    return Rest(np.array([*q, *still]), *np.linalg.eig(linear))
+
+
+def _solved(matrix: list[Any], pull: Any) -> list[float] | None:
+    """Newton's step −J⁻¹ pull; None where J is singular."""
+    if len(pull) == 2:
+        (ax, ay), ((xx, xy), (yx, yy)) = pull, matrix
+        determinant = xx * yy - xy * yx
+        return None if determinant == 0 else [(xy * ay - yy * ax) / determinant, (yx * ax - xx * ay) / determinant]
+    try:
+        solved: list[float] = np.linalg.solve(np.array(matrix), -np.array(pull)).tolist()
+    except np.linalg.LinAlgError:
+        return None
+    return solved
 
 
 def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
@@ -85,15 +100,16 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
     still = abs(course.last[0] - course.first[0]) <= 4 * tol and np.ptp(course.x_extrema) <= 4 * tol
     # On a belt that stands still the law of friction is smooth where x' changes its sign.
-    kinks = course.events if problem.constants.V > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
+    kinks = course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
     decaying = len(course.maxima) >= FEW and not kinks.any()
     if not (still or decaying):
         return None
-    begun = course.moments()[0], float(course.integrals[-1, 2]) / (course.end - course.begin)
-    rest = rest_near(problem, *(course.last[:2].tolist() if still else begun))
+    n = len(course.last) // 2
+    means = np.array([course.moments()[0], *(course.integrals[-1, 2:] / (course.end - course.begin))])
+    rest = rest_near(problem, course.last[:n] if still else means)
     if rest is None:
         return None
-    x, y = rest.state[:2].tolist()
+    x, y = (*rest.state[:n].tolist(), math.nan)[:2]
     growth = float(rest.values.real.max())
     late = course.maxima[course.maxima_t >= (course.begin + course.end) / 2]
     distance = float(np.abs(np.vstack([late, course.last]) - rest.state).max())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from functools import partial
 from types import SimpleNamespace
 from typing import Any, TypeAlias
 
@@ -11,8 +12,9 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .course import Course
+from .field import GAP, Border, Field
 from .lobatto import unit_points
-from .problem import GAP, WIDTH, Event, Mode, Problem, acceleration, initial_mode, is_inside, out_of_range, too_many_steps
+from .problem import Event, Problem, event_at, initial_mode, is_inside, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
@@ -29,33 +31,33 @@ class Compiled:
     that they stay below the states: heyoka's error is relative to the largest of all.
     """
 
-    def __init__(self, rtol: float, watch: bool) -> None:
+    def __init__(self, field: Field, constants: int, rtol: float, watch: bool) -> None:
         import heyoka as hy
 
-        x, y, vx, vy = hy.make_vars("x", "y", "vx", "vy")
-        constants = [hy.par[i] for i in range(9)]
-        V, d = constants[7:]
-        nbar, side, near, reach = (hy.par[i] for i in range(9, 13))
-        xp = SimpleNamespace(sqrt=hy.sqrt, exp=lambda z: near * hy.exp(z))
-        ax, ay = acceleration(x, y, vx, vy, *constants, nbar, side, xp=xp)
-        borders = {
-            self._contact: y + GAP * (1 - 2 * nbar),
-            # heyoka's error is relative to the largest of the states and these functions, which are scaled down to be smaller.
-            self._slip: 1e-3 * (V - vx + GAP * side),
-            self._layer: 1e-3 * ((d * side * (V - vx) - WIDTH * near) / reach - 1),
-        }
+        self.field, self.n, n = field, len(field.coordinates), len(field.coordinates)
+        self.modes = slice(constants, constants + len(field.modes[0]))
+        names = field.coordinates
+        state = hy.make_vars(*names, *(f"v{name}" for name in names))
+        known = [hy.par[i] for i in range(constants)]
+        mode = [hy.par[i] for i in range(self.modes.start, self.modes.stop)]
+        accelerations = field.acceleration(state, known, mode, SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
         self.log: list[Crossing] = []
         self.stray: float | None = None
         self.turns: list[tuple[float, ...]] = []
-        system, turns = [(x, vx), (y, vy), (vx, ax), (vy, ay)], []
+        system, turns = list(zip(state, [*state[n:], *accelerations], strict=True)), []
         if watch:
-            shift, scale = x - hy.par[13], hy.par[14]
-            system += zip(hy.make_vars("s", "ss", "sy"), (scale * shift, scale * shift * shift, scale * y), strict=True)
-            turns = [hy.nt_event(1e-3 * vx, self._turn)]
-        # The gap prevents one crossing from being found twice, so that no cooldown is needed.
+            shift, scale = state[0] - hy.par[self.modes.stop], hy.par[self.modes.stop + 1]
+            sums = hy.make_vars("s", "ss", *(f"s{name}" for name in names[1:]))
+            sums = sums if isinstance(sums, list | tuple) else [sums]
+            system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
+            turns = [hy.nt_event(1e-3 * state[n], self._turn)]
+        # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            system, [0.0] * len(system), pars=[0.0] * (15 if watch else 13), tol=rtol, nt_events=turns,
-            t_events=[hy.t_event(border, callback=call, cooldown=0.0) for call, border in borders.items()],
+            system, [0.0] * len(system), pars=[0.0] * (self.modes.stop + 2 * watch), tol=rtol, nt_events=turns,
+            t_events=[
+                hy.t_event(_watched(border, state, known, mode), callback=partial(self._cross, border), cooldown=0.0)
+                for border in field.borders
+            ],
         )  # fmt: skip
 
     def __deepcopy__(self, _: object) -> Compiled:
@@ -66,40 +68,29 @@ class Compiled:
         solver.update_d_output(t)
         self.turns.append((direction, t, *solver.d_output))
 
-    def _contact(self, solver: Any, direction: int) -> bool:
-        if direction > 0:
-            return self._switch(solver, 9, 1, 0, Event.CONTACT_LOST)
-        return self._switch(solver, 9, 0, 1, Event.CONTACT_REGAINED)
-
-    def _slip(self, solver: Any, direction: int) -> bool:
-        if direction > 0:
-            return self._switch(solver, 10, -1, 1, Event.BELT_OVERTAKES)
-        return self._switch(solver, 10, 1, -1, Event.MASS_OVERTAKES)
-
-    def _layer(self, solver: Any, direction: int) -> bool:
-        return self._switch(solver, 11, int(direction > 0), int(direction < 0), None)
-
-    def _switch(self, solver: Any, par: int, before: int, after: int, kind: Event | None) -> bool:
-        """Change to the next mode; stop if the motion is not on the side it should come from: a crossing was missed."""
-        if solver.pars[par] != before:
+    def _cross(self, border: Border, solver: Any, direction: int) -> bool:
+        """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
+        mode = tuple(int(value) for value in solver.pars[self.modes])
+        if border.sign(mode) != -direction:
             self.stray = solver.time
             return False
-        solver.pars[par] = after
+        solver.pars[self.modes] = border.beyond(mode)
+        kind = event_at(border, upward=direction > 0)
         if kind is not None:
-            self.log.append(Crossing(solver.time, tuple(solver.state[:4]), kind))
+            self.log.append(Crossing(solver.time, tuple(solver.state[: 2 * self.n]), kind))
         return True
 
     def begin(self, problem: Problem) -> None:
-        """Go to the start of a motion."""
-        self.place(0.0, problem.start, (*problem.constants, *initial_mode(problem), problem.reach))
+        """Stand at the start of a motion."""
+        self.place(0.0, problem.start, (*problem.constants, *initial_mode(problem)))
 
     def place(self, t: float, state: Any, pars: Any) -> None:
         """Start from any time and state, with no events recorded."""
         solver = self.solver
         self.log, self.turns, self.stray = [], [], None
         solver.time = t
-        solver.state[:] = (*state, *[0.0] * (len(solver.state) - 4))
-        solver.pars[:13] = pars
+        solver.state[:] = (*state, *[0.0] * (len(solver.state) - 2 * self.n))
+        solver.pars[: self.modes.stop] = pars
         solver.reset_cooldowns()
 
     def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
@@ -122,9 +113,16 @@ class Compiled:
             raise out_of_range()
         if outcome != hy.taylor_outcome.time_limit:
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
-        if not is_inside(problem, Mode(*(int(value) for value in solver.pars[9:12])), solver.state):
+        if not is_inside(problem, tuple(int(value) for value in solver.pars[self.modes]), solver.state):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
+
+
+def _watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:
+    """What is zero where a mode is left, small beside the state: heyoka's error is relative to the largest of all."""
+    if border.watched is not None:
+        return border.watched(state, constants, mode)
+    return 1e-3 * (border.level(state, constants, mode) + (GAP * border.sign(mode) if border.kink else 0.0))
 
 
 def _sampled(output: Any) -> Samples:
@@ -141,17 +139,18 @@ def _sampled(output: Any) -> Samples:
 _CACHE = threading.local()
 
 
-def compiled_for(rtol: float, watch: bool) -> Compiled:
-    """Compiled once per tolerance and thread."""
-    known: dict[tuple[float, bool], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
-    if (rtol, watch) not in known:
-        known[rtol, watch] = Compiled(rtol, watch)
-    return known[rtol, watch]
+def compiled_for(problem: Problem, watch: bool) -> Compiled:
+    """Compiled once per model, tolerance and thread."""
+    known: dict[tuple[str, float, bool], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
+    key = problem.field.name, problem.rtol, watch
+    if key not in known:
+        known[key] = Compiled(problem.field, len(problem.constants), problem.rtol, watch)
+    return known[key]
 
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    compiled = compiled_for(problem.rtol, watch=False)
+    compiled = compiled_for(problem, watch=False)
     compiled.begin(problem)
     steps = compiled.go(problem, problem.t_record)[0] if problem.t_record > 0 else 0
     _, pieces = compiled.go(problem, problem.t_end, steps, record=True)
@@ -161,24 +160,24 @@ def integrate(problem: Problem) -> Solution:
 
 def watch(problem: Problem) -> Course:
     """What follows ``t_record``, measured by heyoka on the way: no continuous output, which costs a compilation a motion."""
-    watching, steps = compiled_for(problem.rtol, watch=True), 0
+    watching, steps = compiled_for(problem, watch=True), 0
     if problem.t_record > 0:
-        plain = compiled_for(problem.rtol, watch=False)
+        plain = compiled_for(problem, watch=False)
         plain.begin(problem)
         steps, _ = plain.go(problem, problem.t_record)
         watching.place(problem.t_record, plain.solver.state, plain.solver.pars)
     else:
         watching.begin(problem)
-    solver = watching.solver
-    first = solver.state[:4].copy()
+    solver, size = watching.solver, problem.field.size
+    first = solver.state[:size].copy()
     scale = 1e-3 / (problem.t_end - problem.t_record)
-    solver.pars[13:] = first[0], scale
+    solver.pars[watching.modes.stop :] = first[0], scale
     watching.go(problem, problem.t_end, steps)
-    turns = np.array(watching.turns).reshape(-1, 9)
+    turns = np.array(watching.turns).reshape(-1, 2 + len(solver.state))
     maxima, minima = turns[turns[:, 0] < 0], turns[turns[:, 0] > 0]
     last = solver.state.copy()
     events = np.bincount([crossing.kind for crossing in watching.log], minlength=len(Event))
     return Course(
-        problem.t_record, problem.t_end, first, last[:4], maxima[:, 1], maxima[:, 2:6],
-        np.vstack([maxima[:, 6:], last[4:]]) / scale, minima[:, 2:6], events,
+        problem.t_record, problem.t_end, first, last[:size], maxima[:, 1], maxima[:, 2 : 2 + size],
+        np.vstack([maxima[:, 2 + size :], last[size:]]) / scale, minima[:, 2 : 2 + size], events,
     )  # fmt: skip

@@ -12,14 +12,14 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
+from .field import GAP, Mode
 from .lobatto import unit_points
-from .problem import GAP, WIDTH, Mode, Problem, State, acceleration, initial_mode, mode_beyond, too_many_steps
+from .problem import Problem, event_at, initial_mode, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
 _FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
-_FLOATS_FAR = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: 0.0)
 _ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
 
 #: Each step is searched for crossings on this many intervals, and between them at extrema.
@@ -67,32 +67,43 @@ def integrate(problem: Problem) -> Solution:
             break
         end, row = crossing
         first_step, state, clock = solver.step_size, dense(end), clock + end
-        mode, kind = mode_beyond(row, mode)
+        border = problem.field.borders[row]
+        mode, kind = border.beyond(mode), event_at(border, upward=border.sign(mode) < 0)
         if kind is not None:
             crossings.append(Crossing(clock, tuple(state.tolist()), kind))
     return assembled(np.array(times), np.array(states), crossings, problem.t_record)
 
 
-def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], State]:
-    constants, xp = (*problem.constants, mode.contact, mode.side), _FLOATS if mode.near else _FLOATS_FAR
+def first_step(problem: Problem, mode: Mode) -> float:
+    """The length of the first step, as SciPy chooses it."""
+    from scipy.integrate import DOP853
 
-    def field(_: float, state: FloatArray) -> State:
-        x, y, vx, vy = state.tolist()
-        return (vx, vy, *acceleration(x, y, vx, vy, *constants, xp=xp))
+    solver = DOP853(
+        _field(problem, mode), 0.0, np.array(problem.start), problem.t_end, rtol=problem.rtol, atol=problem.rtol * 1e-3
+    )
+    return float(solver.h_abs)
+
+
+def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], tuple[float, ...]]:
+    n, constants, acceleration = len(problem.field.coordinates), problem.constants, problem.field.acceleration
+
+    def field(_: float, state: FloatArray) -> tuple[float, ...]:
+        values = state.tolist()
+        return (*values[n:], *acceleration(values, constants, mode, _FLOATS))
 
     return field
 
 
 def _clearances(problem: Problem, mode: Mode, states: FloatArray) -> FloatArray:
-    """Distance from the three borders of a mode, negative beyond them, and its rate: shape (3, 2, …)."""
-    contact, side, near = mode
-    V, d = problem.constants[-2:]
-    _, y, vx, vy = states
-    x_accel, _ = acceleration(*states, *problem.constants, contact, side, xp=_ARRAYS)
-    inward, farther = -1 if contact else 1, -1 if near else 1
-    slip, rate = side * (V - vx), -side * x_accel
-    depth = d * slip - problem.reach - WIDTH * near
-    return np.array([[inward * y + GAP, inward * vy], [slip + GAP, rate], [farther * depth, farther * d * rate]])
+    """Distance from the borders of a mode, negative beyond them, and its rate: shape (borders, 2, …)."""
+    constants, field = problem.constants, problem.field
+    accelerations = field.acceleration(states, constants, mode, _ARRAYS)
+    rows = []
+    for border in field.borders:
+        sign = border.sign(mode)
+        level, rate = border.level(states, constants, mode), border.rate(states, accelerations, constants, mode)
+        rows.append(np.broadcast_arrays(sign * level + GAP * border.kink, sign * rate))
+    return np.array(rows)
 
 
 def first_crossing(

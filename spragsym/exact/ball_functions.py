@@ -1,13 +1,11 @@
-"""The namespace ``xp`` of generated functions for :class:`spragsym.exact.intervals.Ball`, and balls as float64 intervals."""
+"""The namespace ``xp`` of generated functions for :class:`spragsym.exact.intervals.Ball` and jets of balls."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
-from .interval_arrays import FloatArray
 from .intervals import GUARD_BITS, Ball, Balls
+from .jets import Jet
 from .polynomials import Undecided
 
 _BALLS = Balls()
@@ -43,17 +41,17 @@ class Functions:
     @staticmethod
     def sqrt(value: Any) -> Any:
         """Square root."""
-        return _BALLS.sqrt(value)
+        return value.sqrt(_BALLS.sqrt(value.value)) if isinstance(value, Jet) else _BALLS.sqrt(value)
 
     @staticmethod
     def exp(value: Any) -> Any:
         """Exponential."""
-        return exp(value)
+        return value.exp(exp(value.value)) if isinstance(value, Jet) else exp(value)
 
     @staticmethod
     def sign(value: Any) -> int:
         """−1 or 1; :class:`Undecided` where the ball holds 0."""
-        found = _BALLS.sign(value)
+        found = _BALLS.sign(value.value if isinstance(value, Jet) else value)
         if not found:
             raise Undecided("the sign of a ball that holds 0")
         return found
@@ -66,13 +64,3 @@ class Functions:
 
 #: The one that is needed.
 XP = Functions()
-
-
-def as_ends(value: Any) -> FloatArray:
-    """−low and high of a ball or an integer, as floats that lie outside of it or on its ends."""
-    if isinstance(value, int):
-        return np.array([-float(value), float(value)])
-    low, high = _BALLS.ends(value)
-    ends = np.array([-float(low), float(high)])
-    out: FloatArray = np.nextafter(ends, np.inf)
-    return out

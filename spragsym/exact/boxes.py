@@ -28,7 +28,7 @@ BUDGET = 20000
 NODE_BUDGET = 400
 #: A box is halved unless it has become narrower than this part of itself by contraction.
 ENOUGH = 0.6
-#: Relative width of boxes that are not halved any more.
+#: Relative width of boxes that are not halved any more, if no other is given.
 NARROW = 2.0**-44
 #: Relative width of boxes that are given up where rounding moves the root by as much as :data:`SPREAD`.
 SMALL = 2.0**-12
@@ -97,14 +97,6 @@ class Pairs:
 
 
 @dataclass(frozen=True)
-class Start:
-    """Boxes, shape (2, n, N), and the point of each, shape (N,)."""
-
-    ends: FloatArray
-    point: NDArray[np.int64]
-
-
-@dataclass(frozen=True)
 class Outcome:
     """What a search ends with: boxes with exactly one root for every point of their node, and boxes that nothing is known of.
 
@@ -133,7 +125,7 @@ def search(
     *,
     limits: FloatArray | None = None,
     budget: int = BUDGET,
-    start: Start | None = None,
+    narrow: float = NARROW,
 ) -> Outcome:
     """All roots for all points.
 
@@ -148,8 +140,8 @@ def search(
         Shape (2, n): beyond them F is not asked for; no limits if it is not given.
     budget : int
         Boxes of one point that may be looked at before what is left of it counts as undecided.
-    start : Start, optional
-        Boxes to begin with in place of the region.
+    narrow : float
+        Relative width of boxes that are not halved any more.
 
     Returns
     -------
@@ -157,10 +149,9 @@ def search(
     """
     points, n = tree(low, high), region.shape[1]
     first = Pairs(region.max(axis=2, keepdims=True), np.zeros(1, dtype=np.int64))
-    if start is not None:
-        first = Pairs(start.ends, points.leaves()[start.point])
     with np.errstate(all="ignore"):
-        search_state = _Search(system, points, np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None], budget)
+        beyond = np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None]
+        search_state = _Search(system, points, beyond, budget, narrow)
         search_state.run(first)
     unique, where, undecided = (joined(part, n) for part in (search_state.unique, search_state.where, search_state.undecided))
     return Outcome(unique, where, undecided, points, search_state.looks)
@@ -169,8 +160,8 @@ def search(
 class _Search:
     """A stack of pairs, and what has been found."""
 
-    def __init__(self, system: System, points: Tree, limits: FloatArray, budget: int) -> None:
-        self.system, self.points, self.limits, self.budget = system, points, limits, budget
+    def __init__(self, system: System, points: Tree, limits: FloatArray, budget: int, narrow: float) -> None:
+        self.system, self.points, self.limits, self.budget, self.narrow = system, points, limits, budget, narrow
         self.parameters = system.prepared(points.bounds)
         self.unique: list[Pairs] = []
         self.where: list[Pairs] = []
@@ -236,7 +227,7 @@ class _Search:
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
         scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
         stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
-        stuck |= np.logical_and.reduce(widths <= NARROW * scale)
+        stuck |= np.logical_and.reduce(widths <= self.narrow * scale)
         self.undecided.append(now[single & (spent | stuck)])
         split_node = ~single & (spent | ~np.logical_and.reduce(noise < SPREAD * widths))
         again = ~split_node & ~(single & (spent | stuck))

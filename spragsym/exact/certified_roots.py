@@ -72,7 +72,7 @@ def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray,
         ends, gone = _refined(system, ends, Intervals(np.stack([-low, high])), point)
         if gone.any():  # can't happen: each holds a root
             raise ArithmeticError("a box with a root has none")
-        keep, unclear = _once(ends, alone, point)
+        keep, unclear = once(ends, alone, point)
         around = np.broadcast_to(region, (*region.shape[:2], low.shape[1]))
         keep = keep[~contractors.apart(ends[:, :, keep], around[:, :, point[keep]])]
         border = ~contractors.within(ends[:, :, keep], around[:, :, point[keep]])
@@ -81,18 +81,6 @@ def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray,
     left = np.concatenate([outcome.undecided.ends[:, :, place], ends[:, :, unclear]], axis=2).reshape(2, n, -1)
     left_point = np.concatenate([left_point, point[unclear]])
     return Roots(ends[:, :, keep], alone[:, :, keep], point[keep], left, left_point)
-
-
-def replaced(found: Roots, points: NDArray[np.int64], by: Roots) -> Roots:
-    """Roots in which those of some points are others, numbered by their place among these points."""
-    mine, left = ~np.isin(found.point, points), ~np.isin(found.left_point, points)
-    ends = np.concatenate([found.ends[:, :, mine], by.ends], axis=2)
-    alone = np.concatenate([found.alone[:, :, mine], by.alone], axis=2)
-    boxes_left = np.concatenate([found.left[:, :, left], by.left], axis=2)
-    return Roots(
-        ends, alone, np.concatenate([found.point[mine], points[by.point]]),
-        boxes_left, np.concatenate([found.left_point[left], points[by.left_point]]),
-    )  # fmt: skip
 
 
 def _refined(
@@ -118,7 +106,7 @@ def _refined(
     return ends, empty
 
 
-def _once(ends: FloatArray, alone: FloatArray, point: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+def once(ends: FloatArray, alone: FloatArray, point: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     """Rows of different roots, and rows that may be a root already found or another; sorted by point and lower end.
 
     Two boxes of a point hold the same root if one lies where the other's is alone, and different ones if they do not meet.

@@ -135,14 +135,14 @@ class Jet:
         inverse = 1 / self.value
         return self.composed([inverse ** (k + 1) * (-1) ** k for k in range(self.order + 1)])
 
-    def sqrt(self) -> Jet:
-        """Square root."""
-        root = self.value.sqrt()
+    def sqrt(self, root: Any = None) -> Jet:
+        """Square root; ``root`` is that of the value, for numbers that have no method for it."""
+        root = self.value.sqrt() if root is None else root
         return self.composed([root, *(factor / root**power for factor, power in _ROOTS[: self.order])])
 
-    def exp(self) -> Jet:
-        """Exponential."""
-        value = self.value.exp()
+    def exp(self, value: Any = None) -> Jet:
+        """Exponential; ``value`` is that of the value, for numbers that have no method for it."""
+        value = self.value.exp() if value is None else value
         return self.composed([value / factorial(k) if k > 1 else value for k in range(self.order + 1)])
 
     def sign(self) -> Jet:

@@ -31,13 +31,6 @@ class Tree:
     order: NDArray[np.int64]
     depth: int
 
-    def leaves(self) -> NDArray[np.int64]:
-        """The leaf of each point."""
-        out = np.empty(int(self.size[0]), dtype=np.int64)
-        there = np.flatnonzero(self.order >= 0)
-        out[self.order[there]] = there + (1 << self.depth) - 1
-        return out
-
     def points(self, node: int) -> NDArray[np.int64]:
         """Numbers of the points of a node."""
         level = (node + 1).bit_length() - 1

@@ -72,6 +72,14 @@ class Rounded:
             result = result * self
         return result
 
+    def sqrt(self) -> Rounded:
+        """Square roots; an infinite error where negative numbers may be among them."""
+        least = self.value - self.error
+        value = np.sqrt(np.maximum(self.value, 0.0))
+        # |√a − √m| ≤ |a − m|/√m
+        error = (self.error / value + UNIT * value) * _SLACK**2 + _TINY
+        return Rounded(value, np.where(least > 0, error, np.inf))
+
     def rows(self, index: Any) -> Rounded:
         """Some of the numbers; of a single number, that."""
         if np.ndim(self.value) == 0:

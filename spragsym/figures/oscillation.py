@@ -37,6 +37,12 @@ SEEDS: dict[str, tuple[float, tuple[float, float, float, float]]] = {
     "26": (90.0, (2.32939917, 1.34003954, 0.0, 0.25152749)),
 }
 
+#: |x| of one equilibrium changes by less than this from one inclination to the next.
+LEAP = 0.1
+
+#: Those whose doubled cycles are followed as well.
+DOUBLED = ("34",)
+
 _COLOURS = {"34": BLUE, "165": VERMILION, "130": GREEN, "75": PURPLE, "26": ORANGE}
 
 
@@ -49,14 +55,14 @@ def branches_of(seeds: tuple[str, ...], to_deg: tuple[float, float], points: int
         first = cycle(Parameters.article(theta0=np.radians(angle)), V=V, d=D, near=state, patient=False)
         branch = cycle_branch(first, "theta0", (low, high), points=points)
         found[name] = [branch]
-        for event in branch.of("period_doubling"):
+        for event in branch.of("period_doubling") if name in DOUBLED else ():
             found[name].append(cycle_branch(branch.switch(event), "theta0", (low, high), points=points))
     return found
 
 
 @styled
 def figure_cycles(
-    *, seeds: tuple[str, ...] = tuple(SEEDS), to_deg: tuple[float, float] = (1.0, 179.0), points: int = 150
+    *, seeds: tuple[str, ...] = tuple(SEEDS), to_deg: tuple[float, float] = (1.0, 179.0), points: int = 100
 ) -> Sheet:  # fmt: skip
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
     figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
@@ -80,14 +86,17 @@ def figure_cycles(
     for place, colour, style in ((rest, BLACK, "--"), (fold, GREY, ":"), (sliding, GREY, "-")):
         if to_deg[0] < place < to_deg[1]:
             ax.axvline(place, color=colour, linewidth=0.8, linestyle=style, zorder=0.5)
-    angle_axis(ax, *to_deg, step=30.0 if to_deg[1] - to_deg[0] > 60 else 1.0)
+    if to_deg[1] - to_deg[0] > 120:
+        angle_axis(ax)
+    else:
+        angle_axis(ax, *to_deg, step=1.0)
     ax.set(ylabel=r"RMS of $x$", ylim=(0, None))
     tables["a_lines"] = {"what": ["fate of rest", "fold at mu0", "fold at mu(V)"], "theta0_deg": [rest, fold, sliding]}
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V = {V}, steepness
         d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|; colours: cycles, root mean square of x about
-        zero over one period; full where stable, dashed where not; thin: cycles that period doublings begin. Circles: period
-        doublings; squares: folds of cycles. Dashed vertical line: where the motion from rest changes its fate, {rest:.4f}°;
+        zero over one period; full where stable, equilibria by (27), dashed where not; thin: cycles that period doublings begin. Circles: period
+        doublings; squares: folds of cycles; triangles: tori. Dashed vertical line: where the motion from rest changes its fate, {rest:.4f}°;
         dotted: the fold of the statics at μ₀, {fold:.4f}°; full: at μ(V), {sliding:.4f}°. Cycles were looked for from 16
         random starts at each of 22 inclinations, and from doublings; they are not proved to be all.""",
         **tables,
@@ -103,6 +112,8 @@ def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
     for kind, style in ((Stability.STABLE, "-"), (Stability.DIVERGENT, (0, (3.5, 1.6)))):
         for slot in range(size.shape[-1]):
             shown = np.where(found.stability[:, slot] == kind, size[:, slot], np.nan)
+            # Beyond a fold the slots are others' states: no line from one to the next.
+            shown[1:][np.abs(np.diff(size[:, slot])) > LEAP] = np.nan
             ax.plot(angles, shown, color=BLACK, linestyle=style, linewidth=1.0)
     return {"theta0_deg": np.repeat(angles, size.shape[-1]), "abs_x": size.ravel(), "stability": found.stability.ravel()}
 
@@ -144,7 +155,7 @@ def branch_figure(branch: CycleBranch) -> Sheet:
 
 @styled
 def figure_cycles_plane(
-    *, points: int = 30, frictions: tuple[float, ...] = (0.45, 0.5, 0.55, 0.6),
+    *, points: int = 20, frictions: tuple[float, ...] = (0.45, 0.5, 0.55, 0.6),
     curves: tuple[str, ...] = ("fold", "period_doubling"),
 ) -> Sheet:  # fmt: skip
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""
@@ -159,7 +170,7 @@ def figure_cycles_plane(
             angles, friction = np.degrees(found.values[:, 0]), found.values[:, 1]
             ax.plot(angles, friction, color=colour)
             middle = len(angles) // 2
-            write_along(ax, label, float(angles[middle]) + 2, float(friction[middle]), color=colour)
+            write_along(ax, label, float(angles[middle]) + 4, float(friction[middle]) - 0.03, color=colour)
             tables[f"a_{kind}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
     still = bifurcation_set(Parameters.article())
     tables["a_statics"] = _draw_statics(ax, still)
@@ -174,7 +185,7 @@ def figure_cycles_plane(
     ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(
         f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
-        equilibria, at μ₀. Blue: the period doubling of the cycle of period 34; red: its fold, where it ends. Dots: where the
+        equilibria, at μ₀. Blue: the period doubling of the cycle of period 34; orange: its fold, where it ends. Dots: where the
         motion from rest at x = y = 0 changes its fate. Other cycles have curves of their own.""",
         **tables,
     )

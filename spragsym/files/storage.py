@@ -84,9 +84,9 @@ def xarray() -> Any:
     return xarray
 
 
-def attributes(name: str) -> dict[str, str]:
+def attributes(name: str, explained: Mapping[str, tuple[str, str]] = QUANTITIES) -> dict[str, str]:
     """Unit and meaning of a quantity."""
-    unit, meaning = QUANTITIES[name]
+    unit, meaning = explained[name]
     return {"units": unit, "long_name": meaning}
 
 
@@ -146,19 +146,28 @@ def _megabytes(size: int) -> str:
 # ----------------------------------------------------------------------------------------------------- to write
 
 
-def write(path: Path, dataset: Callable[[], Any], columns: Callable[[], Mapping[str, Any]], attrs: Mapping[str, Any]) -> None:
-    """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes."""
+def write(
+    path: Path,
+    dataset: Callable[[], Any],
+    columns: Callable[[], Mapping[str, Any]],
+    attrs: Mapping[str, Any],
+    explained: Mapping[str, tuple[str, str]] = QUANTITIES,
+) -> None:
+    """Write netCDF or CSV, by the ending, whole or not at all. Equal data give equal bytes.
+
+    ``explained`` has unit and meaning of every column.
+    """
     path = resolved(path)
     check_target(path, 0)
     # In memory first: HDF5 ends the process when a disk fills while it writes.
-    _replace(path, _netcdf(dataset()) if path.suffix == ".nc" else _csv(columns(), attrs))
+    _replace(path, _netcdf(dataset()) if path.suffix == ".nc" else _csv(columns(), attrs, explained))
 
 
 def _netcdf(dataset: Any) -> bytes:
     return _sealed(bytes(dataset.to_netcdf(engine="h5netcdf")) + b"\n")
 
 
-def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any]) -> bytes:
+def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any], explained: Mapping[str, tuple[str, str]]) -> bytes:
     """Names of the columns, then attributes and units in comment lines, then the numbers to the last digit.
 
     The names come first because NumPy takes them from the first line, comment or not.
@@ -167,7 +176,7 @@ def _csv(columns: Mapping[str, Any], attrs: Mapping[str, Any]) -> bytes:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(columns)
     text.writelines(f"# {name}: {value}\n" for name, value in attrs.items())
-    text.writelines(f"# {name} [{QUANTITIES[name][0]}]: {QUANTITIES[name][1]}\n" for name in columns)
+    text.writelines(f"# {name} [{explained[name][0]}]: {explained[name][1]}\n" for name in columns)
     writer.writerows(zip(*(np.ravel(values).tolist() for values in columns.values()), strict=True))
     return _sealed(text.getvalue().encode())
 

@@ -46,6 +46,10 @@ class State:
         """K."""
         return [list(row) for row in self.balance.call("forces_jacobian", self.q, self.directions, self.values)]
 
+    def gap(self) -> Any:
+        """The gap of the contact."""
+        return self.balance.gap(self.q, self.values)
+
     def mass(self) -> list[list[Any]]:
         """M."""
         return [list(row) for row in self.balance.mass(self.q, self.values)]

@@ -52,6 +52,7 @@ class Balance:
         self.opens = bool(gap and about["contact"]["unilateral"])
         if self.opens and gap in self.coordinates:
             self.border[self.pushing, self.coordinates.index(gap)] = 0.0
+        self._lengths: bool | None = None
         #: Beyond them the forces are not asked for.
         self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
 
@@ -177,12 +178,31 @@ class Balance:
         """Forces at points of the boxes, slopes over the boxes, the points and distances from them, with fixed directions."""
         shape = unknowns.shape[1:]
         at_middle = self.call("forces", list(Intervals.point(middle)), directions, values)
-        # With directions fixed: what they change by goes with one over the length, and of these lengths that is 0 to rounding.
+        reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([middle, -middle])))
+        return stacked(at_middle, shape), self._slopes(unknowns, values, directions), middle, reach
+
+    def _slopes(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> Intervals:
+        """Slopes of the forces with directions and lengths fixed."""
+        shape = unknowns.shape[1:]
+        if self._lengths_matter(unknowns, values, directions):
+            rows = self.call("forces", jets.variables(list(unknowns), 1), directions, values)
+            return matrix([jets.gradient(row, self.n) for row in rows], shape)
+        # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
+        # for a derivative that its stiffness has in a sharper form.
         endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
         far = [endless if i % 3 == 2 else part for i, part in enumerate(directions)]
-        slopes = matrix(self.call("forces_jacobian", list(unknowns), far, values), shape)
-        reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([middle, -middle])))
-        return stacked(at_middle, shape), slopes, middle, reach
+        return matrix(self.call("forces_jacobian", list(unknowns), far, values), shape)
+
+    def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
+        """Whether a length stands in the forces, as of torsion springs: then they are unknown where it is. Asked once."""
+        if self._lengths is None and unknowns.shape[1]:
+            one = np.zeros(1, dtype=np.int64)
+            unknown = Intervals(np.full((2, 1), np.nan))
+            parts = [unknown if i % 3 == 2 else part[one] for i, part in enumerate(directions)]
+            some = {name: value[one] if isinstance(value, Intervals) else value for name, value in values.items()}
+            forces = self.call("forces", [part[one] for part in unknowns], parts, some)
+            self._lengths = bool(np.isnan(stacked(forces, (1,)).ends).all(axis=(0, 2)).any())
+        return bool(self._lengths)
 
     def _taken(self, unknowns: Intervals, parameters: Intervals) -> tuple[list[Intervals], dict[str, Any], tuple[int, ...]]:
         return list(unknowns), self.arguments(parameters), unknowns.shape[1:]

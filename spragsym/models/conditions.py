@@ -30,6 +30,16 @@ class Fold(Plain):
         return (determinant(at.stiffness()),)
 
 
+class Touch(Plain):
+    """The gap of the contact is 0."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The gap."""
+        return (at.gap(),)
+
+
 class Cusp(Plain):
     """det K = 0, and K v = 0 for a direction v along which det K does not change.
 

@@ -25,6 +25,20 @@ def described(about: Mapping[str, Any]) -> str:
     return "\n\n".join([*parts, _table(coordinates), _table(parameters)])
 
 
+def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of everything that files of motions hold, by its name."""
+    found = {"t": (about["scales"]["time"], "time"), "error": ("1", "largest difference to a run at a tighter tolerance")}
+    for entry in about["coordinates"]:
+        name, rate = entry["name"], entry["rate"]
+        found |= {name: (entry["scale"], entry["meaning"]), rate: (entry["rate_scale"], f"rate of {name}")}
+        found |= {f"{name}0": (entry["scale"], f"initial {name}"), f"{rate}0": (entry["rate_scale"], f"initial {rate}")}
+    for entry in about["parameters"]:
+        found[entry["name"]] = (entry["unit"], entry["meaning"])
+    for name in about["angles"]:
+        found[f"{name}_deg"] = ("deg", found[name][1])
+    return found
+
+
 def _behind(entry: Mapping[str, Any]) -> str:
     """The quantity with a unit behind a dimensionless one."""
     return "" if entry["quantity"] == entry["name"] else f" ({entry['quantity']}, dimensionless)"

@@ -15,13 +15,11 @@ from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
-from .precise import PreciseBalance
+from .precise import settled
 from .regions import region
 
-#: Boxes looked at for one point with many digits, before it counts as undecided.
-PRECISE_BUDGET = 3000
-#: Bound on the error up to which a state counts as settled.
-TOLERANCE = 1e-12
+#: Relative width of boxes that are left to many digits.
+NARROW = 2.0**-16
 
 
 @dataclass(frozen=True)
@@ -107,7 +105,7 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     -----
     Source: branch and prune over boxes of coordinates and of parameters, see :mod:`spragsym.exact.boxes`, in a region with all
     equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.models.regions`. What float64 does not
-    decide is searched again with many digits of the forces, see :mod:`spragsym.models.precise`.
+    decide is reduced to one unknown and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
     balance = Balance(model, contact)
     given = columns(p, balance.parameters)
@@ -123,29 +121,9 @@ def columns(p: Any, names: list[str]) -> FloatArray:
 def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool]:
     """The roots of all points, the region of each and whether it holds all."""
     around, whole = region(balance, Intervals.point(given))
-    outcome = boxes.search(balance, around, given, given, limits=balance.limits)
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
-    open_points = np.unique(np.concatenate([found.left_point, found.point[~(found.error <= TOLERANCE)]]))
-    if open_points.size:
-        found = _with_digits(balance, given, around, found, open_points)
-    return found, around, whole
-
-
-def _with_digits(balance: Balance, given: FloatArray, around: FloatArray, found: Roots, open_points: NDArray[np.int64]) -> Roots:
-    """The points that are open searched again, from the boxes that float64 has left and around the roots it has found."""
-    precise = PreciseBalance(balance.model, balance.contact)
-    place = np.full(given.shape[1], -1)
-    place[open_points] = np.arange(open_points.size)
-    some = given[:, open_points]
-    again = np.flatnonzero(place[found.point] >= 0)
-    start = boxes.Start(
-        np.concatenate([found.left, found.alone[:, :, again]], axis=2),
-        np.concatenate([place[found.left_point], place[found.point[again]]]),
-    )
-    near = around[:, :, open_points]
-    outcome = boxes.search(precise, near, some, some, limits=balance.limits, budget=PRECISE_BUDGET, start=start)
-    settled = certified_roots.roots(precise, outcome, near, some, some)
-    return certified_roots.replaced(found, open_points, settled)
+    return settled(balance, given, around, found), around, whole
 
 
 def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:

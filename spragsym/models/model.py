@@ -13,8 +13,13 @@ from . import parameters as _parameters
 from .describe import described
 
 if TYPE_CHECKING:
+    from ..cycles import Cycle
+    from ..sweeps import Sweep
+    from .bifurcation import ModelBifurcationSet
     from .equilibria import ModelEquilibria
+    from .paths import ModelPath
     from .points import ModelPoints
+    from .trajectory import ModelTrajectory
 
 #: Modules of generated functions.
 PARTS = ("statics", "linearization", "motion")
@@ -99,11 +104,98 @@ class Model:
 
         return cusps(self, p, vary, **options)
 
+    def bifurcation_set(
+        self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 60, **options: Any
+    ) -> ModelBifurcationSet:
+        """Curves of folds and all cusps in the plane of two parameters: see :mod:`spragsym.models.bifurcation`."""
+        from .bifurcation import bifurcation_set
+
+        return bifurcation_set(self, p, vary, n, **options)
+
+    def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
+        """A state followed as a parameter moves: see :func:`spragsym.models.paths.quasi_static_path`."""
+        from .paths import quasi_static_path
+
+        return quasi_static_path(self, p, vary, values, **options)
+
     def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
         """All onsets of flutter along one parameter, proved: see :func:`spragsym.models.flutter.flutter_onsets`."""
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, p, vary, **options)
+
+    def cycle(self, p: ParameterSet, near: Any = None, **options: Any) -> Cycle:
+        """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
+        from ..cycles.finding import cycle_near
+        from ..cycles.model_fields import field_of
+
+        return cycle_near(field_of(self), p.scalars(*self.parameters), near, **options)
+
+    def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
+        """Integrate the motion from an initial state, restarted at every kink of the model's laws.
+
+        Parameters
+        ----------
+        p : Parameters of the model
+            Scalars; V and d are among them.
+        start : array_like, shape (2 n,), optional
+            Coordinates, then rates. Or one by one: ``x0``, ``y0``, …, ``vx0``, …; 0 where nothing is given.
+        t_end, rtol, events, estimate_error, backend, max_steps
+            As for :func:`spragsym.simulate`.
+
+        Returns
+        -------
+        ModelTrajectory
+
+        Raises
+        ------
+        ParameterError, ParameterTypeError
+            For arguments that make no sense, and a start where a spring has no length.
+        ConvergenceError
+            When the integrator cannot go on, or has made ``max_steps``.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> tr = model.simulate(model.Parameters(V=0.2), t_end=200.0)
+        >>> tr.components
+        ('x', 'vx')
+        >>> round(tr.amplitude(), 2)
+        0.59
+        """
+        from .trajectory import simulate
+
+        return simulate(self, p, **options)
+
+    def rms_sweep(self, p: ParameterSet, **options: Any) -> Sweep:
+        """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
+
+        Parameters
+        ----------
+        p : Parameters of the model
+            Any shape; V and d are among them.
+        x0, vx0, … : array_like, optional
+            Initial state by the names of the model's coordinates; they broadcast with ``p``.
+        t_end, transient, rtol, backend, max_steps, workers, progress, store
+            As for :func:`spragsym.rms_sweep`.
+
+        Returns
+        -------
+        Sweep
+            With ``model``; x is the first coordinate and y the second.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> sweep = model.rms_sweep(model.Parameters(zeta=[0.1, 0.5]), t_end=400.0)
+        >>> [ss.sweeps.Regime(code).name for code in sweep.regime]
+        ['LIMIT_CYCLE', 'EQUILIBRIUM']
+        """
+        from .sweep import rms_sweep
+
+        return rms_sweep(self, p, **options)
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

@@ -1,76 +1,145 @@
-"""The balance of forces with many digits at floats: what a search near a fold lacks.
-
-Boxes stay boxes of float64, and slopes over them stay as they are: two roots that are 10⁻⁸ apart are well apart as floats. What
-float64 does not tell is on which side of zero the forces are between them, where they are 10⁻¹⁶ and less.
-"""
+"""The balance of forces with many digits, at one point of parameters: what float64 does not decide near folds and cusps."""
 
 from __future__ import annotations
 
-from functools import lru_cache
+from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..exact.ball_functions import XP, as_ends
+from ..exact import certified_roots, contractors
+from ..exact.ball_functions import XP
+from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Ball, Balls
 from ..exact.polynomials import Undecided
+from ..exact.reduction import Reduced, reduced_roots
 from .balance import Balance, undecorated
 
-#: Bits of the forces at floats.
-BITS = 192
+#: Bits of the forces.
+BITS = (160, 320)
+#: Bound on the error up to which a state counts as settled.
+TOLERANCE = 1e-12
+#: Half-width of the box around a root that is known, but not well enough.
+AROUND = 2.0**-13
 
 
-class PreciseBalance(Balance):
-    """A :class:`Balance` of points, parameters without width, that knows many digits of the forces at floats."""
+class PreciseBalance:
+    """Forces of a balance at one point, of balls or jets of balls."""
 
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """The arguments, and the parameters themselves behind them."""
-        arguments = super().prepared(bounds)
-        return Intervals(np.concatenate([arguments.ends, bounds.ends], axis=1))
+    def __init__(self, balance: Balance, given: FloatArray, bits: int) -> None:
+        self.balance = balance
+        self.values: dict[str, Any] = {}
+        for name, number in zip(balance.parameters, given, strict=True):
+            value = ball(float(number), bits)
+            if name in balance.angles:
+                self.values |= zip(balance.angles[name], Balls().cos_sin(value), strict=True)
+            else:
+                self.values[name] = value
 
-    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
-        """Forces at floats, shape (n, N)."""
-        given = parameters.ends[1, len(self.codes) :]
-        out = np.empty((2, *middles.shape))
-        for column in range(middles.shape[1]):
-            out[:, :, column] = self._at_point(tuple(middles[:, column]), tuple(given[:, column]))
-        return Intervals(out)
-
-    def _at_point(self, state: tuple[float, ...], given: tuple[float, ...]) -> FloatArray:
-        if not np.isfinite(state).all():
-            return np.full((2, self.n), np.nan)
-        values = self._balls(given)
-        q = [ball(value) for value in state]
-        try:
-            rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
-            directions: list[Any] = []
-            for dx, dy, _ in rows:
-                length = XP.sqrt(dx * dx + dy * dy)
-                directions += [dx / length, dy / length, length]
-            return np.array([as_ends(force) for force in self.call("forces", q, directions, values, XP)]).T
-        except Undecided:
-            return np.full((2, self.n), np.nan)
-
-    def _balls(self, given: tuple[float, ...]) -> dict[str, Any]:
-        """The arguments by name, of parameters that are floats."""
-        return _arguments(tuple(self.parameters), tuple((name, *pair) for name, pair in sorted(self.angles.items())), given)
+    def forces(self, q: Sequence[Any]) -> Sequence[Any]:
+        """The balance."""
+        statics = self.balance.model.statics
+        names = self.balance.model.about["arguments"]["statics"]
+        directions: list[Any] = []
+        for dx, dy, _ in undecorated(statics.geometry)(*q, *(self.values[name] for name in names), xp=XP):
+            length = XP.sqrt(dx**2 + dy**2)
+            directions += [dx / length, dy / length, length]
+        rows: Sequence[Any] = self.balance.call("forces", q, directions, self.values, XP)
+        return rows
 
 
-@lru_cache(maxsize=256)
-def _arguments(names: tuple[str, ...], angles: tuple[tuple[str, ...], ...], given: tuple[float, ...]) -> dict[str, Any]:
-    pairs = {name: (cosine, sine) for name, cosine, sine in angles}
-    values: dict[str, Any] = {}
-    for name, number in zip(names, given, strict=True):
-        value = ball(number)
-        if name in pairs:
-            values |= zip(pairs[name], Balls().cos_sin(value), strict=True)
-        else:
-            values[name] = value
-    return values
-
-
-def ball(value: float) -> Ball:
+def ball(value: float, bits: int) -> Ball:
     """A float, exactly."""
-    numerator, denominator = float(value).as_integer_ratio()
-    return Ball(numerator, 0, 1 - denominator.bit_length(), BITS)
+    numerator, denominator = value.as_integer_ratio()
+    return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
+
+
+def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+    """What a search of float64 has left or knows to few digits only, looked at again with many."""
+    poor = ~(found.error <= TOLERANCE)
+    points = np.unique(np.concatenate([found.left_point, found.point[poor]]))
+    if not points.size:
+        return found
+    parts = [_of_point(balance, given[:, at], around[:, :, at % around.shape[2]], found, int(at)) for at in points]
+    old = ~np.isin(found.point, points)
+    return Roots(
+        np.concatenate([found.ends[:, :, old], *(part.ends for part in parts)], axis=2),
+        np.concatenate([found.alone[:, :, old], *(part.alone for part in parts)], axis=2),
+        np.concatenate([found.point[old], *(part.point for part in parts)]),
+        np.concatenate([part.left for part in parts], axis=2),
+        np.concatenate([part.left_point for part in parts]),
+    )
+
+
+def _of_point(balance: Balance, given: FloatArray, region: FloatArray, found: Roots, point: int) -> Roots:
+    """Roots and boxes left of one point."""
+    mine = np.flatnonzero(found.point == point)
+    poor = ~(found.error[mine] <= TOLERANCE)
+    good = mine[~poor]
+    boxes = np.concatenate([found.left[:, :, found.left_point == point], found.ends[:, :, mine[poor]] + AROUND], axis=2)
+    ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, balance.n, 0))]
+    for cluster in _clusters(boxes):
+        reduced = _reduced(balance, given, cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
+        ends += [_outward(box) for box in reduced.roots]
+        alone += [_outward(box) for box in reduced.alone]
+        left += [_outward(box) for box in reduced.left]
+    every, only = np.concatenate(ends, axis=2), np.concatenate(alone, axis=2)
+    order = np.argsort(-only[0, 0])
+    every, only = every[:, :, order], only[:, :, order]
+    keep, unclear = certified_roots.once(every, only, np.zeros(order.size, dtype=np.int64))
+    keep = keep[~contractors.apart(every[:, :, keep], region[:, :, None])]
+    border = ~contractors.within(every[:, :, keep], region[:, :, None])
+    open_boxes = np.concatenate([*left, every[:, :, unclear], every[:, :, keep[border]]], axis=2)
+    kept = keep[~border]
+    return Roots(
+        every[:, :, kept], only[:, :, kept], np.full(kept.size, point),
+        open_boxes, np.full(open_boxes.shape[2], point),
+    )  # fmt: skip
+
+
+def _reduced(balance: Balance, given: FloatArray, cluster: FloatArray) -> Reduced:
+    """Roots in a cluster, with more bits if fewer leave something."""
+    middle = Intervals(cluster).middle
+    parameters = balance.prepared(Intervals.point(given[:, None]))
+    with np.errstate(all="ignore"):
+        slopes = balance.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
+    box = [(-float(cluster[0, i]), float(cluster[1, i])) for i in range(balance.n)]
+    whole = [(Fraction(low), Fraction(high)) for low, high in box]
+    out = Reduced([], [], [whole])
+    if not np.isfinite(slopes).all():
+        return out
+    for bits in BITS:
+        try:
+            out = reduced_roots(PreciseBalance(balance, given, bits).forces, box, slopes, bits)
+        except Undecided:
+            continue
+        if not out.left:
+            break
+    return out
+
+
+def _outward(box: Sequence[tuple[Fraction, Fraction]]) -> FloatArray:
+    """Floats that lie outside of the ends or on them, shape (2, n, 1)."""
+    ends = np.array([[-float(low) for low, _ in box], [float(high) for _, high in box]])
+    out: FloatArray = np.nextafter(ends, np.inf)[:, :, None]
+    return out
+
+
+def _clusters(boxes: FloatArray) -> list[FloatArray]:
+    """Hulls of boxes, shape (2, n, N), that meet each other, until no two hulls meet."""
+    hulls: list[FloatArray] = []
+    for place in range(boxes.shape[2]):
+        hull = boxes[:, :, place]
+        while True:
+            widened = hull + 0.5 * (hull[0] + hull[1]) + 1e-8
+            near: NDArray[np.bool_] = np.array([not ((widened + other[::-1]) < 0).any() for other in hulls], dtype=np.bool_)
+            if not near.any():
+                break
+            for other in (other for other, close in zip(hulls, near, strict=True) if close):
+                hull = np.maximum(hull, other)
+            hulls = [other for other, close in zip(hulls, near, strict=True) if not close]
+        hulls.append(hull)
+    return hulls

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -17,8 +18,8 @@ from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers
 from . import workers as processes
-from .measure import INPUTS, Settings, measured
-from .result import Sweep, fingerprint, loaded, sweep_of
+from .measure import INPUTS, ProblemOf, Settings, article_problem, measured
+from .result import Results, Sweep
 from .workers import Workers
 
 
@@ -52,7 +53,7 @@ def rms_sweep(
         Until when to integrate, and what to leave out of every result, by default three quarters of it.
     rtol : float
         Relative tolerance.
-    backend : {"heyoka", "scipy"}, optional
+    backend : {"heyoka", "compiled", "scipy"}, optional
         As for :func:`~spragsym.simulate`.
     max_steps : int
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.
@@ -101,24 +102,40 @@ def rms_sweep(
     given |= {"V": as_numbers("V", V, BELT_SPEED), "d": as_numbers("d", d, CREEP)}
     given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
     inputs = {name: given[name] for name in INPUTS}
-    settings = _settings(t_end, transient, rtol, backend, max_steps)
+    settings = settings_of(t_end, transient, rtol, backend, max_steps)
+    return carried_out(Plan(inputs, settings, article_problem, Results()), workers, progress, store)
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A sweep before it is run: of which points, how each of them is integrated, and what its result is."""
+
+    inputs: dict[str, FloatArray]
+    settings: Settings
+    problem_of: ProblemOf
+    result: Results
+
+
+def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.PathLike[str] | None) -> Sweep:
+    """Run a sweep, or go on with one, or load it, if its file is there."""
+    inputs, settings, result = plan.inputs, plan.settings, plan.result
     shape = _common_shape(inputs)
     points = _points(inputs, shape)
     if not callable(workers):
         processes.count(workers)  # before there is a journal
     if store is None:
-        return sweep_of(inputs, shape, settings, _records(points, settings, workers, progress, {}, None))
+        return result.made(inputs, shape, settings, _records(plan, points, workers, progress, {}, None))
     target = storage.resolved(store)
-    key = fingerprint(inputs, settings)
+    key = result.fingerprint(inputs, settings)
     if target.is_file():
-        sweep = loaded(target, key, inputs, shape, settings)
+        sweep = result.loaded(target, key, inputs, shape, settings)
         clear(target, key, len(points))
         return sweep
     storage.check_target(target, 100_000 + 1000 * len(points))
     with journal(target, key, len(points)) as (done, keep):
         if target.is_file():  # another process has finished it in the meantime
-            return loaded(target, key, inputs, shape, settings)
-        sweep = sweep_of(inputs, shape, settings, _records(points, settings, workers, progress, done, keep))
+            return result.loaded(target, key, inputs, shape, settings)
+        sweep = result.made(inputs, shape, settings, _records(plan, points, workers, progress, done, keep))
         sweep.save(target)
     return sweep
 
@@ -126,13 +143,17 @@ def rms_sweep(
 # -------------------------------------------------------------------------------------------- all the motions
 
 
-def _settings(t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int) -> Settings:
+def settings_of(
+    t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int,
+    offered: tuple[str, ...] = integrators.BACKENDS,
+) -> Settings:  # fmt: skip
+    """What all motions of a sweep share, each of it checked."""
     t_end = as_number("t_end", t_end, POSITIVE)
     transient = 0.75 * t_end if transient is None else as_number("transient", transient, NOT_NEGATIVE)
     if transient >= t_end:
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
     tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_steps(max_steps)
-    return Settings(t_end, transient, tolerance, integrators.choose(backend), steps)
+    return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
 
 
 def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:
@@ -149,8 +170,8 @@ def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple
 
 
 def _records(
+    plan: Plan,
     points: list[tuple[float, ...]],
-    settings: Settings,
     workers: Workers,
     progress: bool,
     done: dict[int, Record],
@@ -159,7 +180,7 @@ def _records(
     """Every record: those that are done, and the others, stored as they are computed."""
     keep = done.__setitem__ if keep is None else keep
     missing = {i: point for i, point in enumerate(points) if i not in done}
-    found = processes.results(workers, partial(measured, settings), missing, _told)
+    found = processes.results(workers, partial(measured, plan.problem_of, plan.settings), missing, partial(_told, plan))
     with advance(progress, len(points), len(done)) as step, closing(found):
         for i, record in found:
             keep(i, record)
@@ -167,8 +188,8 @@ def _records(
     return [done[i] for i in range(len(points))]
 
 
-def _told(point: tuple[float, ...]) -> str:
-    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(INPUTS, point, strict=True))
+def _told(plan: Plan, point: tuple[float, ...]) -> str:
+    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, point, strict=True))
 
 
 @contextmanager

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -41,11 +43,15 @@ class Settings:
     max_steps: int = MAX_STEPS
 
 
-def measured(settings: Settings, point: tuple[float, ...]) -> Record:
-    """One record. If the motion itself can't be computed, the record says why; any other error is raised."""
+#: The motion of a point whose values were validated with the whole sweep's; to be sent to other processes.
+ProblemOf: TypeAlias = Callable[[Settings, tuple[float, ...]], Problem]
+
+
+def measured(problem_of: ProblemOf, settings: Settings, point: tuple[float, ...]) -> Record:
+    """One record. What the motion itself makes impossible is its reason; whatever else goes wrong is raised."""
     try:
-        problem = _problem(settings, point)
-    except ParameterError as error:  # arrays were validated before; only a start at the anchor can still be wrong
+        problem = problem_of(settings, point)
+    except ParameterError as error:  # arrays were validated before: what is left is a start at the anchor
         return _no_result(error)
     try:
         with np.errstate(all="ignore"):  # numbers out of range show in the result
@@ -54,7 +60,8 @@ def measured(settings: Settings, point: tuple[float, ...]) -> Record:
         return _no_result(error)
     except ArithmeticError:
         return _no_result(out_of_range())
-    if not np.isfinite(values[: len(AVERAGES)]).all():
+    needed = [value for name, value in zip(AVERAGES, values, strict=False) if name != "mean_y" or len(problem.start) > 2]
+    if not np.isfinite(needed).all():
         return _no_result(out_of_range())
     return values, ""
 
@@ -63,8 +70,8 @@ def _no_result(error: Exception) -> Record:
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def _problem(settings: Settings, point: tuple[float, ...]) -> Problem:
-    """The motion of one point; its values were validated together with those of the whole sweep."""
+def article_problem(settings: Settings, point: tuple[float, ...]) -> Problem:
+    """The motion of a point of the article's model."""
     *parameters, V, d, x0, y0, vx0, vy0 = point
     check_start(parameters[0], x0, y0)
     constants = constants_of(tuple(parameters), V, d)
@@ -82,6 +89,6 @@ def _averages(course: Course) -> list[float]:
     """The measured values after the transient, in the order of AVERAGES."""
     mean, spread = course.moments()
     amplitude = float(np.abs(course.x_extrema).max())
-    mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin)
+    mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin) if len(course.first) > 2 else math.nan
     lost, _, *reversals = course.events.tolist()
     return [math.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)]

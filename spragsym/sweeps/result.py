@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -94,7 +95,7 @@ class Sweep(Result):
         results["reason"] = (dims, self.reason.astype(object))
         dataset = storage.xarray().Dataset(results, coords=inputs, attrs=self._attributes())
         for name in dataset.variables:
-            dataset[name].attrs = storage.attributes(name)
+            dataset[name].attrs = storage.attributes(name, self.explained)
         dataset["regime"].attrs |= {
             "flag_values": np.array(list(Regime), dtype=np.int8),
             "flag_meanings": " ".join(regime.name.lower() for regime in Regime),
@@ -103,51 +104,86 @@ class Sweep(Result):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write netCDF to ``*.nc`` (extra ``sweep``), or one line a motion to ``*.csv``."""
-        storage.write(Path(path), self.to_dataset, self._columns, self._attributes())
+        storage.write(Path(path), self.to_dataset, self._columns, self._attributes(), self.explained)
+
+    @property
+    def angles(self) -> tuple[str, ...]:
+        """Inputs that are angles."""
+        return ("theta0",)
+
+    @property
+    def explained(self) -> Mapping[str, tuple[str, str]]:
+        """Unit and meaning of every input and result."""
+        return storage.QUANTITIES
+
+    @property
+    def how(self) -> Results:
+        """How this sweep is made, fingerprinted and loaded."""
+        return Results()
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
         return inputs | {name: getattr(self, name) for name in (*REPORTED, "regime", "equilibrium", "reason")}
 
     def _inputs(self) -> dict[str, FloatArray]:
-        """The inputs, θ₀ in degrees beside it in radians."""
-        theta0, *rest = self.inputs.items()
-        return dict([theta0, ("theta0_deg", np.vectorize(degrees, otypes=[np.float64])(theta0[1])), *rest])
+        """The inputs, every angle in degrees beside it in radians."""
+        known = {}
+        for name, values in self.inputs.items():
+            known[name] = values
+            if name in self.angles:
+                known[f"{name}_deg"] = np.vectorize(degrees, otypes=[np.float64])(values)
+        return known
 
     def _attributes(self) -> dict[str, Any]:
         settings = Settings(self.t_end, self.transient, self.rtol, self.backend, self.max_steps)
-        return {**storage.provenance(), **vars(settings), "fingerprint": fingerprint(self.inputs, settings)}
+        return {**storage.provenance(), **vars(settings), "fingerprint": self.how.fingerprint(self.inputs, settings)}
 
 
-def fingerprint(inputs: dict[str, FloatArray], settings: Settings) -> str:
-    """The fingerprint of a sweep: a hash of everything that decides the bits of its result."""
-    versions = {
-        "integrator": integrators.version(settings.backend),
-        "code": code.digest(),
-        "numpy": np.__version__,  # its eigenvalues tell what is approached
-    }
-    return storage.fingerprint(inputs, {**vars(settings), **versions})
+class Results:
+    """How the result of a sweep is made, fingerprinted and loaded: of the article's model; a subclass is for other models."""
 
+    def fingerprint(self, inputs: dict[str, FloatArray], settings: Settings) -> str:
+        """A hash of everything that decides the bits of a result."""
+        versions = {
+            "integrator": integrators.version(settings.backend),
+            "code": code.digest(),
+            "numpy": np.__version__,  # its eigenvalues tell what is approached
+        }
+        return storage.fingerprint(inputs, {**vars(settings), **versions, **self.identity()})
 
-def sweep_of(inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
-    table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
-    measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
-    results: dict[str, Any] = {name: measured[name] for name in REPORTED}
-    regime = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
-    p = Parameters(**{name: inputs[name] for name in NAMES})
-    equilibrium = index_of(p, inputs["V"], inputs["d"], measured["rest_x"], measured["rest_y"])
-    reason = np.array([storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
-    return Sweep(inputs, **vars(settings), **results, regime=regime, equilibrium=equilibrium, reason=reason)
+    def made(self, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings, records: list[Record]) -> Sweep:
+        """The sweep of these records."""
+        table = np.array([values or [np.nan] * len(MEASURED) for values, _ in records]).reshape(-1, len(MEASURED))
+        measured = {name: column.reshape(shape) for name, column in zip(MEASURED, table.T, strict=True)}
+        results: dict[str, Any] = {name: measured[name] for name in REPORTED}
+        results["regime"] = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
+        results["equilibrium"] = self.equilibrium(inputs, measured["rest_x"], measured["rest_y"])
+        results["reason"] = np.array([storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
+        return self.sweep(inputs, settings, results)
 
+    def loaded(self, path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
+        """The sweep that a file holds, if it is this one."""
+        columns, attributes = storage.read(path)
+        if attributes.get("fingerprint") != key:
+            raise TargetError(
+                f"{path} exists and holds something else, or was made by other code; remove it, or give another path"
+            )
+        kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
+        results = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
+        return self.sweep(inputs, settings, results)
 
-def loaded(path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:
-    """The sweep in a file, if its fingerprint is that of this sweep."""
-    columns, attributes = storage.read(path)
-    if attributes.get("fingerprint") != key:
-        raise TargetError(f"{path} exists and holds something else, or was made by other code; remove it, or give another path")
-    kinds = {**dict.fromkeys(REPORTED, float), "regime": np.int8, "equilibrium": np.int8, "reason": np.str_}
-    results: dict[str, Any] = {name: columns[name].astype(kind).reshape(shape) for name, kind in kinds.items()}
-    return Sweep(inputs, **vars(settings), **results)
+    def identity(self) -> dict[str, Any]:
+        """What else decides the bits of a result."""
+        return {}
+
+    def equilibrium(self, inputs: dict[str, FloatArray], x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+        """Indices of the equilibria that stand at x, y."""
+        p = Parameters(**{name: inputs[name] for name in NAMES})
+        return index_of(p, inputs["V"], inputs["d"], x, y)
+
+    def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:
+        """The sweep itself."""
+        return Sweep(inputs, **vars(settings), **results)
 
 
 def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:

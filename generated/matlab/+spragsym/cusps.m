@@ -4,8 +4,9 @@ function found = cusps(p)
 %
 %  The result has the columns theta0, mu0, theta, L, x and y. In double precision and without proof; the Python package proves.
   given = spragsym.one_set(p, {'theta0', 'mu0'});
-  if given.alpha == 1 + given.beta
-    rows = without_a(given);
+  % Closer to alpha = 1 + beta the coefficients of the polynomial leave too few digits.
+  if abs(given.alpha - (1 + given.beta)) < 0.05 * (1 + given.beta)
+    rows = along_folds(given);
   else
     rows = by_sine(given);
   end
@@ -59,9 +60,13 @@ end
 
 function s = sharpened(s, given)
 % A root to more digits, which the polynomial's coefficients have lost: where cos^2 + sin^2 of theta0 is 1.
-  ends = [s * (1 - 1e-6), min(s * (1 + 1e-6), 1)];
-  if excess(ends(1), given) * excess(ends(2), given) < 0
-    s = fzero(@(sine) excess(sine, given), ends);
+  % The nearer alpha is to 1 + beta, the more are lost.
+  for width = [1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3]
+    ends = [s * (1 - width), min(s * (1 + width), 1)];
+    if excess(ends(1), given) * excess(ends(2), given) < 0
+      s = fzero(@(sine) excess(sine, given), ends);
+      return
+    end
   end
 end
 
@@ -70,16 +75,17 @@ function value = excess(s, given)
   value = over_cosine ^ 2 * (1 - s) * (1 + s) - (1 - s0) * (1 + s0);
 end
 
-function rows = without_a(given)
-% alpha = 1 + beta: f'' = 0 on a fold means 3 sin^2 theta = 2, whatever the friction.
-  s = sqrt(2 / 3);
+function rows = along_folds(given)
+% Close to alpha = 1 + beta all cusps come to have 3 sin^2 theta = 2: where f'' changes its sign along the folds.
+  curves = spragsym.curves('folds', linspace(1e-9, pi - 1e-9, 513), given);
   rows = zeros(0, 5);
-  for c = [-1, 1] / sqrt(3)
-    coefficients = cell(1, 5);
-    [coefficients{:}] = spragsym.algebra.fold_quartic(c, s, given.fixed{:});
-    for mu0 = spragsym.positive_roots([coefficients{:}])
-      [s0, c0] = spragsym.algebra.fold_angles(c, s, mu0, given.fixed{:});
-      rows(end + 1, :) = [c, s, c0, s0, mu0]; %#ok<AGROW>
-    end
+  for k = 1:numel(curves)
+    found = spragsym.changes(curves(k), @(at) bend(at, given), given);
+    rows = [rows; cos(found(:, 1)), sin(found(:, 1)), cos(found(:, 2)), sin(found(:, 2)), found(:, 3)]; %#ok<AGROW>
   end
+end
+
+function value = bend(at, given)
+  [a, b, d, m] = spragsym.algebra.f_coefficients(cos(at(:, 2)), sin(at(:, 2)), at(:, 3), given.fixed{:}, 1);
+  value = spragsym.algebra.f_curvature(cos(at(:, 1)), sin(at(:, 1)), a, b, d, m);
 end

@@ -2,9 +2,9 @@ function found = surface(p, theta, theta0)
 %SURFACE  The equilibrium surface, explicitly: the friction at which theta is the direction of an equilibrium in contact.
 %  found = spragsym.surface(p, theta, theta0) with arrays of one size, or a number for one of them
 %
-%  p holds kappa, alpha, sigma and beta, one number each; its theta0 and mu0 are not used. The result has the fields mu0 (of either
-%  sign), L, x, y and stability (codes of spragsym.equilibria), of the size of the arrays; NaN and code 0 where there is no state
-%  in contact with finite friction.
+%  p holds kappa, alpha, sigma and beta, one number each; its theta0 and mu0 are not used. The result has the fields mu0 (of
+%  either sign), L, x, y and stability (codes of spragsym.equilibria), of the size of the arrays; NaN and code 0 where there is no
+%  state in contact with finite friction.
   given = spragsym.one_set(p, {'theta0', 'mu0'});
   shape = size(theta);
   if isscalar(theta)

@@ -10,6 +10,9 @@ const FINEST = 1e-13;
 // A step in theta0, or in mu0/(1 + mu0), over which neighbours are not joined unseen.
 const STRIDE = 0.04;
 
+// The least |alpha - (1 + beta)| over 1 + beta at which the coefficients of the cusps' polynomial leave enough digits.
+const LEAST_DIFFERENCE = 0.05;
+
 /** kappa, alpha, sigma and beta, in the order in which the algebra takes them. */
 function fixed_of(given) {
   return [given.kappa, given.alpha, given.sigma, given.beta];
@@ -70,7 +73,8 @@ function state_at(c, s, c0, s0, given) {
  */
 export function cusps(parameters) {
   const given = parameters_of(parameters, ["theta0", "mu0"]);
-  const found = given.alpha === 1 + given.beta ? cusps_without_a(given) : cusps_by_sine(given);
+  const stiff = 1 + given.beta;
+  const found = Math.abs(given.alpha - stiff) < LEAST_DIFFERENCE * stiff ? cusps_along(given) : cusps_by_sine(given);
   return found.sort((one, other) => one.mu0 - other.mu0 || one.theta0 - other.theta0);
 }
 
@@ -103,24 +107,29 @@ function sharpened(s, given) {
     const [s0, over_cosine] = algebra_cusp_point(sine, ...fixed_of(given));
     return over_cosine * over_cosine * (1 - sine) * (1 + sine) - (1 - s0) * (1 + s0);
   };
-  const [low, high] = [s * (1 - 1e-6), smaller(s * (1 + 1e-6), 1)];
-  return excess(low) < 0 !== excess(high) < 0 ? bisected(excess, low, high) : s;
-}
-
-/** alpha = 1 + beta: f'' = 0 on a fold means 3 sin^2 theta = 2, whatever the friction. */
-function cusps_without_a(given) {
-  const s = Math.sqrt(2 / 3);
-  const found = [];
-  for (const c of [Math.sqrt(1 / 3), -Math.sqrt(1 / 3)]) {
-    const quartic = algebra_fold_quartic(c, s, ...fixed_of(given));
-    const small = roots_between(quartic, 0, 1);
-    const large = roots_between([...quartic].reverse(), 0, 1).filter((u) => u > 0 && u < 1);
-    for (const mu0 of [...small, ...large.map((u) => 1 / u)]) {
-      const [s0, c0] = algebra_fold_angles(c, s, mu0, ...fixed_of(given));
-      found.push({ c, s, c0, s0, mu0 });
+  // The nearer alpha is to 1 + beta, the more digits are lost.
+  for (const width of [1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3]) {
+    const [low, high] = [s * (1 - width), smaller(s * (1 + width), 1)];
+    if (excess(low) < 0 !== excess(high) < 0) {
+      return bisected(excess, low, high);
     }
   }
-  return found.flatMap((at) => written(at, given));
+  return s;
+}
+
+/** Close to alpha = 1 + beta, where all cusps come to have 3 sin^2 theta = 2: where f'' changes its sign along the folds. */
+function cusps_along(given) {
+  const fixed = fixed_of(given);
+  const bend = ({ theta, theta0, mu0 }) => {
+    const [a, b, d, m] = algebra_f_coefficients(...turned(theta0), mu0, ...fixed, 1);
+    return algebra_f_curvature(...turned(theta), a, b, d, m);
+  };
+  return curves_of(FOLDS, directions_for(512, given), given).flatMap((curve) =>
+    changes(curve, bend, given).map((at) => {
+      const [c, s, c0, s0] = [...turned(at.theta), ...turned(at.theta0)];
+      return { theta0: at.theta0, mu0: at.mu0, theta: at.theta, ...state_at(c, s, c0, s0, given) };
+    }),
+  );
 }
 
 /** A cusp as it is handed out; none where it is out of contact, or friction negative. */
@@ -341,21 +350,26 @@ function with_friction(curve, kind, fixed) {
   return [...parts, part].filter((one) => one.length > 1);
 }
 
-/** The point between two at which friction is zero; none where it runs through infinity instead. */
-function without_friction(one, other, kind, fixed) {
-  const at = (theta) => {
+/** The point of a curve in a direction between those of two of its points. */
+function on_the_way(one, other, kind, fixed) {
+  return (theta) => {
     const share = (theta - one.theta) / (other.theta - one.theta);
     const expected = one.theta0 + (other.theta0 - one.theta0) * share;
     const far = (point) => Math.abs(point.theta0 - expected);
     const { points } = column(theta, kind, fixed);
-    return points.reduce((best, point) => (best && far(best) <= far(point) ? best : point), undefined);
+    return points.length > 0 ? points.reduce((best, point) => (far(best) <= far(point) ? best : point)) : other;
   };
+}
+
+/** The point between two at which friction is zero; none where it runs through infinity instead. */
+function without_friction(one, other, kind, fixed) {
   if (one.theta === other.theta || Math.min(Math.abs(one.mu0), Math.abs(other.mu0)) > 1e3) {
     return [];
   }
-  const theta = bisected((middle) => at(middle)?.mu0 ?? NaN, one.theta, other.theta);
+  const at = on_the_way(one, other, kind, fixed);
+  const theta = bisected((middle) => at(middle).mu0, one.theta, other.theta);
   const point = at(theta);
-  return point && Math.abs(point.mu0) < 1e-6 ? [{ ...point, mu0: 0 }] : [];
+  return Math.abs(point.mu0) < 1e-6 ? [{ ...point, theta, mu0: 0 }] : [];
 }
 
 /** A curve as columns, with the states on it; those out of contact are left out. */
@@ -377,9 +391,13 @@ function completed(curve, given) {
 export function bifurcation_set(parameters, options = {}) {
   const given = parameters_of(parameters, ["theta0", "mu0"]);
   const { n = 512 } = known("options", options, ["n"]);
-  const directions = spread(NEAREST, TURN - NEAREST, whole("n", n, 8));
-  const all = [...directions, ...hidden(directions, fixed_of(given))].sort((one, other) => one - other);
-  return { curves: curves_of(FOLDS, all, given), cusps: cusps(parameters) };
+  return { curves: curves_of(FOLDS, directions_for(whole("n", n, 8), given), given), cusps: cusps(parameters) };
+}
+
+/** About n directions at which folds are looked for. */
+function directions_for(n, given) {
+  const even = spread(NEAREST, TURN - NEAREST, n);
+  return [...even, ...hidden(even, fixed_of(given))].sort((one, other) => one - other);
 }
 
 /**
@@ -412,31 +430,27 @@ export function folds(parameters, options = {}) {
   }
   const given = parameters_of(parameters, [vary]);
   const held = vary === "theta0" ? "mu0" : "theta0";
-  const found = bifurcation_set(parameters, { n }).curves.flatMap((curve) => meeting(curve, held, given));
-  return found.sort((one, other) => one[vary] - other[vary]);
+  const curves = curves_of(FOLDS, directions_for(whole("n", n, 8), given), given);
+  const found = curves.flatMap((curve) => changes(curve, (at) => at[held] - given[held], given));
+  const states = found.flatMap(({ theta, theta0, mu0 }) => {
+    const at = state_at(...turned(theta), ...turned(theta0), given);
+    return at ? [{ theta0, mu0, theta, ...at, [held]: given[held] }] : [];
+  });
+  return states.sort((one, other) => one[vary] - other[vary]);
 }
 
-/** Where a curve has the given value of one of its coordinates. */
-function meeting(curve, held, given) {
-  const fixed = fixed_of(given);
-  const value = given[held];
-  const found = [];
-  for (let i = 0; i + 1 < curve.theta.length; i++) {
-    const [one, other] = [i, i + 1].map((k) => ({ theta: curve.theta[k], theta0: curve.theta0[k], mu0: curve.mu0[k] }));
-    if (one[held] === value) {
-      found.push(one);
-    } else if (other[held] !== value && one[held] < value !== other[held] < value) {
-      const at = (theta) => {
-        const share = (theta - one.theta) / (other.theta - one.theta);
-        const far = (point) => Math.abs(point.theta0 - one.theta0 - (other.theta0 - one.theta0) * share);
-        return column(theta, FOLDS, fixed).points.reduce((best, point) => (far(best) <= far(point) ? best : point), other);
-      };
-      const theta = one.theta === other.theta ? one.theta : bisected((middle) => at(middle)[held] - value, one.theta, other.theta);
-      found.push({ ...at(theta), theta });
+/** The points of a curve of folds at which a function of them is zero or changes its sign. */
+function changes(curve, value_at, given) {
+  const points = curve.theta.map((theta, k) => ({ theta, theta0: curve.theta0[k], mu0: curve.mu0[k] }));
+  const values = points.map(value_at);
+  const found = points.filter((_, k) => values[k] === 0);
+  for (let k = 0; k + 1 < points.length; k++) {
+    if (values[k] * values[k + 1] < 0) {
+      const [one, other] = [points[k], points[k + 1]];
+      const at = on_the_way(one, other, FOLDS, fixed_of(given));
+      // Two that are born together stand at one direction; the place between them is known to rounding.
+      found.push(one.theta === other.theta ? one : at(bisected((theta) => value_at(at(theta)), one.theta, other.theta)));
     }
   }
-  return found.flatMap(({ theta, theta0, mu0 }) => {
-    const at = state_at(...turned(theta), ...turned(theta0), given);
-    return at ? [{ theta0, mu0, theta, ...at, [held]: value }] : [];
-  });
+  return found;
 }

@@ -9,7 +9,8 @@ function evaluate(coefficients, x) {
 }
 
 /** Where a continuous function changes its sign between two places at which it has different ones, to the last bit or so. */
-function bisected(value_at, low, high) {
+function bisected(value_at, one, other) {
+  let [low, high] = one < other ? [one, other] : [other, one];
   let at_low = value_at(low);
   let at_high = value_at(high);
   for (let pass = 0; pass < 200; pass++) {

@@ -16,13 +16,23 @@
 #if FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD == -1
 #error "@library@: doubles must be computed in double precision"
 #endif
-/* One rounding an operation, so that no bit depends on where a compiler would fuse two. gcc wants -std=c99 for it, or
- * -ffp-contract=off; without, bits may differ, and the bounds hold all the same. */
-#if defined(__clang__) || !defined(__GNUC__)
+#if defined(_M_FP_FAST) || (defined(_M_IX86_FP) && _M_IX86_FP < 2)
+#error "@library@: /fp:fast and /arch:IA32 break the error bounds; leave /fp:precise and /arch:SSE2 as they are"
+#endif
+/* One rounding an operation, so that no bit depends on where a compiler would fuse two: double-doubles rest on it. */
+#if defined(__clang__) || !(defined(__GNUC__) || defined(_MSC_VER))
 #pragma STDC FP_CONTRACT OFF
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#elif !defined(__STRICT_ANSI__) || defined(__cplusplus) /* where gcc fuses unless told not to */
+#pragma GCC optimize("fp-contract=off")
+#endif
+/* A name that Windows' math.h has for something else. */
+#ifdef UNDERFLOW
+#undef UNDERFLOW
 #endif
 /* What a loop calls must be part of it before it can be turned into vector instructions. */
-#ifdef __GNUC__
+#if defined(__GNUC__) || defined(__clang__)
 #define INLINE static inline __attribute__((always_inline, unused))
 #else
 #define INLINE static inline

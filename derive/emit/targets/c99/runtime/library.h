@@ -6,8 +6,9 @@
  * @header@
  *
  * Every function returns a status, and writes results only with @LIBRARY@_OK or @LIBRARY@_UNCERTAIN: no NaN ever leaves this
- * library. Compile with -std=c99 or -ffp-contract=off, and link with -lm. Do not compile with -ffast-math or a part of it: the
- * error bounds rest on IEEE 754, with rounding to nearest and gradual underflow, as every program starts with.
+ * library. For gcc, clang and MSVC, as C99 or C++11; link with -lm where there is one. The same bits on every machine, since no
+ * operations are fused, or a refusal to compile: -ffast-math, /fp:fast and x87 arithmetic are refused. The error bounds rest on
+ * IEEE 754, with rounding to nearest and gradual underflow, as every program starts with.
  */
 #ifndef @LIBRARY@_H
 #define @LIBRARY@_H

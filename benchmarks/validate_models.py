@@ -1,0 +1,129 @@
+"""Models from pages against closed forms and other formulations, at many points.
+
+``python -m benchmarks.validate_models [POINTS] [SEED]``: POINTS of each family for the article's model (10⁵ in all with 10 000), and
+POINTS // 500 random points of each other page in 50 digits.
+"""
+
+from __future__ import annotations
+
+import sys
+import time
+from collections.abc import Callable
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+
+import spragsym as ss
+
+from . import model_references as references
+from .families import FAMILIES
+
+NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+
+
+def article(points: int, seed: int) -> None:
+    """Counts and states of the article's model through the general way, family by family."""
+    model = ss.load("kang_nam")
+    print(f"{'family':24}{'points':>8}{'undecided':>11}{'other count':>13}{'largest error':>15}{'bound':>10}{'ms/point':>10}")
+    for name, family in FAMILIES.items():
+        p = family(np.random.default_rng(seed), points)
+        begin = time.process_time()
+        eq = model.equilibria(model.Parameters(**{key: getattr(p, key) for key in NAMES}))
+        spent = time.process_time() - begin
+        known = ss.equilibria(p)
+        settled = eq.decided & ~known.undecided & ~known.fold
+        other = settled & (eq.count != known.count)
+        same = settled & ~other
+        slots = min(eq.x.shape[-1], known.x.shape[-1])
+        order = np.argsort(known.x, axis=-1)
+        errors = [
+            np.abs(getattr(eq, key)[same][:, :slots] - want) / np.maximum(1, np.abs(want))
+            for key in ("x", "y")
+            for want in [np.take_along_axis(getattr(known, key), order, axis=-1)[same][:, :slots]]
+        ]
+        print(
+            f"{name:24}{eq.count.size:8}{int((~eq.decided).sum()):11}{int(other.sum()):13}{np.nanmax(errors):15.1e}"
+            f"{np.nanmax(eq.error):10.1e}{1e3 * spent / eq.count.size:10.3f}",
+            flush=True,
+        )
+
+
+def folds_and_cusps(points: int, seed: int) -> None:
+    """Folds along θ₀ and cusps of the article's model at random parameters."""
+    rng = np.random.default_rng(seed)
+    model = ss.load("kang_nam")
+    wrong, worst, undecided, spent = 0, 0.0, 0, 0.0
+    for _ in range(points):
+        p = ss.Parameters(1.0, rng.uniform(0.05, 1.5), *10.0 ** rng.uniform(-2.5, -0.5, 2), 10.0 ** rng.uniform(-1.5, 0.5), 0.0)
+        begin = time.process_time()
+        found = model.folds(model.Parameters(**{key: getattr(p, key) for key in NAMES}), "theta0")
+        spent += time.process_time() - begin
+        known = ss.folds(p)
+        undecided += not found.complete
+        if len(found) != known.theta0.size:
+            wrong += found.complete
+        elif len(found):
+            worst = max(worst, float(np.abs(found.theta0 - known.theta0).max()), float(np.abs(found.x - known.x).max()))
+    print(
+        f"folds along theta0: {points} points, {undecided} undecided, {wrong} other counts, error {worst:.1e}, {spent / points:.2f} s each"
+    )
+
+
+def loads(p: Any) -> tuple[Any, Any]:
+    """Weight on an inclined belt."""
+    weight, psi = mp.mpf(float(p.gamma_g)), mp.mpf(float(p.psi))
+    return weight * mp.sin(psi), weight * mp.cos(psi)
+
+
+#: For each page its states in 50 digits.
+PAGES: dict[str, Callable[[Any], list[tuple[Any, ...]]]] = {
+    "cubic_contact": lambda p: references.one_spring(p, references.cubic(float(p.gamma))),
+    "hertz_contact": lambda p: references.one_spring(p, references.hertz),
+    "inclined_belt": lambda p: references.one_spring(p, references.linear, loads(p)),
+    "trolley": lambda p: references.one_spring(p, references.linear, anchor=mp.mpf(float(p.alpha_a))),
+    "two_springs": references.two_springs,
+}
+
+
+def compare(name: str, p: Any) -> tuple[bool, float]:
+    """Whether the number of states is the same, and the largest error over its bound."""
+    eq = ss.load(name).equilibria(p)
+    with mp.workdps(50):
+        want = PAGES[name](p)
+        if not eq.complete or int(eq.count) != len(want):
+            return False, np.inf
+        got = [eq.coordinates[key] for key in eq.coordinates]
+        ratios = [
+            float(abs(mp.mpf(float(column[slot])) - value) / max(1, abs(value)) / mp.mpf(float(eq.error[slot])))
+            for slot, state in enumerate(want)
+            for column, value in zip(got, state, strict=True)
+        ]
+    return True, max(ratios, default=0.0)
+
+
+def pages(points: int, seed: int) -> None:
+    """All other pages with a scalar equation or a polynomial."""
+    for name in PAGES:
+        rng = np.random.default_rng(seed)
+        model = ss.load(name)
+        results = [
+            compare(name, model.Parameters(theta0=rng.uniform(0.1, 3.0), **({"mu0": rng.uniform(0, 1.5)}))) for _ in range(points)
+        ]
+        wrong = sum(not same for same, _ in results)
+        worst = max((ratio for same, ratio in results if same), default=np.nan)
+        print(
+            f"{name:16}{points:6} points, {wrong} other counts or undecided, largest error over its bound {worst:.2g}", flush=True
+        )
+
+
+def main() -> None:
+    """All of them."""
+    points, seed = (int(sys.argv[i]) if len(sys.argv) > i else default for i, default in ((1, 10_000), (2, 1)))
+    pages(max(1, points // 500), seed)
+    folds_and_cusps(max(1, points // 200), seed)
+    article(points, seed)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,297 @@
+"""The drawing of a page's mechanism, from its statements: ``python -m derive.drawing`` writes those of all pages to ``docs/images``.
+
+The mass stands in the middle. What is tied along the direction of sliding goes to a wall on its left, what is tied across it to a
+ceiling on its right; springs and dampers with two ends go where their ends are at the base values, with θ₀ = 55°.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import sympy as sp
+
+from . import pages
+from .model import Coordinate, Page
+from .shapes import Axis, Place, Sheet, arrow, damper, spring, wall
+
+_MASS = 48.0, 30.0  #: half its width and half its height
+_BALL = 32.0
+_CONTACT = 34.0  #: between the mass and the belt
+_LENGTH = 190.0  #: of an inclined spring of undeformed length 1
+_WALL = -190.0
+_CEILING = -118.0
+_INCLINATION = math.radians(55.0)
+
+
+@dataclass(frozen=True)
+class _Part:
+    """A spring or a damper with the letter beside it."""
+
+    letter: str
+    viscous: bool
+
+    def draw(self, sheet: Sheet, axis: Axis) -> None:
+        (damper if self.viscous else spring)(sheet, axis)
+
+
+def render(page: Page) -> str:
+    """The SVG file of a page."""
+    sheet = Sheet()
+    names = [str(it.symbol) for it in page.coordinates]
+    _belt(sheet, page)
+    for it in page.coordinates:
+        _tied_to_ground(sheet, page, it)
+    _between_ends(sheet, page)
+    _leaning(sheet, page)
+    _body(sheet, page)
+    _forces(sheet, page)
+    _axes(sheet, names[: 2 if page.normal is not None and page.normal.gap is not None else 1])
+    return sheet.svg(page.summary)
+
+
+def _values(page: Page) -> dict[sp.Symbol, float]:
+    """Base values, 1 for units of measure, and the mass at its origin."""
+    values = {datum.symbol: _INCLINATION if datum.base is None else datum.base for datum in page.parameters}
+    return values | {datum.symbol: 1.0 for datum in page.units} | {it.symbol: 0.0 for it in page.coordinates}
+
+
+def _letter(expression: sp.Expr) -> str:
+    """The symbols of a coefficient: a mass first, then by their names."""
+    return " ".join(sorted(map(str, expression.free_symbols), key=lambda name: (name != "m", name)))
+
+
+def _members(page: Page) -> Iterator[tuple[_Part, tuple[tuple[sp.Expr, sp.Expr], ...] | None, sp.Expr | None]]:
+    """Every spring and damper with its ends, or with what it is along."""
+    for it in page.springs:
+        yield _Part(_letter(it.stiffness), False), it.ends, it.along
+    for damping in page.dampers:
+        yield _Part(_letter(damping.coefficient), True), damping.ends, damping.along
+
+
+# ------------------------------------------------------------------------------------------------- mass and belt
+
+
+def _half(page: Page) -> Place:
+    return (_BALL, _BALL) if _is_ball(page) else _MASS
+
+
+def _is_ball(page: Page) -> bool:
+    """Whether the contact law is that of a curved body: a power of the penetration that is not whole."""
+    if page.normal is None or page.normal.gap is None:
+        return False
+    depth = sp.Symbol("depth", positive=True)
+    return not sp.sympify(page.normal.law(depth)).is_polynomial(depth)
+
+
+def _body(sheet: Sheet, page: Page) -> None:
+    width, height = _half(page)
+    if _is_ball(page):
+        sheet.circle((0.0, 0.0), width, style="ink body")
+    else:
+        sheet.line((-width, -height), (width, -height), (width, height), (-width, height), style="ink body", closed=True)
+    sheet.name("m", (0.0, 7.0))
+
+
+def _belt(sheet: Sheet, page: Page) -> None:
+    """Belt and rollers, with the contact between them and the mass."""
+    height = _half(page)[1]
+    elastic = page.normal is not None and page.normal.gap is not None
+    top = height + (_CONTACT if elastic else 0.0)
+    left, right = -130.0, 150.0
+    sheet.line((left, top), (right, top), (right, top + 14), (left, top + 14), style="ink belt", closed=True)
+    arrow(sheet, (60.0, top + 34), (140.0, top + 34))
+    sheet.name(_letter(page.sliding.belt) if page.sliding is not None else "V", (152.0, top + 40), anchor="start")
+    if page.normal is None or not elastic:
+        return
+    for x in (-16.0, 16.0):
+        spring(sheet, Axis((x, height), (x, top - 3)), turns=3, width=6.0)
+    sheet.line((-26.0, top - 3), (26.0, top - 3))
+    depth = sp.Symbol("depth", positive=True)
+    law = sp.sympify(page.normal.law(depth))
+    sheet.name(_letter(law.subs(depth, 1)), (-34.0, height + 0.5 * _CONTACT + 7), anchor="end")
+
+
+# ------------------------------------------------------------------------------------------------ springs and dampers
+
+
+def _tied_to_ground(sheet: Sheet, page: Page, coordinate: Coordinate) -> None:
+    """What is along a coordinate of the mass: to the wall or to the ceiling. A trolley's is drawn with the trolley."""
+    parts = [part for part, _, along in _members(page) if along == coordinate.symbol]
+    place = [it.symbol for it in page.coordinates].index(coordinate.symbol)
+    if not parts or place > 1:
+        return
+    width, _ = _half(page)
+    if place == 0:
+        rows = _rows(len(parts), 46.0)
+        for part, y in zip(parts, rows, strict=True):
+            part.draw(sheet, Axis((_WALL, y), (-width, y)))
+            sheet.name(part.letter, (0.5 * (_WALL - width), y - 17))
+        wall(sheet, (_WALL, 0.0), 18.0 + 0.5 * (rows[-1] - rows[0]), (-1.0, 0.0))
+        return
+    rows = _rows(len(parts), 40.0)
+    arm = width + 78.0 + rows[-1]
+    sheet.line((width, 0.0), (arm + rows[-1], 0.0))
+    for part, x in zip(parts, rows, strict=True):
+        part.draw(sheet, Axis((arm + x, 0.0), (arm + x, _CEILING)))
+        side = -1.0 if x < 0 else 1.0
+        sheet.name(part.letter, (arm + x + 14 * side, 0.5 * _CEILING + 6), anchor="end" if x < 0 else "start")
+    wall(sheet, (arm, _CEILING), 18.0 + 0.5 * (rows[-1] - rows[0]), (0.0, -1.0))
+
+
+def _rows(count: int, apart: float) -> list[float]:
+    return [apart * (place - 0.5 * (count - 1)) for place in range(count)]
+
+
+def _between_ends(sheet: Sheet, page: Page) -> None:
+    """Springs and dampers from the mass to an anchor; those with the same anchor side by side."""
+    values = _values(page)
+    shared: dict[Place, list[_Part]] = {}
+    movable: dict[Place, Coordinate] = {}
+    for part, ends, _ in _members(page):
+        if ends is None:
+            continue
+        anchor = next(end for end in ends if set(end) != {it.symbol for it in page.coordinates[:2]})
+        x, y = (float(sp.sympify(component).subs(values)) for component in anchor)
+        place = _LENGTH * x, -_LENGTH * y - _half(page)[1]
+        shared.setdefault(place, []).append(part)
+        for it in page.coordinates[2:]:
+            if it.symbol in anchor[0].free_symbols | anchor[1].free_symbols:
+                movable[place] = it
+    first = True
+    for place, parts in shared.items():
+        axis = Axis((0.0, -_half(page)[1]), place)
+        _side_by_side(sheet, axis, parts)
+        if place in movable:
+            _trolley(sheet, page, place, movable[place])
+        else:
+            sheet.circle(place, 5.0)
+            wall(sheet, (place[0], place[1] - 8), 16.0, (0.0, -1.0))
+        if first:
+            _angle(sheet, axis)
+        first = False
+
+
+def _side_by_side(sheet: Sheet, axis: Axis, parts: list[_Part]) -> None:
+    """Parts between the same two ends, joined by bars if there are several."""
+    rows = _rows(len(parts), 28.0)
+    inner = axis
+    if len(parts) > 1:
+        inner = Axis(axis.at(0.14 * axis.length), axis.at(0.88 * axis.length))
+        for outer, bar in ((axis.start, 0.0), (axis.end, inner.length)):
+            sheet.line(outer, inner.at(bar))
+            sheet.line(inner.at(bar, rows[0]), inner.at(bar, rows[-1]))
+    for part, aside in zip(parts, rows, strict=True):
+        part.draw(sheet, inner.shifted(aside))
+        x, y = inner.at(0.6 * inner.length, aside - 18 if aside <= 0 else aside + 18)
+        sheet.name(part.letter, (x, y + 6), anchor="end" if aside <= 0 else "start")
+
+
+def _angle(sheet: Sheet, axis: Axis) -> None:
+    (x, y), end = axis.start, axis.end
+    angle = math.atan2(y - end[1], end[0] - x)
+    sheet.line((x, y), (x + 62, y), style="ink thin dash")
+    sheet.arc((x, y), 46.0, angle)
+    sheet.name("theta", (x + 60 * math.cos(0.4 * angle), y - 60 * math.sin(0.4 * angle) + 6))
+
+
+def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> None:
+    """An anchor that moves along the belt: a car on a rail, with what ties it to the ground."""
+    x, y = place
+    sheet.line((x - 24, y - 12), (x + 24, y - 12), (x + 24, y + 4), (x - 24, y + 4), style="ink body", closed=True)
+    for wheel in (-14.0, 14.0):
+        sheet.circle((x + wheel, y - 17), 5.0)
+    sheet.line((x - 60, y - 23), (x + 70, y - 23))
+    arrow(sheet, (x + 34, y - 4), (x + 70, y - 4))
+    sheet.name(str(coordinate.symbol), (x + 76, y + 2), anchor="start")
+    for part, _, along in _members(page):
+        if along == coordinate.symbol:
+            end = x - 150.0
+            part.draw(sheet, Axis((end, y - 4), (x - 24, y - 4)))
+            sheet.name(part.letter, (0.5 * (end + x - 24), y + 24))
+            wall(sheet, (end, y - 4), 18.0, (-1.0, 0.0))
+
+
+def _leaning(sheet: Sheet, page: Page) -> None:
+    """A potential that depends on one combination of x and y: a spring along it that keeps its direction."""
+    for energy, _ in page.energies:
+        symbols = [it.symbol for it in page.coordinates[:2]]
+        if len(symbols) < 2:
+            continue
+        slopes = [sp.diff(energy, symbol) for symbol in symbols]
+        ratio = sp.simplify(slopes[1] / slopes[0])
+        if not ratio.is_number:
+            continue
+        along = math.atan2(float(ratio), 1.0)
+        along += math.pi * (math.sin(along) < 0)  # upwards
+        start = 0.0, -_half(page)[1]
+        axis = Axis(start, (start[0] + 0.7 * _LENGTH * math.cos(along), start[1] - 0.7 * _LENGTH * math.sin(along)))
+        spring(sheet, axis)
+        x, y = axis.at(0.5 * axis.length, -26.0)
+        letter = _letter(energy.subs({symbol: index + 1 for index, symbol in enumerate(symbols)}))
+        sheet.name(letter, (x, y), anchor="end")
+        sheet.circle(axis.end, 5.0)
+        wall(sheet, (axis.end[0], axis.end[1] - 8), 16.0, (0.0, -1.0))
+
+
+# ------------------------------------------------------------------------------------------------ forces and axes
+
+
+def _forces(sheet: Sheet, page: Page) -> None:
+    """Applied forces as arrows towards the mass or away from it, each with its symbols but those of its direction."""
+    values = _values(page)
+    width, height = _half(page)
+    given = [force.components for force in page.forces if force.at is not None]
+    if page.normal is not None and page.normal.gap is None:
+        given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Symbol("depth", positive=True)))))
+    for place, components in enumerate(given):
+        x, y = (float(component.subs(values)) for component in components)
+        size = math.hypot(x, y) or 1.0
+        bare = sp.Add(*components).replace(lambda node: isinstance(node, sp.sin | sp.cos), lambda node: sp.S.One)
+        letter = _letter(bare)
+        across = (x / size, -y / size)
+        if place == 0:  # onto the mass, on the side that no spring leans to
+            side = 1.0 if page.energies else -1.0
+            tip = side * 0.75 * width, -height - 4
+            start = tip[0] - 52 * across[0], tip[1] - 52 * across[1]
+            arrow(sheet, start, tip, style="ink force")
+            sheet.name(letter, (start[0] + side * 8, start[1] + 16), anchor="end" if side < 0 else "start", style="force-name")
+        else:
+            start = 0.85 * width, 0.0
+            end = start[0] + 56 * across[0], start[1] + 56 * across[1]
+            arrow(sheet, start, end, style="ink force")
+            sheet.name(letter, (end[0] + 12, end[1] + 2), anchor="start", style="force-name")
+
+
+def _axes(sheet: Sheet, names: list[str]) -> None:
+    """The coordinates of the mass, beside the belt."""
+    x, y = -188.0, 108.0
+    for name, (dx, dy) in zip(names, ((38.0, 0.0), (0.0, -38.0)), strict=False):
+        arrow(sheet, (x, y), (x + dx, y + dy))
+        sheet.name(name, (x + 1.25 * dx + 2, y + 1.25 * dy + (6 if dx else 0)))
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Write the drawing of every page."""
+    parser = argparse.ArgumentParser(prog="python -m derive.drawing", description="Draw the mechanism of every page.")
+    parser.add_argument(
+        "--out", type=Path, default=Path(__file__).parent.parent / "docs" / "images" / "models", help="folder to write"
+    )
+    options = parser.parse_args(arguments)
+    options.out.mkdir(parents=True, exist_ok=True)
+    for name, page in every_page().items():
+        (options.out / f"{name}.svg").write_text(render(page), encoding="utf-8", newline="\n")
+        print(options.out / f"{name}.svg")
+    return 0
+
+
+def every_page() -> dict[str, Page]:
+    """The pages that come with the package, by name."""
+    return {path.stem: pages.read(path).page for path in pages.shipped()}
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

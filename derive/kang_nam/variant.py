@@ -1,0 +1,297 @@
+"""What falls of the article when its page changes: every printed row against the model of a page.
+
+A row rests on few things: the geometry of the spring, the laws of contact and friction, the balance of forces, and so on. Each of these
+is compared with the article's, by exact algebra; a row holds where all that it rests on is the article's, fails where something
+differs, with the difference, and has no meaning where a thing that it speaks of is not there. What is judged is the row with the
+article's own misprints mended.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import sympy as sp
+
+from .. import algebra, laws, linearization, soundness, statics, units
+from ..mechanics import DEPTH, MU, PUSHING, SIDE, Line, Mechanics
+from ..motion import Motion
+from . import article, equilibrium, mechanics, stability
+from . import nomenclature as nm
+
+HOLDS, FAILS, NO_MEANING = "holds", "fails", "no meaning"
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """What becomes of one printed row: the difference, model less article, or why it has no meaning."""
+
+    id: str
+    where: str
+    status: str
+    remark: str = ""
+
+
+class NoMeaning(Exception):
+    """The model has not what a row speaks of."""
+
+
+def judge(model: Mechanics) -> list[Judgement]:
+    """Every row of the article, in its order."""
+    if not {"x", "y"} <= set(map(str, model.coordinates)):
+        reason = "the model has no coordinates x and y"
+        return [Judgement(entry.id, entry.where, NO_MEANING, reason) for entry in article.PRINTED]
+    compared = _Compared(model)
+    return [_judged(entry, compared) for entry in article.PRINTED]
+
+
+def _judged(entry: article.Printed, compared: _Compared) -> Judgement:
+    found = []
+    try:
+        for aspect in RESTS_ON[entry.id]:
+            found += [f"{name}: {gap}" for name, gap in aspect(compared).items() if gap != 0]
+    except NoMeaning as reason:
+        return Judgement(entry.id, entry.where, NO_MEANING, str(reason))
+    return Judgement(entry.id, entry.where, FAILS if found else HOLDS, "; ".join(found))
+
+
+class _Compared:
+    """Differences between a model and the article's, each found once."""
+
+    def __init__(self, model: Mechanics) -> None:
+        self.model = model
+        known = {str(symbol): symbol for symbol in model.coordinates}
+        self.rows = [list(model.coordinates).index(known[name]) for name in ("x", "y")]
+
+    @cached_property
+    def line(self) -> Line:
+        """The inclined spring."""
+        if not self.model.lines:
+            raise NoMeaning("there is no inclined spring")
+        return self.model.lines[0]
+
+    def named(self, expression: sp.Expr) -> sp.Expr:
+        """An expression of the page in the symbols of the nomenclature, where it has them."""
+        entries = nm.quantities()
+        names = {symbol: entries[str(symbol)].symbol for symbol in expression.free_symbols if str(symbol) in entries}
+        special = {MU: nm.mu, PUSHING: nm.nbar, SIDE: nm.side}
+        if self.model.lines:
+            special |= {self.line.c: nm.c, self.line.s: nm.s, self.line.l: nm.L}
+        return expression.subs(names | special, simultaneous=True)
+
+    def gap(self, ours: sp.Expr, theirs: sp.Expr) -> sp.Expr:
+        """Model less article, x and y by the direction and the length of the inclined spring; 0 if equal."""
+        polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s} if self.model.lines else {}
+        circles = (*nm.UNIT_CIRCLES, *((line.c, line.s) for line in self.model.lines[1:]))
+        left, right = (sp.expand(side.subs(polar, simultaneous=True)) for side in (self.named(ours), theirs))
+        found = algebra.difference(left, right, circles)
+        return sp.S.Zero if found == 0 else sp.factor_terms(sp.expand(found))
+
+    # ------------------------------------------------------------------------------------------------ aspects
+
+    def geometry_x(self) -> dict[str, sp.Expr]:
+        """L cos θ."""
+        return {"L cos θ": sp.expand(self.named(self.line.dx) - (nm.c0 - nm.x))}
+
+    def geometry_y(self) -> dict[str, sp.Expr]:
+        """L sin θ."""
+        return {"L sin θ": sp.expand(self.named(self.line.dy) - (nm.s0 - nm.y))}
+
+    def rest(self) -> dict[str, sp.Expr]:
+        """The undeformed length."""
+        return {"undeformed length": sp.expand(self.line.rest - 1)}
+
+    def along(self) -> dict[str, sp.Expr]:
+        """x″."""
+        return self._motion(0)
+
+    def across(self) -> dict[str, sp.Expr]:
+        """y″."""
+        return self._motion(1)
+
+    def _motion(self, row: int) -> dict[str, sp.Expr]:
+        equations = mechanics.motion()
+        residual, acceleration = ((equations.x, equations.ax), (equations.y, equations.ay))[row]
+        # Any law of contact and friction: both stand as n and μ, and are rows of their own.
+        theirs = sp.solve(residual, acceleration)[0]
+        return {"xy"[row] + "″": self.gap(_separated(self.model, self.rows[row]), theirs)}
+
+    def contact(self) -> dict[str, sp.Expr]:
+        """n(y) in contact, and that there is none in lift-off."""
+        it = self.model
+        if it.gap is None:
+            raise NoMeaning("the normal force is given: there is no contact law")
+        lift = sp.S.Zero if it.unilateral else it.law
+        return {"n(δ)": sp.expand(it.law - DEPTH), "n in lift-off": sp.expand(lift), "gap": sp.expand(self.named(it.gap) - nm.y)}
+
+    def friction(self) -> dict[str, sp.Expr]:
+        """μ at the sliding speed."""
+        if self.model.slide is None:
+            raise NoMeaning("there is no friction")
+        ours = self.named(laws.smooth_friction(self.model, felt=True))
+        found = sp.simplify(ours - mechanics.smooth_friction(nm.side))
+        return {"μ": found}
+
+    def steady(self) -> dict[str, sp.Expr]:
+        """μ at rest."""
+        return {"μ at rest": sp.simplify(self.named(laws.friction_at_rest(self.model)) - nm.mu0)}
+
+    def _balance(self, row: int, pushing: int) -> dict[str, sp.Expr]:
+        it = self.model
+        # At rest friction is μ₀ times the contact force in the article; what the model has for μ is a row of its own.
+        ours = it.residuals[self.rows[row]].subs({PUSHING: pushing, MU: nm.mu0})
+        ours = ours.subs(DEPTH, -it.gap) if it.gap is not None else ours
+        theirs = equilibrium.balance_cartesian()[row].subs(nm.nbar, pushing)
+        return {("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(ours, theirs)}
+
+    def balance_x(self) -> dict[str, sp.Expr]:
+        return self._balance(0, 1)
+
+    def balance_y(self) -> dict[str, sp.Expr]:
+        return self._balance(1, 1)
+
+    def linear(self) -> dict[str, sp.Expr]:
+        """That the balance is linear in cos θ and sin θ, without which there are no D and b."""
+        return self._linear(1)
+
+    def linear_lifted(self) -> dict[str, sp.Expr]:
+        return self._linear(0)
+
+    def _linear(self, pushing: int) -> dict[str, sp.Expr]:
+        it = self.model
+        if not pushing and not it.unilateral:
+            raise NoMeaning("the mass never leaves the belt: there is no lift-off")
+        if len(it.coordinates) != 2:
+            raise NoMeaning(f"the balance has {len(it.coordinates)} unknowns: there are no D and b")
+        if len(it.lines) != 1:
+            raise NoMeaning(f"there are {len(it.lines)} inclined springs: the balance is not linear in one direction")
+        polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
+        for row in self.rows:
+            ours = it.residuals[row].subs({PUSHING: pushing, MU: nm.mu0})
+            ours = sp.expand(self.named(ours.subs(DEPTH, -it.gap) if it.gap is not None else ours).subs(polar, simultaneous=True))
+            if any(sp.diff(ours, one, other) != 0 for one in (nm.c, nm.s) for other in (nm.c, nm.s)):
+                raise NoMeaning("the balance is not linear in cos θ and sin θ: there are no D and b, and no quartic in L")
+        return {}
+
+    def matrix(self) -> dict[str, sp.Expr]:
+        """D: the part of the balance that is linear in cos θ and sin θ."""
+        return self._parts(1)[0]
+
+    def matrix_lifted(self) -> dict[str, sp.Expr]:
+        return self._parts(0)[0]
+
+    def b1(self) -> dict[str, sp.Expr]:
+        return self._side("b_1")
+
+    def b2(self) -> dict[str, sp.Expr]:
+        return self._side("b_2")
+
+    def b3(self) -> dict[str, sp.Expr]:
+        return self._side("b_3")
+
+    def b4(self) -> dict[str, sp.Expr]:
+        return self._side("b_4")
+
+    def _side(self, name: str) -> dict[str, sp.Expr]:
+        """A component of the right side."""
+        return {name: self._parts(1 if name in ("b_1", "b_2") else 0)[1][name]}
+
+    def _parts(self, pushing: int) -> tuple[dict[str, sp.Expr], dict[str, sp.Expr]]:
+        self._linear(pushing)
+        D, b = (part.subs(nm.nbar, pushing) for part in equilibrium.matrix_form())
+        polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s}
+        of_matrix, of_side = {}, {}
+        for row, place in enumerate(self.rows):
+            ours = self.model.residuals[place].subs({PUSHING: pushing, MU: nm.mu0})
+            ours = sp.expand(self.named(ours).subs(polar, simultaneous=True))
+            for column, symbol in enumerate((nm.c, nm.s)):
+                of_matrix[f"D_{row + 1}{column + 1}"] = sp.factor_terms(sp.expand(sp.diff(ours, symbol) - D[row, column]))
+            rest = -ours.subs({nm.c: 0, nm.s: 0})
+            name = f"b_{row + 1 if pushing else row + 3}"
+            of_side[name] = sp.S.Zero if algebra.difference(rest, b[row], nm.UNIT_CIRCLES) == 0 else sp.simplify(rest - b[row])
+        return of_matrix, of_side
+
+    def stiffness(self) -> dict[str, sp.Expr]:
+        """K."""
+        rows, K = statics.jacobian(self.model), stability.stiffness()
+        found = {}
+        for i, row in enumerate(self.rows):
+            for j, column in enumerate(self.rows):
+                ours = rows[row][column].subs(MU, nm.mu0)
+                found[f"K_{i + 1}{j + 1}"] = self.gap(ours, K[i, j])
+        return found
+
+    def damping(self) -> dict[str, sp.Expr]:
+        """C, and the masses."""
+        damped, C = linearization.damping(self.model), stability.damping()
+        found = {}
+        for i, row in enumerate(self.rows):
+            for j, column in enumerate(self.rows):
+                found[f"C_{i + 1}{j + 1}"] = self.gap(damped[row, column], C[i, j])
+                found[f"M_{i + 1}{j + 1}"] = sp.expand(self.named(self.model.mass[row, column]) - int(i == j))
+        return found
+
+    def alone(self) -> dict[str, sp.Expr]:
+        """That x and y are all unknowns."""
+        if len(self.model.coordinates) != 2:
+            raise NoMeaning(f"the linearization has {len(self.model.coordinates)} unknowns: its determinant is of higher order")
+        return {}
+
+    def group(self, name: str) -> dict[str, sp.Expr]:
+        """A dimensionless quantity, or a scale, by the quantities with units."""
+        page = self.model.page
+        ours = soundness.groups(page).get(name)
+        symbol = nm.quantities()[name].symbol
+        if ours is None:
+            raise NoMeaning(f"the model has no {name}")
+        dimensional, scale = mechanics.groups()[symbol]
+        by_name = {it: sp.Symbol(str(it), positive=True) for it in ours.free_symbols | (dimensional / scale).free_symbols}
+        gap = sp.simplify(ours.subs(by_name) / (dimensional / scale).subs(by_name))
+        return {name: sp.S.Zero if gap == 1 else ours}
+
+    def scale(self, name: str) -> dict[str, sp.Expr]:
+        ours = soundness.scale(self.model.page, {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}[name])
+        theirs = mechanics.scales()[name]
+        by_name = {it: sp.Symbol(str(it), positive=True) for it in (ours or sp.S.One).free_symbols | theirs.free_symbols}
+        if ours is None:
+            raise NoMeaning(f"the model has no unit of {name}")
+        return {f"unit of {name}": sp.S.Zero if sp.simplify(ours.subs(by_name) / theirs.subs(by_name)) == 1 else ours}
+
+
+def _separated(model: Mechanics, row: int) -> sp.Expr:
+    """An acceleration with the article's n for the contact force, along the gap and, times μ, along the belt."""
+    symbol, n = model.coordinates[row], sp.Symbol("n", real=True)
+    share = sp.S.Zero if model.gap is None else sp.diff(model.gap, symbol)
+    if model.slide is not None:
+        share += MU * sp.diff(model.slide, symbol)
+    return sp.expand(Motion(model).accelerations[row] + (n - model.normal) * share / model.mass[row, row])
+
+
+_Aspect = Callable[[_Compared], dict[str, sp.Expr]]
+
+
+def _groups() -> dict[str, tuple[_Aspect, ...]]:
+    return {f"def-{name}": ((lambda it, name=name: it.group(name)),) for name in ("sigma", "alpha", "beta", "kappa")}  # type: ignore[misc]
+
+
+_C = _Compared
+_CONTACT_QUARTIC = (_C.linear, _C.matrix)
+_LIFTED_QUARTIC = (_C.linear_lifted, _C.matrix_lifted)
+
+#: Row → what it rests on.
+RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
+    "eq-1": (_C.along,), "eq-2": (_C.across,), "eq-3": (_C.rest,), "eq-4": (_C.geometry_x,), "eq-5": (_C.geometry_y,),
+    "eq-6": (_C.geometry_x, _C.geometry_y), "eq-7": (_C.contact,), "eq-8": (_C.along,), "eq-9": (_C.across,), "eq-10": (_C.friction,),
+    "eq-11": (_C.contact,), "eq-12": (_C.along, _C.steady), "eq-13": (_C.across,), "eq-14": (_C.balance_x, _C.steady),
+    "eq-15": (_C.balance_y,), "eq-16": (_C.linear,), "eq-17": (_C.linear, _C.matrix), "eq-18": (_C.matrix,), "eq-19": (_C.b1, _C.b2),
+    "eq-20": (_C.linear,), "eq-21": _CONTACT_QUARTIC, "eq-22": (_C.linear_lifted,), "eq-23": (_C.linear_lifted,),
+    "eq-24": (_C.matrix_lifted,), "eq-25": (_C.b3, _C.b4), "eq-26": _LIFTED_QUARTIC,
+    "eq-27": (_C.alone, _C.damping), "eq-28": (_C.stiffness,), "eq-29": (_C.contact,),
+    "def-tau": (lambda it: it.scale("time"),), "def-prime": (),
+    **{f"def-{name}": (lambda it: it.scale("length"),) for name in ("x", "y", "L")},
+    **_groups(), "def-n": (lambda it: it.scale("force"),),
+    **dict.fromkeys(("A1-c0", "A2", "A3", "A4", "A5"), _CONTACT_QUARTIC),
+    **dict.fromkeys(("A1-d0", "A6", "A7", "A8", "A9"), _LIFTED_QUARTIC),
+    "A10": (_C.b1,), "A11": (_C.b2,), "A12": (_C.b3,), "A13": (_C.b4,),
+}  # fmt: skip

@@ -1,0 +1,70 @@
+"""``spragsym simulate --model`` and ``spragsym sweep --model``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from .motion import BACKEND, RTOL, open_grid, print_summary, run_sweep, summary_of
+from .options import Axis, Number, as_json, window, workers
+from .targets import force, refuse
+from .with_model import parameter_options, parameters_of
+
+if TYPE_CHECKING:
+    from ..models import Model
+
+
+def _more(*decorators: Callable[[Any], Any]) -> list[click.Option]:
+    """The options that decorators add."""
+
+    def bare() -> None:
+        """Nothing."""
+
+    for decorator in decorators:
+        decorator(bare)
+    found: list[click.Option] = getattr(bare, "__click_params__", [])
+    return found
+
+
+def simulate_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
+    """Options and work of ``spragsym simulate`` for a model."""
+
+    def simulate(
+        t_end: float, transient: float, rtol: float, backend: str | None, estimate_error: bool, output: Path | None, force: bool,
+        json_output: bool, **values: Any,
+    ) -> None:  # fmt: skip
+        from ..files import storage
+
+        p = model.Parameters(**parameters_of(model, values))
+        if output is not None:
+            refuse([output], force)
+            storage.check_target(output, 10_000_000)
+        tr = model.simulate(p, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values)
+        summary = {"model": model.name, **summary_of(tr, transient)}
+        if output is not None:
+            tr.save(output)
+        print_summary(summary, json_output)
+
+    error = click.option("--error", "estimate_error", is_flag=True, help="Estimate the error by a second run.")
+    output = click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
+    options = [*parameter_options(model, Number, start=True), *_more(window, RTOL, BACKEND, error, output, force, as_json)]
+    return options, simulate, "Integrate the motion from an initial state."
+
+
+def sweep_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
+    """Options and work of ``spragsym sweep`` for a model."""
+
+    def sweep(quiet: bool, output: Path, force: bool, **values: Any) -> None:
+        starts = [f"{name}0" for name in (*model.coordinates, *model.rates)]
+        axes = {**parameters_of(model, values), **{name: values.pop(name) for name in starts}}
+        grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))
+        p = model.Parameters(**{name: grid.pop(name) for name in model.parameters})
+        run_sweep(lambda: model.rms_sweep(p, **grid, **values, progress=not quiet, store=output), output, force)
+
+    quiet = click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
+    output = click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
+    options = [*parameter_options(model, Axis, start=True), *_more(window, RTOL, BACKEND, workers(1), quiet, output, force)]
+    return options, sweep, "Simulate over a grid of parameters, to a file. Every option that takes numbers is an axis."

@@ -1,0 +1,134 @@
+"""``spragsym equilibria --model`` and ``spragsym bifurcation --model``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from .options import Number
+from .tables import print_json, print_table
+from .with_model import parameter_options, parameters_of, without
+
+if TYPE_CHECKING:
+    from ..models import Model
+
+_JSON = "Print JSON instead of a table."
+
+
+def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
+    """Options and work of ``spragsym equilibria`` for a model."""
+
+    def equilibria(json_output: bool, **values: Any) -> None:
+        p = model.Parameters(**parameters_of(model, values))
+        rows, open_boxes = [], []
+        unilateral = model.about["contact"]["unilateral"]
+        for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
+            found = model.equilibria(p, contact=contact)
+            rows += _rows(model, found, state)
+            open_boxes += [{"state": state, "low": list(box.low), "high": list(box.high)} for box in found.undecided]
+        if json_output:
+            print_json({"model": model.name, "equilibria": rows, "undecided": open_boxes})
+            return
+        print_table("", ("state", "stability", *model.coordinates, "error"), [
+            (row["state"], row["stability"], *(row[name] for name in model.coordinates), f"{row['error']:.1e}") for row in rows
+        ])  # fmt: skip
+        for place in ("contact", "lift-off"):
+            if boxes := [box for box in open_boxes if box["state"] == place]:
+                click.echo(_summed(model, place, boxes))
+
+    options = [*parameter_options(model, Number), click.Option(["--json", "json_output"], is_flag=True, help=_JSON)]
+    return options, equilibria, "All equilibria at one point, in contact and in lift-off, stable and unstable, proved."
+
+
+def _summed(model: Model, state: str, boxes: list[dict[str, Any]]) -> str:
+    """How many boxes are undecided, and what holds them all; --json lists each."""
+    low = [min(ends) for ends in zip(*(box["low"] for box in boxes), strict=True)]
+    high = [max(ends) for ends in zip(*(box["high"] for box in boxes), strict=True)]
+    hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(model.coordinates, low, high, strict=True))
+    return f"{state}: not complete, {len(boxes)} boxes are undecided, within {hull}"
+
+
+def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
+    import numpy as np
+
+    from ..statics import Stability
+
+    return [
+        {
+            "state": state,
+            "stability": Stability(int(found.stability[slot])).name.lower(),
+            **{name: float(getattr(found, name)[slot]) for name in model.coordinates},
+            "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in found.eigenvalues[slot]],
+            "growth": float(found.growth[slot]),
+            "error": float(found.error[slot]),
+        }
+        for slot in range(int(found.count))
+    ]
+
+
+def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
+    """Options and work of ``spragsym bifurcation`` for a model."""
+
+    def bifurcation(vary: str, along: str, json_output: bool, **values: Any) -> None:
+        asked = {"folds": ((vary,), model.folds), "flutter onsets": ((vary,), model.flutter_onsets)}
+        found = {title: search(without(model, names, dict(values)), names[0]) for title, (names, search) in asked.items()}
+        if along:
+            found["cusps"] = model.cusps(without(model, (vary, along), dict(values)), (vary, along))
+        if json_output:
+            print_json({"model": model.name, **{title: _points(model, points) for title, points in found.items()}})
+            return
+        for title, points in found.items():
+            names = (*points.vary, *model.coordinates)
+            rows = [
+                (*(_shown(model, name, row[name]) for name in names), row["kind"]) for row in _points(model, points)["points"]
+            ]
+            header = (*(f"{name}_deg" if name in model.about["angles"] else name for name in names), "kind")
+            print_table(title.capitalize(), header, rows)
+            if not points.complete:
+                click.echo(f"{title}: not complete, {len(points.undecided)} boxes are undecided")
+
+    first, second = _axes(model)
+    options = [
+        *(_optional(option) for option in parameter_options(model, Number)),
+        click.Option(
+            ["--vary", "vary"], default=first, show_default=True, help="Parameter along which folds and onsets are looked for."
+        ),
+        click.Option(
+            ["--along", "along"], default=second, show_default=True, help="Second parameter, for cusps; empty for none."
+        ),
+        click.Option(["--json", "json_output"], is_flag=True, help=_JSON),
+    ]
+    return options, bifurcation, "All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved."
+
+
+def _axes(model: Model) -> tuple[str, str]:
+    """The parameters that vary unless told otherwise: θ₀ and μ₀ where they are."""
+    known = model.parameters
+    first = "theta0" if "theta0" in known else "mu0" if "mu0" in known else known[0]
+    return first, "mu0" if first == "theta0" and "mu0" in known else ""
+
+
+def _optional(option: click.Option) -> click.Option:
+    """What varies need not be given."""
+    option.required = False
+    return option
+
+
+def _points(model: Model, points: Any) -> dict[str, Any]:
+    names = (*points.vary, *model.coordinates)
+    rows = [
+        {
+            **{name: float(getattr(points, name)[row]) for name in names},
+            "kind": str(points.kind[row]),
+            "error": float(points.error[row]),
+        }
+        for row in range(len(points))
+    ]
+    return {"points": rows, "complete": bool(points.complete), "region_whole": bool(points.whole)}
+
+
+def _shown(model: Model, name: str, value: float) -> float:
+    return math.degrees(value) if name in model.about["angles"] else value

@@ -1,0 +1,103 @@
+"""What integrators and the search for cycles know of a model: a field of second order that is smooth in each of its modes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+#: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
+Mode: TypeAlias = tuple[int, ...]
+
+#: How far beyond its border a mode is left: it ends chatter by rounding, and costs an error of the order of its square.
+GAP = 1e-12
+
+
+@dataclass(frozen=True)
+class Border:
+    """Where a mode ends: at a zero of ``level``.
+
+    Attributes
+    ----------
+    name : str
+    level : callable
+        ``level(state, constants, mode)``, algebra of any number type.
+    rate : callable
+        ``rate(state, accelerations, constants, mode)``: the derivative of the level in time.
+    sign : callable
+        ``sign(mode)``: of the level inside a mode, a polynomial in the mode's numbers that is 1 or −1.
+    beyond : callable
+        ``beyond(mode)``: the mode on the other side.
+    kink : bool
+        Whether the field has a kink there; False where two modes differ by less than rounding.
+    crossings : tuple of str
+        What crossing it is called, to positive and to negative levels.
+    watched : callable or None
+        ``watched(state, constants, mode)``: what a Taylor method watches in the place of the level, zero where the mode is left.
+    """
+
+    name: str
+    level: Callable[..., Any]
+    rate: Callable[..., Any]
+    sign: Callable[[Any], Any]
+    beyond: Callable[[Mode], Mode]
+    kink: bool = True
+    crossings: tuple[str, str] = ("", "")
+    watched: Callable[..., Any] | None = None
+
+
+@dataclass(frozen=True)
+class Field:
+    """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across the borders between modes.
+
+    Attributes
+    ----------
+    name : str
+        Unique to the model: compiled integrators are kept by it.
+    coordinates : tuple of str, length n
+    parameters : tuple of str, length P
+        Those that can be varied.
+    constants : callable
+        ``constants(values)``: what the functions below take, from the values of the parameters; of a fixed length. With
+        ``xp`` as a second argument from other numbers than floats.
+    acceleration, jacobian, by_parameters : callable
+        ``f(state, constants, mode, xp)``: n accelerations; n rows of derivatives by the 2 n numbers of the state; n rows of
+        derivatives by the P parameters.
+    borders : tuple of Border
+    initial_mode : callable
+        ``initial_mode(state, constants)``; on a border either side is right.
+    modes : tuple of Mode
+        All there are.
+    check : callable
+        ``check(name, value)`` raises where a parameter may not have a value.
+    simulate : callable
+        ``simulate(values, state, t_end)``: the model's own trajectory.
+    exact : callable
+        ``exact(mode)``: the mode without what is left out below rounding, for proofs.
+    forces : tuple of (str, callable)
+        Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
+    """
+
+    name: str
+    coordinates: tuple[str, ...]
+    parameters: tuple[str, ...]
+    constants: Callable[..., tuple[float, ...]]
+    acceleration: Callable[..., Any]
+    jacobian: Callable[..., Any]
+    by_parameters: Callable[..., Any]
+    borders: tuple[Border, ...]
+    initial_mode: Callable[..., Mode]
+    modes: tuple[Mode, ...]
+    check: Callable[[str, float], None]
+    simulate: Callable[..., Any]
+    exact: Callable[[Mode], Mode] = tuple
+    forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
+
+    @property
+    def size(self) -> int:
+        """Numbers in a state."""
+        return 2 * len(self.coordinates)
+
+    def is_inside(self, state: Any, constants: Any, mode: Mode) -> bool:
+        """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
+        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders if border.kink)

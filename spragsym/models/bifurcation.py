@@ -1,0 +1,220 @@
+"""The bifurcation set of a model in the plane of two parameters: curves of folds, and the cusps on them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ParameterError
+from ..exact.interval_arrays import FloatArray, Intervals
+from .augmented import Augmented
+from .balance import Balance, Model
+from .conditions import Fold
+from .cusps import cusps
+from .points import ModelPoints, given_column, ranges, search
+
+#: Rounds in which points are joined to those next to them.
+ROUNDS = 4
+#: Boxes looked at for one line of the plane.
+BUDGET = 20_000
+
+
+@dataclass(frozen=True, eq=False)
+class ModelCurve(Result):
+    """Folds in order along a curve; parameters that vary and coordinates are attributes under their own names."""
+
+    values: Mapping[str, FloatArray] = field(repr=False)
+
+    def __getattr__(self, name: str) -> FloatArray:
+        values = self.__dict__.get("values", {})
+        if name in values:
+            column: FloatArray = values[name]
+            return column
+        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {', '.join(values)}")
+
+
+@dataclass(frozen=True, eq=False)
+class ModelBifurcationSet(Result):
+    """Folds on lines of the plane, joined to curves, and all cusps.
+
+    Attributes
+    ----------
+    vary : tuple of str
+        The two parameters.
+    curves : tuple of ModelCurve
+        Folds in the order in which they follow each other. Each is proved; that they are joined in the right order is not.
+    cusps : ModelPoints
+        All cusps of the region, proved.
+    lines : mapping
+        For each parameter the values at which all folds along the other one are known.
+    complete : bool
+        Whether all folds on all lines, and all cusps, are decided.
+    undecided : ndarray
+        Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2): coordinates, then parameters.
+    """
+
+    vary: tuple[str, ...]
+    curves: tuple[ModelCurve, ...]
+    cusps: ModelPoints
+    lines: Mapping[str, FloatArray] = field(repr=False)
+    complete: bool
+    undecided: FloatArray
+
+    def __len__(self) -> int:
+        return len(self.curves)
+
+
+def bifurcation_set(
+    model: Model,
+    p: Any,
+    vary: Sequence[str],
+    n: int = 60,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+) -> ModelBifurcationSet:
+    """Where the number of equilibria in contact changes, in the plane of two parameters.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; those that vary are not used.
+    vary : pair of str
+        Two parameters.
+    n : int
+        Lines in each direction. On each all folds are found and proved.
+    between : mapping, optional
+        Ranges of the two, as for :func:`spragsym.models.folds.folds`.
+
+    Returns
+    -------
+    ModelBifurcationSet
+
+    Notes
+    -----
+    Source: F = 0 and det K = 0 along 2 n lines, all searched at once; cusps by :func:`spragsym.models.cusps.cusps`. A curve
+    that closes between two lines without a cusp is not seen.
+    """
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
+        raise ParameterError(f"n = {n!r} is not a number of lines; give an integer of 2 or more")
+    found_cusps = cusps(model, p, vary, between=between)
+    balance = Balance(model, contact=True)
+    spans = ranges(model, vary, between or {})
+    given = given_column(p, balance.parameters, vary)
+    rows, left, lines = [], [], {}
+    for along, across in ((0, 1), (1, 0)):
+        # Inside of the range: its ends are often degenerate.
+        values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
+        lines[vary[across]] = values
+        column = np.repeat(given, n, axis=1)
+        column[balance.parameters.index(vary[across])] = values
+        found = search(balance, (vary[along],), Fold(), column, spans[along : along + 1], budget=BUDGET)
+        rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
+        ends = np.stack([-found.roots.left[0], found.roots.left[1]])
+        left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
+    states = np.concatenate([*rows, *_cusp_rows(balance, vary, found_cusps)], axis=1)
+    undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
+    curves = [
+        ModelCurve(dict(zip((*vary, *balance.coordinates), _named(states[:, chain], balance.n), strict=True)))
+        for chain in _chains(balance, vary, given, states, spans)
+    ]
+    complete = found_cusps.complete and not undecided.shape[0]
+    return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, lines, complete, undecided)
+
+
+def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
+    """Coordinates and both parameters in their order, from coordinates, the one that varied and the line's."""
+    pair = [middle[-1:], line[None]]
+    return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
+
+
+def _cusp_rows(balance: Balance, vary: Sequence[str], found: ModelPoints) -> list[FloatArray]:
+    return [np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)]
+
+
+def _named(states: FloatArray, n: int) -> list[FloatArray]:
+    """Parameters first."""
+    return [*states[n:], *states[:n]]
+
+
+# ------------------------------------------------------------------------------------------------------- order of points
+
+
+def _chains(
+    balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray, spans: FloatArray
+) -> list[NDArray[np.int64]]:
+    """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree."""
+    count = states.shape[1]
+    if count < 2:
+        return [np.arange(count)] if count else []
+    reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9)
+    scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
+    place = states / scale[:, None]
+    tangent = _tangents(balance, vary, given, states) / scale[:, None]
+    tangent /= np.linalg.norm(tangent, axis=0)
+    gap = place[:, None, :] - place[:, :, None]
+    distance = np.linalg.norm(gap, axis=0)
+    ahead = (gap * tangent[:, :, None]).sum(axis=0)
+    with np.errstate(all="ignore"):
+        straight = np.abs(ahead) / distance
+    cost = np.where((straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
+    # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link.
+    cost = np.stack([np.where(sign * ahead > 0, cost, np.inf) for sign in (1, -1)])
+    links: list[set[int]] = [set() for _ in range(count)]
+    free = np.ones((2, count), dtype=np.bool_)
+    for _ in range(ROUNDS):
+        _link(cost, free, links)
+    return _walked(links)
+
+
+def _link(cost: FloatArray, free: NDArray[np.bool_], links: list[set[int]]) -> None:
+    """Join points that are each other's nearest on sides that are free."""
+    count = free.shape[1]
+    # The side of the other point on which this one lies.
+    back = np.isfinite(cost[1]).T.astype(np.int64)
+    open_there = np.where(back == 1, free[1][None], free[0][None])
+    near = np.where(free[:, :, None] & open_there[None], cost, np.inf)
+    nearest = near.argmin(axis=2)
+    for side in (0, 1):
+        for one in range(count):
+            other = int(nearest[side, one])
+            if not np.isfinite(near[side, one, other]) or not free[side, one]:
+                continue
+            there = int(back[one, other])
+            if free[there, other] and nearest[there, other] == one:
+                links[one].add(other)
+                links[other].add(one)
+                free[side, one] = free[there, other] = False
+
+
+def _walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
+    """Chains of a graph, open ones from an end, closed ones from anywhere."""
+    seen: set[int] = set()
+    chains = []
+    for start in sorted(range(len(links)), key=lambda i: len(links[i])):
+        if start in seen:
+            continue
+        chain = [start]
+        seen.add(start)
+        while ahead := [i for i in sorted(links[chain[-1]]) if i not in seen]:
+            chain.append(ahead[0])
+            seen.add(ahead[0])
+        if len(links[start]) == 2 and start in links[chain[-1]] and len(chain) > 2:
+            chain.append(start)
+        chains.append(np.array(chain))
+    return chains
+
+
+def _tangents(balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray) -> FloatArray:
+    """Directions of the curve of folds at its points, in coordinates and both parameters."""
+    system = Augmented(balance, vary, Fold())
+    with np.errstate(all="ignore"):
+        fixed = system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), states.shape[1], axis=1)))
+        slopes = np.moveaxis(system.jacobian(Intervals.point(states), fixed).middle, -1, 0)
+    tangents: FloatArray = np.linalg.svd(np.nan_to_num(slopes))[2][:, -1, :].T
+    return tangents

@@ -1,0 +1,165 @@
+"""The field of a model's motion, for integrators: its generated functions over the modes (pushing, side, near…).
+
+``pushing`` is 1 in contact and 0 without, ``side`` the sign of the sliding speed, and ``near`` of every exponential of the
+friction law 1 where it is felt and 0 where it is left out. What a model has not, as a contact that lifts, is no border.
+"""
+
+from __future__ import annotations
+
+import inspect
+import itertools
+from collections.abc import Callable, Sequence
+from functools import cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..dynamics.field import GAP, Border, Field, Mode
+from ..dynamics.sprag import WIDTH
+
+if TYPE_CHECKING:
+    from .model import Model
+
+
+@cache
+def field_of(model: Model, reach: float) -> Field:
+    """The field whose exponentials are left out where they are below exp(−reach)."""
+    layers = model.about["layers"]
+    contact, slip = model.about["contact"], model.about["friction"]
+    borders: list[Border] = []
+    if contact["gap"] is not None and contact["unilateral"]:
+        borders.append(_contact(model))
+    if slip is not None:
+        borders.append(_slip(model))
+    borders += [_layer(model, number, reach) for number in range(layers)]
+    return Field(
+        f"{model.where}:{model.about['source']}:{reach!r}",
+        model.coordinates,
+        model.parameters,
+        _constants(model),
+        _in_mode(model, "regime_rhs"),
+        _in_mode(model, "regime_jacobian"),
+        _in_mode(model, "regime_by_parameters"),
+        tuple(borders),
+        _initial_mode(model, reach),
+        tuple(itertools.product((1, 0), (1, -1), *((1, 0) for _ in range(layers)))),
+        _check(model),
+        _simulate(model),
+    )
+
+
+def _in_mode(model: Model, name: str) -> Callable[..., Any]:
+    plain = inspect.unwrap(getattr(model.motion, name))
+    rooted = not model.about["contact"]["polynomial"]
+
+    def call(state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any) -> Any:
+        return plain(*state, *constants, *mode, xp=_Rooted(xp) if rooted else xp)
+
+    return call
+
+
+class _Rooted:
+    """A namespace whose root of a negative number is 0: trial steps leave the contact, and are rejected."""
+
+    def __init__(self, xp: Any) -> None:
+        self.exp, self._sqrt = xp.exp, xp.sqrt
+
+    def sqrt(self, value: Any) -> Any:
+        """Of a float or an array; an expression of heyoka's is taken as it is."""
+        if isinstance(value, float | np.ndarray | np.floating):
+            return self._sqrt(np.maximum(value, 0.0))
+        return self._sqrt(value)
+
+
+def _borders(model: Model, row: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
+    """Level and rate of one of the generated borders: the gap, or the sliding speed."""
+    level, rate = (inspect.unwrap(function) for function in (model.motion.borders, model.motion.border_rates))
+
+    def level_of(state: Any, constants: Any, mode: Any) -> Any:
+        return level(*state, *constants)[row]
+
+    def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
+        return rate(*state, *accelerations, *constants)[row]
+
+    return level_of, rate_of
+
+
+def _contact(model: Model) -> Border:
+    """Where the gap is zero. A law that is no polynomial may have no continuation beyond: it is left GAP before its border."""
+    level, rate = _borders(model, 0)
+    shift = 0.0 if model.about["contact"]["polynomial"] else 2 * GAP
+
+    def shifted(state: Any, constants: Any, mode: Any) -> Any:
+        return level(state, constants, mode) + shift
+
+    return Border(
+        "gap = 0", shifted if shift else level, rate, lambda mode: 1 - 2 * mode[0], lambda mode: (1 - mode[0], *mode[1:]),
+        crossings=("contact_lost", "contact_regained"),
+    )  # fmt: skip
+
+
+def _slip(model: Model) -> Border:
+    """Where the sliding speed is zero."""
+    level, rate = _borders(model, 1)
+    return Border(
+        "slip = 0", level, rate, lambda mode: mode[1], lambda mode: (mode[0], -mode[1], *mode[2:]),
+        crossings=("belt_overtakes", "mass_overtakes"),
+    )  # fmt: skip
+
+
+def _layer(model: Model, number: int, reach: float) -> Border:
+    """Where one of the exponentials of the sliding speed is about to be felt."""
+    level, rate = (inspect.unwrap(function) for function in (model.motion.layers, model.motion.layer_rates))
+    place = 2 + number
+
+    def level_of(state: Any, constants: Any, mode: Any) -> Any:
+        return level(*state, *constants, mode[1])[number] - reach - WIDTH * mode[place]
+
+    def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
+        return rate(*state, *accelerations, *constants, mode[1])[number]
+
+    def watched(state: Any, constants: Any, mode: Any) -> Any:
+        return 1e-3 * level_of(state, constants, mode) / reach
+
+    return Border(
+        f"layer {number + 1}", level_of, rate_of, lambda mode: 1 - 2 * mode[place],
+        lambda mode: (*mode[:place], 1 - mode[place], *mode[place + 1 :]), kink=False, watched=watched,
+    )  # fmt: skip
+
+
+def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
+    borders, layers = (inspect.unwrap(function) for function in (model.motion.borders, model.motion.layers))
+    lifts = model.about["contact"]["unilateral"]
+    # A law that is no polynomial begins without contact on the border itself.
+    highest = 0.0 if model.about["contact"]["polynomial"] else -2 * GAP
+
+    def mode(state: Sequence[float], constants: Sequence[float]) -> Mode:
+        gap, slip = borders(*state, *constants)
+        side = 1 if slip >= 0 else -1
+        near = (int(depth <= reach) for depth in layers(*state, *constants, side))
+        return int(not lifts or gap <= highest), side, *near
+
+    return mode
+
+
+def _constants(model: Model) -> Callable[[Sequence[float]], tuple[float, ...]]:
+    def constants(values: Sequence[float]) -> tuple[float, ...]:
+        p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
+        return tuple(float(value) for value in model.arguments(p, "motion"))
+
+    return constants
+
+
+def _check(model: Model) -> Callable[[str, float], None]:
+    def check(name: str, value: float) -> None:
+        model.Parameters(**{name: value})
+
+    return check
+
+
+def _simulate(model: Model) -> Callable[..., Any]:
+    def simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
+        p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
+        return model.simulate(p, start=np.asarray(state), t_end=t_end, **options)
+
+    return simulate

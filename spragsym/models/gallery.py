@@ -1,0 +1,75 @@
+"""The gallery of the documentation: every shipped model with its drawing, its equations and where its equilibria change.
+
+``python -m spragsym.models.gallery > docs/models.md`` writes the page anew.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .load import load, shipped
+from .model import Model
+
+_HEAD = """# Models
+
+Each of these models is a page of some 40 lines in `derive/models/`; [](howto_model.md) says how to write another one. All are
+loaded by their names, `model = ss.load("two_springs")`, and take the same functions and the same commands, with `--model`. In the
+equations n̄ is 1 where the mass touches the belt and 0 elsewhere, and a dot is the rate in the model's unit of time.
+"""
+
+
+def page(names: tuple[str, ...] | None = None, points: bool = True) -> str:
+    """The page as Markdown; without ``points``, nothing is computed."""
+    chosen = names or shipped()
+    order = sorted(chosen, key=lambda name: (name != "kang_nam", name))
+    return "\n".join([_HEAD, *(_section(load(name), points) for name in order)])
+
+
+def _section(model: Model, points: bool) -> str:
+    about = model.about
+    title, _, rest = about["drawing"].partition("\n\n::\n\n")
+    blocks = rest.split("\n\n")
+    while len(blocks) > 1 and blocks[1].startswith("    "):  # a drawing with blank lines
+        blocks[:2] = ["\n\n".join(blocks[:2])]
+    drawing, words = blocks[0], "\n\n".join(blocks[1:])
+    formulas = r" \\ ".join(f"& {line}" for line in about["equations"])
+    lines = [f"## {model.name}", "", title, "", "```text", drawing, "```", "", _words(words), ""]
+    lines += ["$$", rf"\begin{{aligned}} {formulas} \end{{aligned}}", "$$", "", *_table(model)]
+    if points:
+        lines += ["", *_points(model)]
+    return "\n".join(lines) + "\n"
+
+
+def _words(text: str) -> str:
+    """Indented formulas as code."""
+    return "\n\n".join(f"```text\n{block}\n```" if block.startswith("    ") else block for block in text.split("\n\n"))
+
+
+def _table(model: Model) -> list[str]:
+    rows = ["| parameter | base | allowed | meaning |", "|---|---|---|---|"]
+    for entry in model.about["parameters"]:
+        base = "" if entry["base"] is None else f"{entry['base']:g}"
+        rows.append(f"| `{entry['name']}` | {base} | {entry['domain']} | {entry['meaning']} |")
+    return rows
+
+
+def _points(model: Model) -> list[str]:
+    """Folds and cusps at the base values."""
+    known = model.parameters
+    if not {"theta0", "mu0"} <= set(known):
+        return []
+    folds = model.folds(model.Parameters(), "theta0")
+    cusps = model.cusps(model.Parameters(mu0=None), ("theta0", "mu0"))
+    found = []
+    for what, points in (("Folds at the base values", folds), ("Cusps", cusps)):
+        listed = ", ".join(
+            f"θ₀ = {np.degrees(points.theta0[row]):.4f}°" + (f", μ₀ = {points.mu0[row]:.6f}" if what == "Cusps" else "")
+            for row in range(len(points))
+        )
+        more = "" if points.complete else f"; {len(points.undecided)} boxes are undecided"
+        found += [f"{what}: {listed or 'none'}{more}.", ""]
+    return found
+
+
+if __name__ == "__main__":
+    print(page(), end="")

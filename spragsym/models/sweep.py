@@ -1,0 +1,110 @@
+"""Many motions of a model: RMS and final regime over parameters and initial states."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property, partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..dynamics.integrators import OF_ANY_MODEL
+from ..dynamics.problem import MAX_STEPS, Problem
+from ..errors import ParameterTypeError
+from ..files import storage
+from ..parameters import FloatArray, ParameterSet
+from ..sweeps import code
+from ..sweeps.many import Plan, carried_out, settings_of
+from ..sweeps.measure import Settings
+from ..sweeps.result import Results, Sweep
+from ..sweeps.workers import Workers
+from .describe import explained
+from .field import field_of
+from .trajectory import check_start, start_of
+
+if TYPE_CHECKING:
+    from .model import Model
+
+
+@dataclass(frozen=True, eq=False)
+class ModelSweep(Sweep):
+    """Results of a sweep of a model's motions; as :class:`~spragsym.Sweep`.
+
+    ``x`` stands for the first coordinate and ``y`` for the second. The inputs are the model's parameters and initial state. Which
+    equilibrium it is that a motion comes to is not told: ``equilibrium`` is −1.
+
+    Attributes
+    ----------
+    model : Model
+        The model.
+    """
+
+    model: Any = None
+
+    @property
+    def angles(self) -> tuple[str, ...]:
+        return tuple(self.model.about["angles"])
+
+    @cached_property
+    def explained(self) -> Mapping[str, tuple[str, str]]:
+        return {**storage.QUANTITIES, **explained(self.model.about)}
+
+    @property
+    def how(self) -> Results:
+        return _ModelResults(self.model)
+
+    def _attributes(self) -> dict[str, Any]:
+        return {"model": self.model.name, **super()._attributes()}
+
+
+@dataclass(frozen=True)
+class _ModelResults(Results):
+    model: Model
+
+    def identity(self) -> dict[str, Any]:
+        about = self.model.about
+        return {"model": about["name"], "files": about["files"], "page": about["source"], "code": code.digest("models")}
+
+    def equilibrium(self, inputs: dict[str, FloatArray], x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+        return np.full(x.shape, -1, dtype=np.int8)
+
+    def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:
+        return ModelSweep(inputs, **vars(settings), **results, model=self.model)
+
+
+def problem_of(model: Model, settings: Settings, point: tuple[float, ...]) -> Problem:
+    """The motion of a point of a sweep."""
+    count = len(model.parameters)
+    p = model.Parameters(**dict(zip(model.parameters, point[:count], strict=True)))
+    constants = tuple(float(value) for value in model.arguments(p, "motion"))
+    start = point[count:]
+    check_start(model, constants, start)
+    return Problem(
+        constants, start, settings.t_end, settings.transient, settings.rtol, settings.max_steps, partial(field_of, model)
+    )
+
+
+def rms_sweep(
+    model: Model,
+    p: ParameterSet,
+    *,
+    t_end: float = 2000.0,
+    transient: float | None = None,
+    rtol: float = 1e-10,
+    backend: str | None = None,
+    max_steps: int = MAX_STEPS,
+    workers: Workers = 1,
+    progress: bool = False,
+    store: str | os.PathLike[str] | None = None,
+    **single: ArrayLike,
+) -> Sweep:
+    """Simulate every point of a broadcast; see :meth:`spragsym.Model.rms_sweep`."""
+    if not isinstance(p, model.Parameters):
+        raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)")
+    p.require(*model.parameters)
+    inputs = {**{name: getattr(p, name) for name in model.parameters}, **start_of(model, None, single)}
+    settings = settings_of(t_end, transient, rtol, backend, max_steps, OF_ANY_MODEL)
+    return carried_out(Plan(inputs, settings, partial(problem_of, model), _ModelResults(model)), workers, progress, store)

@@ -1,0 +1,90 @@
+"""Warnings where an answer would mislead, each in one sentence with what to do."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from .states import State
+from .study import Study
+
+#: Penetration over the length of the spring beyond which a linear contact means nothing.
+DEEP = 0.05
+#: Share of μ₀ below which friction at the speed of the belt is worth a word.
+FULL = 0.95
+#: Speeds in m/s that no belt has: mm/s, as it seems.
+FAST = 100.0
+#: Degrees up to which an inclination looks like radians.
+FLAT = 3.15
+#: Damping ratio below which a state is neither damped nor driven to speak of.
+NEUTRAL = 1e-3
+
+
+def cautions(study: Study, found: Sequence[State]) -> tuple[str, ...]:
+    """All warnings for a study and the states that were found."""
+    return (*_contact(study, found), *_stiffness(study), *_friction(study), *_units(study), *_damping(study, found))
+
+
+def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
+    length = 1e3 * study.values["L_0"]
+    deepest = max((-state.y_mm for state in found), default=0.0)
+    if deepest > DEEP * length:
+        yield (
+            f"the contact is {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
+            f"nothing there; check F_L = {study.shown('F_L', study.values['F_L'])} "
+            f"and k_c = {study.shown('k_c', study.values['k_c'])}"
+        )
+
+
+def _stiffness(study: Study) -> Iterator[str]:
+    for name in ("k", "k_x", "k_y"):
+        ratio = study.values[name] / study.values["k_c"]
+        if ratio > 0.5:
+            yield (
+                f"{name} = {study.shown(name, study.values[name])} is {ratio:.3g} times the stiffness of the contact, "
+                f"k_c = {study.shown('k_c', study.values['k_c'])}: the contact should be the stiffest part; check both units"
+            )
+    sigma = study.values["k"] / study.values["k_c"]
+    if sigma < 1e-4:
+        yield (
+            f"k = {study.shown('k', study.values['k'])} is {sigma:.1g} of the stiffness of the contact: a spring as soft as that "
+            "hardly leans on the mass; check its unit"
+        )
+
+
+def _friction(study: Study) -> Iterator[str]:
+    mu0 = study.values["mu0"]
+    if study.fraction < FULL:
+        yield (
+            f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
+            f"of {mu0:.4g}, since d V = {study.values['d'] * abs(study.values['V']):.3g}; check d and V"
+        )
+    if study.quantities["mu0"].high > 2:
+        yield f"mu0 = {study.quantities['mu0'].high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
+
+
+def _units(study: Study) -> Iterator[str]:
+    if "V" in study.quantities and abs(study.values["V"]) > FAST:
+        speed = study.values["V"]
+        yield f"V = {study.shown('V', speed)} is {speed:.4g} m/s, which looks like mm/s; write {speed:g} mm/s if that is meant"
+    angle = study.quantities["theta0"]
+    if angle.unit in ("deg", "°", "degree", "degrees") and math.degrees(angle.value) < FLAT:
+        yield (
+            f"theta0 = {study.shown('theta0', angle.value)} looks like radians; write "
+            f"{study.in_file('theta0', angle.value):g} rad if that is meant"
+        )
+    length = study.values["L_0"]
+    if not 1e-4 < length < 10:
+        yield f"L_0 = {study.shown('L_0', length)} is {length:.3g} m: an odd length for a part of a brake; check its unit"
+
+
+def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
+    for state in found:
+        if study.moves and state.current and state.statics == "stable":
+            least = min(state.damping_ratio, default=0.0)
+            if abs(least) < NEUTRAL:
+                side = "damps" if least > 0 else "drives"
+                yield (
+                    f"the friction law alone {side} the sliding, with a damping ratio of {least:.1g}: next to nothing; the "
+                    "damping of the real brake, which the model leaves out, decides whether it settles"
+                )

@@ -1,0 +1,63 @@
+"""Any model from its page: the quantities that it takes, with units, and its dimensionless parameters from them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..models.load import load
+from .units import dimension, registry
+
+
+def about(name: str) -> Mapping[str, Any]:
+    """``model.json`` of a model."""
+    return load(name).about
+
+
+def quantity_units(name: str) -> dict[str, str]:
+    """The physical quantities of a model, each with its SI unit; those that are the units of the others first."""
+    data = about(name)
+    found = {entry["name"]: entry["unit"] for entry in data["units"]}
+    return found | {entry["quantity"]: entry["quantity_unit"] for entry in data["parameters"]}
+
+
+def scale_of(unit: str, bases: Mapping[str, tuple[float, str]]) -> float:
+    """What one dimensionless unit of a quantity is in SI: the product of powers of the model's units that has its dimension.
+
+    Notes
+    -----
+    Source: dimensional analysis; the model's page makes three quantities of independent dimensions 1.
+
+    Examples
+    --------
+    >>> bases = {"m": (4.0, "kg"), "k_c": (100.0, "N/m"), "L_0": (0.5, "m")}
+    >>> round(scale_of("N", bases), 12), round(scale_of("s", bases), 12)
+    (50.0, 0.2)
+    """
+    axes = ("[mass]", "[length]", "[time]")
+
+    def powers(text: str) -> list[float]:
+        known = dict(dimension(registry().parse_units(text.replace("1", "dimensionless") if text == "1" else text)))
+        return [float(known.get(axis, 0.0)) for axis in axes]
+
+    matrix = np.array([powers(unit) for _, unit in bases.values()]).T
+    exponents = np.linalg.solve(matrix, np.array(powers(unit)))
+    result = 1.0
+    for (value, _), exponent in zip(bases.values(), exponents, strict=True):
+        result *= value ** round(float(exponent), 9)
+    return result
+
+
+def dimensionless(name: str, values: Mapping[str, float]) -> tuple[Any, dict[str, float]]:
+    """The parameters of a model from its quantities in SI, and the scales of length, time and force."""
+    model = load(name)
+    bases = {entry["name"]: (values[entry["name"]], entry["unit"]) for entry in model.about["units"]}
+    scales = {"length": scale_of("m", bases), "time": scale_of("s", bases), "force": scale_of("N", bases)}
+    given = {}
+    for entry in model.about["parameters"]:
+        quantity, unit = entry["quantity"], entry["quantity_unit"]
+        if quantity in values:
+            given[entry["name"]] = values[quantity] / (1.0 if unit in ("1", "rad") else scale_of(unit, bases))
+    return model.Parameters(**given), scales

@@ -1,0 +1,129 @@
+"""A report as one page of HTML that needs no other file: its pictures are SVG within it. The same bytes every time."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Callable, Iterator
+from html import escape
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .reports import Report
+from .study import Study
+from .texts import sections
+
+_STYLE = """
+body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;max-width:58rem;margin:2rem auto;padding:0 1rem}
+h1{font-size:1.5rem;margin-bottom:.3rem}h2{font-size:1.1rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}
+.verdict{font-size:1.2rem;padding:.8rem 1rem;border-left:6px solid #0072B2;background:#f3f7fa}
+.verdict.sprags{border-color:#D55E00;background:#fdf4ee}
+.warning{padding:.4rem 1rem;border-left:6px solid #E69F00;background:#fffaf0}
+table{border-collapse:collapse}td{padding:.15rem 1.2rem .15rem 0;vertical-align:top}td:first-child{color:#555;white-space:nowrap}
+figure{margin:1rem 0;display:inline-block;vertical-align:top;max-width:100%}
+figcaption{font-size:.85rem;color:#444;max-width:27rem}
+svg{max-width:100%;height:auto}@media print{body{margin:0;max-width:none;font-size:11pt}figure{break-inside:avoid}}
+"""
+
+
+def write_page(study: Study, report: Report, path: Path) -> None:
+    """Write the page."""
+    path.write_text(page(study, report), encoding="utf-8", newline="\n")
+
+
+def page(study: Study, report: Report) -> str:
+    """The page as text."""
+    sprags = " sprags" if report.verdict.startswith("It sprags") else ""
+    title = f"Sprag-slip report{': ' + study.source if study.source else ''}"
+    parts = [
+        "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">', f"<title>{escape(title)}</title>",
+        f"<style>{_STYLE}</style></head><body>", f"<h1>{escape(title)}</h1>",
+        f'<p class="verdict{sprags}">{escape(report.verdict)}</p>',
+        *(f'<p class="warning">{escape(one)}</p>' for one in report.warnings),
+        *(f"<figure>{svg}<figcaption>{escape(caption)}</figcaption></figure>" for svg, caption in pictures(study, report)),
+        *(_section(heading, rows) for heading, rows in sections(report)), _section("Data", _data(study)), "</body></html>", "",
+    ]  # fmt: skip
+    return "\n".join(parts)
+
+
+def _section(heading: str, rows: Any) -> str:
+    lines = [f"<tr><td>{escape(name)}</td><td>{escape(value)}</td></tr>" for name, value in rows]
+    return f"<h2>{escape(heading)}</h2>\n<table>{''.join(lines)}</table>" if lines else ""
+
+
+def _data(study: Study) -> Iterator[tuple[str, str]]:
+    for name, one in study.quantities.items():
+        ends = f", {study.shown(name, one.low)} to {study.shown(name, one.high)}" if one.high > one.low else ""
+        yield name, study.shown(name, one.value) + ends
+
+
+def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
+    """Each picture as SVG, with its caption."""
+    from ..figures import brakes
+
+    low, working, high = study.friction
+    p, angles = study.dimensionless.replace(mu0=working), study.quantities["theta0"]
+    millimetre = 1e3 * study.scales.length
+    yield (
+        _svg(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), report.mu_jump, ax=ax)),
+        "Where the brake works (dot) and its tolerances (box). Shaded: three states of sliding; on the lines two of them meet. "
+        "Cross: the friction at which the state of small deformation jumps at this angle.",
+    )
+    yield (
+        _svg(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=millimetre, label="x in mm")),
+        "The displacement along the belt as the friction rises from 0 (red, with its jumps); grey: all states, full where "
+        "stable. Shaded: the friction within its tolerances.",
+    )
+    if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
+        shares = report.probability.sobol
+        yield (
+            _svg(lambda ax: brakes.draw_shares(shares, ax=ax)),
+            "Which tolerance decides whether it jumps: Sobol' indices with their 95 % intervals.",
+        )
+    if report.oscillation is not None and report.oscillation.kind != "none":
+        yield from _of_motion(study, report)
+
+
+def _of_motion(study: Study, report: Report) -> Iterator[tuple[str, str]]:
+    from ..figures import motion_pictures
+
+    assert report.oscillation is not None
+    found, scales = report.oscillation.motion, study.scales
+    motion = found.trajectory(8) if report.oscillation.kind == "cycle" else found
+    length, speed = 1e3 * scales.length, scales.length / scales.time
+    yield (
+        _svg(lambda ax: motion_pictures.draw_phase(motion, ax=ax, length=length, speed=speed,
+                                                   labels=("x in mm", "speed along the belt in m/s"))),
+        "The oscillation: speed over place along the belt. Dotted: the speed of the belt.",
+    )  # fmt: skip
+    yield (
+        _svg(lambda ax: motion_pictures.draw_spectrum(motion, ax=ax, length=length, frequency=1 / scales.time,
+                                                      labels=("frequency in Hz", "amplitude of x in mm"))),
+        "Its spectrum.",
+    )  # fmt: skip
+
+
+def _svg(draw: Callable[[Any], Any]) -> str:
+    """A picture of one panel, without the head of a file, its ids its own."""
+    from ..figures import FORMATS
+    from ..figures.style import Sheet, house_style
+
+    stream = io.StringIO()
+    with house_style():
+        figure = Sheet(figsize=(4.2, 3.0), layout="constrained")
+        draw(figure.add_subplot())
+        figure.savefig(stream, format="svg", metadata=FORMATS["svg"])
+    text = stream.getvalue()
+    return _own_ids(text[text.index("<svg") :].strip())
+
+
+def _own_ids(text: str) -> str:
+    """Ids that no other picture of the page has, from the picture itself."""
+    import hashlib
+
+    mark = hashlib.sha256(text.encode()).hexdigest()[:8]
+    text = re.sub(r'\bid="', f'id="{mark}-', text)
+    text = re.sub(r'(href="#|url\(#)', rf"\g<1>{mark}-", text)
+    return re.sub(r"<!--.*?-->|<metadata>.*?</metadata>", "", text, flags=re.DOTALL)

@@ -1,0 +1,156 @@
+"""What to change, so that the jump lies beyond a target: single quantities, and the least joint change; each solved again.
+
+A value is rounded to what stands in the report, away from the old one, and verified as it stands there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..design import redesign
+from ..design.jump_values import first_jumps
+from ..design.spaces import PHYSICAL, dimensionless
+from ..display import Result
+from ..errors import SpragsymError
+from ..parameters import FloatArray, Parameters, PhysicalParameters
+from .study import Study
+from .units import factor
+
+#: What may be changed, one at a time.
+SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
+#: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
+_SHARE, _ANGLE = 0.1, math.radians(1.0)
+#: A single quantity is looked for up to this factor either way, at so many values, then between two of them.
+_FACTOR, _VALUES, _BETWEEN, _ROUNDS = 20.0, 160, 32, 2
+#: Digits of a new value.
+_DIGITS = 3
+
+
+@dataclass(frozen=True)
+class Change(Result):
+    """A new design: the quantities that change, in SI, before and after; where it jumps; and how far it is, in tolerances."""
+
+    before: Mapping[str, float]
+    after: Mapping[str, float]
+    mu_jump: float
+    distance: float
+
+
+def changes(study: Study, target: float) -> tuple[Change, ...]:
+    """Changes that keep the jump at or beyond a friction: of single quantities, nearest first, and last the least joint one.
+
+    Parameters
+    ----------
+    study : Study
+    target : float
+        The friction below which nothing may jump.
+
+    Notes
+    -----
+    Source: :func:`spragsym.jump_value` over values of one quantity, and :func:`spragsym.redesign` for several. That a change
+    keeps the target is verified at the value as it is printed; that there is none nearer is not proved.
+    """
+    scale = {name: _scale(study, name) for name in SINGLE}
+    single = [_single(study, name, target, scale) for name in SINGLE]
+    found = sorted((one for one in single if one is not None), key=lambda one: one.distance)
+    together = _joint(study, target, scale)
+    return tuple(found if together is None else [*found, together])
+
+
+def _scale(study: Study, name: str) -> float:
+    if name in study.tolerances:
+        return study.tolerances[name]
+    if name == "theta0":
+        return _ANGLE
+    return _SHARE * (study.values[name] or study.values["k_x"] or 0.01 * study.values["k_c"])
+
+
+def _jump(study: Study, changed: Mapping[str, Any]) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Where designs jump, and of which that is known."""
+    shape = np.shape(next(iter(changed.values())))
+    values = {name: np.broadcast_to(changed.get(name, study.values[name]), shape) for name in PHYSICAL}
+    found = first_jumps(Parameters(**dimensionless(values)), "mu0")
+    known = np.ones(math.prod(shape), dtype=np.bool_)
+    known[list(found.reasons)] = False
+    return found.value, known.reshape(shape)
+
+
+def _kept(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
+    jump, known = _jump(study, changed)
+    return known & ~(jump < target)
+
+
+def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:
+    """The nearest value of one quantity, on either side, that keeps the target."""
+    best: Change | None = None
+    for side in (-1, 1):
+        values = _ladder(study, name, side)
+        for _ in range(_ROUNDS):
+            kept = np.flatnonzero(_kept(study, {name: values}, target))
+            if not kept.size:
+                break
+            k = int(kept[0])
+            values = np.linspace(values[max(k - 1, 0)], values[k], _BETWEEN)
+        else:
+            kept = np.flatnonzero(_kept(study, {name: values}, target))
+            change = _verified(study, {name: float(values[kept[0]])}, target, scale) if kept.size else None
+            if change is not None and (best is None or change.distance < best.distance):
+                best = change
+    return best
+
+
+def _ladder(study: Study, name: str, side: int) -> FloatArray:
+    """Values from the present one away, to where a redesign would be another brake."""
+    start, share = study.values[name], np.linspace(0.0, 1.0, _VALUES)
+    if name == "theta0":
+        end = math.radians(1.0) if side < 0 else math.radians(179.0)
+        return np.asarray(start + share * (end - start))
+    if start == 0:
+        return np.asarray(share**2 * (study.values["k_c"] if side > 0 else 0.0))
+    return np.asarray(start * _FACTOR ** (side * share))
+
+
+def _joint(study: Study, target: float, scale: Mapping[str, float]) -> Change | None:
+    """The least change of all that has a tolerance, or of the inclination and both springs."""
+    names = tuple(name for name in SINGLE if name in study.tolerances)
+    names = names if len(names) > 1 else ("theta0", "k", "k_x")
+    brake = PhysicalParameters(**{**study.values, "mu0": study.friction[1]})
+    try:
+        found = redesign(brake, names, {"mu0": target}, {name: scale[name] for name in names})
+    except SpragsymError:
+        return None
+    if not np.isfinite(found.distance) or not isinstance(found.parameters, PhysicalParameters):
+        return None
+    return _verified(study, {name: float(getattr(found.parameters, name)) for name in names}, target, scale)
+
+
+def _verified(study: Study, after: Mapping[str, float], target: float, scale: Mapping[str, float]) -> Change | None:
+    """The change as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
+    before = {name: study.values[name] for name in after}
+    for further in range(4):
+        rounded = {name: _rounded(study, name, before[name], value, further) for name, value in after.items()}
+        if _kept(study, {name: np.array([value]) for name, value in rounded.items()}, target)[0]:
+            jump = float(_jump(study, {name: np.array([value]) for name, value in rounded.items()})[0][0])
+            moved = {name: value for name, value in rounded.items() if value != before[name]}
+            size = math.hypot(*((value - before[name]) / scale[name] for name, value in moved.items()))
+            return Change({name: before[name] for name in moved}, moved, jump, size)
+    return None
+
+
+def _rounded(study: Study, name: str, before: float, after: float, further: int) -> float:
+    """A value away from the old one to few digits in its unit, and some units of the last of them further."""
+    unit = factor(study.quantities[name].unit, study.si(name))
+    old, new = before / unit, after / unit
+    step = 10.0 ** (math.floor(math.log10(abs(new))) - _DIGITS + 1) if new else 1.0
+    if abs(new - old) < 0.5 * step:
+        return before
+    away = math.copysign(1.0, new - old)
+    steps = (math.ceil if away > 0 else math.floor)(new / step) + away * further
+    shown = float(f"{steps * step:.{_DIGITS + 2}g}")
+    return math.radians(shown) if name == "theta0" and unit == math.pi / 180 else shown * unit

@@ -1,0 +1,134 @@
+"""The report of a study: everything computed once, as a dataclass that turns into a sentence, a text or JSON."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from ..catastrophe import critical_friction, folds
+from ..catastrophe.fold_points import Folds
+from ..design import jump_margin, jump_value
+from ..display import Result
+from ..errors import ParameterError
+from .cautions import cautions
+from .oscillations import Oscillation, oscillation_of
+from .redesigns import Change, changes
+from .states import State, states
+from .study import Study
+from .tolerances import BoxCertificate, Chance, certificate, chance
+
+
+@dataclass(frozen=True)
+class Report(Result):
+    """What can be said of a brake.
+
+    Attributes
+    ----------
+    mu_jump, theta0_jump_deg : float
+        Friction at which the state of small deformation jumps at this angle, and angle at which it does at this friction; NaN
+        where it never does.
+    mu_cusp : float
+        Friction below which it jumps at no angle; ``inf`` where it never does.
+    mu_effective : float
+        The friction that works at the speed of the belt.
+    margin_percent : float
+        By how much ``mu_jump`` exceeds the largest friction within the tolerances; NaN where nothing jumps.
+    distance : float
+        The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one.
+    states : tuple of State
+        All states in contact.
+    folds : dict of str to Folds
+        Folds along the friction and along the inclination.
+    oscillation : Oscillation or None
+    certificate : BoxCertificate or None
+    probability : Chance or None
+    redesign : tuple of Change
+    target : float
+        The friction that the changes of ``redesign`` are for.
+    warnings : tuple of str
+    verdict : str
+        One sentence.
+    """
+
+    mu_jump: float
+    theta0_jump_deg: float
+    mu_cusp: float
+    mu_effective: float
+    margin_percent: float
+    distance: float
+    states: tuple[State, ...]
+    folds: Mapping[str, Folds]
+    oscillation: Oscillation | None
+    certificate: BoxCertificate | None
+    probability: Chance | None
+    redesign: tuple[Change, ...]
+    target: float
+    warnings: tuple[str, ...]
+    verdict: str
+    study: Study
+
+    @property
+    def current(self) -> State:
+        """The state that the brake is in."""
+        return next(state for state in self.states if state.current)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The report as JSON has it: numbers, texts, lists and dictionaries; quantities in the units of the file."""
+        from .texts import as_json
+
+        return as_json(self)
+
+    def text(self) -> str:
+        """The report as text: the verdict, then the numbers."""
+        from .texts import as_text
+
+        return as_text(self)
+
+    def __str__(self) -> str:
+        return self.text()
+
+    def to_html(self, path: Any) -> None:
+        """Write the report as one page with its pictures (extra ``plot``)."""
+        self.study.to_html(path, self)
+
+
+def report(study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int) -> Report:
+    """The report of a study; see :meth:`Study.report`."""
+    if study.model != "kang_nam":
+        raise ParameterError(
+            f"model = {study.model!r}: a report needs the closed forms of kang_nam; its states and folds are found by "
+            "spragsym.studies.other_models.summary"
+        )
+    low, working, high = study.friction
+    p = study.dimensionless
+    mu_jump = float(jump_value(p, "mu0"))
+    theta0_jump = float(jump_value(p.replace(mu0=working), "theta0"))
+    mu_cusp = float(critical_friction(p))
+    found = states(study)
+    margin = 100 * (mu_jump / high - 1) if high > 0 else math.inf
+    target = safety * high
+    reached = certificate(study) if probability else None
+    lives = oscillation_of(study) if oscillation and study.moves else None
+    needed = redesign and target > 0 and mu_jump < target
+    turns = {"mu0": folds(p, "mu0"), "theta0": folds(p.replace(mu0=working), "theta0")}
+    parts: dict[str, Any] = dict(
+        mu_jump=mu_jump, theta0_jump_deg=math.degrees(theta0_jump), mu_cusp=mu_cusp, mu_effective=working, margin_percent=margin,
+        distance=_distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
+        probability=chance(study, n) if probability else None, redesign=changes(study, target) if needed else (), target=target,
+        warnings=cautions(study, found), study=study,
+    )  # fmt: skip
+    from .texts import verdict
+
+    return Report(**parts, verdict=verdict(study, parts))
+
+
+def _distance(study: Study) -> float:
+    """The nearest jump in tolerances, at the friction that works."""
+    scale = {name: size for name, size in study.tolerances.items() if name not in ("m", "V", "d")}
+    if not scale:
+        return math.nan
+    brake = study.parameters
+    friction = type(brake)(**{**asdict(brake), "mu0": study.friction[1]})
+    return jump_margin(friction, scale).distance

@@ -1,0 +1,231 @@
+"""A study: the data of one brake with tolerances, and what can be said of it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..catastrophe import sliding_friction
+from ..errors import ParameterError
+from ..names import hint
+from ..parameters import Parameters, PhysicalParameters, Scales, as_number, physical_ranges
+from . import other_models
+from .brake_files import QUANTITY_UNITS, BrakeFile, physical, read_brake
+from .measurements import FrictionFit
+from .units import Measured, factor, read, shown_in
+
+if TYPE_CHECKING:
+    from .reports import Report
+
+#: Units of the report where the data came as plain numbers in SI.
+PLAIN_UNITS: Mapping[str, str] = {
+    "kg": "kg", "N/m": "N/mm", "m": "mm", "rad": "deg", "N": "N", "m/s": "m/s", "s/m": "s/m", "1": "",
+}  # fmt: skip
+
+
+class Study:
+    """The data of one brake with tolerances: ask for a report.
+
+    Parameters
+    ----------
+    parameters : PhysicalParameters
+        Single numbers in SI.
+    tolerance : mapping, optional
+        For each quantity that is known within limits only: how far it may be off, as a number in SI; its two ends, as a tuple; or
+        text such as ``"15 %"`` or ``"1 deg"``.
+
+    Attributes
+    ----------
+    quantities : dict of str to Measured
+        Every quantity with its ends in SI, and the unit in which it came.
+    model : str
+        Name of the model.
+    fit : FrictionFit or None
+        The fit of the friction law, if it was measured.
+
+    Examples
+    --------
+    >>> from math import radians
+    >>> brake = PhysicalParameters(m=0.35, k=1.8e5, k_x=9e3, k_y=0, k_c=1.5e6, F_L=420, L_0=0.038, theta0=radians(52), mu0=0.3)
+    >>> study = Study(brake, tolerance={"k": "15 %", "mu0": (0.28, 0.32)})
+    >>> round(study.report(probability=False, redesign=False).mu_jump, 4)
+    0.3663
+    """
+
+    def __init__(self, parameters: PhysicalParameters, tolerance: Mapping[str, Any] | None = None) -> None:
+        if not isinstance(parameters, PhysicalParameters):
+            raise ParameterError(
+                f"parameters = {type(parameters).__name__}(...): a study needs PhysicalParameters, in newtons and metres; "
+                "for dimensionless ones call jump_value, jump_margin, certify and jump_probability"
+            )
+        if parameters.shape:
+            raise ParameterError(f"parameters have the shape {parameters.shape}; a study is of one brake, so give single numbers")
+        given = {name: getattr(parameters, name) for name in QUANTITY_UNITS}
+        off = dict(tolerance or {})
+        for name in off:
+            if given.get(name) is None:
+                raise ParameterError(f"tolerance of {name!r}: no such quantity{hint(name, QUANTITY_UNITS)}; leave it out")
+        self.quantities: Mapping[str, Measured] = {
+            name: _measured(name, value, off.get(name)) for name, value in given.items() if value is not None
+        }
+        self.model, self.source, self.fit = "kang_nam", "", None
+
+    @classmethod
+    def from_file(cls, path: str | os.PathLike[str]) -> Study:
+        """The study of a file such as ``brake.toml``; see :func:`spragsym.studies.brake_files.read_brake`."""
+        return cls.of(read_brake(path))
+
+    @classmethod
+    def of(cls, data: BrakeFile) -> Study:
+        """The study of what was read from a file."""
+        study = cls.__new__(cls)
+        study.quantities, study.model, study.source = data.quantities, data.model, Path(data.path).name
+        study.fit = data.fit
+        return study
+
+    source: str
+    model: str
+    fit: FrictionFit | None
+
+    # ------------------------------------------------------------------------------------------------- the operating point
+
+    @cached_property
+    def parameters(self) -> PhysicalParameters:
+        """The values, of a range its middle."""
+        if self.model != "kang_nam":
+            raise ParameterError(f"model = {self.model!r} has other quantities than PhysicalParameters; use study.quantities")
+        return physical(self.quantities)
+
+    @cached_property
+    def scales(self) -> Scales:
+        """Scales of length, time and force."""
+        if self.model != "kang_nam":
+            return Scales(**other_models.dimensionless(self.model, self.values)[1])
+        return self.parameters.scales
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The values in SI by name."""
+        return {name: one.value for name, one in self.quantities.items()}
+
+    @cached_property
+    def dimensionless(self) -> Parameters:
+        """The dimensionless parameters at the operating point, with the friction μ₀."""
+        return self.parameters.dimensionless()
+
+    @property
+    def moves(self) -> bool:
+        """Whether belt speed and steepness of the friction law are known, so that there is a motion in time."""
+        return {"V", "d"} <= set(self.quantities)
+
+    @property
+    def fraction(self) -> float:
+        """The share of μ₀ at which friction works at the speed of the belt; 1 where that is not known."""
+        return float(sliding_friction(1.0, **self.parameters.belt())) if self.moves else 1.0
+
+    @property
+    def friction(self) -> tuple[float, float, float]:
+        """The friction that works: least, at the operating point, and largest within the tolerances."""
+        ends = self.quantities["mu0"]
+        if not self.moves:
+            return ends.low, ends.value, ends.high
+        V, d = self.quantities["V"], self.quantities["d"]
+        return tuple(  # type: ignore[return-value]  # three, as listed
+            float(sliding_friction(mu0, speed, steepness))
+            for mu0, speed, steepness in (
+                (ends.low, V.low, d.low), (ends.value, V.value, d.value), (ends.high, V.high, d.high),
+            )  # d V has no dimension, in SI as without units
+        )  # fmt: skip
+
+    @property
+    def tolerances(self) -> dict[str, float]:
+        """Half of the width of every quantity that has one, in SI."""
+        return {name: one.tolerance for name, one in self.quantities.items() if one.high > one.low}
+
+    def shown(self, name: str, value: float, digits: int = 4) -> str:
+        """A value of a quantity as text, in the unit in which it came."""
+        return shown_in(value, self.quantities[name].unit, self.si(name), digits)
+
+    def in_file(self, name: str, value: float) -> float:
+        """A value of a quantity in the unit in which it came."""
+        return value / factor(self.quantities[name].unit, self.si(name))
+
+    def si(self, name: str) -> str:
+        """The SI unit of a quantity."""
+        return (QUANTITY_UNITS if self.model == "kang_nam" else other_models.quantity_units(self.model))[name]
+
+    # ---------------------------------------------------------------------------------------------------------- the answers
+
+    def report(
+        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = False, safety: float = 1.2, n: int = 4096
+    ) -> Report:
+        """Everything that can be said of this brake.
+
+        Parameters
+        ----------
+        probability : bool
+            Also the certificate, the probability of a jump, and which tolerance matters.
+        redesign : bool
+            Also what to change.
+        oscillation : bool
+            Also look for the cycle of the motion, which takes from seconds to minutes.
+        safety : float
+            What is changed keeps the jump at this many times the largest friction.
+        n : int
+            Points for the probability.
+
+        Returns
+        -------
+        Report
+        """
+        from .reports import report
+
+        return report(
+            self, probability=probability, redesign=redesign, oscillation=oscillation, n=n,
+            safety=as_number("safety", safety, physical_ranges()["k"]),
+        )  # fmt: skip
+
+    def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
+        """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""
+        from .pages import write_page
+
+        write_page(self, self.report() if report is None else report, Path(path))
+
+    def __repr__(self) -> str:
+        return f"Study({', '.join(f'{name}={self.shown(name, one.value)}' for name, one in self.quantities.items())})"
+
+
+def _measured(name: str, value: float, off: Any) -> Measured:
+    si = QUANTITY_UNITS[name]
+    unit = PLAIN_UNITS[si]
+    allowed = physical_ranges()[name]
+    if off is None:
+        low = high = value
+    elif isinstance(off, str):
+        one = read(_around(value, off, si), si)
+        low, high = one.low, one.high
+    elif isinstance(off, tuple):
+        if len(off) != 2:
+            raise ParameterError(f"tolerance of {name} = {off!r}; give two ends, the smaller first")
+        low, high = (as_number(f"tolerance of {name}", end, allowed) for end in off)
+        if not low <= high:
+            raise ParameterError(f"tolerance of {name} = {off!r} begins above its end; give the smaller first")
+        value = 0.5 * low + 0.5 * high if not low <= value <= high else value
+    else:
+        width = abs(as_number(f"tolerance of {name}", off))
+        low, high = value - width, value + width
+    for end in (low, high):
+        if not allowed.contains(end):
+            raise ParameterError(f"tolerance of {name} = {off!r} reaches {end:g}, which is not in {allowed}; give a smaller one")
+    return Measured(value, low, high, unit)
+
+
+def _around(value: float, off: str, si: str) -> str:
+    """``value ± off`` as :func:`spragsym.studies.units.read` takes it."""
+    sign = "" if off.lstrip().startswith(("±", "+-", "+/-")) else "± "
+    return f"{np.format_float_positional(value, trim='0')} {'' if si == '1' else si} {sign}{off}"

@@ -1,0 +1,132 @@
+"""What the tolerances leave possible: a certificate for the whole box, the probability of a jump, and which quantity matters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import product
+from typing import Any
+
+import numpy as np
+from scipy.stats import qmc
+
+from ..design import certify, jump_probability, jump_value
+from ..design.spaces import PHYSICAL, dimensionless
+from ..display import Result
+from ..parameters import NAMES, Parameters
+from .study import Study
+
+#: Slices of the contact's stiffness, on which all groups depend: more of them until the claim is decided.
+_SLICES = (1, 4, 16, 48)
+#: Boxes for one slice, and points at which counterexamples are looked for.
+_BOXES, _POINTS = 400, 1024
+
+
+@dataclass(frozen=True)
+class BoxCertificate(Result):
+    """What is known of "nothing jumps" for every brake within the tolerances.
+
+    ``outcome`` is ``"proved"``, ``"refuted"`` or ``"undecided"``; ``counterexample`` is a brake within the tolerances that jumps,
+    in SI; ``undecided`` is the share of the slices of the box that is left open.
+    """
+
+    claim: str
+    outcome: str
+    counterexample: Mapping[str, float] | None
+    undecided: float
+    boxes: int
+
+
+def ends(study: Study) -> dict[str, tuple[float, float]]:
+    """Both ends of every quantity that the statics depend on; of the friction, the one that works."""
+    found = {name: (study.quantities[name].low, study.quantities[name].high) for name in PHYSICAL}
+    return found | {"mu0": (study.friction[0], study.friction[2])}
+
+
+def certificate(study: Study) -> BoxCertificate:
+    """Prove that nothing jumps within the tolerances, or find a brake within them that does.
+
+    Notes
+    -----
+    Source: :func:`spragsym.certify` over boxes of the dimensionless groups that enclose the tolerances, rounded outward. All
+    groups have the stiffness of the contact in common, so it is cut into slices until the boxes are narrow enough.
+    Counterexamples are looked for among the corners and Sobol' points of the tolerances themselves.
+    """
+    box = ends(study)
+    point = _counterexample(box)
+    if point is not None:
+        return BoxCertificate("no jump", "refuted", point, 0.0, 0)
+    seen, left = 0, 1.0
+    for slices in _SLICES:
+        cuts = np.linspace(*box["k_c"], slices + 1)
+        low_k, high_k = cuts[:-1], cuts[1:]
+        open_ones = 0
+        for low, high in zip(low_k, high_k, strict=True):
+            found = certify(*_corners(box | {"k_c": (float(low), float(high))}), "no jump", max_boxes=_BOXES)
+            seen += found.boxes
+            open_ones += found.outcome != "proved"
+            if open_ones and slices != _SLICES[-1]:
+                break
+        left = open_ones / slices
+        if not open_ones:
+            return BoxCertificate("no jump", "proved", None, 0.0, seen)
+        if box["k_c"][0] == box["k_c"][1]:
+            break
+    return BoxCertificate("no jump", "undecided", None, left, seen)
+
+
+def _counterexample(box: Mapping[str, tuple[float, float]]) -> dict[str, float] | None:
+    wide = [name for name, (low, high) in box.items() if high > low]
+    corners = np.array(list(product((0.0, 1.0), repeat=len(wide)))) if wide else np.zeros((1, 0))
+    shares = [corners]
+    if wide:
+        shares.append(qmc.Sobol(len(wide), rng=0).random(_POINTS))
+    inside = np.concatenate(shares)
+    values: dict[str, Any] = {name: np.full(len(inside), low) for name, (low, high) in box.items()}
+    for j, name in enumerate(wide):
+        low, high = box[name]
+        values[name] = np.clip(low + inside[:, j] * (high - low), low, high)
+    jump = jump_value(Parameters(**dimensionless(values)))
+    with np.errstate(invalid="ignore"):
+        jumping = np.flatnonzero(jump <= values["mu0"])
+    return {name: float(value[jumping[0]]) for name, value in values.items()} if jumping.size else None
+
+
+def _corners(box: Mapping[str, tuple[float, float]]) -> tuple[Parameters, Parameters]:
+    """Dimensionless parameters between which all of the box lies, rounded outward."""
+    low, high = ({name: end[side] for name, end in box.items()} for side in (0, 1))
+    # Every group is one quantity over k_c, and κ over L_0 as well.
+    least = dimensionless(low | {"k_c": high["k_c"], "L_0": high["L_0"]})
+    most = dimensionless(high | {"k_c": low["k_c"], "L_0": low["L_0"]})
+    for name in NAMES:
+        if name in ("theta0", "mu0"):
+            continue
+        for _ in range(4):  # three operations at most, each rounded by half a unit
+            least[name] = max(np.nextafter(least[name], -np.inf), 0.0) if least[name] else least[name]
+            most[name] = np.nextafter(most[name], np.inf) if most[name] else most[name]
+    return Parameters(**least), Parameters(**most)
+
+
+@dataclass(frozen=True)
+class Chance(Result):
+    """The probability of a jump with its interval; Sobol' indices: first order, total, and the total's half-width."""
+
+    probability: float
+    low: float
+    high: float
+    confidence: float
+    n: int
+    sobol: Mapping[str, tuple[float, float, float]]
+
+
+def chance(study: Study, n: int) -> Chance | None:
+    """How probable a jump is if every value within the tolerances is as probable; None where nothing has a tolerance."""
+    box = ends(study)
+    if all(low == high for low, high in box.values()):
+        return None
+    found = jump_probability({name: low if low == high else (low, high) for name, (low, high) in box.items()}, n=n, rng=0)
+    indices = {
+        name: (found.first[name], found.total[name], found.total_error[name])
+        for name in sorted(found.total, key=lambda name: -np.nan_to_num(found.total[name]))
+    }
+    return Chance(found.probability, found.low, found.high, found.confidence, found.n, indices)

@@ -1,0 +1,225 @@
+"""Numbers with units: read from text, checked for their dimension, and given back in the unit in which they came."""
+
+from __future__ import annotations
+
+import functools
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from ..errors import ParameterError
+
+if TYPE_CHECKING:
+    import pint
+
+#: SI unit of every quantity of the article's model → how an engineer would write one, for messages.
+EXAMPLES: Mapping[str, str] = {
+    "kg": "0.35 kg", "N/m": "180 N/mm", "m": "38 mm", "rad": "52 deg", "N": "420 N", "m/s": "1.2 m/s", "s/m": "10 s/m",
+    "1": "0.45",
+}  # fmt: skip
+
+_NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+_SIGN = r"(?:±|\+/-|\+-)"
+_UNIT = r"[^\d\s±\[\],+][^±\[\],]*?"
+_PLAIN = re.compile(
+    rf"\s*(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?\s*(?:{_SIGN}\s*(?P<off>{_NUMBER})\s*(?P<of>{_UNIT})?)?\s*", re.DOTALL
+)
+_RANGE = re.compile(
+    rf"\s*\[\s*(?P<low>{_NUMBER})\s*(?P<first>{_UNIT})?\s*,\s*(?P<high>{_NUMBER})\s*(?P<second>{_UNIT})?\s*\]\s*(?P<unit>{_UNIT})?\s*"
+)
+#: What a unit may be written with; pint's own parser sees nothing else.
+_LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A quantity with its tolerance: value and ends in SI, and the unit in which it was given."""
+
+    value: float
+    low: float
+    high: float
+    unit: str
+
+    @property
+    def tolerance(self) -> float:
+        """Half of the width of its range."""
+        return 0.5 * (self.high - self.low)
+
+
+@functools.cache
+def registry() -> pint.UnitRegistry[Any]:
+    """The units of pint."""
+    from pint import UnitRegistry
+
+    return UnitRegistry(cache_folder=None)
+
+
+@functools.lru_cache(maxsize=256)
+def factor(unit: str, si: str) -> float:
+    """What one ``unit`` is in the SI unit ``si``.
+
+    Raises
+    ------
+    ParameterError
+        For a unit that is not known, or is one of another quantity.
+
+    Examples
+    --------
+    >>> factor("N/mm", "N/m"), factor("deg", "rad") == math.pi / 180
+    (1000.0, True)
+    """
+    if si == "1":
+        if unit not in ("", "1", "%"):
+            raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
+        return 0.01 if unit == "%" else 1.0
+    wanted, given = registry().parse_units(si), parsed(unit)
+    if dimension(given) != dimension(wanted):
+        raise ParameterError(f"the unit {unit!r} measures {described(given)}, and this is {described(wanted)}")
+    size: Any = registry().Quantity(1.0, given).to(wanted).magnitude
+    return float(size)
+
+
+def parsed(unit: str) -> pint.Unit:
+    """A unit from its text."""
+    if not _LETTERS.fullmatch(unit) or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
+        raise ParameterError(f"the unit {unit!r} can't be read")
+    try:
+        found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
+        registry().get_base_units(found)
+    except Exception as error:  # pint raises many kinds, of the tokenizer too
+        raise ParameterError(f"the unit {unit!r} is not known") from error
+    if registry().Quantity(0.0, found).to_base_units().magnitude != 0:
+        raise ParameterError(f"the unit {unit!r} has a zero point of its own")
+    return found
+
+
+def dimension(unit: pint.Unit) -> tuple[Any, ...]:
+    """Powers of length, mass and time, and of the radian, which pint counts as a number."""
+    from pint.util import to_units_container
+
+    powers: dict[str, Any] = dict(unit.dimensionality)
+    radians: Any = to_units_container(registry().get_base_units(unit)[1]).get("radian", 0)
+    return (*sorted((name, round(float(power), 9)) for name, power in powers.items()), ("angle", round(float(radians), 9)))
+
+
+_KINDS = {
+    "kg": "mass", "N/m": "stiffness", "m": "length", "rad": "angle", "N": "force", "m/s": "speed", "s/m": "time per length",
+    "s": "time", "Hz": "frequency", "Pa": "pressure", "J": "energy or moment", "K": "temperature", "A": "current", "m**2": "area",
+    "N*s/m": "damping", "kg/m**3": "density", "W": "power", "rad/s": "angular speed", "m/s**2": "acceleration", "m/m": "number"
+}  # fmt: skip
+
+
+@functools.cache
+def _kinds() -> dict[tuple[Any, ...], str]:
+    return {dimension(registry().parse_units(unit)): kind for unit, kind in _KINDS.items()}
+
+
+def described(unit: pint.Unit) -> str:
+    """What a unit measures, in words."""
+    word = _kinds().get(dimension(unit))
+    return f"a {word}" if word and word[0] not in "aeiou" else f"an {word}" if word else "another quantity"
+
+
+def read(text: str, si: str) -> Measured:
+    """A quantity from text such as ``"180 N/mm ± 15 %"``, ``"52 deg +- 1 deg"`` or ``"[150, 210] N/mm"``.
+
+    Parameters
+    ----------
+    text : str
+    si : str
+        The SI unit of what is wanted.
+
+    Raises
+    ------
+    ParameterError
+        For text that is no quantity, a unit that is missing or of another quantity, or a tolerance that makes no sense.
+
+    Examples
+    --------
+    >>> read("180 N/mm +- 15 %", "N/m")
+    Measured(value=180000.0, low=153000.0, high=207000.0, unit='N/mm')
+    """
+    if len(text) > 200:
+        raise ParameterError(f"{text[:20]!r}… is {len(text)} characters long, too long for a quantity; write {_example(si)}")
+    if found := _RANGE.fullmatch(text):
+        return _ranged(found, text, si)
+    found = _PLAIN.fullmatch(text)
+    if not found:
+        raise ParameterError(f"{text!r} can't be read{_why(text)}; write {_example(si)}")
+    number, unit = float(found["value"]), (found["unit"] or "").strip()
+    scale = _scale(unit, si, text)
+    value = _finite(number, scale, text)
+    off, of = found["off"], (found["of"] or "").strip()
+    if off is None:
+        return Measured(value, value, value, unit)
+    size = float(off)
+    if not math.isfinite(size) or size < 0 or off.startswith("-"):
+        raise ParameterError(f"{text!r} has the tolerance {off}; write how far it may be off as a positive number")
+    if of == "%" and si == "1" and unit != "%":
+        width = abs(value) * size / 100
+    elif of == "%":
+        width = abs(value) * size / 100 if unit != "%" else size / 100
+    elif not of and si != "1":
+        raise ParameterError(f"{text!r} has a tolerance without unit; write ± {off} % or ± {off} {unit}")
+    else:
+        width = _finite(size, _scale(of, si, text), text)
+    return Measured(value, value - width, value + width, unit)
+
+
+def _ranged(found: re.Match[str], text: str, si: str) -> Measured:
+    units = {(found[name] or "").strip() for name in ("first", "second", "unit")} - {""}
+    if len(units) > 1:
+        raise ParameterError(f"{text!r} has the units {' and '.join(sorted(units))}; give one unit, behind the bracket")
+    unit = units.pop() if units else ""
+    scale = _scale(unit, si, text)
+    low, high = (_finite(float(found[name]), scale, text) for name in ("low", "high"))
+    if low > high:
+        raise ParameterError(f"{text!r} begins above its end; write the smaller number first")
+    return Measured(0.5 * low + 0.5 * high, low, high, unit)
+
+
+def _scale(unit: str, si: str, text: str) -> float:
+    if not unit and si != "1":
+        raise ParameterError(f"{text!r} has no unit; write {_example(si)}")
+    try:
+        return factor(unit, si)
+    except ParameterError as error:
+        raise ParameterError(f"{text!r}: {error}; write {_example(si)}") from error
+
+
+def _finite(number: float, scale: float, text: str) -> float:
+    value = number * scale
+    # 52 deg is the float nearest to it, which two roundings may miss.
+    if scale == math.pi / 180:
+        value = math.radians(number)
+    if not math.isfinite(value):
+        raise ParameterError(f"{text!r} is too large for a number; check its exponent and unit")
+    return value
+
+
+def _example(si: str) -> str:
+    return f'for instance "{EXAMPLES.get(si, "1 " + si)}"'
+
+
+def _why(text: str) -> str:
+    if not text.strip():
+        return ": it is empty"
+    if re.match(r"\s*[+-]?\d+,\d", text):
+        return ": a comma is no decimal point"
+    if re.match(r"\s*[+-]?\d+\s+\d", text):
+        return ": there is a blank inside of the number"
+    if "[" in text or "]" in text:
+        return ": a range is two numbers in brackets, as in [150, 210] N/mm"
+    if not re.match(rf"\s*{_NUMBER}", text):
+        return ": it does not begin with a number"
+    if re.search(_SIGN, text):
+        return ": behind ± there is a number with a unit or %"
+    return ""
+
+
+def shown_in(value: float, unit: str, si: str, digits: int = 4) -> str:
+    """A value in SI as text in another unit: ``"180 N/mm"``."""
+    number = f"{value / factor(unit, si):.{digits}g}"
+    return f"{number} {unit}".strip()

@@ -1,0 +1,524 @@
+"""Jump values, gradients, margins, certificates, probabilities and designs, each against other evidence than its own."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import spragsym as ss
+from benchmarks import families
+from spragsym.design import jump_values, sampling
+from spragsym.errors import SweepError
+from spragsym.exact import affine, bernstein
+from spragsym.exact.rounded import Rounded
+from spragsym.generated import catastrophe as generated
+
+BASE = ss.Parameters.article()
+NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
+
+
+def one(p: ss.Parameters, i: int) -> ss.Parameters:
+    return ss.Parameters(**{name: float(np.broadcast_to(getattr(p, name), p.shape)[i]) for name in NAMES})
+
+
+# ------------------------------------------------------------------------------------------------------- arithmetic
+
+
+def expression(a: Any, b: Any, c: Any) -> Any:
+    return (a * b - c**2 * 3) / (2 + a * a) - b * (c - 0.25) + 1 / (3 + c)
+
+
+def test_rounded_numbers_hold_the_exact_ones() -> None:
+    rng = np.random.default_rng(3)
+    values = rng.uniform(-1, 1, (3, 400))
+    found = expression(*(Rounded(row) for row in values))
+    exact = [expression(*map(Fraction, column)) for column in values.T.tolist()]
+    off = [abs(Fraction(float(value)) - right) for value, right in zip(found.value, exact, strict=True)]
+    assert all(gap <= Fraction(float(bound)) for gap, bound in zip(off, found.error, strict=True))
+    assert max(found.error) < 1e-14
+    wide = Rounded(np.array([1.0]), np.array([2.0]))
+    assert (1 / wide).error[0] == np.inf
+    assert wide.sign()[0] == 0
+
+
+def test_affine_numbers_hold_what_a_box_gives() -> None:
+    rng = np.random.default_rng(4)
+    middle, half = rng.uniform(-1, 1, (3, 200)), rng.uniform(0, 0.2, (3, 200))
+    found = expression(*affine.sides(middle - half, middle + half))
+    for corner in rng.uniform(-1, 1, (200, 3)):
+        inside = expression(*(middle + half * corner[:, None]))
+        assert (np.abs(inside - found.value) <= found.radius() + 1e-15).all()
+    # Of second order in the size: a tenth of the box loses a hundredth of that.
+    small = expression(*affine.sides(middle - half / 10, middle + half / 10))
+    assert np.median(small.error / found.error) < 0.015
+
+
+def test_affine_cosines_hold_what_a_box_gives() -> None:
+    angles = affine.sides(np.array([[0.3, 1.5]]), np.array([[0.5, 1.6]]))
+    cosine, sine = affine.cosine_and_sine(angles[0])
+    for share in np.linspace(0, 1, 21):
+        angle = np.array([0.3 + 0.2 * share, 1.5 + 0.1 * share])
+        assert (np.abs(np.cos(angle) - cosine.value) <= cosine.radius()).all()
+        assert (np.abs(np.sin(angle) - sine.value) <= sine.radius()).all()
+
+
+def test_all_positive_roots_of_known_polynomials_are_found() -> None:
+    rng = np.random.default_rng(5)
+    size = 300
+    roots = np.sort(rng.uniform(-2, 3, (size, 6)), axis=-1)
+    coefficients = np.array([np.polynomial.polynomial.polyfromroots(row) for row in roots])
+    found = bernstein.positive_roots([Rounded(column, 1e-13) for column in coefficients.T], size)
+    assert found.undecided.mean() < 0.1
+    for i in np.flatnonzero(~found.undecided):
+        mine = np.argsort(found.t.value[found.row == i])
+        values, reach = found.t.value[found.row == i][mine], found.t.error[found.row == i][mine]
+        truth = roots[i][roots[i] > 0]
+        assert values.size == truth.size
+        assert (np.abs(values - truth) <= reach + 1e-9).all()
+        rising = found.rising[found.row == i][mine]
+        assert rising[-1:].tolist() == [1] * (values.size > 0)  # the leading coefficient is positive
+        assert (rising[1:] == -rising[:-1]).all()
+
+
+def test_a_double_root_is_undecided() -> None:
+    coefficients = [Rounded(np.array([value])) for value in (1.0, -2.0, 1.0)]  # (t − 1)²
+    assert bernstein.positive_roots(coefficients, 1).undecided.all()
+    assert bernstein.positive_roots([Rounded(np.array([value])) for value in (1.0, -1.0, 1.0)], 1).row.size == 0
+
+
+# ------------------------------------------------------------------------------------------------------ jump values
+
+
+@pytest.mark.parametrize(
+    ("vary", "direction"),
+    [("mu0", "up"), ("theta0", "up"), ("kappa", "up"), ("kappa", "down"), ("alpha", "down"), ("sigma", "up"), ("beta", "up")],
+)
+def test_a_jump_value_is_the_first_jump_of_the_path(vary: str, direction: str) -> None:
+    p = families.near_folds(np.random.default_rng(6), 150) if vary not in ("mu0", "theta0") else None
+    p = p or families.random(np.random.default_rng(7), 150)
+    values = np.asarray(ss.jump_value(p, vary, direction=direction))
+    jumping, still = np.flatnonzero(np.isfinite(values)), np.flatnonzero(np.isnan(values))
+    assert jumping.size >= 5
+    for i in [*jumping[:8], *still[:8]]:
+        point, value = one(p, i), values[i]
+        start = {"mu0": 0.0, "theta0": 1e-12}.get(vary, float(getattr(point, vary)))
+        end = (3.14159 if vary == "theta0" else 1e3 + 2 * start) if direction == "up" else start * 1e-3
+        path = ss.quasi_static_path(point, vary, [start, end])
+        first = [jump.value for jump in path.jumps[:1]]
+        if np.isnan(value) or not min(start, end) < value < max(start, end):
+            assert not first
+        else:
+            assert value == pytest.approx(first[0], rel=1e-11)
+
+
+def test_jump_friction_is_the_first_crest_of_the_surface() -> None:
+    """μ₀(θ) from the forces alone, sampled finely from the state at μ₀ = 0 upward."""
+    p = families.random(np.random.default_rng(8), 300)
+    values = np.asarray(ss.jump_value(p))
+    for i in np.flatnonzero(np.isfinite(values))[:20]:
+        q = one(p, i)
+        k, a, s, b = (float(getattr(q, name)) for name in ("kappa", "alpha", "sigma", "beta"))
+        c0, s0 = math.cos(float(q.theta0)), math.sin(float(q.theta0))
+
+        eq = ss.equilibria(q.replace(mu0=0.0))
+        stable = np.flatnonzero(eq.stability == ss.Stability.STABLE)
+        start = float(eq.theta[stable[np.argmin(np.abs(eq.x[stable]))]])
+        theta = np.linspace(start, math.pi, 200_001)[1:-1]
+        with np.errstate(all="ignore"):
+            L = (s * np.sin(theta) + (b + 1) * s0 + k) / ((b + 1 + s) * np.sin(theta))
+            x, y = c0 - L * np.cos(theta), s0 - L * np.sin(theta)
+            along = -(s * (1 - L) * np.cos(theta) + a * x) / y
+        falls = np.flatnonzero(np.diff(along) < 0)
+        crest = slice(max(falls[0] - 2, 0), falls[0] + 3)
+        assert along[crest].max() == pytest.approx(values[i], rel=1e-6)
+
+
+def test_values_on_folds_and_in_symmetric_systems() -> None:
+    # μ₀ = α = 0: nothing jumps at a pitchfork.
+    assert math.isnan(ss.jump_value(BASE.replace(mu0=0.0, alpha=0.0), "theta0"))
+    assert ss.jump_value(BASE.replace(theta0=0.5, alpha=0.0)) == pytest.approx(
+        ss.quasi_static_path(BASE.replace(theta0=0.5, alpha=0.0), "mu0", [0.0, 9.0]).jumps[0].value, rel=1e-12
+    )
+    # Just above the cusp in θ₀ there is no jump, just below there is one, at its friction.
+    cusp = ss.cusps(BASE)
+    at = int(np.flatnonzero((cusp.mu0 > 0) & (cusp.theta0 > 0))[0])
+    beside = ss.jump_value(BASE.replace(theta0=cusp.theta0[at] + np.array([-1e-6, 1e-6])))
+    assert beside[0] == pytest.approx(cusp.mu0[at], abs=1e-6)
+    assert math.isnan(beside[1])
+    # A start exactly on the fold: the state on it jumps where that is passed, and not the other way.
+    point = BASE.replace(theta0=0.5, mu0=0.95)
+    (kappa,) = ss.folds(point, "kappa").kappa
+    assert ss.jump_value(point.replace(kappa=kappa), "kappa") == kappa
+    assert math.isnan(ss.jump_value(point.replace(kappa=kappa), "kappa", direction="down"))
+
+
+def test_exact_arithmetic_gives_the_same_values(monkeypatch: pytest.MonkeyPatch) -> None:
+    p = families.random(np.random.default_rng(9), 12)
+    for vary in ("mu0", "theta0"):
+        quick = ss.jump_value(p, vary)
+        slow = [jump_values.exactly(one(p, i), vary)[0] for i in range(12)]
+        np.testing.assert_allclose(quick, slow, rtol=1e-12)
+
+
+def test_shapes_and_mistakes() -> None:
+    assert ss.jump_value(BASE.replace(theta0=np.ones((2, 1)), sigma=[0.1, 0.2, 0.3])).shape == (2, 3)
+    assert isinstance(ss.jump_value(BASE.replace(theta0=0.5)), float)
+    assert ss.jump_value(BASE.replace(theta0=np.empty(0))).shape == (0,)
+    for call in (
+        lambda: ss.jump_value(BASE, "V"),
+        lambda: ss.jump_value(BASE.replace(theta0=1.0), direction="down"),
+        lambda: ss.jump_value(BASE.replace(theta0=1.0), "kappa", direction="left"),
+        lambda: ss.jump_value(BASE),
+    ):
+        with pytest.raises(ss.ParameterError):
+            call()
+
+
+@pytest.mark.parametrize("vary", ["mu0", "theta0", "sigma"])
+def test_gradients_are_those_of_forty_digits(vary: str) -> None:
+    """f = f′ = 0 solved with 50 digits from the forces, at parameters moved by 1e-15 both ways."""
+    p = BASE.replace(theta0=0.6, mu0=0.70, beta=0.1)
+    direction = "down" if vary == "sigma" else "up"
+    found = ss.jump_gradient(p, vary, direction=direction)
+    theta = float(jump_values.first_jumps(p, vary, direction).theta)
+    with mpmath.workdps(50):
+        given = {name: mpmath.mpf(float(getattr(p, name))) for name in NAMES}
+
+        def at(moved: dict[str, Any]) -> Any:
+            def force(angle: Any, value: Any) -> Any:
+                q = {**moved, vary: value}
+                c0, s0 = mpmath.cos(q["theta0"]), mpmath.sin(q["theta0"])
+                stiff = 1 + q["beta"]
+                L = (q["sigma"] * mpmath.sin(angle) + stiff * s0 + q["kappa"]) / ((stiff + q["sigma"]) * mpmath.sin(angle))
+                x, y = c0 - L * mpmath.cos(angle), s0 - L * mpmath.sin(angle)
+                return q["sigma"] * (1 - L) * mpmath.cos(angle) + q["alpha"] * x + q["mu0"] * y
+
+            def both(angle: Any, value: Any) -> list[Any]:
+                return [force(angle, value), mpmath.diff(lambda t: force(t, value), angle)]
+
+            return mpmath.findroot(both, (mpmath.mpf(theta), mpmath.mpf(float(found.value))), tol=1e-60)[1]
+
+        assert abs(at(given) - float(found.value)) < 1e-13
+        for name in NAMES:
+            step = mpmath.mpf(10) ** -12
+            up, down = (at({**given, name: given[name] + side * step}) for side in (1, -1))
+            truth = mpmath.mpf(0) if name == vary else (up - down) / (2 * step)
+            assert abs(truth - float(getattr(found, name))) <= 1e-10 * (1 + abs(truth)), name
+
+
+# ------------------------------------------------------------------------------------------------------ certificates
+
+
+def boxes(seed: int, number: int, sizes: tuple[float, ...]) -> Iterable[tuple[ss.Parameters, ss.Parameters]]:
+    p = families.random(np.random.default_rng(seed), number)
+    for i in range(number):
+        values = {name: float(getattr(p, name)[i]) for name in NAMES}
+        off = sizes[i % len(sizes)]
+        low, high = ({name: value * (1 + side * off) for name, value in values.items()} for side in (-1, 1))
+        high["theta0"] = min(high["theta0"], 3.1415)
+        yield ss.Parameters(**low), ss.Parameters(**high)
+
+
+HOLDS: dict[str, Callable[[ss.Parameters], Any]] = {
+    "no jump": lambda p: ~(ss.jump_value(p) <= p.mu0),
+    "one equilibrium": lambda p: ss.count(p) == 1,
+    "no flutter": lambda p: ~(ss.equilibria(p).stability == ss.Stability.FLUTTER).any(axis=-1),
+}
+
+
+@pytest.mark.parametrize("claim", HOLDS)
+def test_what_is_proved_holds_at_random_points_and_what_is_refuted_does_not(claim: str) -> None:
+    rng = np.random.default_rng(11)
+    seen = set()
+    for low, high in boxes(12, 14, (0.01, 0.08)):
+        found = ss.certify(low, high, claim, max_boxes=400)
+        seen.add(found.outcome)
+        corners = {name: (float(getattr(low, name)), float(getattr(high, name))) for name in NAMES}
+        if found.outcome == "proved":
+            inside = {name: rng.uniform(*ends, 2000) for name, ends in corners.items()}
+            inside = {name: np.concatenate([values, rng.choice(corners[name], 100)]) for name, values in inside.items()}
+            assert HOLDS[claim](ss.Parameters(**inside)).all()
+            assert found.undecided == 0.0
+        elif found.outcome == "refuted":
+            point = found.counterexample
+            assert point is not None
+            assert all(ends[0] <= float(getattr(point, name)) <= ends[1] for name, ends in corners.items())
+            assert not HOLDS[claim](point)
+            if claim == "no jump":
+                assert ss.quasi_static_path(point, "mu0", [0.0, float(point.mu0)]).jumps
+    assert {"proved", "refuted"} <= seen
+
+
+def test_a_box_that_touches_the_fold_ends_undecided() -> None:
+    low = BASE.replace(theta0=0.5, mu0=0.5)
+    (fold,) = (float(value) for value in ss.folds(low, "mu0").mu0)
+    found = ss.certify(low, low.replace(mu0=fold), "no jump", max_boxes=200)
+    assert found.outcome == "undecided"
+    assert found.undecided == 1.0
+    assert ss.certify(low, low.replace(mu0=fold * (1 - 1e-9)), "no jump").outcome == "proved"
+    assert ss.certify(low, low.replace(mu0=fold * (1 + 1e-9)), "no jump").outcome == "refuted"
+    # With width in θ₀ only the boxes at the fold's side stay open.
+    wide = ss.certify(low.replace(theta0=0.45), low.replace(mu0=fold), "no jump", max_boxes=200)
+    assert wide.outcome == "undecided"
+    assert 0 < wide.undecided < 0.05
+
+
+def test_a_point_is_a_box_and_mistakes_are_told() -> None:
+    point = BASE.replace(theta0=1.2)
+    assert ss.certify(point, point, "one equilibrium").outcome == "proved"
+    for low, high, claim in (
+        (point, point, "no sprag"),
+        (point, point.replace(mu0=0.1), "no jump"),
+        (point, point.replace(mu0=[0.6, 0.7]), "no jump"),
+    ):
+        with pytest.raises(ss.ParameterError):
+            ss.certify(low, high, claim)
+
+
+# ------------------------------------------------------------------------------------------- margins and new designs
+
+
+def test_the_margin_of_friction_alone_is_the_jump_value() -> None:
+    p = BASE.replace(theta0=0.6)
+    margin = ss.jump_margin(p, {"mu0": 0.05}, prove=True)
+    assert margin.distance == pytest.approx((ss.jump_value(p) - 0.5) / 0.05, rel=1e-9)
+    assert 0.5 * margin.distance < margin.proved < margin.distance
+    jumped = ss.jump_margin(p.replace(mu0=0.9), {"mu0": 0.05})
+    assert jumped.distance == 0.0
+    assert ss.jump_margin(BASE.replace(theta0=3.0, mu0=0.1), {"kappa": 1e-6}).parameters is None
+
+
+def test_no_point_of_the_fold_is_nearer_than_the_margin() -> None:
+    p = BASE.replace(theta0=0.7)
+    scale = {"theta0": 0.02, "sigma": 0.01}
+    margin = ss.jump_margin(p, scale)
+    turn = np.linspace(0, 2 * np.pi, 721)[:, None]
+    radius = margin.distance * np.array([0.5, 0.9, 0.999, 1.002])
+    around = p.replace(theta0=0.7 + 0.02 * radius * np.cos(turn), sigma=0.1 + 0.01 * radius * np.sin(turn))
+    jumps = ss.jump_value(around) <= 0.5
+    assert jumps.any(axis=0).tolist() == [False, False, False, True]
+    assert ss.jump_value(margin.parameters) == pytest.approx(0.5, rel=1e-9)
+    # Where the gradient of the jump value is, there is the nearest point.
+    slopes = ss.jump_gradient(margin.parameters)
+    along = np.array([float(slopes.theta0) * 0.02, float(slopes.sigma) * 0.01])
+    way = np.array([margin.change["theta0"] / 0.02, margin.change["sigma"] / 0.01])
+    assert abs(along @ way) == pytest.approx(np.linalg.norm(along) * np.linalg.norm(way), rel=1e-6)
+
+
+def test_a_new_design_keeps_the_target_and_a_smaller_change_does_not() -> None:
+    p = BASE.replace(theta0=0.7)
+    better = ss.redesign(p, "theta0", {"mu0": 0.7})
+    angle = brentq(lambda value: float(ss.jump_value(p.replace(theta0=value))) - 0.7, 0.5, 0.7, xtol=1e-15)
+    assert 0.7 + better.change["theta0"] == pytest.approx(angle, rel=1e-9)
+    assert not ss.quasi_static_path(better.parameters, "mu0", [0.0, 0.7]).jumps
+    half = p.replace(theta0=0.7 + 0.999 * better.change["theta0"])
+    assert ss.quasi_static_path(half, "mu0", [0.0, 0.7]).jumps
+    both = ss.redesign(p, ("theta0", "sigma"), {"mu0": 0.7})
+    assert both.distance < better.distance
+    assert both.jump["mu0"] >= 0.7 * (1 - 1e-12)
+    assert ss.redesign(p, "sigma", {"mu0": 0.4}).distance == 0.0
+
+
+def test_physical_quantities_change_all_that_they_enter() -> None:
+    brake = ss.PhysicalParameters(m=0.35, k=1.8e5, k_x=9e3, k_y=0, k_c=1.5e6, F_L=420, L_0=0.038, theta0=0.9, mu0=0.3)
+    better = ss.redesign(brake, "k_c", {"mu0": 0.45})
+    assert isinstance(better.parameters, ss.PhysicalParameters)
+    assert better.parameters.k_c == pytest.approx(1.5e6 + better.change["k_c"])
+    assert not ss.jump_value(better.parameters.dimensionless()) < 0.45
+    margin = ss.jump_margin(brake, {"k_c": 2e5, "F_L": 40.0})
+    assert ss.jump_value(margin.parameters.dimensionless()) == pytest.approx(0.3, rel=1e-9)
+
+
+def test_mistakes_in_designs_are_told() -> None:
+    p = BASE.replace(theta0=0.7)
+    for call in (
+        lambda: ss.jump_margin(p, {}),
+        lambda: ss.jump_margin(p, {"k_x": 1.0}),
+        lambda: ss.jump_margin(p, {"mu0": -1.0}),
+        lambda: ss.redesign(p, "beta", {"mu0": 0.7}),  # 0 has no relative change
+        lambda: ss.redesign(p, "sigma", {"sigma": 0.7}),
+        lambda: ss.redesign(p, "theta0", {"theta0": 0.7}),
+        lambda: ss.redesign(p, "sigma", {}),
+        lambda: ss.redesign(p, ("sigma", "kappa"), {"mu0": 0.7}, {"sigma": 0.01}),
+    ):
+        with pytest.raises(ss.ParameterError):
+            call()
+
+
+# ------------------------------------------------------------------------------------------------------ probability
+
+TOLERANCES: dict[str, Any] = {
+    "theta0": (0.68, 0.72), "mu0": (0.4, 0.6), "kappa": (0.006, 0.008), "alpha": 0.007, "sigma": (0.085, 0.115), "beta": 0.0,
+}  # fmt: skip
+
+
+def estimated(function: sampling.Function, variables: int, n: int, seed: int, indicator: bool) -> sampling.Estimate:
+    tasks = sampling.chunks(n, 16, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
+    records = [sampling.sums(function, variables, not indicator, task) for task in tasks]
+    return sampling.estimate(records, [task.replicate for task in tasks], 0.95, indicator)
+
+
+def test_indices_of_a_linear_model_are_its_squares() -> None:
+    weights = np.array([1.0, 2.0, 3.0, 0.5])
+    found = estimated(lambda u: u @ weights + 7.0, 4, 8192, 1, False)
+    share = weights**2 / (weights @ weights)
+    np.testing.assert_allclose(found.first, share, atol=2e-3)
+    np.testing.assert_allclose(found.total, share, atol=2e-3)
+    assert found.mean == pytest.approx(7 + weights.sum() / 2, rel=1e-5)
+
+
+def test_indices_of_a_product_show_what_acts_together() -> None:
+    """Of x₁ x₂ over (−1, 1) neither has a part of its own, and both have all of it together."""
+    found = estimated(lambda u: (2 * u[:, 0] - 1) * (2 * u[:, 1] - 1) + 0.0 * u[:, 2], 3, 16384, 2, False)
+    np.testing.assert_allclose(found.first, 0.0, atol=0.01)
+    np.testing.assert_allclose(found.total, [1.0, 1.0, 0.0], atol=0.01)
+
+
+def test_chunks_are_the_parts_of_one_sequence() -> None:
+    def function(u: Any) -> Any:
+        return np.cos(3 * u[:, 0]) * u[:, 1]
+
+    whole = sampling.sums(function, 2, True, sampling.Chunk(0, 77, 0, 1024))
+    parts = [sampling.sums(function, 2, True, sampling.Chunk(0, 77, begin, 256)) for begin in range(0, 1024, 256)]
+    np.testing.assert_allclose(np.sum(parts, axis=0), whole, rtol=1e-12)
+    tasks = sampling.chunks(1 << 20, 4, [1, 2, 3, 4])
+    assert sum(task.size for task in tasks) == 1 << 20
+    assert max(task.size for task in sampling.chunks(10**9, 16, range(16))) <= 1 << 18
+
+
+@pytest.mark.parametrize("share", [0.3, 0.002])
+def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
+    """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""
+    limit = math.sqrt(2 * share)
+    studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 2048, seed, True) for seed in range(100)]
+    assert 88 <= sum(study.low <= share <= study.high for study in studies) <= 100
+    assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 2048)
+
+
+def test_a_probability_is_that_of_plain_samples() -> None:
+    found = ss.jump_probability(TOLERANCES, n=1 << 13, rng=1)
+    rng = np.random.default_rng(2)
+    sample = {name: rng.uniform(*ends, 100_000) if isinstance(ends, tuple) else ends for name, ends in TOLERANCES.items()}
+    plain = float((ss.jump_value(ss.Parameters(**sample)) <= sample["mu0"]).mean())
+    off = math.hypot(math.sqrt(plain * (1 - plain) / 1e5), found.high - found.low)
+    assert abs(found.probability - plain) < 3 * off
+    assert found.low <= found.probability <= found.high
+    assert max(found.total, key=lambda name: found.total[name]) == "mu0"
+    assert set(found.first) == {"theta0", "mu0", "kappa", "sigma"}
+
+
+def test_nothing_and_everything_have_intervals_too() -> None:
+    safe = ss.jump_probability(TOLERANCES | {"mu0": (0.1, 0.15)}, n=512, rng=1, sobol=False)
+    assert (safe.probability, safe.low) == (0.0, 0.0)
+    assert 0 < safe.high < 0.01
+    sure = ss.jump_probability(TOLERANCES | {"mu0": (0.9, 0.95)}, n=512, rng=1, sobol=False)
+    assert (sure.probability, sure.high) == (1.0, 1.0)
+
+
+def test_a_stopped_study_goes_on_and_gives_the_same(tmp_path: Path) -> None:
+    store = tmp_path / "study.json"
+    whole = ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False)
+
+    def stops(function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterable[Any]:
+        for number, task in enumerate(tasks):
+            if number == 7:
+                raise RuntimeError("the cluster went away")
+            yield function(task)
+
+    with pytest.raises(SweepError, match="7 of 16"):
+        ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False, store=store, workers=stops)
+    asked: list[Any] = []
+
+    def counting(function: Callable[[Any], Any], tasks: Iterable[Any]) -> Iterable[Any]:
+        asked.extend(tasks)
+        return map(function, asked)
+
+    assert ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False, store=store, workers=counting) == whole
+    assert len(asked) == 9
+    assert ss.jump_probability(TOLERANCES, n=256, rng=5, sobol=False, store=store, workers=stops) == whole  # read, not computed
+    with pytest.raises(ss.ParameterError):
+        ss.jump_probability(TOLERANCES, n=512, rng=5, sobol=False, store=store)
+
+
+def test_mistakes_in_distributions_are_told() -> None:
+    for distribution in (
+        {},
+        TOLERANCES | {"V": 1.0},
+        TOLERANCES | {"mu0": (0.6, 0.4)},
+        TOLERANCES | {"mu0": (-0.1, 0.4)},
+        TOLERANCES | {"mu0": (0.1, 0.2, 0.3)},
+        dict.fromkeys(NAMES, 0.5),
+        (BASE, None),
+    ):
+        with pytest.raises(ss.ParameterError):
+            ss.jump_probability(distribution)
+    for options in ({"n": 1}, {"confidence": 1.0}, {"replicates": 1}, {"store": "x.json"}):
+        with pytest.raises(ss.ParameterError):
+            ss.jump_probability(TOLERANCES, **options)
+
+
+# ------------------------------------------------------------------------------------------------- which fold is which
+
+
+def test_folds_say_what_the_path_does() -> None:
+    """Each state followed both ways from beside a fold: it jumps in the direction that the fold says, to where it says."""
+    p = families.random(np.random.default_rng(21), 40)
+    seen = set()
+    for i in range(40):
+        found = ss.folds(one(p, i), "mu0", negative_friction=False)
+        for k in range(found.mu0.size):
+            value, rising = float(found.mu0[k]), found.when[k] == "up"
+            before, after = value * (1 - 1e-6), value * (1 + 1e-6)
+            values = [before, after] if rising else [after, before]
+            eq = ss.equilibria(one(p, i).replace(mu0=values[0]))
+            if eq.count != 3:
+                continue
+            slot = {"lower": 0, "upper": 2}[found.ends[k]]
+            path = ss.quasi_static_path(one(p, i), "mu0", values, start=slot)
+            seen.add((found.ends[k], found.when[k]))
+            assert len(path.jumps) == 1
+            jump = path.jumps[0]
+            assert (jump.value, jump.theta_before) == (value, found.theta[k])
+            got = (found.theta_after[k], found.x_after[k], found.y_after[k])
+            np.testing.assert_allclose((jump.theta_after, jump.x_after, jump.y_after), got, rtol=1e-9, atol=1e-9)
+    assert {("lower", "up"), ("upper", "down")} <= seen
+
+
+def test_fold_curves_say_the_same_as_folds() -> None:
+    for curve in ss.bifurcation_set(BASE, 700).curves:
+        for i in range(20, curve.theta.size - 20, 90):
+            found = ss.folds(BASE.replace(mu0=float(curve.mu0[i])), "theta0")
+            k = int(np.argmin(np.abs(found.theta - curve.theta[i]) + np.abs(found.theta0 - curve.theta0[i])))
+            assert curve.upper[i] == (found.ends[k] == "upper")
+            assert curve.when_theta0[i] == (1 if found.when[k] == "up" else -1)
+            assert curve.theta_after[i] == pytest.approx(found.theta_after[k], abs=1e-6)
+
+
+def test_f_in_differences_is_f() -> None:
+    """The arrangement for boxes against the force itself, at a few points."""
+    rng = np.random.default_rng(30)
+    for _ in range(5):
+        theta, theta0 = rng.uniform(0.2, 2.9, 2)
+        m, k, a, s, b = rng.uniform(0.01, 1, 5)
+        c, si, c0, s0 = math.cos(theta), math.sin(theta), math.cos(theta0), math.sin(theta0)
+        L = (s * si + (b + 1) * s0 + k) / ((b + 1 + s) * si)
+        force = s * (1 - L) * c + a * (c0 - L * c) + m * (s0 - L * si)
+        assert generated.f_in_differences(c, si, c0, s0, m, k, a, s, b)[0] == pytest.approx((b + 1 + s) * si * force, abs=1e-13)
+
+
+def test_without_a_spring_along_the_belt_angles_are_as_exact() -> None:
+    p = families.random(np.random.default_rng(15), 40).replace(alpha=0.0)
+    quick = ss.jump_value(p, "theta0")
+    slow = [jump_values.exactly(one(p.replace(alpha=np.zeros(40)), i), "theta0")[0] for i in range(12)]
+    np.testing.assert_allclose(quick[:12], slow, rtol=0, atol=1e-12)
+    assert np.isfinite(slow).sum() >= 5
+    mixed = ss.jump_value(p.replace(alpha=np.where(np.arange(40) % 2, 0.0, 0.01)), "theta0")
+    np.testing.assert_array_equal(mixed[1::2], quick[1::2])

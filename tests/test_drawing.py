@@ -1,0 +1,105 @@
+"""The drawings of the pages: as committed, complete, readable by light and by dark, also of new pages."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import pytest
+
+from tests.test_documents import ROOT
+
+pytest.importorskip("sympy")
+
+import sympy as sp
+
+from spragsym.derive import drawing, shapes
+from spragsym.derive.model import Page
+
+IMAGES = ROOT / "docs" / "images" / "models"
+PAGES = drawing.every_page()
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def words(svg: str) -> list[str]:
+    """Every name in a drawing, indices after an underscore."""
+    texts = list(ElementTree.fromstring(svg).iter(f"{SVG}text"))
+    marked = [
+        (text.text or "") + "".join(("_" + (part.text or "") if part.get("class") else "") + (part.tail or "") for part in text)
+        for text in texts
+    ]
+    return [word for text in marked for word in text.split()]
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_committed_drawings_are_those_of_the_pages(name: str) -> None:
+    """``python -m derive.drawing`` writes them; their files are the same bytes on every machine."""
+    assert (IMAGES / f"{name}.svg").read_text(encoding="utf-8") == drawing.render(PAGES[name])
+
+
+def test_no_drawing_is_left_over_and_all_are_shown() -> None:
+    assert {path.stem for path in IMAGES.glob("*.svg")} == set(PAGES)
+    gallery = (ROOT / "docs" / "models.md").read_text(encoding="utf-8")
+    assert re.findall(r"images/models/(\w+)\.svg", gallery) == list(PAGES)
+    for path in ("README.md", "docs/index.md"):
+        assert "images/models/kang_nam.svg" in (ROOT / path).read_text(encoding="utf-8").split("## ")[0]
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_everything_that_pulls_or_pushes_is_named(name: str) -> None:
+    """Stiffnesses, dampers, forces but for their directions, the belt's speed, the mass; and each spring is drawn as one."""
+    page, svg = PAGES[name], drawing.render(PAGES[name])
+    expected = {str(symbol) for it in page.springs for symbol in it.stiffness.free_symbols}
+    expected |= {str(symbol) for it in page.dampers for symbol in it.coefficient.free_symbols}
+    expected |= {"m", *(str(symbol) for symbol in (page.sliding.belt.free_symbols if page.sliding else ()))}
+    for force in page.forces:
+        angles = {symbol for part in force.components for node in part.atoms(sp.sin, sp.cos) for symbol in node.free_symbols}
+        expected |= {str(symbol) for part in force.components for symbol in part.free_symbols - angles}
+    assert expected <= set(words(svg))
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_drawings_stay_on_their_card(name: str) -> None:
+    """Every coordinate in the picture is inside of it, and nothing is fetched from elsewhere."""
+    svg = drawing.render(PAGES[name])
+    root = ElementTree.fromstring(svg)
+    left, top, width, height = map(float, str(root.get("viewBox")).split())
+    for path in root.iter(f"{SVG}path"):
+        numbers = list(map(float, re.findall(r"-?\d+(?:\.\d+)?", re.sub(r"A\S+ \S+ \S+ \S+ \S+ ", "L", str(path.get("d"))))))
+        assert all(left <= x <= left + width for x in numbers[::2])
+        assert all(top <= y <= top + height for y in numbers[1::2])
+    assert "http" not in svg.replace("http://www.w3.org/2000/svg", "")
+    assert root.find(f"{SVG}title") is not None
+
+
+def luminance(colour: str) -> float:
+    """Relative luminance of #rgb or #rrggbb, as WCAG 2 defines it."""
+    digits = colour.lstrip("#")
+    digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
+    parts = [int(digits[k : k + 2], 16) / 255 for k in (0, 2, 4)]
+    linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+    return sum(weight * part for weight, part in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+
+def test_lines_and_names_stand_out_by_light_and_by_dark() -> None:
+    """Ink, names and forces against the card and against what bodies are filled with: at least 4.5 to 1."""
+    for rules in shapes.STYLE.split("@media(prefers-color-scheme:dark)"):
+        colour = dict(re.findall(r"\.?([\w-]+)\{(?:fill|stroke):(#\w+)", rules))
+        for ink in ("ink", "text", "force", "force-name"):
+            for ground in ("card", "body", "belt"):
+                light, dark = sorted((luminance(colour[ink]), luminance(colour[ground])), reverse=True)
+                assert (light + 0.05) / (dark + 0.05) > 4.5, (ink, ground)
+
+
+def test_a_page_that_nobody_has_drawn_before() -> None:
+    """Three springs along one line, two anchors on one side, no belt contact law, no friction: it is drawn all the same."""
+    page = Page("A mass with whatever there is.")
+    m, L_0 = page.unit("m", "kg", "mass"), page.unit("L_0", "m", "length")
+    stiffness = [page.parameter(f"k_{k}", "N/m", "stiffness", "> 0", 1.0) for k in range(5)]
+    x, y = page.coordinate("x", "m", "along"), page.coordinate("y", "m", "across")
+    page.kinetic(m * (page.rate(x) ** 2 + page.rate(y) ** 2) / 2)
+    for k in stiffness[:3]:
+        page.spring(k, along=x)
+    page.spring(stiffness[3], (x, y), (L_0, L_0), length=L_0)
+    page.spring(stiffness[4], (x, y), (2 * L_0, L_0), length=L_0)
+    assert {f"k_{k}" for k in range(5)} <= set(words(drawing.render(page)))

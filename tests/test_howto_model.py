@@ -1,0 +1,35 @@
+"""The page on writing a model, done as written, in an empty folder."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.test_documents import ROOT, assert_shown, commands, run
+
+pytest.importorskip("sympy")
+
+PAGE = ROOT / "docs/howto_model.md"
+
+
+def test_the_page_does_what_it_says(tmp_path: Path) -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    files = re.findall(r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    assert [name for name, _ in files] == ["soft_brake.py", "use.py"]
+    for name, program in files:
+        (tmp_path / name).write_text(program, encoding="utf-8")
+    done = commands(PAGE)
+    assert len(done) == 5
+    for command, shown in done:
+        assert_shown(shown, run(command, tmp_path))
+
+
+def test_the_vocabulary_is_that_of_the_page() -> None:
+    from spragsym.derive import model
+
+    text = PAGE.read_text(encoding="utf-8")
+    assert f"`{', '.join(name for name in model.__all__ if name != 'PageError')}`" in text
+    statements = [name for name in vars(model.Page) if not name.startswith("_") and callable(getattr(model.Page, name))]
+    assert [name for name in statements if f"page.{name}(" not in text] == []

@@ -1,0 +1,108 @@
+"""Other machines: the C target's bits on each that can be built for here, and builds that would change a bit are refused."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from benchmarks.machines import MACHINES, PROGRAM, ROOT, SOURCES, Machine, points
+
+#: Headers for Windows, which a cross-compiler brings along.
+WINDOWS_HEADERS = Path("/usr/x86_64-w64-mingw32/include")
+#: clang in the place of MSVC.
+MSVC = ("--driver-mode=cl", "--target=x86_64-pc-windows-msvc", "-imsvc", str(WINDOWS_HEADERS))
+
+
+def _results(machine: Machine, folder: Path) -> str:
+    if reason := machine.missing():
+        pytest.skip(reason)
+    program = machine.built(folder, [PROGRAM, SOURCES / "spragsym.c"])
+    assert program, f"{machine.name}: not compiled without a warning"
+    return machine.results(program, _points())
+
+
+@cache
+def _points() -> str:
+    return points(60)
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """What the first machine prints, which is checked to be something."""
+    found = _results(MACHINES[0], tmp_path_factory.mktemp("first"))
+    lines = found.splitlines()
+    assert len(lines) == _points().count("\n")
+    assert {line.split()[0] for line in lines} <= {"0", "1"}
+    return found
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("machine", MACHINES[1:], ids=lambda machine: machine.name)
+def test_the_same_bits(machine: Machine, expected: str, tmp_path: Path) -> None:
+    assert _results(machine, tmp_path) == expected
+
+
+@pytest.mark.parametrize(
+    ("compiler", "flags", "said"),
+    [
+        ("gcc", ("-m32", "-mfpmath=387"), "computed in double precision"),
+        ("gcc", ("-Ofast",), "break the error bounds"),
+        ("clang", (*MSVC, "/fp:fast"), "break the error bounds"),
+    ],
+    ids=["x87", "fast math", "MSVC's fast math"],
+)
+def test_arithmetic_of_another_kind_is_refused(compiler: str, flags: tuple[str, ...], said: str, tmp_path: Path) -> None:
+    if not shutil.which(compiler):
+        pytest.skip(f"{compiler} is not installed")
+    if "-imsvc" in flags and not WINDOWS_HEADERS.exists():
+        pytest.skip("no headers for Windows: gcc-mingw-w64 is not installed")
+    if "-m32" in flags and Machine("", "gcc", ("-m32",)).missing():
+        pytest.skip("gcc builds nothing for 32 bits here")
+    call = [compiler, *flags, "-c", "-o", str(tmp_path / "refused.o"), "--", str(SOURCES / "spragsym.c")]
+    if compiler == "gcc":
+        call.remove("--")
+    done = subprocess.run(call, capture_output=True, text=True, timeout=60)
+    assert done.returncode != 0
+    assert said in done.stderr
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
+def test_the_derivation_speaks_on_any_console(encoding: str) -> None:
+    code = "from derive import __main__; __main__.readable(); print('θ_o', '(1)–(11)')"
+    call = [sys.executable, "-c", code]
+    done = subprocess.run(call, cwd=ROOT, env={**os.environ, "PYTHONIOENCODING": encoding}, capture_output=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    assert rb"\N{GREEK SMALL LETTER THETA}_o" in done.stdout
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
+def test_results_print_on_any_console(encoding: str) -> None:
+    code = (
+        "import numpy as np, spragsym as ss\n"
+        "p = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))\n"
+        "for one in (p, ss.equilibria(p), ss.folds(ss.Parameters.article()), ss.cusps(ss.Parameters.article())): print(one)\n"
+        "print(ss.simulate(ss.Parameters.article(theta0=0.8), V=0.5, d=10.0, t_end=5.0))\n"
+        "try: ss.Parameters.article(theta0=9.0)\n"
+        "except ss.SpragsymError as error: print(error)"
+    )
+    environment = {**os.environ, "PYTHONIOENCODING": encoding}
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, env=environment, capture_output=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    assert b"stable" in done.stdout
+
+
+def test_the_dialect_of_msvc() -> None:
+    """clang reads the source as MSVC would, with Windows' headers; names that math.h defines there are among what it tells."""
+    if not shutil.which("clang"):
+        pytest.skip("clang is not installed")
+    if not WINDOWS_HEADERS.exists():
+        pytest.skip("no headers for Windows: gcc-mingw-w64 is not installed")
+    call = ["clang", *MSVC, "/W4", "/WX", "/TC", "-Wno-unused-function", "-fsyntax-only", "--", str(SOURCES / "spragsym.c")]
+    done = subprocess.run(call, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr + done.stdout

@@ -1,0 +1,84 @@
+"""A model's functions in C, written on demand, against the Python ones at the same numbers."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pytest.importorskip("sympy")
+
+import spragsym as ss
+from spragsym.cli import main
+
+COMPILER = shutil.which("cc")
+
+#: Function of a model → which of its modules has it.
+FUNCTIONS = {"rhs": "motion", "regime_jacobian": "motion", "regime_by_parameters": "motion", "forces_hessian": "statics"}
+
+
+def exported(tmp_path: Path, name: str) -> Path:
+    out = tmp_path / "c"
+    with pytest.raises(SystemExit) as ended:
+        main(["export", "--model", name, "--out", str(out)])
+    assert ended.value.code == 0
+    return out
+
+
+def numbers(model: Any, function: str) -> list[float]:
+    """Arguments for a function: a state in contact, base values, everything felt."""
+    p = model.Parameters(**({"theta0": 0.8} if "theta0" in model.parameters else {}))
+    n = len(model.coordinates)
+    state = [0.1, -0.02, 0.05][:n]
+    rates = [0.03, -0.04, 0.02][:n]
+    felt = [1.0] * model.about["layers"]
+    taken = [float(value) for value in model.arguments(p, "motion")]
+    if function == "rhs":
+        return [*state, *rates, *taken]
+    if function.startswith("regime"):
+        return [*state, *rates, *taken, 1.0, 1.0, *felt]
+    directions = []
+    of_statics = [float(value) for value in model.arguments(p)]
+    for dx, dy, _ in model.statics.geometry(*state, *of_statics):
+        length = float(np.hypot(dx, dy))
+        directions += [float(dx) / length, float(dy) / length, length]
+    return [*state, *directions, *of_statics, 0.4, 1.0]
+
+
+@pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+@pytest.mark.parametrize("name", ["hertz_contact", "stribeck", "trolley"])
+def test_c_gives_the_numbers_of_python(name: str, tmp_path: Path) -> None:
+    """Compiled without a warning; the same to the last bits, since it is the same arithmetic but for root and exponential."""
+    model = ss.load(name)
+    out = exported(tmp_path, name)
+    calls, want = [], []
+    for function, module in FUNCTIONS.items():
+        given = numbers(model, function)
+        result = np.array(getattr(getattr(model, module), function)(*given), dtype=float).ravel()
+        want.append(result)
+        listed = ", ".join(float(value).hex() for value in given)
+        calls.append(
+            f"{{ double r[{result.size}]; if ({name}_{function}({listed}, r)) return 1; "
+            f'for (int i = 0; i < {result.size}; i++) printf("%.17g\\n", r[i]); }}'
+        )
+    (out / "try.c").write_text(
+        f'#include <stdio.h>\n#include "{name}.h"\nint main(void) {{\n' + "\n".join(calls) + "\nreturn 0;\n}\n"
+    )
+    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "try.c", f"{name}.c", "-lm", "-o", "try"]
+    subprocess.run(build, cwd=out, check=True, timeout=120)
+    shown = subprocess.run(["./try"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout
+    np.testing.assert_allclose([float(line) for line in shown.split()], np.concatenate(want), rtol=1e-13, atol=1e-15)
+
+
+def test_a_folder_is_exported_from_the_page_in_it(tmp_path: Path) -> None:
+    page = tmp_path / "mine.py"
+    page.write_text((Path(ss.__file__).parent / "derive/models/stick_slip.py").read_text(encoding="utf-8"), encoding="utf-8")
+    with pytest.raises(SystemExit) as ended:
+        main(["derive", str(page), "--out", str(tmp_path / "folder")])
+    assert ended.value.code == 0
+    out = exported(tmp_path, str(tmp_path / "folder"))
+    assert "mine_rhs" in (out / "mine.h").read_text(encoding="utf-8")

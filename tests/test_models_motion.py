@@ -1,0 +1,219 @@
+"""Motion of the shipped models: energy, both integrators, closed forms, and the article's model among them."""
+
+from __future__ import annotations
+
+import importlib.util
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.dynamics import Event
+from spragsym.models.load import shipped
+
+NAMES = shipped()
+BACKENDS = ["scipy", *(["heyoka"] if importlib.util.find_spec("heyoka") else [])]
+
+
+def parameters(model: Any, **changes: Any) -> Any:
+    """Base values, and 49 degrees where the base has no inclination."""
+    given = {"theta0": np.radians(49)} if "theta0" in model.parameters else {}
+    return model.Parameters(**{**given, **changes})
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("name", NAMES)
+def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
+    """The integral of the powers over a motion with kinks is the change of energy: the quadrature is not the integrator's."""
+    model = ss.load(name)
+    tr = model.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend) if "y" in model.coordinates else None
+    tr = tr or model.simulate(parameters(model), t_end=40.0, backend=backend)
+    energy = tr.energy()
+    scale = np.abs(energy).max() + tr.integral(np.abs(tr.power()))
+    assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 3e-9 * scale
+    if model.about["contact"]["unilateral"]:
+        assert len(tr.events.of(Event.CONTACT_REGAINED)) >= 1
+        gap = model.motion.borders(*tr.events.of(Event.CONTACT_LOST, Event.CONTACT_REGAINED).state.T, *tr._arguments())[0]
+        assert np.abs(gap).max() < 1e-11
+
+
+@pytest.mark.skipif(len(BACKENDS) < 2, reason="the extra fast is not installed")
+@pytest.mark.parametrize("name", NAMES)
+def test_both_integrators_agree(name: str) -> None:
+    model = ss.load(name)
+    ends = [model.simulate(parameters(model), t_end=30.0, backend=backend).state[:, -1] for backend in BACKENDS]
+    np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_the_articles_page_moves_as_the_article(backend: str) -> None:
+    model, theta0 = ss.load("kang_nam"), np.radians(49)
+    ours = model.simulate(model.Parameters(theta0=theta0), t_end=60.0, backend=backend)
+    theirs = ss.simulate(ss.Parameters.article(theta0=theta0), V=0.5, d=10.0, t_end=60.0, backend=backend)
+    assert ours.events is not None
+    assert theirs.events is not None
+    assert ours.events.which.tolist() == theirs.events.which.tolist()
+    np.testing.assert_allclose(ours.events.t, theirs.events.t, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(ours(50.0), theirs(50.0), rtol=0, atol=1e-8)
+
+
+@pytest.mark.parametrize("name", ["trolley", "hertz_contact", "stribeck"])
+def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> None:
+    """SciPy's implicit Radau on the field as a whole, in small steps: no modes, no events, no restart."""
+    from scipy.integrate import solve_ivp
+
+    model = ss.load(name)
+    p = parameters(model)
+    taken, n = [float(value) for value in model.arguments(p, "motion")], len(model.coordinates)
+
+    def field(_: float, state: Any) -> Any:
+        return [*state[n:], *(float(value) for value in model.motion.rhs(*state, *taken))]
+
+    start = np.zeros(2 * n)
+    run = solve_ivp(field, (0.0, 8.0), start, method="Radau", rtol=1e-9, atol=1e-11, max_step=0.02)
+    np.testing.assert_allclose(model.simulate(p, t_end=8.0).state[:, -1], run.y[:, -1], rtol=0, atol=1e-6)
+
+
+def test_stick_slip_loses_its_stability_at_the_closed_form() -> None:
+    """Hopf point of sliding: ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², minus the slope of 2 μ_s v v_s/(v² + v_s²) at V.
+
+    Just above it a deviation dies away, just below it grows, at the rate of the difference, (ζ − ζ_H)/2.
+    """
+    model = ss.load("stick_slip")
+    mu_s, v_s, V = 0.5, 0.1, 0.5
+    hopf = 2 * mu_s * v_s * (V**2 - v_s**2) / (V**2 + v_s**2) ** 2
+    rest = 2 * mu_s * V * v_s / (V**2 + v_s**2)
+    for change in (0.02, -0.02):
+        p = model.Parameters(mu_s=mu_s, v_s=v_s, V=V, zeta=hopf + change)
+        C = model.linearization.damping(rest, *model.arguments(p, "motion"), 1)
+        assert abs(float(C[0][0]) - change) < 1e-14
+        tr = model.simulate(p, x0=rest + 1e-5, t_end=40 * np.pi, rtol=1e-12)
+        size = np.hypot(tr.x - rest, tr.vx)
+        assert abs(np.log(size[-1] / size[0]) / tr.t[-1] + change / 2) < 1e-3
+
+
+def test_mode_coupling_flutters_beyond_the_closed_form() -> None:
+    """μ = ((1 + β − α)² + σ²)/(2 σ): there the two eigenvalues of K meet, and a pair of complex ones comes of them."""
+    model = ss.load("mode_coupling")
+    alpha, sigma, beta = 1.3, 0.5, 0.2
+    threshold = ((1 + beta - alpha) ** 2 + sigma**2) / (2 * sigma)
+    for change, flutters in ((-1e-6, False), (1e-6, True)):
+        p = model.Parameters(alpha=alpha, sigma=sigma, beta=beta, mu0=threshold + change, d=1000.0)
+        taken = model.arguments(p)
+        K = np.array(model.statics.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
+        assert (np.abs(np.linalg.eigvals(K).imag).max() > 0) == flutters
+    growth = []
+    for factor in (0.9, 1.1):
+        p = model.Parameters(alpha=alpha, sigma=sigma, beta=beta, mu0=factor * threshold, d=1000.0)
+        taken = model.arguments(p)
+        K = np.array(model.statics.forces_jacobian(0.0, 0.0, *taken, float(p.mu0), 1), dtype=float)
+        x, y = np.linalg.solve(K, [0.0, -1.0])
+        tr = model.simulate(p, x0=x + 1e-5, y0=y, t_end=120.0)
+        away = np.hypot(tr.x - x, tr.y - y)
+        growth.append(away[tr.t > 60].max() / away[tr.t < 60].max())
+    assert growth[0] < 1.1
+    assert growth[1] > 4
+
+
+def test_arguments_that_make_no_sense() -> None:
+    model = ss.load("trolley")
+    p = model.Parameters(theta0=1.0)
+    with pytest.raises(ss.ParameterTypeError, match="did you mean x_a0"):
+        model.simulate(p, xa0=1.0)
+    with pytest.raises(ss.ParameterError, match="it is x0, y0, x_a0, vx0, vy0, vx_a0"):
+        model.simulate(p, start=[0.0, 0.0])
+    with pytest.raises(ss.ParameterError, match="theta0 is missing"):
+        model.simulate(model.Parameters())
+    with pytest.raises(ss.ParameterTypeError, match="no set of parameters of trolley"):
+        model.simulate(ss.Parameters.article(theta0=1.0))
+    with pytest.raises(ss.ParameterError, match="both ends of spring 1 on one point"):
+        model.simulate(p, x0=float(np.cos(1.0)), y0=float(np.sin(1.0)))
+    with pytest.raises(AttributeError, match="no 'z'"):
+        model.simulate(p, t_end=1.0).z  # noqa: B018  # the access is the test
+
+
+def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
+    model = ss.load("trolley")
+    tr = model.simulate(model.Parameters(theta0=1.0), t_end=5.0, estimate_error=True)
+    assert tr.error is not None
+    assert tr.error.max() < 1e-6
+    tr.save(tmp_path / "tr.csv")
+    text = (tmp_path / "tr.csv").read_text(encoding="utf-8")
+    assert "trolley" in text
+    assert "x_a" in text
+
+
+# ------------------------------------------------------------------------------------------------ sweeps
+
+
+def test_a_sweep_of_the_articles_page_is_that_of_the_article() -> None:
+    model, angles = ss.load("kang_nam"), np.radians([30.0, 49.0])
+    ours = model.rms_sweep(model.Parameters(theta0=angles), t_end=120.0, transient=40.0)
+    theirs = ss.rms_sweep(ss.Parameters.article(theta0=angles), 0.5, 10.0, t_end=120.0, transient=40.0)
+    for name in ("rms", "spread", "amplitude", "mean", "mean_y"):
+        np.testing.assert_allclose(getattr(ours, name), getattr(theirs, name), rtol=1e-6)
+    for name in ("contact_lost", "slip_reversed", "regime"):
+        assert getattr(ours, name).tolist() == getattr(theirs, name).tolist()
+
+
+def test_a_sweep_goes_through_a_file_and_other_processes(tmp_path: Any) -> None:
+    """The same bits from two processes; a finished file is read, that of another model refused."""
+    model = ss.load("stick_slip")
+    p = model.Parameters(zeta=[0.1, 0.2, 0.6])
+    one = model.rms_sweep(p, t_end=60.0, x0=0.1)
+    two = model.rms_sweep(p, t_end=60.0, x0=0.1, workers=2, store=tmp_path / "sweep.csv")
+    again = model.rms_sweep(p, t_end=60.0, x0=0.1, store=tmp_path / "sweep.csv")
+    for name in ("rms", "regime", "period", "mean"):
+        np.testing.assert_array_equal(getattr(one, name), getattr(two, name))
+        np.testing.assert_array_equal(getattr(one, name), getattr(again, name))
+    text = (tmp_path / "sweep.csv").read_text(encoding="utf-8")
+    assert "# model: stick_slip" in text
+    assert text.splitlines()[0].startswith("mu_s,v_s,zeta,V,x0,vx0,rms")
+    with pytest.raises(ss.ParameterError, match="something else"):
+        model.rms_sweep(p.replace(V=0.4), t_end=60.0, x0=0.1, store=tmp_path / "sweep.csv")
+
+
+def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
+    model = ss.load("kang_nam")
+    x0 = np.array([0.1, float(np.cos(1.0))])
+    sweep = model.rms_sweep(model.Parameters(theta0=1.0), t_end=10.0, x0=x0, y0=float(np.sin(1.0)))
+    assert np.isfinite(sweep.rms).tolist() == [True, False]
+    assert "on one point" in sweep.reason[1]
+
+
+# ------------------------------------------------------------------------------------------------ the command line
+
+
+def command(*arguments: str) -> int:
+    from spragsym.cli import main
+
+    with pytest.raises(SystemExit) as ended:
+        main(list(arguments))
+    return int(ended.value.code or 0)
+
+
+def test_commands_take_a_model(tmp_path: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20", "--x_a0", "0.1", "--json") == 0
+    assert '"model": "trolley"' in capsys.readouterr().out
+    target = tmp_path / "s.csv"
+    assert (
+        command("sweep", "--model=stick_slip", "--zeta", "0.1:0.6:2", "-V", "0.5", "-q", "--t-end", "50", "-o", str(target)) == 0
+    )
+    assert target.is_file()
+    capsys.readouterr()
+    assert command("equilibria", "--model", "stick_slip", "-V", "0.3") == 0
+    shown = capsys.readouterr().out
+    friction = 2 * 0.5 * 0.3 * 0.1 / (0.3**2 + 0.1**2)  # x = μ(V) N_0/k
+    assert float(shown.split()[-2]) == pytest.approx(friction, abs=1e-9)
+    assert command("bifurcation", "--model", "kang_nam", "--along", "") == 0
+    assert "44.559317" in capsys.readouterr().out
+
+
+def test_commands_name_what_is_wrong_with_a_model(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command("simulate", "--model", "troley") == 2
+    assert "did you mean trolley" in capsys.readouterr().err
+    assert command("simulate", "--model", "trolley", "--theta0", "49", "--alphaa", "1") == 2
+    assert "did you mean --alpha_a" in capsys.readouterr().err
+    assert command("simulate", "--model", "trolley") == 2
+    assert "--theta0" in capsys.readouterr().err

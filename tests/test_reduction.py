@@ -1,0 +1,90 @@
+"""Roots that lie close together, by reduction to one unknown; derivatives by jets; exponentials of balls."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from spragsym.exact.ball_functions import XP
+from spragsym.exact.interval_arrays import Intervals
+from spragsym.exact.intervals import Ball, Balls
+from spragsym.exact.jets import Jet, variables
+from spragsym.exact.reduction import reduced_roots
+
+
+def bent(roots):
+    """y = x² − x and a product in x of the given roots, mixed, so that neither equation is one in x alone."""
+
+    def evaluate(q):
+        x, y = q
+        product = 1
+        for root in roots:
+            product = product * (x - root)
+        return [y - x**2 + x + product, product * 3 - (y - x**2 + x)]
+
+    return evaluate
+
+
+SINGULAR = np.array([[1.0, 1.0], [-1.0, -1.0]])
+
+
+@pytest.mark.parametrize("gap", [1e-3, 1e-8, 1e-12])
+def test_three_close_roots(gap):
+    roots = [0.1 - gap, 0.1, 0.1 + gap]
+    exact = [Fraction(root) for root in roots]
+    found = reduced_roots(bent(roots), [(0.098, 0.1021), (-0.1, -0.08)], SINGULAR, 200)
+    assert not found.left
+    assert len(found.roots) == 3
+    for box, root in zip(sorted(found.roots), sorted(exact), strict=True):
+        assert box[0][0] <= root <= box[0][1]
+        assert box[0][1] - box[0][0] < Fraction(1, 10**16)
+        assert box[1][0] <= root * root - root <= box[1][1]
+
+
+def test_two_complex_roots_are_none():
+    def evaluate(q):
+        x, y = q
+        return [y - x**2, y + 1e-20]
+
+    found = reduced_roots(evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200)
+    assert not found.left
+    assert not found.roots
+
+
+def test_a_double_root_is_left():
+    def evaluate(q):
+        x, y = q
+        return [y - x**2, y * 1]
+
+    found = reduced_roots(evaluate, [(-1e-3, 1.1e-3), (-1e-5, 1e-5)], np.array([[0.0, 1.0], [0.0, 1.0]]), 200)
+    assert not found.roots
+    assert any(box[0][0] <= 0 <= box[0][1] for box in found.left)
+
+
+def test_jets_have_the_derivatives_of_their_functions():
+    at = {"x": 0.7, "y": -0.4}
+
+    def function(x, y, sqrt, exp):
+        return sqrt(x + y**2) * exp(x * y) / (1 + x**3) - x**-2
+
+    got = function(*variables([Intervals.point([value]) for value in at.values()], 3), Jet.sqrt, Jet.exp)
+    with mp.workdps(40):
+        for order in [(1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)]:
+            want = mp.diff(lambda x, y: function(x, y, mp.sqrt, mp.exp), tuple(map(mp.mpf, at.values())), order)
+            enclosure = got.derivative(*[0] * order[0], *[1] * order[1])
+            assert enclosure.low[0] <= want <= enclosure.high[0], order
+            assert enclosure.width[0] < 1e-11
+
+
+@pytest.mark.parametrize("value", [0.0, 1.0, -1.0, 1e-30, -40.5, 300.25, 2.0**-40])
+def test_exponentials_of_balls(value):
+    numerator, denominator = value.as_integer_ratio()
+    low, high = Balls().ends(XP.exp(Ball(numerator, 0, 1 - denominator.bit_length(), 200)))
+    with mp.workdps(80):
+        want = mp.exp(mp.mpf(value))
+        ends = [mp.mpf(end.numerator) / end.denominator for end in (low, high)]
+        assert ends[0] * (1 - mp.mpf(10) ** -75) <= want <= ends[1] * (1 + mp.mpf(10) ** -75)
+        assert ends[1] - ends[0] < want * mp.mpf(10) ** -50

@@ -75,6 +75,23 @@ def test_presets_are_single_points() -> None:
             Preset.of("mine", bad)
 
 
+def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
+    """The dimensionless numbers by hand from those of docs/brake.toml, and a model that the page can't compute refused."""
+    pytest.importorskip("pint", reason="pint is not installed")
+    data, out = ROOT / "docs" / "brake.toml", tmp_path / "mine.html"
+    assert CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code == 0
+    (text,) = re.findall(r'id="data">(.*?)</script>', out.read_text(encoding="utf-8"))
+    said = json.loads(text)
+    force, second = 1500e3 * 0.038, math.sqrt(0.35 / 1500e3)
+    wanted = {"theta0": math.radians(52), "mu0": 0.45, "kappa": 420 / force, "alpha": 9 / 1500, "sigma": 180 / 1500, "beta": 0.0}
+    assert said["presets"][0]["point"] == pytest.approx(wanted, rel=1e-12)
+    assert said["drive"] == pytest.approx({"V": 1.2 * second / 0.038, "d": 10 * 0.038 / second}, rel=1e-12)
+    other = tmp_path / "other.toml"
+    other.write_text(data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8")
+    problem = CliRunner().invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"]).exception
+    assert isinstance(problem, ss.SpragsymError)
+
+
 def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
     monkeypatch.setattr("spragsym.cli.explore.webbrowser.open", opened.append)
@@ -330,6 +347,8 @@ def test_half_a_number_leaves_no_trace(explorer: Explorer) -> None:
 
 def test_keyboard_only(explorer: Explorer) -> None:
     page = explorer.page
+    page.goto("about:blank")  # the focus begins anew
+    explorer.open()
     seen = []
     for _ in range(60):
         page.keyboard.press("Tab")

@@ -76,10 +76,10 @@ export function surfaceOf(solver, point, top) {
   const coarse = new Uint8Array(size).fill(1);
   const fine = [];
   for (let at = NODES + 1; at < size; at++) {
-    const along = at % NODES ? steepness(grid.mu0, at, top) : null;
+    const along = at % NODES ? steepness(grid, at, top) : null;
     if (along) {
       coarse[at] = 0;
-      fine.push(...strip(solver, point, Math.floor(at / NODES), at % NODES, along).flatMap((corners) => seen(corners, top)));
+      fine.push(...strip(solver, point, Math.floor(at / NODES), at % NODES, along).flatMap((corners) => seen(solver, point, corners, top)));
     }
   }
   const column = (name, Type) => Type.from(fine, (node) => node[name]);
@@ -96,11 +96,16 @@ function nodeOf(solver, point, u, v) {
   return { theta0: kept(theta0), theta: kept(theta), mu0: found ? found.mu0 : NaN, kind: found ? KINDS[found.stability] : 0 };
 }
 
-/** Along which of its coordinates friction changes too much over the cell that ends at a node: "u", "v" or null. */
-function steepness(mu0, at, top) {
-  const [a, b, c, d] = [at - NODES - 1, at - NODES, at - 1, at].map((node) => mu0[node]);
+/**
+ * Along which of its coordinates the cell that ends at a node is to be cut, "u", "v" or null: where it is seen, and friction changes
+ * too much over it, or its corners are of different kinds.
+ */
+function steepness({ mu0, kind }, at, top) {
+  const nodes = [at - NODES - 1, at - NODES, at - 1, at];
+  const [a, b, c, d] = nodes.map((node) => mu0[node]);
   const [low, high] = [Math.min(a, b, c, d), Math.max(a, b, c, d)];
-  if (!(high > 0 && low < top && high - low > STEEP * top)) {
+  const mixed = nodes.some((node) => kind[node] !== kind[at]);
+  if (!(high > 0 && low < top && (mixed || high - low > STEEP * top))) {
     return null;
   }
   return Math.abs(c - a) + Math.abs(d - b) > Math.abs(b - a) + Math.abs(d - c) ? "u" : "v";
@@ -119,10 +124,23 @@ function strip(solver, point, i, j, along) {
   });
 }
 
-/** A triangle whose corners outside the drawing have the kind of one inside: what is seen of it is of that kind. */
-function seen(corners, top) {
-  const inside = corners.find(({ mu0 }) => mu0 >= 0 && mu0 <= top);
-  return corners.map((node) => (inside && !(node.mu0 >= 0 && node.mu0 <= top) ? { ...node, kind: inside.kind } : node));
+/** A triangle whose corners outside the drawing have the kind of what is seen of it. */
+function seen(solver, point, corners, top) {
+  const outside = ({ mu0 }) => mu0 < 0 || mu0 > top;
+  if (!corners.some(outside)) {
+    return corners;
+  }
+  const kind = corners.find((node) => !outside(node))?.kind ?? kindAmid(solver, point, corners, top);
+  return corners.map((node) => (outside(node) ? { ...node, kind } : node));
+}
+
+/** Where the surface crosses all of the drawing within a triangle: the kind of the state there, at half of its friction. */
+function kindAmid(solver, point, corners, top) {
+  const mean = (name) => corners.reduce((sum, node) => sum + node[name], 0) / 3;
+  const { states } = solver.equilibria({ ...point, theta0: mean("theta0"), mu0: top / 2 });
+  const far = ({ theta }) => Math.abs(theta - mean("theta"));
+  const nearest = states.reduce((best, state) => (best && far(best) <= far(state) ? best : state), null);
+  return nearest ? KINDS[nearest.stability] : corners[0].kind;
 }
 
 /** Lines of equal inclination on the surface: its shape is seen without colour. Runs of [theta0, mu0, theta]. */

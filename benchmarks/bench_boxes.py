@@ -1,4 +1,4 @@
-"""All roots of others' small systems: number of roots, accuracy, boxes and time of the search.
+"""All roots of others' small systems: number of roots, accuracy, boxes and processor time of the search.
 
 ``python -m benchmarks.bench_boxes``
 """
@@ -17,10 +17,10 @@ from .box_problems import PROBLEMS, Problem
 def measure(problem: Problem) -> str:
     """One line."""
     none = np.zeros((0, 1))
-    begin = time.perf_counter()
+    begin = time.process_time()
     outcome = boxes.search(problem, problem.ends, none, none, budget=10**7)
     found = certified_roots.roots(problem, outcome, problem.ends, none, none)
-    seconds = time.perf_counter() - begin
+    seconds = time.process_time() - begin
     return (
         f"{problem.title:22}{found.point.size:6}/{problem.roots:<6}{found.left_point.size:10}{found.error.max(initial=0):12.1e}"
         f"{outcome.looks:12}{seconds:10.3f}"

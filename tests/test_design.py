@@ -16,6 +16,8 @@ from scipy.optimize import brentq
 import spragsym as ss
 from benchmarks import families
 from spragsym.design import jump_values, sampling
+from spragsym.design.cells import Boxes
+from spragsym.design.claims import CLAIMS
 from spragsym.errors import SweepError
 from spragsym.exact import affine, bernstein
 from spragsym.exact.rounded import Rounded
@@ -107,7 +109,7 @@ def test_a_jump_value_is_the_first_jump_of_the_path(vary: str, direction: str) -
     values = np.asarray(ss.jump_value(p, vary, direction=direction))
     jumping, still = np.flatnonzero(np.isfinite(values)), np.flatnonzero(np.isnan(values))
     assert jumping.size >= 5
-    for i in [*jumping[:8], *still[:8]]:
+    for i in [*jumping[:5], *still[:3]]:
         point, value = one(p, i), values[i]
         start = {"mu0": 0.0, "theta0": 1e-12}.get(vary, float(getattr(point, vary)))
         end = (3.14159 if vary == "theta0" else 1e3 + 2 * start) if direction == "up" else start * 1e-3
@@ -123,7 +125,7 @@ def test_jump_friction_is_the_first_crest_of_the_surface() -> None:
     """μ₀(θ) from the forces alone, sampled finely from the state at μ₀ = 0 upward."""
     p = families.random(np.random.default_rng(8), 300)
     values = np.asarray(ss.jump_value(p))
-    for i in np.flatnonzero(np.isfinite(values))[:20]:
+    for i in np.flatnonzero(np.isfinite(values))[:10]:
         q = one(p, i)
         k, a, s, b = (float(getattr(q, name)) for name in ("kappa", "alpha", "sigma", "beta"))
         c0, s0 = math.cos(float(q.theta0)), math.sin(float(q.theta0))
@@ -131,7 +133,7 @@ def test_jump_friction_is_the_first_crest_of_the_surface() -> None:
         eq = ss.equilibria(q.replace(mu0=0.0))
         stable = np.flatnonzero(eq.stability == ss.Stability.STABLE)
         start = float(eq.theta[stable[np.argmin(np.abs(eq.x[stable]))]])
-        theta = np.linspace(start, math.pi, 200_001)[1:-1]
+        theta = np.linspace(start, math.pi, 100_001)[1:-1]
         with np.errstate(all="ignore"):
             L = (s * np.sin(theta) + (b + 1) * s0 + k) / ((b + 1 + s) * np.sin(theta))
             x, y = c0 - L * np.cos(theta), s0 - L * np.sin(theta)
@@ -257,18 +259,29 @@ def test_what_is_proved_holds_at_random_points_and_what_is_refuted_does_not(clai
     assert {"proved", "refuted"} <= seen
 
 
+@pytest.mark.parametrize("claim", HOLDS)
+def test_a_proof_does_not_lean_on_the_search_for_counterexamples(claim: str) -> None:
+    """Points at which a claim is false are boxes that its proof alone must refuse."""
+    p = families.random(np.random.default_rng(31), 3000)
+    wrong = np.flatnonzero(~HOLDS[claim](p))[:20]
+    assert wrong.size >= 5
+    corner = np.array([getattr(p, name)[wrong] for name in NAMES])
+    proved, _ = CLAIMS[claim].prove(Boxes(corner, corner, np.ones(wrong.size)))
+    assert not proved.any()
+
+
 def test_a_box_that_touches_the_fold_ends_undecided() -> None:
     low = BASE.replace(theta0=0.5, mu0=0.5)
     (fold,) = (float(value) for value in ss.folds(low, "mu0").mu0)
-    found = ss.certify(low, low.replace(mu0=fold), "no jump", max_boxes=200)
+    found = ss.certify(low, low.replace(mu0=fold), "no jump", max_boxes=60)
     assert found.outcome == "undecided"
     assert found.undecided == 1.0
     assert ss.certify(low, low.replace(mu0=fold * (1 - 1e-9)), "no jump").outcome == "proved"
     assert ss.certify(low, low.replace(mu0=fold * (1 + 1e-9)), "no jump").outcome == "refuted"
     # With width in θ₀ only the boxes at the fold's side stay open.
-    wide = ss.certify(low.replace(theta0=0.45), low.replace(mu0=fold), "no jump", max_boxes=200)
+    wide = ss.certify(low.replace(theta0=0.45), low.replace(mu0=fold), "no jump", max_boxes=60)
     assert wide.outcome == "undecided"
-    assert 0 < wide.undecided < 0.05
+    assert 0 < wide.undecided < 0.2
 
 
 def test_a_point_is_a_box_and_mistakes_are_told() -> None:
@@ -333,7 +346,7 @@ def test_physical_quantities_change_all_that_they_enter() -> None:
     assert isinstance(better.parameters, ss.PhysicalParameters)
     assert better.parameters.k_c == pytest.approx(1.5e6 + better.change["k_c"])
     assert not ss.jump_value(better.parameters.dimensionless()) < 0.45
-    margin = ss.jump_margin(brake, {"k_c": 2e5, "F_L": 40.0})
+    margin = ss.jump_margin(brake, {"k_c": 2e5})
     assert ss.jump_value(margin.parameters.dimensionless()) == pytest.approx(0.3, rel=1e-9)
 
 
@@ -398,17 +411,17 @@ def test_chunks_are_the_parts_of_one_sequence() -> None:
 def test_intervals_hold_the_truth_as_often_as_they_say(share: float) -> None:
     """100 studies of x₁ + x₂ < s, whose probability is s²/2: a fair interval holds it 88 to 100 times, in 999 of 1000."""
     limit = math.sqrt(2 * share)
-    studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 2048, seed, True) for seed in range(100)]
+    studies = [estimated(lambda u: (u.sum(axis=-1) < limit).astype(float), 2, 1024, seed, True) for seed in range(100)]
     assert 88 <= sum(study.low <= share <= study.high for study in studies) <= 100
-    assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 2048)
+    assert np.median([study.high - study.low for study in studies]) < 6 * math.sqrt(share / 1024)
 
 
 def test_a_probability_is_that_of_plain_samples() -> None:
-    found = ss.jump_probability(TOLERANCES, n=1 << 13, rng=1)
+    found = ss.jump_probability(TOLERANCES, n=1 << 12, rng=1)
     rng = np.random.default_rng(2)
-    sample = {name: rng.uniform(*ends, 100_000) if isinstance(ends, tuple) else ends for name, ends in TOLERANCES.items()}
+    sample = {name: rng.uniform(*ends, 40_000) if isinstance(ends, tuple) else ends for name, ends in TOLERANCES.items()}
     plain = float((ss.jump_value(ss.Parameters(**sample)) <= sample["mu0"]).mean())
-    off = math.hypot(math.sqrt(plain * (1 - plain) / 1e5), found.high - found.low)
+    off = math.hypot(math.sqrt(plain * (1 - plain) / 4e4), found.high - found.low)
     assert abs(found.probability - plain) < 3 * off
     assert found.low <= found.probability <= found.high
     assert max(found.total, key=lambda name: found.total[name]) == "mu0"
@@ -470,9 +483,9 @@ def test_mistakes_in_distributions_are_told() -> None:
 
 def test_folds_say_what_the_path_does() -> None:
     """Each state followed both ways from beside a fold: it jumps in the direction that the fold says, to where it says."""
-    p = families.random(np.random.default_rng(21), 40)
+    p = families.random(np.random.default_rng(21), 24)
     seen = set()
-    for i in range(40):
+    for i in range(24):
         found = ss.folds(one(p, i), "mu0", negative_friction=False)
         for k in range(found.mu0.size):
             value, rising = float(found.mu0[k]), found.when[k] == "up"

@@ -33,3 +33,14 @@ def test_the_vocabulary_is_that_of_the_page() -> None:
     assert f"`{', '.join(name for name in model.__all__ if name != 'PageError')}`" in text
     statements = [name for name in vars(model.Page) if not name.startswith("_") and callable(getattr(model.Page, name))]
     assert [name for name in statements if f"page.{name}(" not in text] == []
+
+
+def test_the_gallery_has_every_model_as_it_is() -> None:
+    """All of the gallery but its computed lines, as ``python -m spragsym.models.gallery`` writes it."""
+    from spragsym.models.gallery import page
+
+    shown = (ROOT / "docs/models.md").read_text(encoding="utf-8").splitlines()
+    computed = ("Folds at the base values: ", "Cusps: ")
+    plain = [line for line in shown if line and not line.startswith(computed)]
+    assert plain == [line for line in page(points=False).splitlines() if line]
+    assert sum(line.startswith(computed) for line in shown) == 14

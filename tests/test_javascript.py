@@ -56,7 +56,7 @@ def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: boo
 
 @pytest.mark.skipif(c_target.compiler() is None, reason="no C compiler on this machine")
 def test_every_bit_is_that_of_c(everything: Any) -> None:
-    """Statuses, counts, states and bounds, of what is not vouched for as well: one kernel, no operation of it different."""
+    """Statuses, counts, states and bounds of what is vouched for: one kernel, no operation of it different."""
     library = c_target.build(str(c_target.compiler()), ("-O1",))
     for contact, (p, found) in everything.items():
         assert not languages.unlike_c(found, library, p, contact).any()
@@ -153,6 +153,19 @@ def test_flutter_onsets_are_those_of_python(changes: dict[str, float]) -> None:
             crossed += list(theta0[at] - off[at] * (theta0[at + 1] - theta0[at]) / (off[at + 1] - off[at]))
         exact = ss.flutter_onsets(p.replace(mu0=mu0)).theta0
         assert sorted(crossed) == pytest.approx(exact, abs=5e-3)
+
+
+def test_flutter_curves_are_joined_where_two_are_born_or_vanish() -> None:
+    """As many curves as Python finds, where pairs are born, where they vanish, and both."""
+    sets: list[dict[str, float]] = [
+        {"kappa": 0.001, "alpha": 0.0029, "sigma": 1.8, "beta": 0.116},
+        {"kappa": 0.0785, "alpha": 1.2487, "sigma": 0.0658, "beta": 0.3412},
+        {"kappa": 0.1859, "alpha": 2.94192, "sigma": 0.12474, "beta": 0.0},
+        {"kappa": 0.00435, "alpha": 0.31731, "sigma": 0.02462, "beta": 0.0},
+    ]
+    found = values([("flutter_boundary", fixed) for fixed in sets])
+    theirs = [int(ss.flutter_boundary(ss.Parameters(**fixed)).curve.max()) + 1 for fixed in sets]
+    assert [len(curves) for curves in found] == theirs
 
 
 @pytest.mark.parametrize("vary", ["theta0", "mu0"])

@@ -73,7 +73,7 @@ def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: boo
 
 @pytest.mark.skipif(c_target.compiler() is None, reason="no C compiler on this machine")
 def test_every_bit_is_that_of_c(everything: Any) -> None:
-    """Statuses, counts, states and bounds, of what is not vouched for as well: one kernel, no operation of it different."""
+    """Statuses, counts, states and bounds of what is vouched for: one kernel, no operation of it different."""
     library = c_target.build(str(c_target.compiler()), ("-O1",))
     for contact, (p, found) in everything.items():
         assert not languages.unlike_c(found, library, p, contact).any()

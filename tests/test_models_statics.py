@@ -10,6 +10,9 @@ import pytest
 
 import spragsym as ss
 from benchmarks import families, validate_models
+from spragsym.models import cusps, points
+from spragsym.models.balance import Balance
+from spragsym.models.conditions import Cusp
 
 STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
@@ -62,6 +65,30 @@ def test_lift_off():
     eq, known = model("kang_nam").equilibria(same_parameters("kang_nam", p), contact=False), ss.equilibria(p, contact=False)
     assert (eq.count == known.count).all()
     assert np.allclose(padded(eq.x, 4), np.sort(known.x, axis=-1), atol=1e-12, equal_nan=True)
+
+
+@pytest.mark.parametrize(
+    ("name", "nothing"),
+    [
+        ("two_springs", {"sigma_2": 0.0}),
+        ("cubic_contact", {"gamma": 0.0}),
+        ("inclined_belt", {"gamma_g": 0.0}),
+        ("damped", {"zeta_x": 0.0, "zeta_y": 0.0, "zeta_s": 0.0}),
+    ],
+)
+def test_what_is_new_at_zero_gives_the_article_back(name, nothing):
+    p = ss.Parameters.article(theta0=np.radians(np.linspace(5, 175, 20)))
+    eq, known = model(name).equilibria(same_parameters(name, p, **nothing)), ss.equilibria(p)
+    assert eq.complete
+    assert eq.whole
+    assert (eq.count == known.count).all()
+    assert np.allclose(padded(eq.x, 3), np.sort(known.x, axis=-1), atol=1e-12, equal_nan=True)
+    assert (padded(eq.stability, 3, 0) == known.stability).all()
+
+
+def test_a_contact_that_never_opens_has_no_lift_off():
+    with pytest.raises(ss.ParameterError, match="never opens"):
+        model("mode_coupling").equilibria(model("mode_coupling").Parameters(), contact=False)
 
 
 @pytest.mark.parametrize("off", [1e-6, 1e-10, 1e-14])
@@ -171,6 +198,28 @@ def test_cusps_are_the_articles():
     wanted = (known.mu0 > 0) & (known.theta0 > 0)
     for name in ("theta0", "mu0", "x", "y"):
         assert np.allclose(getattr(found, name), getattr(known, name)[wanted], atol=1e-12)
+
+
+def test_cusps_of_a_law_whose_stiffness_has_no_slope_at_the_border():
+    p = model("hertz_contact").Parameters(theta0=1.0)
+    found = model("hertz_contact").cusps(p, ("theta0", "mu0"), between={"mu0": (0.2, 0.4)})
+    assert found.complete
+    assert len(found) == 1
+    # The wedge between two folds opens to one side of it.
+    sides = [p.replace(theta0=found.theta0[0] + off) for off in (-2e-2, 2e-2)]
+    counts = [len(model("hertz_contact").folds(side, "mu0", between={"mu0": (0.2, 0.3)})) for side in sides]
+    assert counts == [2, 0]
+
+
+def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
+    vary, spans = ("theta0", "mu0"), np.array([[0.0, np.pi], [0.0, 2.0]])
+    balance = Balance(model("kang_nam"), contact=True)
+    given = points.given_column(model("kang_nam").Parameters(), balance.parameters, vary)
+    found = points.search(balance, vary, Cusp(column=1), given, spans)
+    assert found.roots.point.size == 2
+    proved, unclear = cusps.told_apart(balance, vary, found, given, column=1)
+    assert np.allclose(found.roots.middle[-1, proved], 0.200931781805090, atol=1e-12)
+    assert not unclear.any()
 
 
 def test_flutter_without_damping_is_the_articles():

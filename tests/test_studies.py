@@ -26,8 +26,24 @@ V = "1.2 m/s"
 d = "10 s/m"
 model = "kang_nam"
 """
-KEYS = """mu_jump theta0_jump_deg mu_cusp mu_effective margin_percent states frequencies_hz spring_force_N contact_force_N
-displacement_mm oscillation certificate probability sobol redesign warnings""".split()
+KEYS = [
+    "mu_jump",
+    "theta0_jump_deg",
+    "mu_cusp",
+    "mu_effective",
+    "margin_percent",
+    "states",
+    "frequencies_hz",
+    "spring_force_N",
+    "contact_force_N",
+    "displacement_mm",
+    "oscillation",
+    "certificate",
+    "probability",
+    "sobol",
+    "redesign",
+    "warnings",
+]
 
 
 @pytest.fixture(scope="module")

@@ -66,6 +66,8 @@ class Expressions:
                 return f"{self.print(left, _SUM)} {sign} {self.print(right, _SUM)}", _COMPARE
             case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if self.syntax.ternary:
                 return f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}", _CHOICE
+            case ast.Call(func=ast.Name(id=name), args=[argument]) if self._hands_back(name):
+                return self._expression(argument)
             case ast.Call(func=ast.Name(id=name), args=args):
                 return f"{self.called(name)}({self.listed(args)})", _ATOM
         raise KernelError(f"line {node.lineno}: {ast.unparse(node)} is not in the kernel's language")
@@ -76,12 +78,20 @@ class Expressions:
             return self.syntax.primitives[name]
         return self.syntax.routine(name) if name in self.source.routines else self.syntax.algebra(name)
 
+    def _hands_back(self, name: str) -> bool:
+        """Whether a routine returns what it is given, as one does that only other number types need."""
+        routine = self.source.routines.get(name)
+        match routine and routine.body:
+            case [ast.Return(value=ast.Name(id=returned))]:
+                return returned == routine.arguments[0][0]
+        return False
+
     def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
         strength = _STRENGTH[type(op)]
         if isinstance(op, ast.BitAnd | ast.BitOr):
             # Brackets on both sides, except in a chain of the same sign: no reader needs to know which binds more strongly.
             chained = isinstance(left, ast.BinOp) and type(left.op) is type(op)
-            sides = self.print(left, strength if chained else _UNARY), self.print(right, _UNARY)
+            sides = self.print(left, strength if chained else _ATOM), self.print(right, _ATOM)
             return f"{sides[0]} {self.syntax.logic[type(op)]} {sides[1]}", strength
         sign = _ARITHMETIC[type(op)]
         sign = self.syntax.arithmetic.get(sign, sign)

@@ -30,7 +30,7 @@ VARIED = ("theta0", *ARTICLE, "V", "d")
 @click.option("--from", "low", type=Number(), help="Where the range begins, degrees for theta0.")
 @click.option("--to", "high", type=Number(), help="Where it ends.")
 @click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
-@click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: minutes.")
+@click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
 @click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
 @force
 @as_json
@@ -133,11 +133,14 @@ def _draw(branch: CycleBranch, path: Path) -> None:
 
 
 def _shown(value: Any) -> Any:
+    """Numbers to twelve digits; multipliers as a+bi."""
+    if isinstance(value, float):
+        return f"{value:.12g}"
     if isinstance(value, list):
-        return "  ".join(
-            f"{item[0]:.9g}{item[1]:+.9g}i"
-            if isinstance(item, list) and item[1]
-            else f"{item[0] if isinstance(item, list) else item:.9g}"
-            for item in value
-        )
+        return "  ".join(_number(item) for item in value)
     return value
+
+
+def _number(item: Any) -> str:
+    real, imaginary = item if isinstance(item, list) else (item, 0.0)
+    return f"{real:.10g}" + (f"{imaginary:+.10g}i" if imaginary else "")

@@ -91,7 +91,7 @@ class Balls:
             rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, Functions)]
             return [abs(acb(rate)).abs_upper() for rate in rates]
 
-        # A square root is analytic there: a disc about a positive number that reaches the branch cut holds 0, where 1/L is infinite.
+        # The square root in L is analytic there: a disc about a positive number that meets its cut holds 0, and 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
         for length in TIMES:
             radii = [arb(float(length * 1.1 * size.mid())) + arb(1e-3) for size in still]

@@ -151,6 +151,7 @@ def boundary_of(
     saddle = saddle_near(field, at(low), nearest) if distance < CLOSE else None
     if saddle is not None:
         value, error = _polished(field, fly, at, (low, high), start, duration, saddle)
+        saddle = saddle_near(field, at(value), saddle.state) or saddle  # it moves with the parameter
         return FateBoundary(vary, value, error, "equilibrium", saddle.state, saddle.growth, distance, below, above)
     narrowed(1e-14)
     try:

@@ -11,6 +11,7 @@ from ..dynamics import Trajectory
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from .criteria import multipliers
 from .field import Field
 from .flows import carrier, flow
 from .orbit import Cycle, cycle_of
@@ -84,12 +85,13 @@ def cycle_near(
     if isinstance(near, Cycle):
         return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
     settled = isinstance(near, Trajectory)
+    approached = near is None or settled
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
     follow = flow(field, name, derivatives=False)
     for stage in STAGES if patient or settled else STAGES[:1]:
         passage = follow.fly(start, constants, stage, none)
-        found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0])
+        found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
         if found is not None:
             return _checked(found, fly, name)
         if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
@@ -126,7 +128,9 @@ def _state(field: Field, near: Any) -> FloatArray:
     return np.array([as_number("near", value, FINITE) for value in state.tolist()])
 
 
-def _by_returns(field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool) -> Loop | None:
+def _by_returns(
+    field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
+) -> Loop | None:
     """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
     highest = [turn for turn in turns if turn.border == -1 and turn.direction < 0]
     tried = 0
@@ -139,7 +143,8 @@ def _by_returns(field: Field, fly: Fly, values: tuple[float, ...], turns: list[T
             loop = _from_guess(field, fly, guess)
         except ConvergenceError:
             continue
-        if extent(loop) > 1e-6:
+        # What a motion approaches is stable; near a state that is given there may be either.
+        if extent(loop) > 1e-6 and not (stable and np.abs(multipliers(loop)[1:]).max() > 1):
             return loop
     return None
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -107,7 +108,7 @@ def touching(setting: Setting, border: int, pieces: int) -> Conditions:
         constants, numbers = field.constants(values), state.tolist()
         mode = field.initial_mode(numbers, constants)
         that = field.borders[border]
-        accelerations = field.acceleration(numbers, constants, mode)
+        accelerations = field.acceleration(numbers, constants, mode, math)
         level, change = that.level(numbers, constants, mode), that.rate(numbers, accelerations, constants, mode)
         return np.array([change, level], dtype=float)
 

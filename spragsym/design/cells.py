@@ -14,6 +14,8 @@ from ..parameters import NAMES, FloatArray
 
 #: Cells of a box to begin with, how often one is halved in any case, and at most.
 _CELLS, _ALWAYS, _HALVINGS = 4, 4, 40
+#: Open cells with which a box is given up.
+_OPEN = 64
 #: A box is given up where the direction contributes less than this share of what the box's own sides do to an open quantity.
 _SHARE = 0.25
 
@@ -117,6 +119,8 @@ def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdic
             sizes = part[:-1, hopeless]
             np.maximum.at(weight.T, box[hopeless], (sizes / np.maximum(sizes.sum(axis=0), 1e-300)).T)
         result[box[hopeless]] = False
+        # A box with many open cells fails on a stretch of directions, and not at one: no cut of it helps.
+        result[np.bincount(box, minlength=size) > _OPEN] = False
         keep = result[box]
         box, begin, end = box[keep], begin[keep], end[keep]
         middle = 0.5 * (begin + end)

@@ -18,8 +18,10 @@ Member = Callable[[FloatArray], NDArray[np.bool_]]
 
 #: Rays for each dimension squared, and radii at which each is asked, the last of them the farthest.
 _RAYS, _RADII = 64, np.concatenate([[1e-6], 2.0 ** np.arange(-8, 8.01, 0.25)])
-#: Halvings of a radius while rays are compared, and at the end, to the last digit.
-_COARSE, _FINE = 9, 52
+#: Points to ask for at once, where there is a choice.
+_POINTS = 4096
+#: Halvings of a radius while rays are compared, and at the end, to 1e-11 of it.
+_COARSE, _FINE = 9, 36
 
 
 def nearest(member: Member, limits: tuple[FloatArray, FloatArray]) -> FloatArray | None:
@@ -67,13 +69,15 @@ def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArra
     """The first of the radii at which each ray is in the set, infinite where none is."""
     reach = _reach(rays, limits)
     radius = np.full(len(rays), np.inf)
-    for r in _RADII:
-        asked = np.flatnonzero(np.isinf(radius) & (r <= reach))
-        if asked.size:
-            inside = member(rays[asked] * r)
-            radius[asked[inside]] = r
+    together = max(1, _POINTS // len(rays))
+    for begin in range(0, _RADII.size, together):
+        radii = _RADII[begin : begin + together]
+        asked = np.flatnonzero(np.isinf(radius))
+        inside = radii <= reach[asked, None]
+        inside[inside] = member((rays[asked, None, :] * radii[:, None])[inside])
+        radius[asked] = np.where(inside.any(axis=-1), radii[np.argmax(inside, axis=-1)], np.inf)
         # What lies half as far again beyond the nearest is of no use.
-        if r > 1.5 * radius.min():
+        if radii[-1] > 1.5 * radius.min():
             break
     ends = np.flatnonzero(np.isinf(radius) & np.isfinite(reach) & (reach < 1.5 * radius.min()) & (reach <= _RADII[-1]))
     if ends.size:
@@ -83,7 +87,7 @@ def _first(member: Member, rays: FloatArray, limits: tuple[FloatArray, FloatArra
 
 
 def shortened(member: Member, point: FloatArray) -> FloatArray:
-    """A member brought nearer along its ray, to a border of the set, from inside and to the last digit."""
+    """A member brought nearer along its ray, to a border of the set, from inside."""
     radius = float(np.linalg.norm(point))
     if not radius:
         return point
@@ -92,11 +96,15 @@ def shortened(member: Member, point: FloatArray) -> FloatArray:
 
 
 def _shortened(member: Member, rays: FloatArray, radius: FloatArray, halvings: int) -> FloatArray:
+    """Radii of borders on the rays; several parts of each are asked for at once, where rays are few."""
+    parts = min(16, max(2, _POINTS // len(rays)))
     low, high = np.zeros_like(radius), radius.copy()
-    for _ in range(halvings):
-        middle = 0.5 * (low + high)
-        inside = member(rays * middle[:, None])
-        low, high = np.where(inside, low, middle), np.where(inside, middle, high)
+    for _ in range(-(-halvings // int(np.log2(parts)))):
+        marks = low + np.linspace(0.0, 1.0, parts + 1)[1:-1, None] * (high - low)
+        inside = member((rays * marks[..., None]).reshape(-1, rays.shape[-1])).reshape(marks.shape)
+        edges = np.concatenate([low[None], marks, high[None]])
+        first = np.argmax(np.concatenate([inside, np.ones((1, radius.size), dtype=np.bool_)]), axis=0) + 1
+        low, high = (np.take_along_axis(edges, (first - side)[None], axis=0)[0] for side in (1, 0))
     return high
 
 

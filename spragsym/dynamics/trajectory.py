@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..errors import ParameterError
 from ..files import storage
 from ..generated import motion
 from ..parameters import NAMES, FloatArray, Parameters, degrees

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .interval_arrays import FUNCTION_ULPS
 from .rounded import UNIT
 
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
@@ -116,8 +117,8 @@ def sides(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[Affine]:
 
 
 def cosine_and_sine(angle: Affine) -> tuple[Affine, Affine]:
-    """Of an angle; NumPy's are within two units in the last place, and four are taken."""
+    """Of an angle: to first order in what it depends on."""
     cosine, sine = np.cos(angle.value), np.sin(angle.value)
     reach = angle.radius()
-    beyond = (0.5 * reach * reach + angle.error + 16 * UNIT * (1 + reach)) * _SLACK
+    beyond = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK
     return Affine(cosine, -sine * angle.terms, beyond), Affine(sine, cosine * angle.terms, beyond)

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .interval_arrays import FUNCTION_ULPS
+
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
 #: What an error bound itself may lose by the roundings of one operation, and the underflow of a product.
@@ -101,5 +103,6 @@ class Rounded:
 
 
 def cosine_and_sine(angle: Any) -> tuple[Rounded, Rounded]:
-    """Of angles given exactly; NumPy's are within two units in the last place, and four are taken."""
-    return tuple(Rounded(value, 8 * UNIT * np.abs(value) + _TINY) for value in (np.cos(angle), np.sin(angle)))  # type: ignore[return-value]
+    """Of angles given exactly, with the error that is taken for functions of NumPy."""
+    cosine, sine = (Rounded(value, 2 * FUNCTION_ULPS * UNIT * np.abs(value) + _TINY) for value in (np.cos(angle), np.sin(angle)))
+    return cosine, sine

@@ -95,10 +95,11 @@ def figure_cycles(
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V = {V}, steepness
         d = {D:g} (our assumption). Black: equilibria at the friction μ(V), |x|; colours: cycles, root mean square of x about
-        zero over one period; full where stable, equilibria by (27), dashed where not; thin: cycles that period doublings begin. Circles: period
-        doublings; squares: folds of cycles; triangles: tori. Dashed vertical line: where the motion from rest changes its fate, {rest:.4f}°;
-        dotted: the fold of the statics at μ₀, {fold:.4f}°; full: at μ(V), {sliding:.4f}°. Cycles were looked for from 16
-        random starts at each of 22 inclinations, and from doublings; they are not proved to be all.""",
+        zero over one period; full where stable, equilibria by (27), dashed where not; thin: cycles that period doublings
+        begin. Circles: period doublings; squares: folds of cycles; triangles: tori. Dashed vertical line: where the motion from
+        rest changes its fate, {rest:.4f}°; dotted: the fold of the statics at μ₀, {fold:.4f}°; full: at μ(V), {sliding:.4f}°.
+        Cycles were looked for from 16 random starts at each of 22 inclinations, and from doublings; they are not proved to be
+        all.""",
         **tables,
     )
 

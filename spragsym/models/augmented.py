@@ -36,6 +36,7 @@ class State:
     def __init__(self, balance: Balance, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> None:
         self.balance, self.q, self.values, self.shape = balance, q, values, shape
         self.directions = balance.directions(q, values, shape)
+        self._stiffness: Any = None
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""
@@ -44,7 +45,9 @@ class State:
 
     def stiffness(self) -> list[list[Any]]:
         """K."""
-        return [list(row) for row in self.balance.call("forces_jacobian", self.q, self.directions, self.values)]
+        if self._stiffness is None:
+            self._stiffness = self.balance.call("forces_jacobian", self.q, self.directions, self.values)
+        return [list(row) for row in self._stiffness]
 
     def gap(self) -> Any:
         """The gap of the contact."""
@@ -95,8 +98,13 @@ class Augmented:
         """Their slopes by coordinates and parameters."""
         shape = unknowns.shape[1:]
         at = self.state(variables(list(unknowns), self.condition.order + 1), parameters, shape)
-        values = [*at.forces(), *self.condition.equations(at)]
-        return matrix([gradient(value, self.n) for value in values], shape)
+        # By the coordinates the stiffness itself, which is sharper, and finite where a law like Hertz's begins.
+        n = self.balance.n
+        rows = [
+            [constant(entry) for entry in row] + gradient(force, self.n)[n:]
+            for row, force in zip(at.stiffness(), at.forces(), strict=True)
+        ]
+        return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], shape)
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """Boxes beyond the contact's border, or without what the condition asks for."""

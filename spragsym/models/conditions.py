@@ -43,16 +43,19 @@ class Touch(Plain):
 class Cusp(Plain):
     """det K = 0, and K v = 0 for a direction v along which det K does not change.
 
-    Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. The first is taken: points where that
-    one is 0 are roots as well, which :func:`spragsym.models.cusps.cusps` tells from cusps.
+    Where K has rank n − 1 the columns of its adjugate that are not 0 are multiples of v. One of them is taken: points where that
+    one is 0 are roots as well, which :func:`spragsym.models.cusps.told_apart` tells from cusps.
     """
 
     order = 1
 
+    def __init__(self, column: int = 0) -> None:
+        self.column = column
+
     def equations(self, at: State) -> Sequence[Any]:
-        """The determinant, and its change along the first column."""
+        """The determinant, and its change along the column."""
         K = at.stiffness()
-        return determinant(K), change(K, 0)
+        return determinant(K), change(K, self.column)
 
 
 class Flutter(Plain):

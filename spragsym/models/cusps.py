@@ -46,15 +46,15 @@ def cusps(model: Model, p: Any, vary: Sequence[str], *, between: Mapping[str, tu
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
     found = search(balance, vary, Cusp(), given, spans)
-    proved, unclear = _told_apart(balance, vary, found, given)
+    proved, unclear = told_apart(balance, vary, found, given)
     left = np.concatenate([found.roots.left, found.roots.ends[:, :, unclear]], axis=2)
     left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
     kept = replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
     return arranged(balance, vary, given, kept, np.full(int(proved.sum()), "cusp"))
 
 
-def _told_apart(
-    balance: Balance, vary: Sequence[str], found: Found, given: NDArray[np.float64]
+def told_apart(
+    balance: Balance, vary: Sequence[str], found: Found, given: NDArray[np.float64], column: int = 0
 ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Which roots are cusps, and of which that is not known.
 
@@ -72,10 +72,10 @@ def _told_apart(
         n = balance.n
         nonzero = np.zeros(shape, dtype=np.bool_)
         for i in range(n):
-            entry = cofactor(K, 0, i)
+            entry = cofactor(K, column, i)
             value = getattr(entry, "value", entry)
             nonzero |= ~value.holds_zero() if isinstance(value, Intervals) else np.full(shape, value != 0)
         none = np.zeros(shape, dtype=np.bool_)
-        for column in range(1, n):
-            none |= ~change(K, column).value.holds_zero()
+        for other in set(range(n)) - {column}:
+            none |= ~change(K, other).value.holds_zero()
     return nonzero & ~none, ~nonzero & ~none

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..errors import ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
@@ -108,6 +109,8 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     decide is reduced to one unknown and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
     balance = Balance(model, contact)
+    if not contact and not balance.opens:
+        raise ParameterError("contact = False: the contact of this model never opens, so it has no lift-off; use contact=True")
     given = columns(p, balance.parameters)
     found, around, whole = solved(balance, given)
     return _arranged(model, balance, p, found, around, whole)

@@ -127,9 +127,10 @@ class Model:
     def cycle(self, p: ParameterSet, near: Any = None, **options: Any) -> Cycle:
         """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
         from ..cycles.finding import cycle_near
-        from ..cycles.model_fields import field_of
+        from ..cycles.sprag import REACH
+        from .field import field_of
 
-        return cycle_near(field_of(self), p.scalars(*self.parameters), near, **options)
+        return cycle_near(field_of(self, REACH), p.scalars(*self.parameters), near, **options)
 
     def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
         """Integrate the motion from an initial state, restarted at every kink of the model's laws.

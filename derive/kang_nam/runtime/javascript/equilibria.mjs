@@ -34,8 +34,8 @@ function point_of(given, nbar) {
 
 /*
  * Statics use + - * / of doubles, comparisons and Math.sqrt; sine, cosine, arc tangent and cube root are computed by the kernel's
- * own statements, so that `equilibria` gives the bits of the C library under -std=c99. No error bound depends on Math.sqrt or on
- * the cube root, which only serve to guess where a root is.
+ * own statements, so that what `equilibria` vouches for has the bits of the C library under -std=c99. No error bound depends on
+ * Math.sqrt or on the cube root, which only serve to guess where a root is.
  */
 
 /**

@@ -14,7 +14,7 @@ function found = equilibria(p, contact)
 %  stability  of the same size: 0 none, 1 stable, 2 divergent, 3 flutter
 %  error      of the same size: a bound on |error| of theta, L, x and y, each over max(1, |exact value|); Inf if none is known
 %
-%  Roots of (12), (13) with (22)-(25). The operations are those of the C library, so that the digits are the same.
+%  Roots of (12), (13) with (22)-(25). The operations are those of the C library in double precision.
   tolerance = 1e-12;
   u = 0.5 * eps;
   if nargin < 2

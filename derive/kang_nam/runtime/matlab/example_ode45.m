@@ -1,4 +1,4 @@
-% Hands the right-hand side to ode45, from kink to kink: the mass leaves the belt or comes back (y = 0), or has its speed (x' = V).
+% Hands the right-hand side to ode45, from kink to kink: the mass leaves the belt or meets it (y = 0), or has its speed (x' = V).
 p = spragsym.article('theta0', 49/180*pi);
 model = spragsym.prepare(p, 0.5, 10);
 state = zeros(4, 1);

@@ -19,14 +19,14 @@ function result = at_root(t, point, line, u)
   % a count of roundings
   COUNT_THETA = 16.0;
   at = spragsym.kernel.direction(t);
-  c_size = abs(spragsym.kernel.rough(at.cosine));
-  s_size = abs(spragsym.kernel.rough(at.sine));
-  b_size = abs(spragsym.kernel.rough(line.b));
-  m_size = spragsym.kernel.rough(line.m);
+  c_size = abs(at.cosine);
+  s_size = abs(at.sine);
+  b_size = abs(line.b);
+  m_size = line.m;
   f_size = spragsym.algebra.f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size);
-  value = abs(spragsym.kernel.rough(spragsym.algebra.f(at.cosine, at.sine, line.a, line.b, line.d, line.m))) + ...
-      COUNT_F .* u .* f_size;
-  slope = spragsym.kernel.rough(spragsym.algebra.f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m));
+  value = abs(spragsym.algebra.f(at.cosine, at.sine, line.a, line.b, line.d, line.m)) + COUNT_F .* u .* ...
+      f_size;
+  slope = spragsym.algebra.f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m);
   slope_size = line.a_size + b_size .* s_size + (line.d_size + 2.0 .* m_size .* s_size) .* c_size;
   steepness = abs(slope) - COUNT_SLOPE .* u .* slope_size;
   bend = 2.0 .* (line.a_size + m_size) + b_size + line.d_size;
@@ -38,14 +38,14 @@ function result = at_root(t, point, line, u)
   radius = spragsym.kernel.where(proved, 1.0001 .* newton ./ (1.0 - h), INFINITY);
   [wide_L, wide_x, wide_y] = spragsym.algebra.state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, ...
       point.sigma, point.beta, point.nbar);
-  L = spragsym.kernel.rough(wide_L);
-  x = spragsym.kernel.rough(wide_x);
-  y = spragsym.kernel.rough(wide_y);
-  sin0 = spragsym.kernel.rough(point.sin0);
-  kappa = spragsym.kernel.rough(point.kappa);
-  sigma = spragsym.kernel.rough(point.sigma);
-  nbar = spragsym.kernel.rough(point.nbar);
-  stiff = spragsym.kernel.rough(point.beta) + nbar;
+  L = wide_L;
+  x = wide_x;
+  y = wide_y;
+  sin0 = point.sin0;
+  kappa = point.kappa;
+  sigma = point.sigma;
+  nbar = point.nbar;
+  stiff = point.beta + nbar;
   over = 1.0 ./ (stiff + sigma);
   L_size = (sigma .* s_size + stiff .* sin0 + kappa) .* over ./ s_size;
   relative = radius ./ s_size;

@@ -11,12 +11,11 @@ function result = discriminant(line, u)
   COUNT_Q = 27.0;
   [r0, r1, r2] = spragsym.algebra.resolvent(line.a, line.b, line.d, line.m);
   it = spragsym.kernel.depressed(r0, r1, r2);
-  size = spragsym.kernel.depressed_size(line.a_size, abs(spragsym.kernel.rough(line.b)), line.d_size, ...
-      spragsym.kernel.rough(line.m));
-  P_bound = abs(spragsym.kernel.rough(it.P)) + COUNT_P .* u .* size.P;
-  Q_bound = abs(spragsym.kernel.rough(it.Q)) + COUNT_Q .* u .* size.Q;
+  size = spragsym.kernel.depressed_size(line.a_size, abs(line.b), line.d_size, line.m);
+  P_bound = abs(it.P) + COUNT_P .* u .* size.P;
+  Q_bound = abs(it.Q) + COUNT_Q .* u .* size.Q;
   from_P = P_bound .* P_bound .* size.P .* (3.0 .* COUNT_P + 4.0);
   from_Q = Q_bound .* size.Q .* (2.0 .* COUNT_Q + 4.0);
-  result.value = spragsym.kernel.rough(it.P .* it.P .* it.P + it.Q .* it.Q);
+  result.value = it.P .* it.P .* it.P + it.Q .* it.Q;
   result.error = u .* (from_P + from_Q) + UNDERFLOW;
 end

@@ -11,7 +11,7 @@ function result = guesses(point, line, u)
   contact = point.nbar > 0.0;
   spared = (D.value > D.error) | (contact & spragsym.kernel.one_positive(line, u));
   real = second.discriminant >= 0.0;
-  more = real & ~spared;
+  more = real & (~spared);
   % A sorting network; places without a root go to the end.
   low = spragsym.kernel.where(contact, INFINITY, spragsym.kernel.smaller(first.large, first.small));
   high = spragsym.kernel.larger(first.large, first.small);

@@ -4,5 +4,5 @@ function result = one_positive(line, u)
   % a count of roundings
   COUNT_E1 = 10.0;
   [~, e1] = spragsym.algebra.t_quartic(line.a, line.b, line.d, line.m);
-  result = spragsym.kernel.rough(e1) < -2.0 .* COUNT_E1 .* u .* (line.a_size + line.d_size);
+  result = e1 < -2.0 .* COUNT_E1 .* u .* (line.a_size + line.d_size);
 end

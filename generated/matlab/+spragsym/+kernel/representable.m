@@ -6,6 +6,5 @@ function result = representable(line)
   % The least |b| over the largest coefficient: the quartic in t is divided by it, and roots farther apart share
   %  no scale.
   SMALLEST_RATIO = 1e-60;
-  result = (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (spragsym.kernel.rough(line.b) <= ...
-      -SMALLEST_RATIO);
+  result = (line.scale > SMALLEST_SCALE) & (line.scale < LARGEST_SCALE) & (line.b <= -SMALLEST_RATIO);
 end

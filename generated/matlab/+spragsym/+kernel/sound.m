@@ -2,11 +2,10 @@ function result = sound(point)
 %SOUND  Whether the bounds below can count on relative rounding errors.
   % A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
   SMALLEST_PARAMETER = 1e-250;
-  sin0 = spragsym.kernel.rough(point.sin0);
-  kappa = spragsym.kernel.rough(point.kappa);
-  sigma = spragsym.kernel.rough(point.sigma);
+  sin0 = point.sin0;
+  kappa = point.kappa;
+  sigma = point.sigma;
   across = (sin0 > SMALLEST_PARAMETER) & (kappa > SMALLEST_PARAMETER) & (sigma > SMALLEST_PARAMETER);
-  result = across & spragsym.kernel.ordinary(spragsym.kernel.rough(point.mu0)) & ...
-      spragsym.kernel.ordinary(spragsym.kernel.rough(point.alpha)) & ...
-      spragsym.kernel.ordinary(spragsym.kernel.rough(point.beta));
+  result = across & spragsym.kernel.ordinary(point.mu0) & spragsym.kernel.ordinary(point.alpha) & ...
+      spragsym.kernel.ordinary(point.beta);
 end

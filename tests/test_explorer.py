@@ -336,6 +336,13 @@ def test_bad_numbers_change_nothing_and_are_explained(explorer: Explorer, name: 
     assert explorer.page.inner_text("#states") == before
 
 
+def test_huge_numbers_do_not_keep_the_page_waiting(explorer: Explorer) -> None:
+    """A way of any length is followed in a bounded number of steps; 10 s is the limit of every action here."""
+    for name, typed in (("mu0", "1e6"), ("alpha", "1e9"), ("sigma", "1e12"), ("theta0_deg", "1e-9"), ("kappa", "1e300")):
+        explorer.page.fill(f"#{name}", typed)
+        assert explorer.page.inner_text(f"#{name}_error") == ""
+
+
 def test_half_a_number_leaves_no_trace(explorer: Explorer) -> None:
     """On the way from 30 to 45 stands 4, and 30 → 4 → 45 must not be a path; nor must 30 → 60 → 6."""
     explorer.page.fill("#theta0_deg", "60")

@@ -2,7 +2,10 @@
 
 import { answer } from "./shapes.js";
 
-export const BEGIN = "//# start";
+/** What the page's own start comes after, in the script that holds the exported module. */
+const BEGIN = "//# start";
+/** What takes longer, milliseconds, is given up: curves of extreme parameters may have no end. */
+const PATIENCE = 5000;
 
 /** `ask(what, point, top, done)`; of several questions of one kind only the last is answered. */
 export function createAsking(solver) {
@@ -10,10 +13,12 @@ export function createAsking(solver) {
   const waiting = {};
   let id = 0;
   let busy = false;
-  const worker = started();
+  let watch = 0;
+  let worker = started();
 
   function arrived({ id: answered, what, value, error }) {
     busy = false;
+    clearTimeout(watch);
     const question = latest[what];
     if (question && question.id === answered) {
       question.done(value ?? null, error);
@@ -31,6 +36,11 @@ export function createAsking(solver) {
     busy = true;
     if (worker.thread) {
       worker.thread.postMessage(question);
+      watch = setTimeout(() => {
+        worker.thread.terminate();
+        worker = started();
+        arrived({ ...question, error: "Not drawn here: double precision finds no end of it." });
+      }, PATIENCE);
     } else {
       setTimeout(() => arrived(answer(solver, question)), 0);
     }

@@ -14,6 +14,9 @@ const LOCATED = 2 ** -14;
 /** What a first step may change of each parameter. */
 const FIRST = { theta0: 0.035, mu0: 0.02, kappa: 0.002, alpha: 0.05, sigma: 0.02, beta: 0.1 };
 
+/** A way begins with no more steps than this, however long it is: a million of friction is typed as quickly as a half. */
+const MOST = 200;
+
 /** The point at a share of the way; the ends exactly. */
 export function between(from, to, share) {
   if (share >= 1) {
@@ -65,7 +68,7 @@ function landing(states, theta) {
 export function follow(solve, from, to, theta) {
   const angles = ({ states }) => states.map((state) => state.theta);
   const size = Math.max(...Object.keys(FIRST).map((name) => Math.abs(to[name] - from[name]) / FIRST[name]));
-  const longest = 1 / Math.max(1, Math.ceil(size));
+  const longest = 1 / Math.max(1, Math.min(MOST, Math.ceil(size)));
   const samples = [];
   // Where double precision can't decide, the way is taken up again beyond: by longer and longer steps once the short ones are used up.
   const shortest = longest * 2 ** -12;

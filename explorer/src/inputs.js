@@ -46,6 +46,7 @@ export function createInputs(box, store, RANGES) {
       <p class="error" id="${id}_error" role="alert"></p>`;
     box.append(line);
     const [number, slider, error] = ["input[type=text]", "input[type=range]", ".error"].map((what) => line.querySelector(what));
+    let taken = ""; // the text that was last taken up: leaving the field does not take it up again
     let begun = null; // the state when typing began: half a number leaves no trace on the path
 
     function say(text) {
@@ -56,6 +57,7 @@ export function createInputs(box, store, RANGES) {
     function take() {
       const value = parsed(number.value);
       const problem = wrong(name, symbol, value, number.value, RANGES);
+      taken = number.value;
       say(problem);
       if (!problem) {
         begun ??= store.get();
@@ -65,12 +67,16 @@ export function createInputs(box, store, RANGES) {
 
     const done = () => { begun = null; };
     number.addEventListener("input", take);
-    number.addEventListener("change", () => { take(); done(); });
+    number.addEventListener("change", () => {
+      if (number.value !== taken) {
+        take();
+      }
+      done();
+    });
     number.addEventListener("blur", done);
     number.addEventListener("keydown", (event) => {
       const step = { ArrowUp: 1, ArrowDown: -1 }[event.key];
       if (event.key === "Enter") {
-        take();
         done();
       } else if (step) {
         event.preventDefault();
@@ -96,12 +102,13 @@ export function createInputs(box, store, RANGES) {
       slider.value = value;
       slider.setAttribute("aria-valuetext", typed(value, 5));
       if (always || (document.activeElement !== number && parsed(number.value) !== value)) {
-        number.value = typed(value);
+        taken = number.value = typed(value);
+        done();
         say("");
       }
     }
     return show;
   }
 
-  return () => rows.forEach((show) => show());
+  return (always) => rows.forEach((show) => show(always));
 }

@@ -84,7 +84,7 @@ export function start(solver) {
   store.listen((now, kinds) => {
     kinds.forEach((kind) => kindsPending.add(kind));
     table();
-    inputs();
+    inputs(kinds.has("place"));
     say(now);
     if (!pending) {
       pending = true;
@@ -127,15 +127,22 @@ export function start(solver) {
   }
 
   let family = "";
-  function shapes({ theta0, mu0, ...point }) {
+  function shapes({ theta0, mu0, ...point }) { // drawings are of all theta0 and mu0
     const key = JSON.stringify([point, top]);
     if (key === family) {
       return;
     }
     family = key;
+    const { contact, liftoff } = store.get().found;
+    if ([contact, liftoff].some(({ status }) => status === "out_of_range")) {
+      plane.show(null);
+      space?.hide();
+      $("plane_says").textContent = "Not drawn: numbers of this size are beyond double precision.";
+      return;
+    }
     ask("curves", point, top, (found, error) => { plane.show(found); space?.curves(found); $("plane_says").textContent = error ?? ""; });
     if (space) {
-      ask("surface", point, top, (found) => space.show(found));
+      ask("surface", point, top, (found) => (found ? space.show(found) : space.hide()));
     }
   }
 

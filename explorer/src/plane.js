@@ -107,7 +107,10 @@ export function createPlane(box, store) {
       const tall = found.filter(({ i, low, high }) => Math.floor((2 * i) / columns) === half && Math.min(high, top) - low > 0.5 * top);
       if (tall.length > 0.1 * columns) {
         const { i, count } = tall[Math.floor(tall.length / 2)];
-        ctx.fillText(`${count} states`, ...px((Math.PI * (i + 0.5)) / columns, 0.3 * top));
+        const [text, { left, width }] = [`${count} states`, plot.bbox];
+        const [x, y] = px((Math.PI * (i + 0.5)) / columns, 0.3 * top);
+        const half_text = ctx.measureText(text).width / 2 + 3 * dpr;
+        ctx.fillText(text, Math.min(left + width - half_text, Math.max(left + half_text, x)), y);
       }
     }
     ctx.textAlign = "left";

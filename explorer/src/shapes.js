@@ -5,6 +5,9 @@ const COLUMNS = 240;
 const NODES = 140;
 const GRADING = 3.5;
 const RULED = 360;
+/** Cells over which friction changes by more than this share of the drawing's are cut into so many strips. */
+const STEEP = 0.25;
+const STRIPS = 10;
 /** How far from 0 and pi the surface ends, and how far outside a node is still moved to the edge, radians. */
 const EDGE = 1e-3;
 const OUTSIDE = 0.2;
@@ -58,26 +61,86 @@ const kept = (angle) => Math.min(Math.PI - EDGE, Math.max(EDGE, angle));
 
 /**
  * The surface as a grid over theta − theta0 and theta + theta0: its steep parts run along theta = theta0 and theta = pi − theta0.
- * Nodes a little outside 0 … pi are moved to the edge. Friction is NaN where there is no state.
+ * Nodes a little outside 0 … pi are moved to the edge. Friction is NaN where there is no state. Where friction changes much from
+ * node to node, cells are cut into strips: `fine` holds the corners of their triangles, `coarse` says which cells are whole.
  */
-export function surfaceOf(solver, point) {
+export function surfaceOf(solver, point, top) {
   const size = NODES * NODES;
-  const grid = { nodes: NODES, theta0: new Float32Array(size), theta: new Float32Array(size), mu0: new Float32Array(size).fill(NaN), kind: new Uint8Array(size) };
+  const grid = { theta0: new Float32Array(size), theta: new Float32Array(size), mu0: new Float32Array(size), kind: new Uint8Array(size) };
   for (let i = 0; i < NODES; i++) {
     for (let j = 0; j < NODES; j++) {
-      const [minus, plus] = [Math.PI * graded[i], Math.PI * (1 + graded[j])];
-      const [theta0, theta] = [(plus - minus) / 2, (plus + minus) / 2];
-      const at = i * NODES + j;
-      [grid.theta0[at], grid.theta[at]] = [kept(theta0), kept(theta)];
-      const outside = Math.max(Math.abs(theta0 - kept(theta0)), Math.abs(theta - kept(theta)));
-      const found = outside < OUTSIDE ? solver.surface(point, kept(theta), kept(theta0)) : null;
-      if (found) {
-        grid.mu0[at] = found.mu0;
-        grid.kind[at] = KINDS[found.stability];
-      }
+      const node = nodeOf(solver, point, graded[i], graded[j]);
+      Object.keys(grid).forEach((name) => { grid[name][i * NODES + j] = node[name]; });
     }
   }
-  return { ...grid, rulings: rulings(solver, point) };
+  const coarse = new Uint8Array(size).fill(1);
+  const fine = [];
+  for (let at = NODES + 1; at < size; at++) {
+    const along = at % NODES ? steepness(grid, at, top) : null;
+    if (along) {
+      coarse[at] = 0;
+      fine.push(...strip(solver, point, Math.floor(at / NODES), at % NODES, along).flatMap((corners) => seen(solver, point, corners, top)));
+    }
+  }
+  const column = (name, Type) => Type.from(fine, (node) => node[name]);
+  const corners = { theta0: column("theta0", Float32Array), theta: column("theta", Float32Array), mu0: column("mu0", Float32Array), kind: column("kind", Uint8Array) };
+  return { nodes: NODES, ...grid, coarse, fine: corners, rulings: rulings(solver, point) };
+}
+
+/** The surface at a node by its two grid coordinates, each in −1 … 1. */
+function nodeOf(solver, point, u, v) {
+  const [minus, plus] = [Math.PI * u, Math.PI * (1 + v)];
+  const [theta0, theta] = [(plus - minus) / 2, (plus + minus) / 2];
+  const outside = Math.max(Math.abs(theta0 - kept(theta0)), Math.abs(theta - kept(theta)));
+  const found = outside < OUTSIDE ? solver.surface(point, kept(theta), kept(theta0)) : null;
+  return { theta0: kept(theta0), theta: kept(theta), mu0: found ? found.mu0 : NaN, kind: found ? KINDS[found.stability] : 0 };
+}
+
+/**
+ * Along which of its coordinates the cell that ends at a node is to be cut, "u", "v" or null: where it is seen, and friction changes
+ * too much over it, or its corners are of different kinds.
+ */
+function steepness({ mu0, kind }, at, top) {
+  const nodes = [at - NODES - 1, at - NODES, at - 1, at];
+  const [a, b, c, d] = nodes.map((node) => mu0[node]);
+  const [low, high] = [Math.min(a, b, c, d), Math.max(a, b, c, d)];
+  const mixed = nodes.some((node) => kind[node] !== kind[at]);
+  if (!(high > 0 && low < top && (mixed || high - low > STEEP * top))) {
+    return null;
+  }
+  return Math.abs(c - a) + Math.abs(d - b) > Math.abs(b - a) + Math.abs(d - c) ? "u" : "v";
+}
+
+/** Triangles of a cell that is cut along one coordinate. */
+function strip(solver, point, i, j, along) {
+  const [k, fixed] = along === "u" ? [i, [graded[j - 1], graded[j]]] : [j, [graded[i - 1], graded[i]]];
+  const rows = Array.from({ length: STRIPS + 1 }, (_, n) => {
+    const w = graded[k - 1] + ((graded[k] - graded[k - 1]) * n) / STRIPS;
+    return fixed.map((other) => (along === "u" ? nodeOf(solver, point, w, other) : nodeOf(solver, point, other, w)));
+  });
+  return rows.slice(1).flatMap(([c, d], n) => {
+    const [a, b] = rows[n];
+    return [[a, b, c], [b, d, c]].filter((corners) => corners.every((node) => !Number.isNaN(node.mu0)));
+  });
+}
+
+/** A triangle whose corners outside the drawing have the kind of what is seen of it. */
+function seen(solver, point, corners, top) {
+  const outside = ({ mu0 }) => mu0 < 0 || mu0 > top;
+  if (!corners.some(outside)) {
+    return corners;
+  }
+  const kind = corners.find((node) => !outside(node))?.kind ?? kindAmid(solver, point, corners, top);
+  return corners.map((node) => (outside(node) ? { ...node, kind } : node));
+}
+
+/** Where the surface crosses all of the drawing within a triangle: the kind of the state there, at half of its friction. */
+function kindAmid(solver, point, corners, top) {
+  const mean = (name) => corners.reduce((sum, node) => sum + node[name], 0) / 3;
+  const { states } = solver.equilibria({ ...point, theta0: mean("theta0"), mu0: top / 2 });
+  const far = ({ theta }) => Math.abs(theta - mean("theta"));
+  const nearest = states.reduce((best, state) => (best && far(best) <= far(state) ? best : state), null);
+  return nearest ? KINDS[nearest.stability] : corners[0].kind;
 }
 
 /** Lines of equal inclination on the surface: its shape is seen without colour. Runs of [theta0, mu0, theta]. */
@@ -103,7 +166,7 @@ function rulings(solver, point) {
 /** Both, as a message asks for them. */
 export function answer(solver, { id, point, top, what }) {
   try {
-    return { id, what, value: what === "curves" ? curvesOf(solver, point, top) : surfaceOf(solver, point) };
+    return { id, what, value: what === "curves" ? curvesOf(solver, point, top) : surfaceOf(solver, point, top) };
   } catch (error) {
     return { id, what, error: String(error.message ?? error) };
   }

@@ -25,8 +25,9 @@ export function createSpace(box, store) {
   renderer.localClippingEnabled = true;
   box.append(renderer.domElement);
   const [scene, camera] = [new Scene(), new PerspectiveCamera(35, 1, 0.1, 50)];
-  camera.position.set(-2.6, 2.1, 4.6);
+  camera.position.set(-2.7, 2.1, 5.0);
   const controls = new OrbitControls(camera, renderer.domElement);
+  controls.target.set(0, -0.08, 0);
   controls.enablePan = false;
   controls.minDistance = 2.5;
   controls.maxDistance = 9;
@@ -42,8 +43,11 @@ export function createSpace(box, store) {
     WIDTH * (theta0 / Math.PI - 0.5), HEIGHT * (theta / Math.PI - 0.5), DEPTH * (0.5 - mu0 / top),
   );
 
-  const ball = new Mesh(new SphereGeometry(0.05, 24, 16), new MeshBasicMaterial());
-  scene.add(ball);
+  // White in a dark rim, or the other way round: seen on every colour of the surface, and through it.
+  const [ball, rim] = [0.045, 0.065].map((radius) => new Mesh(new SphereGeometry(radius, 24, 16), new MeshBasicMaterial({ depthTest: false })));
+  rim.renderOrder = 3;
+  ball.renderOrder = 4;
+  scene.add(rim, ball);
   const groups = { surface: [], curves: [], path: [], frame: [] };
 
   function replace(name, objects) {
@@ -68,27 +72,36 @@ export function createSpace(box, store) {
     if (!surface) {
       return;
     }
-    const { nodes, theta0, theta, mu0, kind } = surface;
-    const [places, paint, faces] = [new Float32Array(3 * mu0.length), new Float32Array(3 * mu0.length), []];
+    const { nodes, mu0, coarse } = surface;
+    const faces = [];
+    for (let at = nodes + 1; at < mu0.length; at++) {
+      if (at % nodes && coarse[at]) {
+        triangles(at - nodes - 1, at - nodes, at - 1, at, mu0, faces);
+      }
+    }
+    const geometries = [painted(surface), painted(surface.fine)];
+    geometries[0].setIndex(faces);
+    geometries.forEach((geometry) => geometry.computeVertexNormals());
+    const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }; // lines on the surface stay whole
+    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, clippingPlanes: clip, ...offset });
+    const ruled = () => new LineBasicMaterial({ color: colour.ink, transparent: true, opacity: 0.4, clippingPlanes: clip });
+    const lines = surface.rulings.filter((run) => run.length > 1);
+    replace("surface", [...geometries.map((geometry) => new Mesh(geometry, material.clone())), ...lines.map((run) => line(run.map((at) => put(...at)), ruled()))]);
+  }
+
+  /** Places and colours of nodes. */
+  function painted({ theta0, theta, mu0, kind }) {
+    const [places, paint] = [new Float32Array(3 * mu0.length), new Float32Array(3 * mu0.length)];
     const hues = [colour.stable, colour.divergent, colour.flutter].map((hue) => new Color(hue));
     for (let at = 0; at < mu0.length; at++) {
       const value = Number.isNaN(mu0[at]) ? 0 : mu0[at]; // no triangle has a corner without a state
       put(theta0[at], Math.max(-FAR * top, Math.min(FAR * top, value)), theta[at]).toArray(places, 3 * at);
       hues[kind[at]].toArray(paint, 3 * at);
-      if (at >= nodes && at % nodes) {
-        triangles(at - nodes - 1, at - nodes, at - 1, at, mu0, faces);
-      }
     }
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new BufferAttribute(places, 3));
     geometry.setAttribute("color", new BufferAttribute(paint, 3));
-    geometry.setIndex(faces);
-    geometry.computeVertexNormals();
-    const offset = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }; // lines on the surface stay whole
-    const material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, clippingPlanes: clip, ...offset });
-    const ruled = () => new LineBasicMaterial({ color: colour.ink, transparent: true, opacity: 0.4, clippingPlanes: clip });
-    const lines = surface.rulings.filter((run) => run.length > 1);
-    replace("surface", [new Mesh(geometry, material), ...lines.map((run) => line(run.map((at) => put(...at)), ruled()))]);
+    return geometry;
   }
 
   /** Two triangles of a cell, where the surface has all of their corners and one is not far outside the drawing. */
@@ -103,14 +116,17 @@ export function createSpace(box, store) {
 
   function folds() {
     if (!sets) {
+      replace("curves", []);
       return;
     }
     const ink = () => new LineBasicMaterial({ color: colour.ink, clippingPlanes: clip });
     const faint = () => new LineBasicMaterial({ color: colour.faint, clippingPlanes: clip });
-    replace("curves", sets.curves.flatMap(({ theta0, mu0, theta }) => [
+    const onset = () => new LineBasicMaterial({ color: colour.flutter, clippingPlanes: clip });
+    const onsets = sets.flutter.map(({ theta0, mu0, theta }) => line(theta0.map((value, i) => put(value, mu0[i], theta[i])), onset()));
+    replace("curves", onsets.concat(sets.curves.flatMap(({ theta0, mu0, theta }) => [
       line(theta0.map((value, i) => put(value, mu0[i], theta[i])), ink()),
       line(theta0.map((value, i) => put(value, mu0[i], 0)), faint()),
-    ]));
+    ])));
   }
 
   function frame() {
@@ -120,7 +136,7 @@ export function createSpace(box, store) {
     replace("frame", [
       line(corners, faint()), line(post, faint()),
       label("θ₀ = 0°", put(0, 0, 0).add(new Vector3(0.05, -0.13, 0.12))), label("180°", put(Math.PI, 0, 0).add(new Vector3(0, -0.13, 0.12))),
-      label(`μ₀ = ${top}`, put(0, top, 0).add(new Vector3(-0.15, -0.13, 0))), label("θ = 180°", put(0, 0, Math.PI).add(new Vector3(0, 0.1, 0))),
+      label(`μ₀ = ${top}`, put(0, top, 0).add(new Vector3(-0.15, -0.13, 0))), label("θ = 180°", put(0, 0, Math.PI).add(new Vector3(-0.1, 0.13, 0))),
     ]);
   }
 
@@ -168,12 +184,11 @@ export function createSpace(box, store) {
   function draw() {
     const { path, point, theta } = store.get();
     trail(path);
-    ball.visible = theta !== null;
-    ball.material.color.set(colour.accent);
-    ball.material.depthTest = false;
-    ball.renderOrder = 2;
+    [ball, rim].forEach((sphere) => { sphere.visible = theta !== null; });
+    ball.material.color.set(colour.panel);
+    rim.material.color.set(colour.path);
     if (theta !== null) {
-      ball.position.copy(put(point.theta0, Math.min(point.mu0, top), theta));
+      [ball, rim].forEach((sphere) => sphere.position.copy(put(point.theta0, Math.min(point.mu0, top), theta)));
     }
     draw_soon();
   }
@@ -214,6 +229,7 @@ export function createSpace(box, store) {
   return {
     draw,
     show: (found) => { surface = found; sheet(); },
+    hide: () => { [surface, sets] = [null, null]; replace("surface", []); folds(); },
     curves: (found) => { sets = found; folds(); },
     reach: (value) => { top = value; all(); },
     resize,

@@ -55,7 +55,8 @@ export function createStates(table, store, algebra) {
 export function story({ point, theta, decided, found, last, jumps }) {
   const state = current({ found, theta });
   if (!decided) {
-    return `Undecided here: double precision can't tell the states apart this close to a fold. The mass stays at its last decided state, θ = ${written(degrees(theta ?? point.theta0), 4)}°.`;
+    const last = theta === null ? "" : ` The mass stays at its last decided state, θ = ${written(degrees(theta), 4)}°.`;
+    return `Undecided here: double precision can't tell the states apart, as close to a fold.${last}`;
   }
   if (!state) {
     return "No state in contact with the belt: see the motion below.";

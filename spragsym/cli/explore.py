@@ -14,6 +14,9 @@ from ..errors import ParameterError
 from ..explorer import Preset, explorer_page
 from .targets import force, holds, refuse
 
+#: The model that the exported JavaScript solves.
+ARTICLE_MODEL = "kang_nam"
+
 
 @click.command()
 @click.option(
@@ -29,7 +32,7 @@ from .targets import force, holds, refuse
     metavar="FILE",
     help="Begin at your own data, a file like brake.toml.",
 )
-@click.option("--model", default="kang_nam", show_default=True, metavar="NAME", help="Model to explore.")
+@click.option("--model", default=ARTICLE_MODEL, show_default=True, metavar="NAME", help="Model to explore.")
 @click.option("--open/--no-open", "opened", default=True, help="Open it in the browser, where there is a display.")
 @force
 def explore(out: Path, data: Path | None, model: str, opened: bool, force: bool) -> None:
@@ -41,6 +44,7 @@ def explore(out: Path, data: Path | None, model: str, opened: bool, force: bool)
     \b
     Examples:
       spragsym explore
+      spragsym explore --data brake.toml
       spragsym explore --out web/explorer.html --no-open
 
     \b
@@ -61,22 +65,26 @@ def explore(out: Path, data: Path | None, model: str, opened: bool, force: bool)
 
 
 def _check_model(name: str) -> None:
+    """Raise for every model whose equilibria the exported JavaScript does not have."""
     from ..models.load import shipped
 
-    if name == "kang_nam":
-        return
-    known = shipped()
-    if name in known:
+    if name not in shipped():
+        raise ParameterError(f"--model {name} is no model; the models are {', '.join(shipped())}")
+    if name != ARTICLE_MODEL:
         raise ParameterError(
-            f"--model {name}: this model is not exported to JavaScript yet, so the page can't compute it; "
-            "leave --model out for the article's, or use spragsym.models in Python"
+            f"--model {name}: this model is not exported to JavaScript, so the page can't compute it; "
+            f"use {ARTICLE_MODEL}, the article's, or spragsym.load({name!r}) in Python"
         )
-    raise ParameterError(f"--model {name} is no model; the models are {', '.join(known)}")
 
 
 def _study(path: Path) -> tuple[tuple[Preset, ...], float, float]:
-    """The user's point and drive from a file of dimensional data."""
-    raise ParameterError(f"--data {path}: files of data can't be read yet; give the numbers on the page")
+    """The user's point, and belt speed and steepness of the friction law if the file has them."""
+    from ..studies import Study
+
+    study = Study.from_file(path)
+    _check_model(study.model)
+    drive = {"V": assumed.V, "d": assumed.D} | (study.parameters.belt() if study.moves else {})
+    return (Preset.of(f"Your data: {path.name}", study.dimensionless),), float(drive["V"]), float(drive["d"])
 
 
 def _has_display() -> bool:

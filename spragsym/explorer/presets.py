@@ -50,7 +50,7 @@ _CASES: tuple[tuple[str, float, dict[str, float]], ...] = (
     ("Article, Figure 8: β = 1", 30.0, {"beta": 1.0}),
     ("Article, Figure 8: β = 2, no jump", 30.0, {"beta": 2.0}),
     ("Article, Figure 9: α = 0.07", 30.0, {"alpha": 0.07}),
-    ("Article, Figure 9: α = 0.7, flutter", 49.0, {"alpha": 0.7}),
+    ("Article, Figure 9: α = 0.7, flutter at θ₀ = 150°", 150.0, {"alpha": 0.7}),
     ("Article, Figure 10: σ = 0.01", 30.0, {"sigma": 0.01}),
     ("Article, Figure 10: σ = 1", 30.0, {"sigma": 1.0}),
 )

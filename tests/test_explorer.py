@@ -1,0 +1,463 @@
+"""The explorer: its bytes, and in a browser its numbers, jumps at folds and none around the cusp, keys, touch, words."""
+
+from __future__ import annotations
+
+import filecmp
+import io
+import json
+import math
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from spragsym.cli import cli
+from spragsym.cli.explore import explore
+from spragsym.explorer import Preset, article_presets, explorer_page
+from spragsym.parameters import NAMES
+
+ROOT = Path(__file__).resolve().parent.parent
+ASSETS = ROOT / "spragsym" / "explorer" / "assets"
+SOURCES = ROOT / "explorer"
+CHROMIUM = shutil.which("chromium")
+NODE = shutil.which("node")
+BASE = ss.Parameters.article()
+#: Drawing in 3D by software takes most of a test's time: one test has it.
+WITHOUT_WEBGL = """
+const get = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  return kind === "webgl2" ? null : get.call(this, kind, ...more);
+};
+"""
+
+
+# ------------------------------------------------------------------------------------------------------- bytes
+
+
+def test_the_page_is_whole_and_the_same_every_time() -> None:
+    page = explorer_page()
+    assert page == explorer_page()
+    assert len(page.encode()) < 2_000_000
+    assert not re.search(r"""(src|href)\s*=\s*["']?\s*(https?:)?//""", page)
+    assert not re.search(r"@(STYLE|DATA|WORKER|EXPLORER|MODULE|LICENCES|VERSION)@", page)
+    for name in ("three", "uplot", "fft.js"):
+        assert re.search(rf"^{name} \d+\.\d+\.\d+, MIT$", page, re.MULTILINE)
+    assert page.count("Permission is hereby granted") == 3
+    assert (ROOT / "generated/javascript/spragsym.mjs").read_text(encoding="utf-8").strip() in page
+
+
+def test_the_bundle_is_what_its_sources_give(tmp_path: Path) -> None:
+    if NODE is None or not (SOURCES / "node_modules").is_dir():
+        pytest.skip("needs node, and its packages in explorer/: make explorer")
+    subprocess.run([NODE, "build.mjs", str(tmp_path)], cwd=SOURCES, check=True, timeout=60)
+    made = sorted(path.name for path in tmp_path.iterdir())
+    assert made == sorted({path.name for path in ASSETS.iterdir()} - {"page.html"})
+    assert filecmp.cmpfiles(tmp_path, ASSETS, made, shallow=False) == (made, [], [])
+
+
+def test_a_name_can_not_end_the_script() -> None:
+    page = explorer_page([Preset.of("</script><b>mine", BASE.replace(theta0=0.5))])
+    assert "</script><b>" not in page
+    assert page.count("</script>") == explorer_page().count("</script>")
+
+
+def test_presets_are_single_points() -> None:
+    assert [list(preset.point) for preset in article_presets()] == [list(NAMES)] * len(article_presets())
+    for bad in (BASE, BASE.replace(theta0=np.array([0.5, 0.6]))):
+        with pytest.raises(ss.ParameterError, match=r"theta0 = .* is not one number"):
+            Preset.of("mine", bad)
+
+
+def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
+    """The dimensionless numbers by hand from those of docs/brake.toml, and a model that the page can't compute refused."""
+    pytest.importorskip("pint", reason="pint is not installed")
+    data, out = ROOT / "docs" / "brake.toml", tmp_path / "mine.html"
+    assert CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code == 0
+    (text,) = re.findall(r'id="data">(.*?)</script>', out.read_text(encoding="utf-8"))
+    said = json.loads(text)
+    force, second = 1500e3 * 0.038, math.sqrt(0.35 / 1500e3)
+    wanted = {"theta0": math.radians(52), "mu0": 0.45, "kappa": 420 / force, "alpha": 9 / 1500, "sigma": 180 / 1500, "beta": 0.0}
+    assert said["presets"][0]["point"] == pytest.approx(wanted, rel=1e-12)
+    assert said["drive"] == pytest.approx({"V": 1.2 * second / 0.038, "d": 10 * 0.038 / second}, rel=1e-12)
+    other = tmp_path / "other.toml"
+    other.write_text(data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8")
+    problem = CliRunner().invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"]).exception
+    assert isinstance(problem, ss.SpragsymError)
+
+
+def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    opened: list[str] = []
+    monkeypatch.setattr("spragsym.cli.explore.webbrowser.open", opened.append)
+    out = tmp_path / "new" / "page.html"
+    run = CliRunner().invoke(explore, ["--out", str(out), "--no-open"])
+    assert (run.exit_code, run.stdout.strip(), opened) == (0, str(out), [])
+    assert out.read_text(encoding="utf-8") == explorer_page()
+    monkeypatch.setenv("DISPLAY", ":1")
+    assert CliRunner().invoke(explore, ["--out", str(out)]).exit_code == 0  # the same bytes are not in the way
+    assert opened == [out.resolve().as_uri()]
+    out.write_text("mine", encoding="utf-8")
+    assert isinstance(CliRunner().invoke(explore, ["--out", str(out)]).exception, ss.SpragsymError)
+    assert out.read_text(encoding="utf-8") == "mine"
+    for name, words in (("two_springs", "not exported to JavaScript"), ("nobody", "is no model")):
+        problem = CliRunner().invoke(explore, ["--out", str(out), "--model", name]).exception
+        assert isinstance(problem, ss.ParameterError)
+        assert words in str(problem)
+    assert "explore" in cli.list_commands(None)  # type: ignore[arg-type]  # the list does not depend on the context
+
+
+# ------------------------------------------------------------------------------------------------- in a browser
+
+
+class Explorer:
+    """One open page: what a reader does on it, and what it says."""
+
+    def __init__(self, page: Any, url: str) -> None:
+        self.page, self.url, self.opened = page, url, 0
+        self.errors: list[str] = []
+        page.set_default_timeout(10_000)
+        page.on(
+            "console",
+            lambda message: (
+                message.type in ("error", "warning")
+                and not message.text.startswith("[.WebGL")
+                and self.errors.append(message.text)
+            ),
+        )
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("request", lambda request: request.url.startswith(("file:", "blob:", "data:")) or self.errors.append(request.url))
+
+    def open(self, hash: str = "") -> None:
+        if self.page.url.startswith("about:"):
+            self.page.goto(self.url)
+        else:  # as a link that is followed on the page
+            self.opened += 1
+            self.page.evaluate("hash => { location.hash = hash; }", f"{hash}&opened={self.opened}")
+        self.settle()
+
+    def settle(self) -> None:
+        """Wait for two pictures: what was dragged is taken up once for each."""
+        self.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+
+    def at(self, theta0: float, mu0: float) -> tuple[float, float]:
+        """Where a point of the plane is on the screen."""
+        box = self.page.locator("#plane .u-over").bounding_box()
+        return box["x"] + box["width"] * theta0 / 180, box["y"] + box["height"] * (1 - mu0)
+
+    def drag(self, *way: tuple[float, float]) -> None:
+        """With the mouse, along corners."""
+        self.page.locator("#plane").scroll_into_view_if_needed()
+        self.page.mouse.move(*self.at(*way[0]))
+        self.page.mouse.down()
+        for corner in way[1:]:
+            self.page.mouse.move(*self.at(*corner), steps=6)
+            self.settle()
+        self.page.mouse.up()
+        self.settle()
+
+    def theta(self) -> float:
+        """Direction of the state that the mass is on, degrees, as the table says it."""
+        text = self.page.locator("#states tr[aria-current] td").nth(3).inner_text()
+        return float(text.replace("−", "-"))
+
+    def point(self) -> dict[str, float]:
+        names = ("theta0_deg", *NAMES[1:])
+        return {name: float(self.page.input_value(f"#{name}")) for name in names}
+
+    def says(self) -> str:
+        return str(self.page.inner_text("#story"))
+
+
+@pytest.fixture(scope="module")
+def url(tmp_path_factory: pytest.TempPathFactory) -> str:
+    path = tmp_path_factory.mktemp("explorer") / "explorer.html"
+    path.write_text(explorer_page(), encoding="utf-8")
+    return path.as_uri()
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    if CHROMIUM is None:
+        pytest.skip("no chromium on this machine")
+    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+    with playwright.sync_playwright() as tool:
+        # Drawing in 3D by software, as on a machine without a graphics card.
+        started = tool.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--enable-unsafe-swiftshader"])
+        yield started
+        started.close()
+
+
+@pytest.fixture(scope="module")
+def shared(browser: Any, url: str) -> Explorer:
+    context = browser.new_context(viewport={"width": 1300, "height": 1000}, reduced_motion="reduce")
+    context.add_init_script(WITHOUT_WEBGL)
+    return Explorer(context.new_page(), url)
+
+
+@pytest.fixture
+def explorer(shared: Explorer) -> Iterator[Explorer]:
+    shared.errors.clear()
+    shared.open()
+    yield shared
+    assert shared.errors == []
+
+
+def python_states(point: dict[str, float]) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """θ of all states in contact, degrees."""
+    values = {name: point[name] for name in NAMES[1:]}
+    found = ss.equilibria(ss.Parameters(theta0=math.radians(point["theta0_deg"]), **values))
+    return np.degrees(found.theta[: int(found.count)])
+
+
+def test_numbers_are_pythons_at_ten_thousand_points(explorer: Explorer) -> None:
+    rng = np.random.default_rng(18)
+    n = 10_000
+    p = ss.Parameters(
+        theta0=rng.uniform(0.01, 3.13, n), mu0=rng.uniform(0, 2, n), kappa=10 ** rng.uniform(-4, 0, n),
+        alpha=rng.uniform(0, 1, n) * (rng.random(n) < 0.8), sigma=10 ** rng.uniform(-2, 1, n),
+        beta=rng.uniform(0, 3, n) * (rng.random(n) < 0.8),
+    )  # fmt: skip
+    contact = rng.random(n) < 0.7
+    points = [{**{name: float(getattr(p, name)[i]) for name in NAMES}, "contact": bool(contact[i])} for i in range(n)]
+    solved = "points => JSON.stringify(JSON.parse(points).map(p => window.spragsym.equilibria(p)))"
+    found = json.loads(explorer.page.evaluate(solved, json.dumps(points)))
+    names = ("theta", "L", "x", "y")
+    proved = {regime: ss.equilibria(p, contact=regime) for regime in (True, False)}
+    vouched, largest = 0, 0.0
+    for i, there in enumerate(found):
+        here = proved[bool(contact[i])]
+        if there["status"] == "ok":
+            vouched += 1
+            assert there["count"] == int(here.count[i])
+            for k, state in enumerate(there["states"]):
+                assert state["stability"] == ss.Stability(int(here.stability[i, k])).name.lower()
+                for name in names:
+                    exact = float(getattr(here, name)[i, k])
+                    bound = (state["error"] + float(here.error[i, k])) * max(1, abs(exact))
+                    largest = max(largest, abs(state[name] - exact) / bound)
+    assert largest <= 1
+    assert vouched > 0.99 * n
+
+
+def test_a_fold_crossed_by_mouse_in_both_directions(explorer: Explorer) -> None:
+    """Low sheet → jump over the upper fold → back without a return → home over the other fold."""
+    fold = math.degrees(float(ss.folds(BASE).theta0[0]))
+    explorer.drag((30, 0.5), (fold - 1, 0.5))
+    low = python_states(explorer.point())
+    assert explorer.theta() == pytest.approx(low[0], abs=1e-5)
+    assert "jump" not in explorer.says()
+    explorer.drag((fold - 1, 0.5), (fold + 1, 0.5))
+    (only,) = python_states(explorer.point())
+    assert explorer.theta() == pytest.approx(only, abs=1e-5)
+    assert only > low[0] + 60
+    said = re.search(r"fold at θ₀ = ([\d.]+)°", explorer.says())
+    assert said is not None
+    assert float(said[1]) == pytest.approx(fold, abs=0.01)
+    explorer.drag((fold + 1, 0.5), (30, 0.5))
+    assert explorer.theta() == pytest.approx(python_states(explorer.point())[2], abs=1e-5)
+    explorer.drag((30, 0.5), (30, 0.05), (60, 0.05))
+    assert explorer.theta() < 90
+    assert "2 jumps" in explorer.says()
+
+
+def test_around_the_cusp_there_is_no_jump(explorer: Explorer) -> None:
+    explorer.drag((30, 0.5), (30, 0.1), (90, 0.1), (90, 0.5), (60, 0.5))
+    assert "jump" not in explorer.says()
+    around = explorer.theta()
+    explorer.open()
+    explorer.drag((30, 0.5), (60, 0.5))
+    assert "jump" in explorer.says()
+    assert around == pytest.approx(explorer.theta(), abs=1.0)  # the same sheet; a pixel is half a degree
+
+
+def test_the_walks_do_what_their_buttons_say(explorer: Explorer) -> None:
+    """Across: a jump. Back: none. Home: the second one. Around, from the start again: none."""
+    walks: dict[str, tuple[list[float], str]] = {
+        "across": ([60, 0.5], "It jumped"), "back": ([30, 0.5], "It jumped"),
+        "home": ([30, 0.5], "2 jumps"), "around": ([60, 0.5], ""),
+    }  # fmt: skip
+    sheets = []
+    for way, (end, words) in walks.items():
+        explorer.page.click(f"[data-walk={way}]")
+        explorer.page.wait_for_function("([a, b]) => Math.abs(theta0_deg.value - a) + Math.abs(mu0.value - b) < 1e-6", arg=end)
+        explorer.settle()
+        assert words in explorer.says()
+        assert "jump" in words or "jump" not in explorer.says()
+        assert way == "home" or "2 jumps" not in explorer.says()
+        sheets.append(explorer.theta() > 90)
+    assert sheets == [True, True, False, True]
+
+
+def test_the_page_follows_as_python_does(explorer: Explorer) -> None:
+    """The rule of the page against the path that Python follows by folds, along random ways at several frictions."""
+    for mu0 in (0.25, 0.5, 0.9):
+        path = ss.quasi_static_path(BASE.replace(mu0=mu0), "theta0", np.radians([20.0, 100.0]))
+        jumps = [math.degrees(float(jump.theta0)) for jump in path.jumps]
+        explorer.open(f"theta0_deg=20&mu0={mu0}")
+        explorer.page.fill("#theta0_deg", "100")
+        said = re.search(r"fold at θ₀ = ([\d.]+)°", explorer.says())
+        assert [float(said[1])] == pytest.approx(jumps, abs=0.01) if said else jumps == []
+
+
+def test_presets(explorer: Explorer) -> None:
+    for i, preset in enumerate(article_presets()):
+        explorer.page.select_option("#preset", str(i))
+        point = explorer.point()
+        assert math.radians(point.pop("theta0_deg")) == pytest.approx(preset.point["theta0"], rel=1e-9)
+        assert point == {name: pytest.approx(preset.point[name]) for name in NAMES[1:]}
+        count = explorer.page.locator("#states tbody tr", has_text="contact").count()
+        assert count == len(python_states(explorer.point()))
+
+
+@pytest.mark.parametrize(("typed", "value"), [("0,3", 0.3), (" 0.25 ", 0.25), ("٫5", 0.5), ("3e-1", 0.3), ("0", 0.0)])
+def test_numbers_as_people_type_them(explorer: Explorer, typed: str, value: float) -> None:
+    explorer.page.fill("#mu0", typed)
+    assert explorer.page.inner_text("#mu0_error") == ""
+    assert f"mu0={value:g}&" in explorer.page.evaluate("new Promise(done => setTimeout(() => done(location.hash), 350))")
+
+
+@pytest.mark.parametrize(("name", "typed", "words"), [
+    ("mu0", "abc", "not a number"), ("mu0", "", "not a number"), ("mu0", "1.234,5", "not a number"),
+    ("mu0", "-0,1", "at least 0"),
+    ("theta0_deg", "180", "between 0 and 180"), ("theta0_deg", "0", "between 0 and 180"), ("kappa", "0", "greater than 0"),
+    ("sigma", "1e999", "not a number"), ("beta", "−1", "at least 0"), ("alpha", "NaN", "not a number"),
+])  # fmt: skip
+def test_bad_numbers_change_nothing_and_are_explained(explorer: Explorer, name: str, typed: str, words: str) -> None:
+    before = explorer.page.inner_text("#states")
+    explorer.page.fill(f"#{name}", typed)
+    assert words in explorer.page.inner_text(f"#{name}_error")
+    assert explorer.page.get_attribute(f"#{name}", "aria-invalid") == "true"
+    assert explorer.page.inner_text("#states") == before
+
+
+def test_huge_numbers_do_not_keep_the_page_waiting(explorer: Explorer) -> None:
+    """A way of any length is followed in a bounded number of steps; 10 s is the limit of every action here."""
+    for name, typed in (("mu0", "1e6"), ("alpha", "1e9"), ("sigma", "1e12"), ("theta0_deg", "1e-9"), ("kappa", "1e300")):
+        explorer.page.fill(f"#{name}", typed)
+        assert explorer.page.inner_text(f"#{name}_error") == ""
+
+
+def test_half_a_number_leaves_no_trace(explorer: Explorer) -> None:
+    """On the way from 30 to 45 stands 4, and 30 → 4 → 45 must not be a path; nor must 30 → 60 → 6."""
+    explorer.page.fill("#theta0_deg", "60")
+    assert "jumped" in explorer.says()
+    explorer.page.fill("#theta0_deg", "40")
+    assert "jumped" not in explorer.says()
+    assert explorer.theta() < 60
+
+
+def test_keyboard_only(explorer: Explorer) -> None:
+    page = explorer.page
+    page.goto("about:blank")  # the focus begins anew
+    explorer.open()
+    seen = []
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        seen.append(
+            page.evaluate("document.activeElement.id || document.activeElement.dataset.walk || document.activeElement.tagName")
+        )
+    wanted = ["across", "mass", "anchor", "point", "preset", "theta0_deg", "theta0_deg_slider", "beta", "play", "x0", "pace"]
+    order = [seen.index(name) for name in wanted]
+    assert order == sorted(order)
+    page.focus("#point")
+    for _ in range(4):
+        page.keyboard.press("Shift+ArrowRight")
+    assert explorer.point()["theta0_deg"] == pytest.approx(50)
+    assert "jumped" in explorer.says()
+    assert "50 degrees" in page.get_attribute("#point", "aria-valuetext")
+    page.focus("#mu0")
+    page.keyboard.press("ArrowUp")
+    assert explorer.point()["mu0"] == pytest.approx(0.505)
+    page.focus("#anchor")
+    page.keyboard.press("ArrowLeft")
+    assert explorer.point()["theta0_deg"] == pytest.approx(50.5)
+    unnamed = page.evaluate(
+        "[...document.querySelectorAll('input, select, button, [tabindex], [role=img]')].filter(e => !(e.labels?.length || "
+        "e.getAttribute('aria-label') || e.textContent.trim())).map(e => e.outerHTML)"
+    )
+    assert unnamed == []
+
+
+def test_a_link_carries_the_sheet(explorer: Explorer) -> None:
+    explorer.drag((30, 0.5), (60, 0.5), (30, 0.5))
+    explorer.page.click("#link")
+    hash, theta = explorer.page.evaluate("location.hash"), explorer.theta()
+    explorer.open(hash[1:])
+    assert explorer.theta() == theta > 140
+    explorer.open("theta0_deg=abc&mu0=-1&kappa=0,01&constructor=3")
+    assert explorer.point()["kappa"] == 0.01
+    assert explorer.point()["mu0"] == 0.5
+
+
+def test_what_is_undecided_is_said(explorer: Explorer) -> None:
+    """Exactly on a fold, to the last bit of θ₀, double precision can't tell one state from three."""
+    fold = float(ss.folds(BASE).theta0[0])
+    explorer.open(f"theta0_deg={math.degrees(fold)!r}")
+    status = explorer.page.evaluate(
+        "p => window.spragsym.equilibria(p).status", {**article_presets()[0].point, "theta0": fold, "contact": True}
+    )
+    assert status == "uncertain"
+    assert "Undecided" in explorer.page.inner_text("#status")
+    assert "undecided" in explorer.page.inner_text("#count")
+    explorer.open("kappa=1e-200")
+    assert "Undecided" in explorer.page.inner_text("#status")
+
+
+def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
+    page = explorer.page
+    page.fill("#theta0_deg", "49")
+    page.fill("#pace", "60")
+    page.click("#restart")
+    page.wait_for_function("document.querySelector('#motion_says').textContent.startsWith('off the belt')", timeout=10_000)
+    before = page.get_attribute("#mass", "x")
+    explorer.settle()
+    assert page.get_attribute("#mass", "x") != before
+    page.click("#play")
+    assert page.inner_text("#play") == "Run"
+    page.fill("#V", "fast")
+    page.click("#restart")
+    assert "not a number" in page.inner_text("#motion_says")
+    page.click("#still")
+    assert page.is_disabled("#still")
+
+
+def test_the_surface_is_drawn(browser: Any, url: str) -> None:
+    explorer = Explorer(browser.new_page(viewport={"width": 1000, "height": 800}), url)
+    explorer.open()
+    explorer.page.wait_for_timeout(1000)
+    assert explorer.errors == []
+    picture = explorer.page.locator("#space canvas").screenshot()
+    explorer.page.close()
+    image = pytest.importorskip("PIL.Image", reason="Pillow is not installed")
+    colours = image.open(io.BytesIO(picture)).convert("RGB").getcolors(1 << 24)
+    blue = sum(count for count, (r, g, b) in colours if b > r + 60)
+    amber = sum(count for count, (r, g, b) in colours if r > b + 60)
+    assert blue > 5000
+    assert amber > 500
+
+
+def test_a_phone(browser: Any, url: str) -> None:
+    """Narrow, dark, by touch, and without WebGL."""
+    context = browser.new_context(
+        viewport={"width": 360, "height": 740}, has_touch=True, color_scheme="dark", reduced_motion="reduce"
+    )
+    context.add_init_script(WITHOUT_WEBGL)
+    phone = Explorer(context.new_page(), url)
+    phone.open()
+    assert phone.page.evaluate("document.documentElement.scrollWidth") <= 360
+    assert phone.page.is_visible("#space .missing")
+    phone.page.locator("#plane").scroll_into_view_if_needed()
+    phone.page.touchscreen.tap(*phone.at(60, 0.5))
+    phone.settle()
+    assert phone.point()["theta0_deg"] == pytest.approx(60, abs=1)
+    assert "jumped" in phone.says()
+    ink = phone.page.evaluate("getComputedStyle(document.body).backgroundColor")
+    assert max(int(part) for part in re.findall(r"\d+", ink)) < 60
+    assert phone.errors == []
+    context.close()

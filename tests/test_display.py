@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import importlib
 from collections.abc import Callable
 from html.parser import HTMLParser
@@ -21,6 +22,33 @@ BELT: dict[str, Any] = {"V": 0.5, "d": 10.0, "backend": "scipy"}
 
 def _basin() -> ss.Basin:
     return ss.basin(ONE, x=[0.0, 1.0], vx=[0.0, 0.1, 0.2], t_end=20.0, transient=10.0, **BELT)
+
+
+SLIDING = ss.Parameters.article(theta0=np.radians(42.0))
+SPEED: dict[str, float] = {"V": 0.5, "d": 10.0}
+
+
+@functools.cache
+def _cycle() -> ss.Cycle:
+    return ss.cycle(SLIDING, **SPEED)
+
+
+@functools.cache
+def _branch() -> ss.CycleBranch:
+    """From 42° over its doubling at 43.1°."""
+    return ss.cycle_branch(_cycle(), vary="theta0", to=tuple(np.radians([41.9, 43.3])))
+
+
+def _doubling() -> ss.CycleEvent:
+    return next(event for event in _branch().events if event.kind == "period_doubling")
+
+
+def _fate() -> ss.FateBoundary:
+    return ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **SPEED)
+
+
+def _study() -> ss.Study:
+    return ss.Study(ss.PhysicalParameters(m=0.35, k=180e3, L_0=0.038, theta0=0.9, k_x=9e3, k_y=0, k_c=1.5e6, F_L=420, mu0=0.45))
 
 
 #: What gives each kind of result.
@@ -49,6 +77,14 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "JumpProbability": lambda: ss.jump_probability((ONE, ONE.replace(mu0=0.9)), n=256, rng=1),
     "Certificate": lambda: ss.certify(ONE, ONE, "no jump"),
     "Redesign": lambda: ss.redesign(ONE, "theta0", {"mu0": 0.8}),
+    "Cycle": _cycle,
+    "CycleBranch": _branch,
+    "CycleEvent": _doubling,
+    "EventCurve": lambda: ss.cycle_events(_doubling(), vary=("theta0", "mu0"), points=1),
+    "FateBoundary": _fate,
+    "BasinBoundary": lambda: ss.basin_boundary(ss.Parameters.article(theta0=np.radians(40.0)), **SPEED, step=0.05, points=1),
+    "Lyapunov": lambda: ss.lyapunov(SLIDING, **SPEED, start=_cycle().state, t_end=2 * _cycle().period),
+    "Report": lambda: _study().report(probability=False, redesign=False, oscillation=False),
     "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),
 }
 

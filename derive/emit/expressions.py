@@ -81,7 +81,9 @@ class Expressions:
     def _hands_back(self, name: str) -> bool:
         """Whether a routine returns what it is given, as one does that only other number types need."""
         routine = self.source.routines.get(name)
-        match routine and routine.body:
+        if routine is None:
+            return False
+        match routine.body:
             case [ast.Return(value=ast.Name(id=returned))]:
                 return returned == routine.arguments[0][0]
         return False

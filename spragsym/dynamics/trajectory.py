@@ -15,7 +15,7 @@ from ..errors import ParameterError
 from ..files import storage
 from ..generated import motion
 from ..parameters import NAMES, FloatArray, Parameters, degrees
-from . import forces, integrators, spectra
+from . import forces, integrators, pictures, spectra
 from .course import event_counts
 from .events import Events
 from .problem import MAX_STEPS, Constants, Event, Problem, constants_of, prepare
@@ -121,10 +121,12 @@ class Trajectory(Recorded):
 
     def plot(self, transient: float = 0.0, *, of: str = "x", ax: Any = None) -> Any:
         """Draw x over time, or another component (extra ``plot``); returns the line."""
-        from ..figures.motion_pictures import draw_motion
-
         self._values(of)
-        return draw_motion(self.after(transient), of, ax=ax)
+        if ax is None:
+            from matplotlib import pyplot
+
+            ax = pyplot.gca()
+        return pictures.course_over_time(self.after(transient), of, ax)
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``)."""

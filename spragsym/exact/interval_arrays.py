@@ -51,7 +51,7 @@ class Intervals:
     Examples
     --------
     >>> x = Intervals.between([1.0, -2.0], [2.0, 3.0])
-    >>> (x * x).low.round(6), (x * x).high.round(6)
+    >>> (x * x).low.round(6) + 0.0, (x * x).high.round(6)
     (array([1., 0.]), array([4., 9.]))
     """
 

@@ -8,10 +8,8 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..dynamics import Trajectory
+from ..dynamics.pictures import LABELS, course_over_time
 from .style import BLUE, DOUBLE, GREY, Sheet, own_axes, panels, styled
-
-#: What an axis says.
-_LABELS = {"x": r"$x$ / $L_0$", "y": r"$y$ / $L_0$", "vx": r"$x'$ / $L_0\sqrt{k_c/m}$", "vy": r"$y'$ / $L_0\sqrt{k_c/m}$"}
 
 
 def draw_motion(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
@@ -29,12 +27,9 @@ def draw_motion(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, le
     labels : (str, str), optional
         Of the axes.
     """
-    ax = own_axes(ax)
-    t = np.linspace(motion.t[0], motion.t[-1], 4000)
-    (line,) = ax.plot(time * t, length * motion(t)[("x", "y", "vx", "vy").index(of)], color=BLUE, linewidth=0.8)
-    across, up = labels or (r"$t$ / $\sqrt{m/k_c}$", _LABELS[of])
-    ax.set(xlabel=across, ylabel=up)
-    return line
+    return course_over_time(
+        motion, of, own_axes(ax), scale=(time, length), labels=labels, style={"color": BLUE, "linewidth": 0.8}
+    )
 
 
 def draw_phase(motion: Trajectory, ax: Axes | None = None, *, length: float = 1.0, speed: float = 1.0,
@@ -45,7 +40,7 @@ def draw_phase(motion: Trajectory, ax: Axes | None = None, *, length: float = 1.
     x, _, vx, _ = motion(t)
     (line,) = ax.plot(length * x, speed * vx, color=BLUE, linewidth=0.8)
     ax.axhline(speed * motion.V, color=GREY, linewidth=0.6, linestyle=":")
-    across, up = labels or (_LABELS["x"], _LABELS["vx"])
+    across, up = labels or (LABELS["x"], LABELS["vx"])
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -58,7 +53,7 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
     large = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max())
     ax.set(xlim=(0, frequency * found.frequency[min(2 * int(large[-1]) + 8, found.frequency.size - 1)]), ylim=(0, None))
-    across, up = labels or (r"frequency $\times\ \sqrt{m/k_c}$", f"amplitude of {_LABELS[of]}")
+    across, up = labels or (r"frequency $\times\ \sqrt{m/k_c}$", f"amplitude of {LABELS[of]}")
     ax.set(xlabel=across, ylabel=up)
     return line
 

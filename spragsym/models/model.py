@@ -163,7 +163,7 @@ class Model:
         >>> tr.components
         ('x', 'vx')
         >>> round(tr.amplitude(), 2)
-        0.59
+        0.61
         """
         from .trajectory import simulate
 

@@ -147,6 +147,7 @@ WRITING = {
     "simulate": (["simulate", *MOTION, "-o"], "a.csv"),
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
     "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),
+    "explore": (["explore", "--no-open", "-o"], "a.html"),
     "export": (["export", "--out"], "spragsym.c"),
     "derive": (["derive", str(Path(ss.__file__).parent / "derive/models/stick_slip.py"), "--out"], "model.json"),
 }
@@ -182,7 +183,7 @@ def test_no_file_is_overwritten_without_force(
     assert target.read_bytes()[:8] != b"precious"
 
 
-@pytest.mark.parametrize("command", ["check", "sweep", "export"])
+@pytest.mark.parametrize("command", ["check", "sweep", "explore", "export"])
 def test_what_is_there_already_is_no_obstacle(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     arguments, name = WRITING[command]
     place = str(tmp_path) if arguments[-1] == "--out" else str(tmp_path / name)

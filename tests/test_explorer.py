@@ -357,7 +357,7 @@ def test_keyboard_only(explorer: Explorer) -> None:
     page.goto("about:blank")  # the focus begins anew
     explorer.open()
     seen = []
-    for _ in range(60):
+    for _ in range(36):
         page.keyboard.press("Tab")
         seen.append(
             page.evaluate("document.activeElement.id || document.activeElement.dataset.walk || document.activeElement.tagName")

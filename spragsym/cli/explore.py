@@ -21,6 +21,7 @@ ARTICLE_MODEL = "kang_nam"
 @click.command()
 @click.option(
     "--out",
+    "-o",
     type=click.Path(dir_okay=False, path_type=Path),
     default=Path("explorer.html"),
     show_default=True,
@@ -33,9 +34,11 @@ ARTICLE_MODEL = "kang_nam"
     help="Begin at your own data, a file like brake.toml.",
 )
 @click.option("--model", default=ARTICLE_MODEL, show_default=True, metavar="NAME", help="Model to explore.")
-@click.option("--open/--no-open", "opened", default=True, help="Open it in the browser, where there is a display.")
+@click.option(
+    "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."
+)
 @force
-def explore(out: Path, data: Path | None, model: str, opened: bool, force: bool) -> None:
+def explore(out: Path, data: Path | None, model: str, unopened: bool, force: bool) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
     It shows the mechanism, the plane of inclination and friction, the surface of all equilibria, every state at a point,
@@ -58,9 +61,11 @@ def explore(out: Path, data: Path | None, model: str, opened: bool, force: bool)
         out.parent.mkdir(parents=True, exist_ok=True)
         out.write_text(text, encoding="utf-8", newline="\n")
     click.echo(out)
-    if opened and _has_display():
+    if unopened:
+        return
+    if _has_display():
         webbrowser.open(out.resolve().as_uri())
-    elif opened:
+    else:
         click.echo("there is no display; open the file in a browser", err=True)
 
 

@@ -61,7 +61,12 @@ def tables(thing: Any) -> Iterator[Table]:
     if name == "Events":
         values |= zip(("x", "y", "vx", "vy"), values.pop("state").T, strict=True)
     if "vary" in values and "values" in values:
-        values = {values["vary"]: values.pop("values"), **values}
+        vary, column = values["vary"], values.pop("values")
+        if isinstance(vary, str):
+            values = {vary: column, **values}
+        else:  # several at once: a column each, whose headings say what is varied
+            del values["vary"]
+            values = {**dict(zip(vary, column.T, strict=True)), **values}
     single = {key: value for key, value in values.items() if _is_single(value)}
     arrays = {key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim}
     shape = max((value.shape for key, value in arrays.items() if key not in _ANGLES), key=math.prod, default=())
@@ -217,7 +222,7 @@ def _with_cut(title: str, header: tuple[str, ...], rows: list[tuple[str, ...]], 
 
 def _is_angle(key: str) -> bool:
     name = key.partition(" ")[0]
-    return name.startswith("theta") or name in _ANGLES
+    return name in _ANGLES or (name.startswith("theta") and not name.endswith("_deg"))
 
 
 def _heading(key: str) -> str:

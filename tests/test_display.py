@@ -132,7 +132,7 @@ def test_a_notebook_gets_a_table(kind: str) -> None:
     # Radians stand under no heading: every angle is in degrees, and says so.
     headings = [cell for row in rows for cell in row if cell.split(" ")[0].startswith(("theta", "poles"))]
     assert all(heading.split(" ")[0].endswith("_deg") for heading in headings)
-    if isinstance(result, display.Result):
+    if type(result).__str__ is display.Result.__str__:
         assert all(cell in str(result) for row in rows for cell in row)
     assert repr(result).startswith(f"{kind}(")
 

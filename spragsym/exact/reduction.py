@@ -12,7 +12,8 @@ ends differ.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, TypeAlias
@@ -40,6 +41,8 @@ STEPS = 12
 WIDENINGS = 8
 #: Times the box itself is halved.
 DEPTH = 26
+#: Parts of the box that are looked at; a box whose halves never get simpler, as around a pole, costs no more than these.
+PARTS = 400
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,7 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobi
     task = _Task(evaluate, int(np.abs(right_vectors[-1]).argmax()), int(np.abs(left_vectors[:, -1]).argmax()), len(box))
     found = Reduced([], [], [])
     with _BALLS.precision(bits):
-        task.search([(Fraction(low), Fraction(high)) for low, high in box], found, DEPTH)
+        task.search([(Fraction(low), Fraction(high)) for low, high in box], found)
     return found
 
 
@@ -80,30 +83,46 @@ class _Task:
     equation: int  #: number of the equation that is left
     n: int
 
-    def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced, depth: int) -> None:
-        """All roots of a box, or of its halves in u."""
+    def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> None:
+        """All roots of a box: of the whole, or of its halves in u, and so on."""
+        waiting = deque([(box, DEPTH)])
+        for _ in range(PARTS):
+            if not waiting:
+                return
+            part, depth = waiting.popleft()
+            if self._settled(part, found):
+                continue
+            if depth:
+                waiting.extend((half, depth - 1) for half in self._halves(part))
+            else:
+                found.left.append(part)
+        found.left.extend(part for part, _ in waiting)
+
+    def _halves(self, box: list[tuple[Fraction, Fraction]]) -> Iterator[list[tuple[Fraction, Fraction]]]:
+        low, high = box[self.along]
+        cut = low + (high - low) * Fraction(61, 128)
+        for part in ((low, cut), (cut, high)):
+            yield [part if i == self.along else side for i, side in enumerate(box)]
+
+    def _settled(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> bool:
+        """Whether the roots of a box could be isolated; those found are kept."""
+        low, high = box[self.along]
+        middle = (low + high) / 2
         try:
             others = self._others(box[self.along], box)
-            whole = self._expansion(_BALLS.between(*box[self.along]), others)
-            low, high = box[self.along]
-            middle = (low + high) / 2
+            whole = self._expansion(_BALLS.between(low, high), others)
             at = _BALLS.exact(middle)
             point = self._expansion(at, self._narrowed(at, others))
             pieces = _isolated([*point[:3], whole[3]], low - middle, high - middle)
         except Undecided:
-            pieces = None
-        if pieces is not None:
-            for piece in pieces:
-                where = (middle + piece[0], middle + piece[1])
-                found.roots.append(self._polished(where, others, whole[3]))
-                found.alone.append(self._boxed(where, others))
-        elif depth:
-            low, high = box[self.along]
-            cut = low + (high - low) * Fraction(61, 128)
-            for part in ((low, cut), (cut, high)):
-                self.search([part if i == self.along else side for i, side in enumerate(box)], found, depth - 1)
-        else:
-            found.left.append(box)
+            return False
+        if pieces is None:
+            return False
+        for piece in pieces:
+            where = (middle + piece[0], middle + piece[1])
+            found.roots.append(self._polished(where, others, whole[3]))
+            found.alone.append(self._boxed(where, others))
+        return True
 
     def _boxed(self, span: tuple[Fraction, Fraction], others: Sequence[Ball]) -> Box:
         """A span of u, and the other unknowns."""

@@ -389,7 +389,7 @@ static PyObject *count_points(PyObject *module, PyObject *arguments) {
 
 static PyMethodDef methods[] = {{"solve", solve, METH_VARARGS, "Points in columns to equilibria in columns."},
     {"solve_widely", solve_more, METH_VARARGS, "The same in double-double arithmetic."},
-    {"count", count, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
+    {"count", count_points, METH_VARARGS, "The number of equilibria in contact, 0 where that is open."},
     {NULL, NULL, 0, NULL}};
 
 static struct PyModuleDef definition = {PyModuleDef_HEAD_INIT, "_compiled", "The generated C solver.", -1, methods,

@@ -76,9 +76,9 @@ def test_presets_are_single_points() -> None:
 
 
 def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
-    """The dimensionless numbers by hand from those of docs/brake.toml, and a model that the page can't compute refused."""
+    """The dimensionless numbers by hand from those of the example file, and a model that the page can't compute refused."""
     pytest.importorskip("pint", reason="pint is not installed")
-    data, out = ROOT / "docs" / "brake.toml", tmp_path / "mine.html"
+    data, out = ROOT / "spragsym" / "studies" / "brake.toml", tmp_path / "mine.html"
     assert CliRunner().invoke(explore, ["--data", str(data), "--out", str(out), "--no-open"]).exit_code == 0
     (text,) = re.findall(r'id="data">(.*?)</script>', out.read_text(encoding="utf-8"))
     said = json.loads(text)

@@ -184,10 +184,14 @@ def figure_cycles_plane(
     tables["a_fates"] = {"theta0_deg": np.degrees(fates), "mu0": np.array(frictions)}
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
+    words = {
+        "period_doubling": "Blue: the period doubling of the cycle of period 34.",
+        "fold": "Orange: its fold, where it ends.",
+    }
     return figure.describe(
         f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
-        equilibria, at μ₀. Blue: the period doubling of the cycle of period 34; orange: its fold, where it ends. Dots: where the
-        motion from rest at x = y = 0 changes its fate. Other cycles have curves of their own.""",
+        equilibria, at μ₀. {" ".join(words[kind] for kind in curves)} Dots: where the motion from rest at x = y = 0 changes its
+        fate. Other cycles have curves of their own.""",
         **tables,
     )
 

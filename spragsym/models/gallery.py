@@ -31,9 +31,18 @@ def _section(model: Model, points: bool) -> str:
     blocks = rest.split("\n\n")
     while len(blocks) > 1 and blocks[1].startswith("    "):  # a drawing with blank lines
         blocks[:2] = ["\n\n".join(blocks[:2])]
-    drawing, words = blocks[0], "\n\n".join(blocks[1:])
+    words = "\n\n".join(blocks[1:])
     formulas = r" \\ ".join(f"& {line}" for line in about["equations"])
-    lines = [f"## {model.name}", "", title, "", "```text", drawing, "```", "", _words(words), ""]
+    lines = [
+        f"## {model.name}",
+        "",
+        title,
+        "",
+        f"![The mechanism of {model.name}](images/models/{model.name}.svg)",
+        "",
+        _words(words),
+        "",
+    ]
     lines += ["$$", rf"\begin{{aligned}} {formulas} \end{{aligned}}", "$$", "", *_table(model)]
     if points:
         lines += ["", *_points(model)]

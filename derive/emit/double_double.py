@@ -149,8 +149,8 @@ def dd_divide(x: Wide, y: Wide) -> Wide:
 def dd_sqrt(x: Wide) -> Wide:
     """√x for x ≥ 0, to some units of 2^-106: a double root with one step of Newton's method."""
     root = sqrt(x.high)
-    square = two_product(root, root)
-    rest = ((x.high - square.high) - square.low) + x.low
+    root_squared = two_product(root, root)
+    rest = ((x.high - root_squared.high) - root_squared.low) + x.low
     return fast_two_sum(root, where(root > 0.0, rest / (2.0 * root), 0.0))
 
 

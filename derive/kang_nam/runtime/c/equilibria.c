@@ -148,7 +148,7 @@ static tally nothing_yet(double nbar, int certain) {
 
 static int sure(const Root *at) { return at->outsider || (at->member && at->known && at->error <= TOLERANCE); }
 
-static int above(double t, const tally *sum) { return !(sum->nbar > 0.0) || t > 0.0; }
+static int is_positive_root(double t, const tally *sum) { return !(sum->nbar > 0.0) || t > 0.0; }
 
 static void seen(Wide t, const Root *at, int separate, tally *sum) {
     sum->certain = sum->certain && sure(at) && separate;
@@ -159,12 +159,12 @@ static void seen(Wide t, const Root *at, int separate, tally *sum) {
 
 /* Two proved roots are different when the intervals that hold them are; in contact all lie above t = 0. */
 static void see(double t, const Root *at, tally *sum) {
-    const int separate = (sum->roots > 0) ? apart(sum->t.high, sum->radius, t, at->radius) : above(t, sum);
+    const int separate = (sum->roots > 0) ? apart(sum->t.high, sum->radius, t, at->radius) : is_positive_root(t, sum);
     seen(paired(t, 0.0), at, separate, sum);
 }
 
 static void see_widely(Wide t, const Root *at, tally *sum) {
-    const int separate = (sum->roots > 0) ? wide_apart(sum->t, sum->radius, t, at->radius) : above(t.high, sum);
+    const int separate = (sum->roots > 0) ? wide_apart(sum->t, sum->radius, t, at->radius) : is_positive_root(t.high, sum);
     seen(t, at, separate, sum);
 }
 
@@ -327,7 +327,7 @@ static void solve_widely(int points, wide_points *p, wide_roots groups[MAX_ROOTS
     turn_widely(p);
     guess_widely(p);
     for (int i = 0; i < WIDE_LANES; i++) {
-        p->certain[i] = p->certain[i] && i < points;
+        p->certain[i] = i < points && p->certain[i];
     }
     const int total = line_up_widely(p, groups);
     for (int i = 0; i < MAX_ROOTS; i++) {
@@ -544,11 +544,11 @@ static spragsym_status reconsider(double nbar, int points, const spragsym_parame
             const int *const at = place + i * WIDE_LANES;
             int next = 0;
             for (int j = 0; j < WIDE_LANES; j++) {
-                set_widely(&given[at[(j < filled) ? j : 0]], nbar, j, &p);
+                set_widely(&given[at[j % filled]], nbar, j, &p);
             }
             solve_widely(filled, &p, groups);
             for (int j = 0; j < WIDE_LANES; j++) {
-                if (j < filled && take_widely(&p, groups, j, next, &counts[at[j]], equilibria[at[j]])) {
+                if (j < left && take_widely(&p, groups, j, next, &counts[at[j]], equilibria[at[j]])) {
                     statuses[at[j]] = SPRAGSYM_OK;
                 }
                 next += p.certain[j] ? (int)p.count[j] : 0;

@@ -73,7 +73,7 @@ static void enter(motion *in, const double state[4]) {
 }
 
 /* The kink that a step from distances `before` to `after` crosses first, or -1, and a guess at which share of the step. */
-static int crossed(const double before[2], const double after[2], double *share) {
+static int first_crossing(const double before[2], const double after[2], double *share) {
     int kink = -1;
     *share = 1.0;
     for (int i = 0; i < 2; i++) {
@@ -97,7 +97,7 @@ static double piece(motion *in, double h, double state[4], int last) {
     distances(in, state, before);
     runge_kutta(in, h, state, next);
     distances(in, next, after);
-    const int kink = crossed(before, after, &share);
+    const int kink = first_crossing(before, after, &share);
     if (last || kink < 0) {
         copy(next, state);
         return 0.0;

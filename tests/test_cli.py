@@ -148,10 +148,14 @@ WRITING = {
     "cycles": (["cycles", "--theta0", "42", "--vary", "theta0", "--from", "41.9", "--to", "42.1", "--plot"], "a.svg"),
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
     "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),
-    "explore": (["explore", "--no-open", "-o"], "a.html"),
+    "explore": (["explore", "--no-open", "--out"], "a.html"),
     "export": (["export", "--out"], "spragsym.c"),
     "derive": (["derive", str(Path(ss.__file__).parent / "derive/models/stick_slip.py"), "--out"], "model.json"),
 }
+
+
+#: Those that are told a folder.
+FOLDERS = ("figures", "export", "derive")
 
 
 def test_every_option_that_names_a_file_is_known_here() -> None:
@@ -171,7 +175,7 @@ def test_no_file_is_overwritten_without_force(
     pytest.importorskip("matplotlib")
     arguments, name = WRITING[command]
     target = tmp_path / name
-    place = str(tmp_path) if arguments[-1] == "--out" else str(target)
+    place = str(tmp_path) if command in FOLDERS else str(target)
     target.write_text("precious")
     assert invoke(*arguments, place) == USAGE
     shown, said = capsys.readouterr()
@@ -187,7 +191,7 @@ def test_no_file_is_overwritten_without_force(
 @pytest.mark.parametrize("command", ["check", "sweep", "explore", "export"])
 def test_what_is_there_already_is_no_obstacle(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     arguments, name = WRITING[command]
-    place = str(tmp_path) if arguments[-1] == "--out" else str(tmp_path / name)
+    place = str(tmp_path) if command in FOLDERS else str(tmp_path / name)
     assert invoke(*arguments, place) == DONE
     before = (tmp_path / name).read_bytes()
     assert invoke(*arguments, place) == DONE

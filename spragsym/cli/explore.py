@@ -21,7 +21,6 @@ ARTICLE_MODEL = "kang_nam"
 @click.command()
 @click.option(
     "--out",
-    "-o",
     type=click.Path(dir_okay=False, path_type=Path),
     default=Path("explorer.html"),
     show_default=True,

@@ -57,7 +57,7 @@ class Sheet:
         words = []
         for word in text.split():
             stem, _, index = word.partition("_")
-            stem, digits = (stem, "") if stem in _GREEK else re.fullmatch(r"(.*?)(\d*)", stem).groups()  # type: ignore[union-attr]
+            stem, digits = (stem, "") if stem in _GREEK else re.fullmatch(r"(.*?)(\d*)", stem).groups()  # type: ignore[union-attr]  # always matches
             index = digits + index
             lowered = f'<tspan class="index" dy="5">{escape(index)}</tspan><tspan dy="-5">&#8203;</tspan>' if index else ""
             words.append(escape(_GREEK.get(stem, stem)) + lowered)

@@ -17,10 +17,10 @@ import spragsym as ss
 from benchmarks import validate_cycles
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import criteria, exponents, finding, saddles, shooting
-from spragsym.cycles.field import Border, Field
 from spragsym.cycles.flows import carrier
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
+from spragsym.dynamics.field import Border, Field
 from spragsym.generated import motion
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")

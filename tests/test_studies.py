@@ -196,7 +196,7 @@ def test_forces_and_spectra_of_a_motion() -> None:
     from spragsym.cycles.sprag import SPRAG
 
     constants = SPRAG.constants((*p.scalars(*("theta0", "mu0", "kappa", "alpha", "sigma", "beta")), 0.5, 10.0))
-    rows = np.array(SPRAG.jacobian((eq.x[0], eq.y[0], 0.0, 0.0), constants, (1, 1, 1)), dtype=float)
+    rows = np.array(SPRAG.jacobian((eq.x[0], eq.y[0], 0.0, 0.0), constants, (1, 1, 1), math), dtype=float)
     roots = np.linalg.eigvals(np.vstack([np.hstack([np.zeros((2, 2)), np.eye(2)]), rows]))
     rate = -roots[np.argmin(np.abs(roots.imag))].real
     assert tr.decay_rate() == pytest.approx(rate, rel=0.2)

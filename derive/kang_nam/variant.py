@@ -272,7 +272,7 @@ _Aspect = Callable[[_Compared], dict[str, sp.Expr]]
 
 
 def _groups() -> dict[str, tuple[_Aspect, ...]]:
-    return {f"def-{name}": ((lambda it, name=name: it.group(name)),) for name in ("sigma", "alpha", "beta", "kappa")}  # type: ignore[misc]
+    return {f"def-{name}": ((lambda it, name=name: it.group(name)),) for name in ("sigma", "alpha", "beta", "kappa")}  # type: ignore[misc]  # a default binds name
 
 
 _C = _Compared

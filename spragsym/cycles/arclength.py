@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..dynamics.field import Field
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import Field
 from .passage import Fly
 from .shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, divided, growth, looped, rate, solved
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import acb, arb, arb_mat
 
-from .field import Field, Mode
+from ..dynamics.field import Field, Mode
 from .jets import Functions, Jet
 
 #: Radii of convergence that are tried.

@@ -15,8 +15,8 @@ from typing import Any
 import numpy as np
 from flint import acb_mat, arb, arb_mat, ctx
 
+from ..dynamics.field import Field, Mode
 from .ball_flow import Balls, NotProved, polynomial, solution
-from .field import Field, Mode
 from .jets import Functions
 from .sprag import SPRAG
 

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from ..display import Result
+from ..dynamics.field import Field
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
-from .field import Field
 from .flows import carrier
 from .passage import Fly
 from .saddles import Saddle, saddle_near, side

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from ..display import Result
+from ..dynamics.field import Field
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, as_number
-from .field import Field
 from .flows import carrier
 from .sprag import SPRAG
 

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from ..display import Result
+from ..dynamics.field import Field
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
-from .field import Field
 from .finding import cycle_near
 from .flows import carrier
 from .passage import Fly

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from ..dynamics import Trajectory
+from ..dynamics.field import Field
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
 from .criteria import multipliers
-from .field import Field
 from .flows import carrier, flow
 from .orbit import Cycle, cycle_of
 from .passage import Fly, Turn

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..dynamics.field import Field
 from ..dynamics.integrators import OF_ANY_MODEL, choose
 from . import with_heyoka, with_scipy
-from .field import Field
 from .passage import Fly
 
 

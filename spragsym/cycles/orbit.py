@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..dynamics.field import Field
 from ..dynamics.lobatto import PiecewisePolynomial
 from ..dynamics.problem import Event
 from ..dynamics.trajectory import Events
@@ -20,7 +21,6 @@ from ..errors import ConvergenceError
 from ..files import storage
 from ..parameters import FloatArray
 from .criteria import multipliers
-from .field import Field
 from .flows import flow
 from .passage import Fly
 from .shooting import (

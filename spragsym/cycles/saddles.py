@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..dynamics.field import Field
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import Field
 from .passage import Fly
 
 #: A real part beyond this, against the largest rate, is growth that decides a motion's fate.

@@ -10,9 +10,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..dynamics.field import Field
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
-from .field import Field
 from .passage import Crossing, Fly, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.

@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from ..dynamics.field import Field, Mode
 from ..dynamics.lobatto import unit_points
+from ..dynamics.with_heyoka import watched
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import GAP, Field, Mode
 from .passage import Crossing, Passage, Turn
 
 #: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.
@@ -51,7 +52,7 @@ class Compiled:
                     weights = [hy.par[begin + i] for i in range(parameters)]
                     rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
                 system += zip(part, [*part[n:], *rates], strict=True)
-        borders = [1e-3 * (b.sign(mode) * b.level(state, constants, mode) + GAP * b.kink) for b in field.borders]
+        borders = [b.sign(mode) * watched(b, state, constants, mode) for b in field.borders]
         rates = [(-1, state[n])] + [
             (i, b.rate(state, accelerations, constants, mode)) for i, b in enumerate(field.borders) if b.kink
         ]

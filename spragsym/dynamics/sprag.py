@@ -21,6 +21,7 @@ WIDTH = 5.0
 #: Accelerations and their derivatives in one mode, continued beyond its borders: for scalars, without checks.
 acceleration: Any = inspect.unwrap(motion.regime_rhs)
 jacobian: Any = inspect.unwrap(motion.regime_jacobian)
+_by_parameters: Any = inspect.unwrap(motion.regime_by_parameters)
 
 
 class Damped:
@@ -84,6 +85,7 @@ def field(reach: float) -> Field:
         "kang_nam", ("x", "y"), ("theta0", "mu0", "kappa", "alpha", "sigma", "beta", "V", "d"), tuple,
         lambda q, c, mode, xp: _call(acceleration, q, c, mode, xp),
         lambda q, c, mode, xp: _call(jacobian, q, c, mode, xp),
-        lambda *_: (), (_CONTACT, _SLIP, _layer(reach)), _initial_mode(reach),
+        lambda q, c, mode, xp: _call(_by_parameters, q, c, mode, xp),
+        (_CONTACT, _SLIP, _layer(reach)), _initial_mode(reach),
         tuple(itertools.product((1, 0), (1, -1), (1, 0))), _no_check, lambda *_: None,
     )  # fmt: skip

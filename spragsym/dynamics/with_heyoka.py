@@ -55,7 +55,7 @@ class Compiled:
         self.solver = hy.taylor_adaptive(
             system, [0.0] * len(system), pars=[0.0] * (self.modes.stop + 2 * watch), tol=rtol, nt_events=turns,
             t_events=[
-                hy.t_event(_watched(border, state, known, mode), callback=partial(self._cross, border), cooldown=0.0)
+                hy.t_event(watched(border, state, known, mode), callback=partial(self._cross, border), cooldown=0.0)
                 for border in field.borders
             ],
         )  # fmt: skip
@@ -118,7 +118,7 @@ class Compiled:
         return steps, pieces
 
 
-def _watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:
+def watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:
     """What is zero where a mode is left, small beside the state: heyoka's error is relative to the largest of all."""
     if border.watched is not None:
         return border.watched(state, constants, mode)

@@ -70,7 +70,7 @@ def _roots(study: Study, p: Parameters, theta: float, L: float, x: float, y: flo
         mu0 *= p.scalars("mu0")[0] / study.friction[1]
     values = (*p.replace(mu0=mu0).scalars(*NAMES), belt["V"], belt["d"])
     constants = SPRAG.constants(values)
-    rows = np.array(SPRAG.jacobian((x, y, 0.0, 0.0), constants, (1, 1, 1)), dtype=float)
+    rows = np.array(SPRAG.jacobian((x, y, 0.0, 0.0), constants, (1, 1, 1), math), dtype=float)
     matrix = np.vstack([np.hstack([np.zeros((2, 2)), np.eye(2)]), rows])
     return np.linalg.eigvals(matrix)
 

@@ -13,8 +13,8 @@ from .language import KernelError, Source
 _ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
 #: Binding strength of what is printed, to place brackets by.
-_CHOICE, _OR, _AND, _COMPARE, _SUM, _PRODUCT, _UNARY, _ATOM = range(8)
-_STRENGTH = {ast.BitOr: _OR, ast.BitAnd: _AND, ast.Add: _SUM, ast.Sub: _SUM, ast.Mult: _PRODUCT, ast.Div: _PRODUCT}
+_CHOICE, _OR, _AND, _COMPARE, SUM, _PRODUCT, _UNARY, _ATOM = range(8)
+_STRENGTH = {ast.BitOr: _OR, ast.BitAnd: _AND, ast.Add: SUM, ast.Sub: SUM, ast.Mult: _PRODUCT, ast.Div: _PRODUCT}
 
 
 @dataclass(frozen=True)
@@ -63,7 +63,7 @@ class Expressions:
             case ast.Compare(left=left, ops=[op], comparators=[right]):
                 sign = _COMPARISONS[type(op)]
                 sign = self.syntax.comparisons.get(sign, sign)
-                return f"{self.print(left, _SUM)} {sign} {self.print(right, _SUM)}", _COMPARE
+                return f"{self.print(left, SUM)} {sign} {self.print(right, SUM)}", _COMPARE
             case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if self.syntax.ternary:
                 return f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}", _CHOICE
             case ast.Call(func=ast.Name(id=name), args=[argument]) if self._hands_back(name):

@@ -11,17 +11,17 @@ import math
 from collections import Counter
 from collections.abc import Sequence
 
+from ...expressions import number
 from ...language import FLAG, REAL, KernelError, Routine, passes
 from .. import Material
 from ..python.algebra import definition
 from .algebra import c_name
 from .layout import broken, comment, plain
-from .kernel import number
+from .kernel import PRIMITIVES
 
 DOUBLE, WIDE, INT = "double", "Wide", "int"
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.BitAnd: "&", ast.BitOr: "|"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
-_PLAIN = {"maximum": "larger", "minimum": "smaller", "absolute": "fabs", "sqrt": "sqrt", "cube_root": "cube_root"}
 _WIDELY = {"maximum": "dd_larger", "minimum": "dd_smaller", "absolute": "dd_absolute", "sqrt": "dd_sqrt"}
 #: A text in C and its type.
 Typed = tuple[str, str]
@@ -275,9 +275,9 @@ class _Writer:
             if not wide:
                 return f"({texts[0]} ? {texts[1]} : {texts[2]})", kinds[1]
             return f"dd_where({texts[0]}, {self.wide(*values[1])}, {self.wide(*values[2])})", WIDE
-        if name in _PLAIN:
+        if name in PRIMITIVES:
             if not wide:
-                return f"{_PLAIN[name]}({', '.join(texts)})", DOUBLE
+                return f"{PRIMITIVES[name]}({', '.join(texts)})", DOUBLE
             return f"{_WIDELY[name]}({', '.join(self.wide(*value) for value in values)})", WIDE
         if name in self.program.source.routines:
             function, returned = self.program.call(name, kinds)

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from ..dynamics import integrators
+from ..dynamics import flows, integrators
 from ..dynamics.classify import classify
 from ..dynamics.course import Course
 from ..dynamics.problem import MAX_STEPS, Problem, check_start, constants_of, out_of_range
@@ -81,7 +81,7 @@ def article_problem(settings: Settings, point: tuple[float, ...]) -> Problem:
 def _values(problem: Problem, backend: str) -> list[float]:
     """The measured values of a motion, in the order of MEASURED."""
     course = integrators.measure(problem, backend)
-    outcome = classify(course, problem, integrators.flow(problem, backend))
+    outcome = classify(course, problem, flows.onward(problem, backend))
     return [*_averages(course), *(float(getattr(outcome, name)) for name in MEASURED[len(AVERAGES) :])]
 
 

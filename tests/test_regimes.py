@@ -252,9 +252,10 @@ def test_rest_where_the_equilibria_are_undecided_has_no_index(monkeypatch: pytes
     start = {"x0": eq.x[0], "y0": eq.y[0], "t_end": 20.0, "transient": 10.0}
     assert rms_sweep(p, **BELT, **start).equilibrium == 0
 
-    def undecided(p: ss.Parameters) -> SimpleNamespace:
+    def undecided(p: ss.Parameters, contact: bool = True) -> SimpleNamespace:
         empty = np.full((*p.shape, 3), np.nan)
-        return SimpleNamespace(x=empty, y=empty, undecided=np.ones(p.shape, dtype=bool))
+        none = np.zeros((*p.shape, 3), dtype=np.int8)
+        return SimpleNamespace(x=empty, y=empty, stability=none, undecided=np.ones(p.shape, dtype=bool))
 
     monkeypatch.setattr(solver, "equilibria", undecided)
     found = rms_sweep(p, **BELT, **start)

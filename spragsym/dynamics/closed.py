@@ -16,6 +16,9 @@ from .shooting import Guess, at_rest_along, once_round, rate, solved
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.
 STEP = 1e-5
 
+#: Forward differences over this find an orbit to so much.
+COARSE, ROUGH = 1e-5, 1e-4
+
 #: By how much an orbit that is found with such differences may stay open.
 OPEN = 1e-9
 
@@ -63,14 +66,24 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach
     return Closed(place, loop.guess.period, slope)
 
 
-def by_differences(field: Field, flow: Flow) -> Fly:
-    """``fly`` of a flow that carries no derivatives: by central differences; crossings are not told."""
+def roughly_closed(field: Field, flow: Flow, state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float]:
+    """State and period to some digits, by the plain flow and its forward differences: where that fails, it fails cheaply."""
+    fly, condition = by_differences(field, flow, COARSE, central=False), at_rest_along(field, field.size + 1)
+    loop = solved(field, fly, Guess(state[None], period, ()), condition, reach=reach, iterations=9, precision=ROUGH, closed=ROUGH)
+    return loop.guess.states[0], loop.guess.period
+
+
+def by_differences(field: Field, flow: Flow, step: float = STEP, *, central: bool = True) -> Fly:
+    """``fly`` of a flow that carries no derivatives: by central differences, or forward ones; crossings are not told."""
     m = field.size
     unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
 
     def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
-        course = flow(np.asarray(state), duration)
-        columns = [(flow(state + off, duration).last - flow(state - off, duration).last) / (2 * STEP) for off in STEP * np.eye(m)]
+        course, width = flow(np.asarray(state), duration), step * (1 + central)
+        columns = [
+            (flow(state + off, duration).last - (flow(state - off, duration) if central else course).last) / width
+            for off in step * np.eye(m)
+        ]
         turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
         return Passage(course.last, np.array(columns).T, np.zeros((m, 2)), (), tuple(turns))
 

@@ -30,6 +30,9 @@ CLOSE = 0.05
 #: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
 NEUTRAL = 1e-6
 
+#: Steps whose cosine is at least this go in one direction; the end of such a drift is away beyond this.
+ALIGNED, AWAY = 0.98, 0.5
+
 #: What the linearized map may miss of a return, relative to what lacked before.
 MISSED = 0.25
 
@@ -112,17 +115,34 @@ def _candidates(states: FloatArray) -> Iterator[int]:
     """Numbers of returns after which the last states came close to what they had been, and closer each time; fewest first.
 
     A motion that winds onto a cycle from alternate sides is close after two rounds before it is after one: so divisors are
-    tried before the number itself.
+    tried before the number itself. A multiple of a number that was tried has to be much closer than that.
     """
     tried: list[int] = []
+
+    def apart(k: int) -> float:
+        return float(np.abs(states[-1] - states[-1 - k]).max())
+
     for k in range(1, (len(states) - 1) // 2 + 1):
-        last, before = (float(np.abs(states[-1 - i] - states[-1 - i - k]).max()) for i in (0, k))
-        if max(last, before) <= CLOSE and last <= 2 * before + CLOSE**3:
-            divisors = [j for j in range(1, k) if k % j == 0 and np.abs(states[-1] - states[-1 - j]).max() <= 4 * CLOSE]
-            for number in (*divisors, k):
-                if number not in tried and len(tried) < CANDIDATES:
-                    tried.append(number)
-                    yield number
+        last, before = apart(k), float(np.abs(states[-1 - k] - states[-1 - 2 * k]).max())
+        if max(last, before) > CLOSE or last > 2 * before + CLOSE**3 or _drifts_past(states[::-1][::k]):
+            continue
+        for number in (*(j for j in range(1, k) if k % j == 0 and apart(j) <= 4 * CLOSE), k):
+            multiple = any(number % j == 0 and apart(number) > 0.5 * apart(j) for j in tried)
+            if number not in tried and not multiple and len(tried) < CANDIDATES:
+                tried.append(number)
+                yield number
+
+
+def _drifts_past(states: FloatArray) -> bool:
+    """Whether states, latest first, go on in one direction by steps that shrink too slowly to end near, or not at all."""
+    steps = states[:-1] - states[1:]
+    if len(steps) < 3:
+        return False
+    sizes = np.linalg.norm(steps, axis=1)
+    if not sizes.min() > 0 or ((steps[1:] * steps[:-1]).sum(axis=1) < ALIGNED * sizes[1:] * sizes[:-1]).any():
+        return False
+    shrink = (sizes[0] / sizes[-1]) ** (1 / (len(sizes) - 1))
+    return bool(shrink >= 1 or sizes[0] * shrink / (1 - shrink) > AWAY)
 
 
 def _nears(cycle: _Cycle, off: FloatArray, tol: float) -> bool:

@@ -8,7 +8,7 @@ from typing import Any
 
 from ..parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
-from .closed import OPEN, Closed, by_differences, closed_orbit
+from .closed import OPEN, Closed, by_differences, closed_orbit, roughly_closed
 from .course import Flow
 from .field import Field
 from .passage import Fly
@@ -51,8 +51,11 @@ class Onward:
 def onward(problem: Problem, backend: str) -> Onward:
     """How the motion of a problem goes on, by the integrator that carries it."""
 
+    plain = integrators.flow(problem, backend)
+
     def closed(state: FloatArray, period: float, reach: float) -> Closed:
         field = replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
+        state, period = roughly_closed(field, plain, state, period, reach)
         if backend == "heyoka":
             return closed_orbit(field, variations_heyoka.compiled(field).fly, state, period, reach, CLOSED)
         if backend == "scipy":
@@ -60,4 +63,4 @@ def onward(problem: Problem, backend: str) -> Onward:
         fine = integrators.flow(replace(problem, rtol=min(problem.rtol, FINE)), backend)
         return closed_orbit(field, by_differences(field, fine), state, period, reach, OPEN)
 
-    return Onward(integrators.flow(problem, backend), closed)
+    return Onward(plain, closed)

@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .course import Course
-from .field import GAP, Border, Field
+from .field import GAP, Border, Field, Mode
 from .lobatto import unit_points
 from .problem import Event, Problem, event_at, initial_mode, is_inside, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
@@ -43,6 +43,7 @@ class Compiled:
         accelerations = field.acceleration(state, known, mode, SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
         self.log: list[Crossing] = []
         self.kinds = {(row, up): event_at(border, upward=up) for row, border in enumerate(field.borders) for up in (False, True)}
+        self.mode: Mode = field.modes[0]
         self.stray: float | None = None
         self.turns: list[tuple[float, ...]] = []
         system, turns = list(zip(state, [*state[n:], *accelerations], strict=True)), []

@@ -61,7 +61,6 @@ class State:
         """C: dampers and slope of the friction law."""
         return [list(row) for row in self.balance.damping(self.q, self.directions, self.values)]
 
-
     def slope(self) -> Any:
         """Slope of the friction law."""
         return self.balance.slope(self.values)

@@ -103,9 +103,7 @@ class Balance:
         """M of the kinetic energy."""
         return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
 
-    def damping(
-        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None
-    ) -> Any:
+    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None) -> Any:
         """C of dampers and of the slope of the friction law."""
         function = undecorated(self.model.linearization.damping)
         return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=XP)

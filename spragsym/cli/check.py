@@ -29,13 +29,17 @@ _CLAIM_STYLES = {
 @click.command()
 @as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
-@click.option("--row", "only", multiple=True, metavar="ROW", help="Only this row, or those that begin so: eq-9, fig-7. May be repeated.")
+@click.option(
+    "--row", "only", multiple=True, metavar="ROW", help="Only this row, or those that begin so: eq-9, fig-7. May be repeated."
+)
 @click.option(
     "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from the records; check nothing."
 )
 @click.option("--model", "model_name", metavar="NAME|DIR", help=f"{TEXT} What holds of the article for it.")
 @force
-def check(json_output: bool, claims: bool, only: tuple[str, ...], report: Path | None, model_name: str | None, force: bool) -> None:
+def check(
+    json_output: bool, claims: bool, only: tuple[str, ...], report: Path | None, model_name: str | None, force: bool
+) -> None:  # fmt: skip
     """Hold every printed equation of the article against the derivation, or every statement against computation.
 
     Every row is recomputed. The committed record is read only to see whether a row has changed.

@@ -30,7 +30,7 @@ _CLAIM_STYLES = {
 @as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
 @click.option(
-    "--row", "only", multiple=True, metavar="ROW", help="Only this row, or those that begin so: eq-9, fig-7. May be repeated."
+    "--row", "only", multiple=True, metavar="ROW", help="Only this row, or rows that begin so: eq-9, fig-7. Repeatable."
 )
 @click.option(
     "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from the records; check nothing."

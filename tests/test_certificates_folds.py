@@ -200,6 +200,32 @@ def test_a_root_at_0_is_not_positive(monkeypatch: pytest.MonkeyPatch) -> None:
     assert np.isnan(values[:, 2:]).all()
 
 
+@pytest.mark.parametrize(
+    ("roots", "real", "wanted"),
+    [
+        # A real pair that rounding split is far out: its imaginary part is the larger one, over its size the smaller one.
+        ([1e6 + 1e-2j, 1e6 - 1e-2j, 1e-3 + 1e-3j, 1e-3 - 1e-3j], 2, [1e6, 1e6]),
+        ([1e-3 + 1e-3j, 1e6 - 1e-2j, 1e-3 - 1e-3j, 1e6 + 1e-2j], 2, [1e6, 1e6]),
+        ([1e-6 + 1e-9j, 1e-6 - 1e-9j, 1e-9 + 5e-10j, 1e-9 - 5e-10j], 2, [1e-6, 1e-6]),
+        # 0 is real, and takes a place.
+        ([0.0, 2.0, 3.0 + 1j, 3.0 - 1j], 2, [2.0]),
+        ([3.0 + 1j, 3.0 - 1j, 0.0, 2.0], 2, [2.0]),
+        ([3.0 + 1j, 3.0 - 1j, 2.0, 1.0], 0, []),
+    ],
+)
+def test_as_many_roots_as_are_real_are_kept(
+    monkeypatch: pytest.MonkeyPatch, roots: list[complex], real: int, wanted: list[float]
+) -> None:
+    """Those closest to the real axis for their size, whatever the order in which they come."""
+    monkeypatch.setattr(fold_curves, "eigenvalues", lambda _: np.array([roots, roots], dtype=complex))
+    monkeypatch.setattr(fold_curves, "discriminant", lambda _: (np.zeros(2), np.full(2, real)))
+    monkeypatch.setattr(fold_curves, "polished", lambda _, values: values)
+    values, number = fold_curves.positive_roots(np.array([0.5, 0.6]), FAMILY)
+    assert number.tolist() == [len(wanted)] * 2
+    for row in values:
+        np.testing.assert_array_equal(row, [*wanted, *[math.nan] * (4 - len(wanted))])
+
+
 def test_linear_critical_friction_has_the_shape_of_its_parameters() -> None:
     one = ss.linear_critical_friction(ss.Parameters.article())
     assert type(one) is float

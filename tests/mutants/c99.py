@@ -80,7 +80,9 @@ def run(name: str, subject: dict[str, Any], results: Path, only: set[str], liste
 
     text = (ROOT / subject["source"]).read_text(encoding="utf-8")
     judge = (Extension if subject.get("extension") else Judge)(40)
-    stamps = {_JUDGE: stamp(text, *(_text(one) for one in dict.fromkeys((Judge, type(judge)))))}
+    stamps = {
+        _JUDGE: stamp(re.sub(r"/\*.*?\*/", "", text, flags=re.S), *(_text(one) for one in dict.fromkeys((Judge, type(judge)))))
+    }
     journal = Journal(results / f"{name}.jsonl")
     every = list(mutants(text, subject["in_c"]))
 

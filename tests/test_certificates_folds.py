@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections import deque
 from fractions import Fraction
 
 import numpy as np
@@ -197,12 +198,10 @@ def test_without_alpha_curves_lie_on_either_side_alike_and_friction_is_positive(
     """A fold at θ₀ is one at π − θ₀; none with cos θ > 0 has a negative friction, in contact or not."""
     rng = np.random.default_rng(67)
     for fixed in [one for one in SETS if not one.alpha]:
-        points = {
-            (round(t, 9), round(a, 9)) for strand in _strands(fixed) for t, a in zip(strand.theta, strand.theta0, strict=True)
-        }
-        assert points == {(t, round(math.pi - a, 9)) for t, a in points} or all(
-            min(abs(math.pi - a - b) for s, b in points if s == t) < 3e-9 for t, a in points
-        )
+        found = _strands(fixed)
+        theta, theta0 = (np.concatenate([getattr(strand, name) for strand in found]) for name in ("theta", "theta0"))
+        there, mirrored = np.lexsort((theta0, theta)), np.lexsort((np.pi - theta0, theta))
+        np.testing.assert_allclose(theta0[there], (np.pi - theta0)[mirrored], rtol=0, atol=1e-12)
     for _ in range(40):
         fixed = Fixed(10 ** rng.uniform(-4, 1), 0.0, 10 ** rng.uniform(-3, 1.5), rng.choice([0, 10 ** rng.uniform(-2, 1.5)]))
         theta = rng.uniform(0.01, math.pi / 2 - 1e-3, 50)
@@ -400,6 +399,32 @@ def test_a_root_that_comes_in_unannounced_is_followed_from_there(monkeypatch: py
         assert strand.theta[1:].tolist() == theta[theta > ENTERS].tolist()
 
 
+@pytest.mark.parametrize("below", [0, 1, 2])
+def test_nothing_is_joined_where_there_are_no_two_curves(monkeypatch: pytest.MonkeyPatch, below: int) -> None:
+    """As where rounding took one of them before."""
+    row = [0.1 * k for k in range(1, below + 1)]
+    roots = lambda theta, _=None: _padded([[*row, *([2 - (0.7 - t), 2 + (0.7 - t)] if t < 0.7 else [])] for t in theta])  # noqa: E731
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - 0.7)
+    for number in range(below + 2):
+        curves = [(deque([np.zeros((2, 1))]), True) for _ in range(number)]
+        assert fold_curves._pair(0.6, 0.8, below + 2, FAMILY, curves, [], born=False) == curves
+
+
+def test_a_pair_far_out_vanishes_beside_two_roots_close_to_0(monkeypatch: pytest.MonkeyPatch) -> None:
+    def roots(theta: np.ndarray, _: object = None) -> tuple[np.ndarray, np.ndarray]:
+        pairs = [[1e3 * (1 + way * math.sqrt(0.7 - t)) for way in (-1, 1)] if t < 0.7 else [] for t in theta]
+        return _padded([[1e-4, 2e-4, *pair] for pair in pairs])
+
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - 0.7)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (1 + 0 * theta, 1 + 0 * theta, math.inf))
+    ends = sorted(np.tan(strand.theta0[0] / 2) for strand in fold_curves._trace(np.linspace(0.1, 1.5, 29), FAMILY))
+    assert len(ends) == 3
+    np.testing.assert_allclose(ends[:2], [1e-4, 2e-4])
+    assert ends[2] > 100
+
+
 #: θ(v) = T₅(v − 2) with a tilt: one curve, of which one to five pass a θ; up, and down.
 _WAVE = np.polynomial.Chebyshev([0.75, 0.05, 0, 0, 0, 0.35], domain=[1, 3]).convert(kind=np.polynomial.Polynomial)
 
@@ -592,6 +617,19 @@ def test_a_zero_that_is_not_there_is_none(monkeypatch: pytest.MonkeyPatch) -> No
     assert [part.theta.size for part in fold_curves._one_sign(turned, FAMILY, 1.0)] == [20, 20]
 
 
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_zero_at_a_point_is_that_point(monkeypatch: pytest.MonkeyPatch, side: float) -> None:
+    """Where friction only touches 0 the strand goes on; where it passes, both parts have the point, once."""
+    at = np.linspace(0.1, 1.4, 41)[20]
+    touching = _drawn(monkeypatch, lambda theta: side * (theta - at) ** 2)
+    [whole] = fold_curves._one_sign(touching, FAMILY, side)
+    assert whole.theta.tolist() == touching.theta.tolist()
+    passing = _drawn(monkeypatch, lambda theta: side * (theta - at))
+    for way, wanted in ((side, passing.theta[20:]), (-side, passing.theta[:21])):
+        [part] = fold_curves._one_sign(passing, FAMILY, way)
+        assert part.theta.tolist() == wanted.tolist()
+
+
 def test_mirrored_strands_are_the_mirror_image() -> None:
     strand = fold_curves.Strand(np.array([0.1, 0.2]), np.array([1.0, 2.5]), np.array([-0.5, 0.0]))
     image = fold_curves._mirrored(strand)
@@ -632,5 +670,8 @@ def test_only_ends_that_are_one_point_are_joined() -> None:
     ends = fold_curves.Strand(np.array([0.1, 0.5]), np.array([1.0, 1.2]), np.array([2.0, 0.0]))
     assert len(fold_curves._joined([ends], [fold_curves._backward(ends)])) == 1  # at 2.0, not where friction ends
     assert fold_curves._joined([ends], [fold_curves._backward(ends)])[0].mu0.tolist() == [0.0, 2.0, 2.0, 0.0]
+    three = fold_curves.Strand(np.array([0.1, 0.3, 0.5]), np.array([1.0, 1.1, 1.2]), np.array([2.0, 1.0, 0.0]))
+    after = fold_curves.Strand(np.array([0.5, 0.7, 0.9]), np.array([1.2, 1.3, 1.4]), np.array([0.0, 1.0, 3.0]))
+    assert len(fold_curves._joined([three], [after])) == 2
     far = fold_curves.Strand(np.array([0.5, 0.9]), np.array([1.2, 1.3]), np.array([0.0, 3.0]))
     assert len(fold_curves._joined([ends], [far])) == 2

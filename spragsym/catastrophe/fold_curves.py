@@ -286,7 +286,7 @@ def _pair(
     if np.isnan(gaps).all():
         return open_ends
     place = int(np.nanargmin(gaps))
-    point = np.array([[many], [np.sqrt(roots[0, place] * roots[0, place + 1])]])
+    point = np.array([[many], [roots[0, place]]])  # both, but for the root of a rounding error
     if born:
         fresh: _Curve = deque([point])
         return [*open_ends[:place], (fresh, False), (fresh, True), *open_ends[place:]]
@@ -345,7 +345,7 @@ def _zero_friction(strand: Strand, outer: int, inner: int, fixed: Fixed) -> Stra
     def value(theta: float) -> float:
         return float(friction(np.array([theta]), np.array([angle(theta)]), fixed)[0])
 
-    if value(far) * value(near) > 0:
+    if value(far) * value(near) >= 0:
         return None
     theta = float(brentq(value, far, near, xtol=1e-15, rtol=1e-15))
     return Strand(np.array([theta]), np.array([angle(theta)]), np.array([0.0]))

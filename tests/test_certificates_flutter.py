@@ -5,19 +5,27 @@ from __future__ import annotations
 from fractions import Fraction
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
+from benchmarks.validate_flutter import random_set
 from spragsym.catastrophe import flutter_proofs
 from spragsym.exact import intervals
 from spragsym.exact.descartes import Root
 from spragsym.exact.polynomials import Undecided
 from spragsym.generated import stability
+from spragsym.statics import ladder
 
 
 def _exact(*values: Fraction | int) -> list[flutter_proofs.Onset]:
     arith = intervals.arithmetic()
     with arith.precision(192):
         return list(flutter_proofs.onsets(arith, flutter_proofs.Elimination(*map(Fraction, values)), 192))
+
+
+def _middle(value: intervals.Interval) -> float:
+    low, high = intervals.arithmetic().ends(value)
+    return float((low + high) / 2)
 
 
 def _with_roots(*roots: Fraction) -> tuple[int, ...]:
@@ -124,3 +132,56 @@ def test_a_rank_counts_what_is_in_contact(place: int, edge: Fraction) -> None:
             return
         with pytest.raises(Undecided, match="equilibria below"):  # neither one nor three
             flutter_proofs.rank(*arguments)
+
+
+def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
+    """Which are proved, with more digits, at a friction that is as exact as its onset's θ₀ is not: none is next to a fold."""
+    rng, kinds, arith = np.random.default_rng(77), set(), intervals.arithmetic()
+    for _ in range(40):
+        p = random_set(rng)
+        values = [Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")]
+        for onset in _exact(*values):
+            states = ladder.equilibria(Fraction(_middle(onset.theta0)), *values, arith=arith).states
+            nearest = int(np.argmin([abs(float(state.theta) - _middle(onset.theta)) for state in states]))
+            assert (onset.branch, onset.count) == (nearest, len(states))
+            assert arith.sign(onset.y) < 0
+            kinds.add((onset.branch, onset.count))
+    assert kinds == {(0, 1), (2, 3)}
+
+
+def test_a_crossing_is_one_whatever_the_multiplicity(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where the discriminant's slope is not 0 the boundary is crossed, though the polynomial has another factor there."""
+    given = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0))
+    sides = [onset.side for onset in _exact(*given)]
+    monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_: 2)
+    assert [onset.side for onset in _exact(*given)] == sides
+    assert set(sides) == {1, -1}
+
+
+def test_a_root_that_may_be_at_the_edge_of_contact_is_undecided() -> None:
+    """At sin θ = 0 to 2⁻⁹⁰, with a root at t = 2⁻⁹⁵."""
+    arith, roots = intervals.arithmetic(), [Fraction(1, 2**95), Fraction(1, 4), Fraction(2, 3), Fraction(-12, 5)]
+    with arith.precision(300):
+        quartic = tuple(map(arith.exact, map(Fraction, _with_roots(*roots))))
+        edge = arith.between(-Fraction(1, 2**90), Fraction(1, 2**90))
+        with pytest.raises(Undecided, match="holds 0"):
+            flutter_proofs.rank(arith, quartic, arith.exact(roots[2]), edge)
+        for clear in (Fraction(-1, 2**90), Fraction(1, 2**100)):
+            assert flutter_proofs.rank(arith, quartic, arith.exact(roots[2]), arith.exact(clear)) == (2, 3)
+
+
+@pytest.mark.parametrize(
+    ("signs", "changes"),
+    [("+-", 1), ("++", 0), ("+0-", 1), ("-0+", 1), ("+-0+-", 3), ("+0+", None), ("-0-", None), ("0+", None), ("+0", None),
+     ("0+-", None), ("0-+", None), ("+-0", None), ("+00-", None), ("+-+-+", 4)],
+)  # fmt: skip
+def test_changes_of_sign_with_open_ones_between(signs: str, changes: int | None) -> None:
+    arith = intervals.arithmetic()
+    with arith.precision(60):
+        held = {"+": arith.exact(Fraction(2)), "-": arith.exact(Fraction(-3)), "0": arith.between(Fraction(-1), Fraction(1))}
+        values = [held[sign] for sign in signs]
+        if changes is None:
+            with pytest.raises(Undecided, match="holds 0"):
+                flutter_proofs._variations(arith, values)
+        else:
+            assert flutter_proofs._variations(arith, values) == changes

@@ -344,7 +344,7 @@ def test_a_double_root_lies_within_twice_its_parts_and_half_its_digits(
     low, high = held.ends(one)
     width = 2 * math.sqrt(abs(square)) + 3 * 2.0**-64
     for off in (middle - low, high - middle):
-        assert float(off) == pytest.approx(width, rel=1e-6)
+        assert float(off) == pytest.approx(width, rel=1e-6, abs=0.0)
 
 
 def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:

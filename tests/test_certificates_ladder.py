@@ -330,7 +330,7 @@ def test_roots_that_share_an_interval_are_undecided(monkeypatch: pytest.MonkeyPa
 
 
 @pytest.mark.parametrize("middle", [3, -3])
-@pytest.mark.parametrize("square", [Fraction(1, 2**100), -Fraction(1, 2**100), Fraction(1, 2**200), Fraction(1, 2**140)])
+@pytest.mark.parametrize("square", [Fraction(1, 2**100), -Fraction(1, 2**100), Fraction(1, 2**120), Fraction(0)])
 def test_a_double_root_lies_within_twice_its_parts_and_half_its_digits(
     monkeypatch: pytest.MonkeyPatch, held: Arithmetic, middle: int, square: Fraction
 ) -> None:

@@ -16,8 +16,8 @@ import numpy as np
 from flint import acb_mat, arb, arb_mat, ctx
 
 from ..dynamics.field import Field, Mode
+from ..exact.methods import Functions
 from .ball_flow import Balls, NotProved, polynomial, solution
-from .jets import Functions
 from .sprag import SPRAG
 
 #: Models whose cycles can be proved, by name.

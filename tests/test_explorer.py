@@ -368,6 +368,7 @@ def test_keyboard_only(explorer: Explorer) -> None:
     page.focus("#point")
     for _ in range(4):
         page.keyboard.press("Shift+ArrowRight")
+    explorer.settle()
     assert explorer.point()["theta0_deg"] == pytest.approx(50)
     assert "jumped" in explorer.says()
     assert "50 degrees" in page.get_attribute("#point", "aria-valuetext")
@@ -432,7 +433,7 @@ def test_the_surface_is_drawn(browser: Any, url: str) -> None:
     explorer.open()
     explorer.page.wait_for_timeout(1000)
     assert explorer.errors == []
-    picture = explorer.page.locator("#space canvas").screenshot()
+    picture = explorer.page.locator("#space canvas[role=img]").screenshot()
     explorer.page.close()
     image = pytest.importorskip("PIL.Image", reason="Pillow is not installed")
     colours = image.open(io.BytesIO(picture)).convert("RGB").getcolors(1 << 24)

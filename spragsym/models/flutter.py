@@ -225,7 +225,8 @@ def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part]) 
     """All parts in one result."""
     first, roots = parts[0].found, [part.found.roots for part in parts]
     every = Roots(
-        *(np.concatenate([getattr(one, name) for one in roots], axis=2) for name in ("ends", "alone")),
+        np.concatenate([one.ends for one in roots], axis=2),
+        np.concatenate([one.alone for one in roots], axis=2),
         np.concatenate([one.point for one in roots]),
         np.concatenate([one.left for one in roots], axis=2),
         np.concatenate([one.left_point for one in roots]),

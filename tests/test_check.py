@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import random
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cache
 
@@ -28,8 +28,8 @@ PRINTED = {entry.id: entry for entry in article.PRINTED}
 
 
 @pytest.fixture(scope="module")
-def rows() -> dict[str, Row]:
-    return {row.id: row for row in check.run()}
+def rows(once: Callable[[str, Callable[[], list[Row]]], list[Row]]) -> dict[str, Row]:
+    return {row.id: row for row in once("check", check.run)}
 
 
 @cache

@@ -11,6 +11,7 @@ EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt
 DERIVE := $(VENV)/.derive
 TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
+ALL := $(VENV)/.all
 SOURCES := pyproject.toml constraints.txt Makefile
 # The compiled solver is made of these.
 COMPILED := spragsym/statics/_compiled.c spragsym/dynamics/_carried.c generated/c/spragsym.c generated/c/spragsym.h
@@ -26,10 +27,11 @@ CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --error-exitcode=1 --std=c
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 
-.PHONY: help derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
+.PHONY: help install derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
+	@echo "make install       set up .venv with all extras, for use without the tests"
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the tests, without those marked thorough"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
@@ -60,6 +62,10 @@ $(DERIVE): $(SOURCES) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[derive]'
 	@touch $@
 
+$(ALL): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
+	@$(EDIT) '.[all]'
+	@touch $@ $(DERIVE)
+
 $(TEST): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,test]'
 	@touch $@ $(DERIVE)
@@ -67,6 +73,9 @@ $(TEST): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 $(DOCS): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,docs]'
 	@touch $@
+
+install: $(ALL)
+	@echo "now: . $(BIN)/activate && spragsym --help"
 
 derive: $(DERIVE)
 	$(BIN)/python -m derive

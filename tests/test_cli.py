@@ -109,6 +109,18 @@ def test_check_prints_every_row(capsys: pytest.CaptureFixture[str]) -> None:
     assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
 
 
+@pytest.mark.usefixtures("checked")
+def test_check_of_single_rows(capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke("check", "--row", "eq-9", "--row", "def-", "--json") == DONE
+    rows = [row["id"] for row in json.loads(capsys.readouterr().out)]
+    assert "eq-9" in rows
+    assert len(rows) > 3
+    assert all(row == "eq-9" or row.startswith("def-") for row in rows)
+    for row, remedy in (("eq-99", "eq-9"), ("fig-7", "--claims")):
+        assert invoke("check", "--row", row) == USAGE
+        assert remedy in capsys.readouterr().err
+
+
 def test_check_fails_where_a_row_is_not_as_recorded(
     checked: list[Any], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -4,6 +4,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+# An extension that can't be compiled is left out, and pip is silent about it.
+SAY_COMPILED := $(BIN)/python .ci/compiled.py
 # A path to the tree, not a finder: a finder is asked last, after a folder named spragsym beside the script, as a clone is.
 EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt -e
 
@@ -64,14 +66,17 @@ $(DERIVE): $(SOURCES) | $(VENV)/.made $(LINKS)
 
 $(ALL): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all]'
+	@$(SAY_COMPILED)
 	@touch $@ $(DERIVE)
 
 $(TEST): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,test]'
+	@$(SAY_COMPILED)
 	@touch $@ $(DERIVE)
 
 $(DOCS): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,docs]'
+	@$(SAY_COMPILED)
 	@touch $@
 
 install: $(ALL)

@@ -14,7 +14,7 @@ from ..parameters import FloatArray
 from .course import Course
 from .field import GAP, Border, Field
 from .lobatto import unit_points
-from .problem import Event, Problem, event_at, initial_mode, is_inside, out_of_range, too_many_steps
+from .problem import Event, Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
@@ -113,7 +113,8 @@ class Compiled:
             raise out_of_range()
         if outcome != hy.taylor_outcome.time_limit:
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
-        if not is_inside(problem, tuple(int(value) for value in solver.pars[self.modes]), solver.state):
+        mode = tuple(int(value) for value in solver.pars[self.modes])
+        if not problem.field.is_inside(solver.state[: 2 * self.n].tolist(), problem.constants, mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
 

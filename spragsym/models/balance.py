@@ -14,6 +14,9 @@ from ..exact.interval_functions import cos, sin
 from .directions import direction
 from .laws import XP
 
+#: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
+NOTHING = 1e-290
+
 
 class Model(Protocol):
     """What is needed of a model: generated modules, and what its page says."""
@@ -84,10 +87,13 @@ class Balance:
 
     # ---------------------------------------------------------------------------------------------- forces
 
-    def directions(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[Any]:
-        """Cosine, sine and length of every spring."""
+    def directions(
+        self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], upright: Sequence[int] = ()
+    ) -> list[Any]:
+        """Cosine, sine and length of every spring; those that are known to be ``upright`` have dx = 0."""
         rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
-        return [part for dx, dy, _ in rows for part in direction(dx, dy, shape)]
+        steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
+        return [part for dx, dy in steps for part in direction(dx, dy, shape)]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """A function of ``statics`` that has the arguments of ``forces``."""
@@ -103,9 +109,7 @@ class Balance:
         """M of the kinetic energy."""
         return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
 
-    def damping(
-        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None
-    ) -> Any:
+    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None) -> Any:
         """C of dampers and of the slope of the friction law."""
         function = undecorated(self.model.linearization.damping)
         return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=XP)
@@ -117,6 +121,11 @@ class Balance:
     def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """The gap of the contact."""
         return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=XP)
+
+    def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+        """The image of a state in the model's mirror."""
+        image: Sequence[Any] = undecorated(self.model.statics.mirror)(*q, *self._listed(values, "statics"), xp=XP)
+        return image
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces over boxes, shape (n, N)."""

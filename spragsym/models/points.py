@@ -98,7 +98,13 @@ def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float,
 
 
 def search(
-    balance: Balance, vary: Sequence[str], condition: Condition, given: FloatArray, spans: FloatArray, *, budget: int | None = None
+    balance: Balance,
+    vary: Sequence[str],
+    condition: Condition,
+    given: FloatArray,
+    spans: FloatArray,
+    *,
+    budget: int | None = None,
 ) -> Found:
     """All points of a kind.
 

@@ -338,6 +338,35 @@ def test_path_is_the_articles_with_its_jump():
     assert abs(found.jumps[0].after["x"] - known.jumps[0].x_after) < 1e-2
 
 
+def same_path(vary, values, start, **changes):
+    """A path through the general way and the article's."""
+    known = ss.quasi_static_path(ss.Parameters.article(**changes), vary, values, start=start)
+    p = model("kang_nam").Parameters(**{"theta0": 1.0, **changes})
+    found = model("kang_nam").quasi_static_path(p, vary, values, start=start)
+    assert np.allclose(found.x, known.x, atol=1e-9)
+    assert (found.stability == known.stability).all()
+    assert np.allclose([jump.value for jump in found.jumps], [jump.value for jump in known.jumps], atol=1e-12)
+    return found
+
+
+@pytest.mark.parametrize("start", ["small", "large"])
+def test_a_value_on_a_fold_is_the_fold_not_passed_yet(start):
+    # The state that arrives at the fold is the one in which two have met; the jump comes beyond it.
+    fold = model("kang_nam").folds(model("kang_nam").Parameters(theta0=1.0, mu0=0.7), "theta0").theta0[0]
+    for values in ([0.3, fold, 1.2], [fold, fold + 0.1], [fold - 0.1, fold - 1e-10, fold + 1e-10]):
+        same_path("theta0", values, start, mu0=0.7)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_nothing_jumps_at_a_pitchfork(way):
+    found = same_path("theta0", np.radians([60.0, 80.0, 90.0, 100.0, 110.0])[::way], "large", mu0=0.0, alpha=0.0)
+    assert not found.jumps
+
+
+def test_a_path_of_one_value():
+    assert same_path("theta0", [1.0], "small").x.shape == (1,)
+
+
 def test_path_errors_name_the_remedy():
     p = model("kang_nam").Parameters(theta0=1.0)
     with pytest.raises(ss.ParameterError, match="do not go one way"):

@@ -3,9 +3,9 @@
 Without friction and without a spring along the belt the article's model is one, and its equilibria meet at pitchforks. There the
 forces and det K have no regular root, so that a search over boxes stays undecided around it. The mirror decides it:
 
-- a state on the mirror has K in two blocks, since turned rows are odd and the others even in the turned coordinates. The pitchfork
-  is a regular root of the even rows of the balance and of the determinant of the turned block, in the even coordinates and the
-  parameter;
+- a state on the mirror has K in two blocks, since turned rows are odd and the others even in the turned coordinates. The
+  pitchfork is a regular root of the even rows of the balance and of the determinant of the turned block, in the even coordinates
+  and the parameter;
 - near it the balance comes down to one function g of one coordinate u, odd about the mirror, whose third derivative is not 0 all
   over a box that is its own image. Then the box holds no other fold: g would have a double root on either side and one on the
   mirror, five in all, and so its third derivative two.
@@ -51,7 +51,7 @@ class Pitchforks:
 
 
 def turned(balance: Balance, given: FloatArray, span: FloatArray) -> list[int]:
-    """Numbers of the coordinates that the mirror turns, if the model is its own image; NaN stands for the parameter of the range."""
+    """Numbers of the coordinates that the mirror turns, if the model is its own image; NaN stands for what has a range."""
     about = balance.model.about["mirror"]
     low, high = (np.where(np.isnan(given), end, given) for end in span)
     with np.errstate(all="ignore"):

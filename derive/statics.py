@@ -65,6 +65,8 @@ def module(model: Mechanics) -> Module:
                      tuple(map(mirror.image, model.coordinates)), "image"),
             function("friction_at_rest", "The friction coefficient at steady sliding.", model.arguments,
                      friction, "mu"),
+            function("friction_at_speed", "The friction coefficient at the belt's speed: of a motion that has come to rest.",
+                     model.arguments, laws.friction_at_speed(model), "mu"),
             function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
                      tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
                      "(∂mu/∂p_1, …)"),

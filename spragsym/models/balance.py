@@ -39,8 +39,10 @@ class Balance:
     generated functions, once for each node of the tree of points.
     """
 
-    def __init__(self, model: Model, contact: bool) -> None:
+    def __init__(self, model: Model, contact: bool, law: str = "friction_at_rest") -> None:
         about = model.about
+        #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
+        self.law = law
         self.model, self.contact = model, contact
         self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
         self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
@@ -103,7 +105,7 @@ class Balance:
 
     def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The friction coefficient at steady sliding."""
-        return undecorated(self.model.statics.friction_at_rest)(*self._listed(values, "motion"), xp=xp)
+        return undecorated(getattr(self.model.statics, self.law))(*self._listed(values, "motion"), xp=xp)
 
     def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """M of the kinetic energy."""

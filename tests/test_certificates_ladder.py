@@ -16,6 +16,7 @@ import spragsym as ss
 from benchmarks import reference
 from benchmarks.families import FAMILIES
 from spragsym.catastrophe import fold_proofs
+from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
@@ -360,7 +361,7 @@ def test_an_error_is_over_the_smallest_value_that_it_may_be_of(
     given = [held.exact(Fraction(value)) for value in (1, 1, -1)]
     given[place] = held.between(*map(Fraction, ends))
     [state] = _states(monkeypatch, held, given, digits=0)
-    assert error <= _fraction(state.error) <= error * (1 + Fraction(1, 10**6))
+    assert error <= as_fraction(state.error) <= error * (1 + Fraction(1, 10**6))
 
 
 def _states(monkeypatch: pytest.MonkeyPatch, arith: Arithmetic, given: list[Any], digits: int, fold: bool = False) -> Any:

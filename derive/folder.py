@@ -149,6 +149,7 @@ def description(model: Model) -> dict[str, Any]:
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
         },
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        "dampers": bool(it.page.dampers),
         "equations": equations.equations(it),
         "layers": len(laws.layers(it)),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],

@@ -57,6 +57,12 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
+def slope_at_rest(model: Mechanics) -> sp.Expr:
+    """dμ/dv at steady sliding."""
+    ahead, _ = _sides(model)
+    return sp.factor_terms(sp.diff(ahead, _SLIP).subs(_SLIP, model.belt))
+
+
 def friction_at_rest(model: Mechanics) -> sp.Expr:
     """What μ is in the statics: the limit of the law that the page names, or the law at the belt's speed."""
     sliding = model.page.sliding

@@ -49,14 +49,14 @@ def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
 def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: bool) -> None:
     """Counts, kinds and errors within the bounds of both, against the ladder's digits; and most points are vouched for."""
     p, found = everything[contact]
-    assert np.mean(found.status == 0) > 0.7
+    assert np.mean(found.status == 0) > 0.999
     assert languages.against_python(found, p, contact).wrong == 0
     assert 0 < languages.against_python(found, p, contact).largest <= 1
 
 
 @pytest.mark.skipif(c_target.compiler() is None, reason="no C compiler on this machine")
 def test_every_bit_is_that_of_c(everything: Any) -> None:
-    """Statuses, counts, states and bounds of what is vouched for: one kernel, no operation of it different."""
+    """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
     library = c_target.build(str(c_target.compiler()), ("-O1",))
     for contact, (p, found) in everything.items():
         assert not languages.unlike_c(found, library, p, contact).any()

@@ -29,9 +29,9 @@ from .shooting import (
     Guess,
     Loop,
     at_rest_along,
-    divided,
     growth,
     looped,
+    recut,
     solved,
 )
 
@@ -174,18 +174,16 @@ def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
 def refined(loop: Loop, fly: Fly) -> Loop:
     """The same orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
     field, size = loop.field, loop.field.size
-    top = _top(loop)
-    guess = Guess(top[None], loop.guess.period, loop.guess.values)
-    pieces = len(loop.guess.states)
+    begin, pieces, known = _top(loop), len(loop.guess.states), loop
     while True:
-        cut = divided(field, fly, guess, pieces)
+        cut = recut(known, fly, pieces, begin)
         try:
             found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=7, precision=1e-15)
         except ConvergenceError:
             found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
             return found
-        pieces *= 2
+        pieces, known, begin = 2 * pieces, found, 0.0
 
 
 def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
@@ -223,18 +221,17 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
     return loop
 
 
-def _top(loop: Loop) -> FloatArray:
-    """The state where the first coordinate is largest, and among several the one farthest along the second."""
+def _top(loop: Loop) -> float:
+    """When the first coordinate is largest, and among several such times the one at which the second is."""
     n, first = len(loop.field.coordinates), loop.guess.states[0]
-    highest = [turn.state for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    highest = [(turn.state, turn.t) for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
     if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
-        highest.append(first)
-    most = max(float(state[0]) for state in highest)
-    state = max(
-        (state for state in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda state: float(state[1])
-    ).copy()
-    state[n] = 0.0
-    return state
+        highest.append((first, 0.0))
+    most = max(float(state[0]) for state, _ in highest)
+    _, begin = max(
+        ((state, t) for state, t in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda pair: float(pair[0][1])
+    )
+    return begin
 
 
 def _events(loop: Loop) -> Events:

@@ -218,6 +218,22 @@ def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
     return Guess(np.array(states), guess.period, guess.values)
 
 
+def recut(loop: Loop, fly: Fly, pieces: int, begin: float = 0.0) -> Guess:
+    """A closed loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest one before it.
+
+    Carried once around from one state, the error of a strongly unstable orbit would grow beyond Newton's reach.
+    """
+    guess, none, states = loop.guess, np.zeros((2, len(loop.field.parameters))), []
+    stretch = guess.period / len(guess.states)
+    for i in range(pieces):
+        t = (begin + i * guess.period / pieces) % guess.period
+        which = min(int(t / stretch), len(guess.states) - 1)
+        left = t - which * stretch
+        start = guess.states[which]
+        states.append(fly(start, loop.constants, left, none).state if left > 1e-14 * stretch else start)
+    return Guess(np.array(states), guess.period, guess.values)
+
+
 def extent(loop: Loop) -> float:
     """How far apart the turns of an orbit are: the largest of all components."""
     states = [*(turn.state for turn in loop.turns()), *loop.guess.states]

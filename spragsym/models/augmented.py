@@ -61,6 +61,10 @@ class State:
         """C: dampers and slope of the friction law."""
         return [list(row) for row in self.balance.damping(self.q, self.directions, self.values)]
 
+    def slope(self) -> Any:
+        """Slope of the friction law."""
+        return self.balance.slope(self.values)
+
 
 class Augmented:
     """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""

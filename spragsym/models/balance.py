@@ -91,18 +91,26 @@ class Balance:
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """A function of ``statics`` that has the arguments of ``forces``."""
-        mu = undecorated(self.model.statics.friction_at_rest)(*self._listed(values, "motion"), xp=xp)
+        mu = self.friction(values, xp)
         function = undecorated(getattr(self.model.statics, name))
         return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
+
+    def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
+        """The friction coefficient at steady sliding."""
+        return undecorated(self.model.statics.friction_at_rest)(*self._listed(values, "motion"), xp=xp)
 
     def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """M of the kinetic energy."""
         return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
 
-    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any]) -> Any:
+    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None) -> Any:
         """C of dampers and of the slope of the friction law."""
         function = undecorated(self.model.linearization.damping)
-        return function(*q, *directions, *self._listed(values, "motion"), self.pushing, xp=XP)
+        return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=XP)
+
+    def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
+        """Slope of the friction law at steady sliding."""
+        return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
 
     def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """The gap of the contact."""

@@ -124,6 +124,9 @@ def columns(p: Any, names: list[str]) -> FloatArray:
 def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool]:
     """The roots of all points, the region of each and whether it holds all."""
     around, whole = region(balance, Intervals.point(given))
+    if not given.shape[1]:
+        none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
+        return Roots(none, none, nowhere, none, nowhere), around, whole
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
     return settled(balance, given, around, found), around, whole

@@ -18,8 +18,8 @@ from .augmented import Augmented, Condition
 from .balance import Balance, Model
 from .regions import region
 
-#: Boxes looked at for one search.
-BUDGET = 200_000
+#: Boxes looked at for one search of up to three unknowns, and of more.
+BUDGET, LARGE_BUDGET = 200_000, 1_000_000
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
 FAR = 10.0
 
@@ -98,7 +98,13 @@ def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float,
 
 
 def search(
-    balance: Balance, vary: Sequence[str], condition: Condition, given: FloatArray, spans: FloatArray, *, budget: int = BUDGET
+    balance: Balance,
+    vary: Sequence[str],
+    condition: Condition,
+    given: FloatArray,
+    spans: FloatArray,
+    *,
+    budget: int | None = None,
 ) -> Found:
     """All points of a kind.
 
@@ -108,6 +114,8 @@ def search(
         Shape (parameters, points); rows of parameters that vary are not used.
     spans : ndarray
         Their ranges, shape (number, 2).
+    budget : int, optional
+        Boxes looked at for one point.
     """
     places = [balance.parameters.index(name) for name in vary]
     low, high = given.copy(), given.copy()
@@ -119,6 +127,8 @@ def search(
     system = Augmented(balance, vary, condition)
     fixed = given.copy()
     fixed[places] = spans[:, :1]
+    if budget is None:
+        budget = BUDGET if system.n <= 3 else LARGE_BUDGET
     outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
     return Found(certified_roots.roots(system, outcome, around, fixed, fixed), around, whole)
 

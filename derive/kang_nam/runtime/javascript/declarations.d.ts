@@ -41,7 +41,7 @@ export interface State {
   error: number;
 }
 
-/** What double precision says about a point. */
+/** What double precision, and where that is not enough double-double arithmetic, says about a point. */
 export type Status = "ok" | "uncertain" | "out_of_range";
 
 export interface Equilibria {

@@ -235,9 +235,9 @@ export function start(solver) {
   open();
 }
 
-/** Stiff supports need short steps: a share of the shortest period that they may give. */
+/** Stiff supports and steep creep need short steps: a share of the shortest period or time constant that they may give. */
 function fieldOf(motion, point, drive) {
-  const { alpha, beta, sigma } = point;
-  const fastest = Math.sqrt(Math.max(1, alpha + sigma, 1 + beta + sigma));
-  return { ...motion(point, drive), pieces: (state, time, longest) => Math.ceil((time / longest) * fastest) };
+  const { alpha, beta, sigma, mu0, kappa } = point;
+  const fastest = Math.max(Math.sqrt(Math.max(1, alpha + sigma, 1 + beta + sigma)), 0.02 * mu0 * drive.d * Math.max(kappa, 0.02));
+  return { ...motion(point, drive), pieces: (state, time, longest) => Math.min(1000, Math.ceil((time / longest) * fastest)) };
 }

@@ -8,6 +8,8 @@ const [SCALE, LEFT, FLOOR] = [150, 300, 250];
 const [WIDTH, HEIGHT] = [64, 44]; // of the mass
 const ARROWS = [["spring", "S"], ["preload", "κ"], ["normal", "n"], ["friction", "μ₀n"]];
 
+/** The drawing's size, and how much of it is above and below the floor. */
+const [BROAD, TALL, TOP] = [640, 300, 20];
 const at = (x, y) => [LEFT + SCALE * x, FLOOR - SCALE * y];
 
 function part(parent, name, attributes = {}) {
@@ -33,12 +35,12 @@ function coil([x1, y1], [x2, y2], turns = 9, width = 7) {
 
 /** `on.anchor(angle, number)` and `on.mass(x, y, done)` are called as they are dragged; `count` springs lean on the mass. */
 export function createMechanism(box, on, count = 1) {
-  const svg = part(box, "svg", { viewBox: "0 20 640 300", role: "group", "aria-label": "The mechanism: a mass on a moving belt, leaned on by an inclined spring" });
+  const svg = part(box, "svg", { viewBox: `0 ${TOP} ${BROAD} ${TALL}`, role: "group", "aria-label": "The mechanism: a mass on a moving belt, leaned on by an inclined spring" });
   const defs = part(svg, "defs");
   const tip = part(defs, "marker", { id: "tip", viewBox: "0 0 8 8", refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: "auto-start-reverse" });
   part(tip, "path", { d: "M0,0 L8,4 L0,8 z", class: "tip" });
   const floor = FLOOR + HEIGHT / 2;
-  part(svg, "rect", { x: 0, y: floor, width: 640, height: 18, class: "belt" });
+  part(svg, "rect", { x: -BROAD, y: floor, width: 4 * BROAD, height: 18, class: "belt" });
   const marks = part(svg, "path", { class: "marks", d: "" });
   const speed = part(svg, "text", { x: 560, y: floor + 40, class: "note" });
   speed.textContent = "belt →";
@@ -65,6 +67,7 @@ export function createMechanism(box, on, count = 1) {
   const legend = part(svg, "text", { x: 12, y: 44, class: "note" });
 
   let now = { x: 0, y: 0, pins: [] };
+  let zoom = 1;
 
   function place(event) {
     const matrix = svg.getScreenCTM().inverse();
@@ -118,6 +121,7 @@ export function createMechanism(box, on, count = 1) {
   function draw({ to, x, y, ties, others = [], forces = null, note = "", kind = "" }) {
     now = { x, y, pins: to };
     const centre = at(x, y);
+    fit(centre, kind === "off" || note.startsWith("in motion") ? zoom : 1);
     to.forEach((pin, i) => anchored(pins[i], pin, centre));
     mass.setAttribute("aria-valuetext", `x ${written(x, 4)}, y ${written(y, 4)}`);
     mass.setAttribute("class", `mass ${kind}`);
@@ -134,6 +138,16 @@ export function createMechanism(box, on, count = 1) {
       part(ghosts, "rect", { x: gx - WIDTH / 2, y: gy - HEIGHT / 2, width: WIDTH, height: HEIGHT, rx: 4, class: `ghost ${state.stability}` });
     });
     push(forces, centre);
+  }
+
+  /** Shows more of the surroundings where the mass is beyond them, by no less than `least`; the floor stays at the bottom. */
+  function fit([x, y], least) {
+    const wanted = Math.max(least, (LEFT + WIDTH - x) / LEFT, (x + WIDTH - LEFT) / (BROAD - LEFT), (FLOOR + HEIGHT - y) / (FLOOR - TOP));
+    const next = Number.isFinite(wanted) ? Math.min(20, wanted > 1 ? Math.ceil(4 * wanted) / 4 : 1) : 1;
+    if (next !== zoom) {
+      zoom = next;
+      svg.setAttribute("viewBox", `${LEFT - LEFT * zoom} ${FLOOR + (TALL + TOP - FLOOR) - TALL * zoom} ${BROAD * zoom} ${TALL * zoom}`);
+    }
   }
 
   /** One anchor with its spring, its angle where it has one, and the unloaded spring. */
@@ -176,7 +190,7 @@ export function createMechanism(box, on, count = 1) {
   /** The belt by how far it has run. */
   function roll(way) {
     const shift = (((way * SCALE) % 32) + 32) % 32;
-    marks.setAttribute("d", Array.from({ length: 22 }, (_, i) => `M${i * 32 - 32 + shift},${floor + 3} l8,12`).join(" "));
+    marks.setAttribute("d", Array.from({ length: 82 }, (_, i) => `M${i * 32 - BROAD - 32 + shift},${floor + 3} l8,12`).join(" "));
   }
   roll(0);
   return { draw, roll };

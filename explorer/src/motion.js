@@ -7,7 +7,7 @@ const STEP = 0.05;
 const BUDGET = 10;
 
 /**
- * `on.sample(t, state, regime)` for each sample, `on.frame(t, state)` for each picture, `on.stop(message)` where it can't go on.
+ * `on.sample(t, state, regime)` for each sample, `on.frame(t, state)` for each picture, `on.stop()` where it can't go on.
  * A field that is set has `regime(state)`, `step(state, h)` and `pieces(state, time, longest)`, into how many steps it cuts a time.
  */
 export function createMotion(on) {
@@ -46,9 +46,9 @@ export function createMotion(on) {
         advance();
         debt -= SAMPLE;
       }
-    } catch (error) {
+    } catch {
       running = false;
-      on.stop(error.message);
+      on.stop();
       return;
     }
     on.frame(t, state, run.regime(state));

@@ -8,6 +8,7 @@ import { parsed, typed } from "./numbers.js";
 const $ = (id) => document.getElementById(id);
 /** Pictures between two drawings of the charts, and of the spectrum among them. */
 const [EVERY, SPECTRUM] = [2, 16];
+const STOPPED = "The motion can't go on from here: a spring has no length, or the numbers leave double precision. Choose another start.";
 
 /**
  * `names` are the coordinates, `further` more numbers that a motion begins with, each `{ id, symbol, meaning, range }`, `units` as
@@ -23,7 +24,7 @@ export function createPanel(names, further, units, on) {
   ];
   const asides = [];
   let [moving, frames, begun] = [false, 0, false];
-  const motion = createMotion({ sample: charts.add, frame: moved, stop: (message) => { $("motion_says").textContent = message; buttons(); } });
+  const motion = createMotion({ sample: charts.add, frame: moved, stop: () => { $("motion_says").textContent = STOPPED; buttons(); } });
   [...starts, ...further].forEach(({ id, symbol, meaning, value }) => {
     const label = document.createElement("label");
     label.innerHTML = `${symbol} <input id="${id}" type="text" inputmode="decimal" autocomplete="off" aria-label="${meaning}">`;
@@ -74,8 +75,13 @@ export function createPanel(names, further, units, on) {
     motion.set(on.field(numbers));
     charts.clear();
     [moving, begun] = [true, true];
-    motion.start(from);
-    motion.play();
+    $("motion_says").textContent = "";
+    try {
+      motion.start(from);
+      motion.play();
+    } catch {
+      $("motion_says").textContent = STOPPED;
+    }
     on.begun(numbers);
     buttons();
   }

@@ -55,12 +55,19 @@ export function createStates(table, store, algebra, units = { length: [1, ""], f
   };
 }
 
+const SYMBOLS = { theta0: "θ₀", mu0: "μ₀", kappa: "κ", alpha: "α", sigma: "σ", beta: "β" };
+
+/** Parameters with their values, as words. */
+function placed(fold) {
+  return Object.entries(fold).map(([name, value]) => `${SYMBOLS[name]} = ${name === "theta0" ? `${written(degrees(value), 4)}°` : written(value, 4)}`).join(", ");
+}
+
 /** What a reader should know now, in a few words. */
 export function story({ point, theta, decided, found, last, jumps }, [long, length] = [1, ""]) {
   const state = current({ found, theta });
   if (!decided) {
     const last = theta === null ? "" : ` The mass stays at its last decided state, θ = ${written(degrees(theta), 4)}°.`;
-    return `Undecided here: double precision can't tell the states apart, as close to a fold.${last}`;
+    return `Undecided here: double precision can't tell the states apart, as on a fold.${last}`;
   }
   if (!state) {
     return "No state in contact with the belt: see the motion below.";
@@ -68,7 +75,7 @@ export function story({ point, theta, decided, found, last, jumps }, [long, leng
   const where = Math.abs(state.theta - point.theta0) < 0.35 ? "hardly moved" : "swept along by the belt";
   const kind = state.stability === "flutter" ? "; it flutters, so the motion below swings up" : "";
   const jump = last
-    ? ` It jumped from θ = ${written(degrees(last.from), 4)}° to ${written(degrees(last.to), 4)}° when the point crossed the fold at θ₀ = ${written(degrees(last.theta0), 4)}°, μ₀ = ${written(last.mu0, 4)}.`
+    ? ` It jumped from θ = ${written(degrees(last.from), 4)}° to ${written(degrees(last.to), 4)}° when the point crossed the fold at ${placed(last.fold)}.`
     : "";
   const more = jumps > 1 ? ` ${jumps} jumps on this path.` : "";
   return `${found.contact.count} ${found.contact.count === 1 ? "state" : "states"} in contact. The mass is ${where}: θ = ${written(degrees(state.theta), 4)}°, x = ${written(long * state.x, 4)}${length && ` ${length}`}${kind}.${jump}${more}`;

@@ -28,10 +28,10 @@ ARTICLE_MODEL = "kang_nam"
 @click.command()
 @click.option(
     "--out",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=click.Path(path_type=Path),
     default=Path("explorer.html"),
     show_default=True,
-    help="File to write.",
+    help="File to write; a name without an ending gets .html, and in a folder it is explorer.html.",
 )
 @click.option(
     "--data",
@@ -69,6 +69,7 @@ def explore(out: Path, data: Path | None, model: str | None, unopened: bool, for
     study = None if data is None else _study(data, model)
     name = study.model if study is not None else model or ARTICLE_MODEL
     text = _article(study) if name == ARTICLE_MODEL else _other(name, study)
+    out = _page_name(out)
     if not holds(out, text):
         refuse([out], force)
         out.parent.mkdir(parents=True, exist_ok=True)
@@ -79,7 +80,14 @@ def explore(out: Path, data: Path | None, model: str | None, unopened: bool, for
     if _has_display():
         webbrowser.open(out.resolve().as_uri())
     else:
-        click.echo("there is no display; open the file in a browser", err=True)
+        click.echo(f"there is no display; open {out} in a browser", err=True)
+
+
+def _page_name(out: Path) -> Path:
+    """A file that browsers take for a page: they go by its ending."""
+    if out.is_dir():
+        return out / "explorer.html"
+    return out if out.suffix else out.with_name(f"{out.name}.html")
 
 
 def _study(path: Path, model: str | None) -> Study:

@@ -234,6 +234,8 @@ export function start({ algebra }) {
       const states = search(at({ ...presets[0].point, ...point }), about).filter((state) => state.contact === contact);
       return { status: "searched", count: states.length, states: states.map(({ q, stability }) => ({ ...Object.fromEntries(q.map((value, i) => [names[i], value])), stability })) };
     },
+    /** The motion at a point: `regime(state)` and `step(state, h)`. */
+    motion: (point) => { const whole = { ...presets[0].point, ...point }; return fieldOf(algebra, about, at(whole)); },
   });
   const redraw = () => { along.resize(); panel.resize(); };
   new ResizeObserver(redraw).observe($("page"));

@@ -499,7 +499,7 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
     flint = pytest.importorskip("flint")
     from spragsym.cycles import ball_flow, ball_proof
-    from spragsym.cycles.jets import Functions
+    from spragsym.exact.methods import Functions
 
     fly, _ = carrier(SPRAG, None)
     none = np.zeros((2, 8))

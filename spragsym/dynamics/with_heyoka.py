@@ -14,7 +14,7 @@ from ..parameters import FloatArray
 from .course import Course
 from .field import GAP, Border, Field, Mode
 from .lobatto import unit_points
-from .problem import Event, Problem, event_at, initial_mode, is_inside, out_of_range, too_many_steps
+from .problem import Event, Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
@@ -120,7 +120,7 @@ class Compiled:
             if outcome == hy.taylor_outcome.err_nf_state:
                 raise out_of_range()
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
-        if not is_inside(problem, self.mode, self.state):
+        if not problem.field.is_inside(self.state[: 2 * self.n].tolist(), problem.constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
 

@@ -17,7 +17,7 @@ from ..dynamics.problem import BELT_SPEED, CREEP, MAX_STEPS, RELATIVE_TOLERANCE,
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record, clear, journal
-from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers
+from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, common_shape
 from . import workers as processes
 from .measure import INPUTS, ProblemOf, Settings, article_problem, article_wells, measured
 from .result import Results, Sweep
@@ -126,7 +126,7 @@ class Plan:
 def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.PathLike[str] | None) -> Sweep:
     """Run a sweep, or go on with one, or load it, if its file is there."""
     inputs, settings, result = plan.inputs, plan.settings, plan.result
-    shape = _common_shape(inputs)
+    shape = common_shape({name: values.shape for name, values in inputs.items()})
     points = _points(inputs, shape)
     if not callable(workers):
         processes.count(workers)  # before there is a journal
@@ -161,14 +161,6 @@ def settings_of(
         raise ParameterError(f"transient = {transient:g} is not below t_end = {t_end:g}; nothing would be left to measure")
     tolerance, steps = as_number("rtol", rtol, RELATIVE_TOLERANCE), as_steps(max_steps)
     return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
-
-
-def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:
-    try:
-        return np.broadcast_shapes(*(values.shape for values in inputs.values()))
-    except ValueError as error:
-        listed = ", ".join(f"{name} {values.shape}" for name, values in inputs.items() if values.shape)
-        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
 
 
 def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple[float, ...]]:

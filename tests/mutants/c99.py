@@ -6,8 +6,6 @@ bound; if it refuses a point that the sound one answers; if it crashes or does n
 
 from __future__ import annotations
 
-import hashlib
-import json
 import os
 import re
 import shutil
@@ -26,6 +24,8 @@ from benchmarks import c_target
 from benchmarks.families import EXTREMES, FAMILIES
 from spragsym.statics import ladder
 
+from .verdicts import Definitions, Journal, report, stamp
+
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "generated" / "c"
 #: What becomes what, outside of comments and declarations; a number is made half as large again, or a third smaller.
@@ -38,8 +38,14 @@ _TOKENS = "|".join(re.escape(token) for token in sorted(_SWAPS, key=len, reverse
 _TOKEN = re.compile(_TOKENS + r"|(?<![\w.\[])\d+\.\d+(?!\w)")
 _FUNCTION = re.compile(r"^(?:INLINE|CLONED|static|spragsym_status)\s[^;{}]*?(\w+)\([^;{}]*\)\s*\{.*?(?:^\}|\}$)", re.M | re.S)
 SECONDS = 20
-#: An index beyond an array ends the process, and what was not written is no 0.
-FLAGS = ("-O1", "-w", "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error", "-ftrivial-auto-var-init=pattern")
+#: What kills: all points at once.
+_JUDGE = "judge"
+#: An index beyond an array ends the process, and what was not written is no 0. Not optimized, for one processor, with functions
+#: that are called: a build takes a sixth of the time, and no result depends on it.
+FLAGS = (
+    "-O0", "-w", "-DSPRAGSYM_ONE_BUILD", "-Dalways_inline=unused", "-fsanitize=bounds", "-fsanitize-undefined-trap-on-error",
+    "-ftrivial-auto-var-init=pattern",
+)  # fmt: skip
 #: Next to folds, three equilibria of which double precision sees one root and a pair that is just not real.
 UNCERTAIN = (
     (1.2583725526692275, 0.9727285282098654, 0.0014415578928869272, 0.027528229942740796, 0.711415357262657, 1.538440875454435),
@@ -72,31 +78,39 @@ def mutants(text: str, functions: list[str]) -> Iterator[tuple[str, int, str]]:
                 yield name, text.count("\n", 0, start) + 1, text[: token.start()] + other + text[token.end() :]
 
 
-def run(subject: dict[str, Any], results: Path, only: list[str]) -> int:
-    """All mutants without a result yet."""
+def run(name: str, subject: dict[str, Any], results: Path, only: set[str], listed: set[str], quick: bool) -> int:
+    """All mutants without a verdict that holds; 1 if one survives that nobody has explained."""
     from .extension import Extension
 
     text = (ROOT / subject["source"]).read_text(encoding="utf-8")
     judge = (Extension if subject.get("extension") else Judge)(40)
-    tool = "".join(
-        Path(sys.modules[one].__file__ or "").read_text(encoding="utf-8") for one in (__name__, type(judge).__module__)
-    )
-    digest = hashlib.sha256((text + tool).encode()).hexdigest()[:16]
-    rows = [json.loads(line) for line in results.read_text("utf-8").splitlines()] if results.exists() else []
-    known = {row["key"] for row in rows if row["digest"] == digest} - set(only)
-    results.write_text("".join(json.dumps(row) + "\n" for row in rows if row["key"] in known), encoding="utf-8")
-    judge.answered = judge.count(text)
-    print(f"{subject['source']}: {judge.answered} answers by the sound build", flush=True)
-    with results.open("a", encoding="utf-8") as out:
-        for key, line, changed in mutants(text, subject["in_c"]):
-            if key in known or (only and key not in only):
-                continue
+    stamps = {
+        _JUDGE: stamp(re.sub(r"/\*.*?\*/", "", text, flags=re.S), *(_text(one) for one in dict.fromkeys((Judge, type(judge)))))
+    }
+    journal = Journal(results / f"{name}.jsonl")
+    every = list(mutants(text, subject["in_c"]))
+
+    def known(key: str) -> bool:
+        return journal.killed(key, stamps) or stamps[_JUDGE] in journal.survived(key)
+
+    waiting = [mutant for mutant in every if (mutant[0] in only if only else not known(mutant[0]))]
+    waiting = [mutant for mutant in waiting if not (quick and mutant[0] in listed)]
+    try:
+        judge.answered = judge.count(text) if waiting else 0
+        print(f"{subject['source']}: {judge.answered} answers by the sound build", flush=True)
+        for key, _, changed in waiting:
             begun = time.monotonic()
-            by = judge.verdict(changed)
-            row = dict(key=key, line=line, killed=bool(by), by=by, seconds=round(time.monotonic() - begun, 2), digest=digest)
-            out.write(json.dumps(row) + "\n")
-            out.flush()
-    return 0
+            why = judge.verdict(changed)
+            journal.add(key, _JUDGE if why else "", stamps.values(), time.monotonic() - begun)
+    finally:
+        keys = {key for key, _, _ in every}
+        killed = {key for key in keys if journal.killed(key, stamps)}
+        left = report(name, {key: line for key, line, _ in every}, killed, set(filter(known, keys)), listed)
+    return min(left, 1)
+
+
+def _text(judge: type) -> str:
+    return Definitions(sys.modules[judge.__module__].__file__ or "").text([judge.__name__, "mutants"])
 
 
 class Judge:
@@ -141,6 +155,7 @@ class Judge:
         pid = os.fork()
         if pid == 0:
             signal.setitimer(signal.ITIMER_PROF, SECONDS)
+            signal.signal(signal.SIGINT, signal.SIG_DFL)
             quiet = os.open(os.devnull, os.O_WRONLY)
             os.dup2(quiet, 2)
             try:
@@ -154,4 +169,6 @@ class Judge:
         _, status = os.waitpid(pid, 0)
         with os.fdopen(read) as answer:
             by = answer.read()
+        if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGINT:
+            raise KeyboardInterrupt
         return by or (f"signal {os.WTERMSIG(status)}" if os.WIFSIGNALED(status) else "")

@@ -269,6 +269,7 @@ def test_the_textbook_period_of_stick_slip() -> None:
     assert 0 < off[1] < off[0] / 3  # it goes with the width of the layer, but for a logarithm
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(not bench_auto.installed(), reason="AUTO-07p, a continuation code by collocation, is not installed")
 def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
     hopf, theirs = bench_auto.by_auto(intervals=30)

@@ -6,6 +6,7 @@ bound; if it refuses a point that the sound one answers; if it crashes or does n
 
 from __future__ import annotations
 
+import ctypes
 import os
 import re
 import shutil
@@ -38,6 +39,15 @@ _TOKENS = "|".join(re.escape(token) for token in sorted(_SWAPS, key=len, reverse
 _TOKEN = re.compile(_TOKENS + r"|(?<![\w.\[])\d+\.\d+(?!\w)")
 _FUNCTION = re.compile(r"^(?:INLINE|CLONED|static|spragsym_status)\s[^;{}]*?(\w+)\([^;{}]*\)\s*\{.*?(?:^\}|\}$)", re.M | re.S)
 SECONDS = 20
+OK, UNSURE, REFUSED, TOO_LARGE = range(4)
+#: What is no parameter: place in the row, and value.
+BAD = (
+    *((0, value) for value in (0.0, -1.0, np.pi, 3.5, np.nan, np.inf)),
+    *((place, value) for place in (1, 3, 5) for value in (-1e-9, -1.0, np.nan, np.inf, -np.inf)),
+    *((place, value) for place in (2, 4) for value in (0.0, -1.0, np.nan, np.inf)),
+)
+#: Parameters whose products double can't carry.
+LARGE = np.array([[1.0, 0.5, 1e200, 1e200, 1e200, 1.0], [1.0, 1e300, 0.1, 1e300, 1e300, 1e300]])
 #: What kills: all points at once.
 _JUDGE = "judge"
 #: An index beyond an array ends the process, and what was not written is no 0. Not optimized, for one processor, with functions
@@ -109,6 +119,94 @@ def run(name: str, subject: dict[str, Any], results: Path, only: set[str], liste
     return min(left, 1)
 
 
+def _filled(points: int) -> c_target.Solved:
+    """Room in which nothing is 0 before."""
+    out = c_target.room(points)
+    for part in (out.equilibria, out.count, out.status):
+        part.view(np.uint8)[...] = 7
+    return out
+
+
+def _leaves_nothing(out: c_target.Solved) -> None:
+    """Beyond the count all is 0; hints ascend in θ, and stand where the mass can be."""
+    for status, count, states in zip(out.status, out.count, out.equilibria, strict=True):
+        if status in (OK, UNSURE):
+            assert not any(state[name] for state in states[count:] for name in states.dtype.names), "beyond the count"
+            assert (np.diff(states["theta"][:count]) >= 0).all(), "order"
+            assert (states["L"][:count] > 0).all(), "length"
+
+
+def _refuses(library: Any, rows: Any, out: c_target.Solved, contact: bool, batch: bool) -> None:
+    """What is no parameter is refused, what double can't carry as well; points beside them are as before."""
+    places = np.arange(len(BAD) + len(LARGE)) * 2
+    some = np.repeat(rows[: len(places)], 2, axis=0)
+    for place, (parameter, value) in zip(places, BAD, strict=False):
+        some[place, parameter] = value
+    some[places[len(BAD) :]] = LARGE
+    again = _filled(len(some))
+    c_target.solve(library, some, again, contact, batch)
+    assert (again.status[places[: len(BAD)]] == REFUSED).all(), "no parameter"
+    assert (again.status[places[len(BAD) :]] == TOO_LARGE).all(), "out of range"
+    assert (again.status[places + 1] == out.status[: len(places)]).all(), "status of neighbours"
+    assert (again.equilibria[places + 1] == out.equilibria[: len(places)]).all(), "neighbours"
+    if batch:
+        assert not again.count[places].any(), "count of what is refused"
+        assert not any(again.equilibria[name][places].any() for name in again.equilibria.dtype.names or ()), "what is refused"
+    at_the_edge = np.array([[1.0, 0.0, 0.1, 0.0, 0.5, 0.0], [np.nextafter(np.pi, 0), 0.5, 0.1, 0.1, 0.5, 0.1]])
+    c_target.solve(library, at_the_edge, again, contact, batch)
+    assert (again.status[:2] != REFUSED).all(), "a parameter at its limit"
+
+
+def _sizes(library: Any, rows: Any, out: c_target.Solved, contact: bool) -> None:
+    """Batches that are full to the last, or by one more or less: the same, the worst status, and nothing beyond the last."""
+    for size in (0, 1, 63, 64, 65, 129, len(rows)):
+        given, again = np.ascontiguousarray(rows[:size]), _filled(size + 1)
+        worst = _batch(library, size, given.ctypes.data, int(contact), *(_pointer(part) for part in _parts(again)))
+        for part, whole in zip(_parts(again), _parts(out), strict=True):
+            assert (part[:size] == whole[:size]).all(), "size"
+            assert (part[size:].view(np.uint8) == 7).all(), "beyond the last"
+        assert worst == max(out.status[:size], default=OK), "worst status"
+
+
+def _pointers(library: Any, rows: Any, contact: bool) -> None:
+    """Without a place to read from or write to, or a regime, nothing is done."""
+    out, model = _filled(1), np.zeros(100)
+    given, model_at, (states, count, status) = rows.ctypes.data, model.ctypes.data, map(_pointer, _parts(out))
+    assert library.spragsym_prepare(_void(given), _void(model_at)) == OK, "prepare"
+    for call in ((None, model_at), (given, None)):
+        assert library.spragsym_prepare(*map(_void, call)) == REFUSED, "prepare without"
+    for at, regime, places in (
+        (None, contact, (states, count)), (model_at, contact, (None, count)), (model_at, contact, (states, None)),
+        (model_at, 2, (states, count)), (model_at, -1, (states, count)),
+    ):  # fmt: skip
+        assert library.spragsym_equilibria(_void(at), ctypes.c_int(regime), *map(_void, places)) == REFUSED, "without"
+    for k in range(4):
+        places = [given, states, count, status]
+        places[k] = None
+        assert _batch(library, 1, places[0], int(contact), *places[1:]) == REFUSED, "batch without"
+        assert _batch(library, 0, places[0], int(contact), *places[1:]) == OK, "batch of nothing"
+    for regime in (2, -1):
+        assert _batch(library, 1, given, regime, states, count, status) == REFUSED, "no regime"
+    assert all((part.view(np.uint8) == 7).all() for part in _parts(out)), "written"
+
+
+def _parts(out: c_target.Solved) -> tuple[Any, ...]:
+    return out.equilibria, out.count, out.status
+
+
+def _pointer(part: Any) -> int:
+    return int(part.ctypes.data)
+
+
+def _void(address: int | None) -> ctypes.c_void_p:
+    return ctypes.c_void_p(address)
+
+
+def _batch(library: Any, size: int, given: int | None, regime: int, *places: int | None) -> int:
+    arguments = ctypes.c_size_t(size), _void(given), ctypes.c_int(regime), *map(_void, places)
+    return int(library.spragsym_equilibria_batch(*arguments))
+
+
 def _text(judge: type) -> str:
     return Definitions(sys.modules[judge.__module__].__file__ or "").text([judge.__name__, "mutants"])
 
@@ -131,12 +229,16 @@ class Judge:
             library = c_target.build(shutil.which("gcc") or "cc", FLAGS, Path(name))
         for contact in (False, True):
             for batch in (False, True):
-                out = c_target.room(len(self.rows))
+                out = _filled(len(self.rows))
                 c_target.solve(library, self.rows, out, contact, batch)
-                good = out.status == 0
-                answered += int(good.sum()) if batch else 0
+                good = out.status == OK
+                answered += int(good.sum())
                 for i in np.flatnonzero(good):
                     self.check(self.truth[contact][i], out.equilibria[i, : out.count[i]])
+                _leaves_nothing(out)
+                _refuses(library, self.rows, out, contact, batch)
+            _sizes(library, self.rows, out, contact)
+            _pointers(library, self.rows, contact)
         return answered
 
     @staticmethod

@@ -21,15 +21,10 @@ from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
 from spragsym.statics import kernel, ladder
+from tests.support import as_fraction
 
 NUMBERS = ("theta", "L", "x", "y")
 BASE = (math.radians(30), 0.5, 0.007, 0.007, 0.1, 0.0)
-
-
-@pytest.fixture(params=["integers", "Arb"])
-def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """Both interval arithmetics."""
-    return intervals.Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
 
 
 def _points(number: int) -> Iterator[tuple[float, ...]]:
@@ -116,11 +111,6 @@ def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(ladder, name, value)
 
 
-def _fraction(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
 @pytest.mark.usefixtures("few_bits")
 def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
     """Both folds of the base values, left and right: the double root, the simple one, and what is stable."""
@@ -139,7 +129,7 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
         for state in (one, two):
             assert state.error < 1e-17
             for name, value in zip(NUMBERS, true, strict=True):
-                assert abs(_fraction(getattr(state, name)) - value) <= _fraction(state.error) * max(1, abs(value))
+                assert abs(as_fraction(getattr(state, name)) - value) <= as_fraction(state.error) * max(1, abs(value))
             assert state.stability == 1
         [other] = [state for state in found.states if state.theta != one.theta]
         assert other.stability == 1
@@ -371,7 +361,7 @@ def test_an_error_is_over_the_smallest_value_that_it_may_be_of(
     given = [held.exact(Fraction(value)) for value in (1, 1, -1)]
     given[place] = held.between(*map(Fraction, ends))
     [state] = _states(monkeypatch, held, given, digits=0)
-    assert error <= _fraction(state.error) <= error * (1 + Fraction(1, 10**6))
+    assert error <= as_fraction(state.error) <= error * (1 + Fraction(1, 10**6))
 
 
 def _states(monkeypatch: pytest.MonkeyPatch, arith: Arithmetic, given: list[Any], digits: int, fold: bool = False) -> Any:

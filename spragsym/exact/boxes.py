@@ -259,7 +259,9 @@ def _halves(pairs: Pairs, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs
     change = slopes.magnitude * widths[None]
     share = (change / change.sum(axis=1, keepdims=True)).sum(axis=0)
     known = np.isfinite(share).all(axis=0)
-    along = np.where(closed, -1.0, np.where(known, share, widths)).argmax(axis=0)
+    # What is as narrow as rounding allows gets no narrower by halving.
+    done = closed | (widths <= NARROW * np.maximum(1.0, np.abs(pairs.ends).max(axis=0)))
+    along = np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0)
     columns = np.arange(len(pairs))
     # Not in the middle, where symmetric systems have their roots.
     low, high = -pairs.ends[0, along, columns], pairs.ends[1, along, columns]

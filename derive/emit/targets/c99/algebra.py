@@ -9,14 +9,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ...function import Function
+from ...function import SPELLED, Function
 from ...quantities import Quantity
 from ...statements import flatten, straight_line
 from ..python.algebra import AlgebraPrinter
 from .layout import broken, comment, plain
 
-#: Names that mean something else in C.
-_NAMES = {"cos": "cos_theta", "sin": "sin_theta"}
 _LARGEST_EXACT = 2**53
 
 
@@ -76,7 +74,7 @@ class Emitted:
 
 def c_name(name: str) -> str:
     """A name of the algebra as C has it."""
-    return _NAMES.get(name, name)
+    return SPELLED.get(name, name)
 
 
 def _name(symbol: sp.Symbol) -> str:

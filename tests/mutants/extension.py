@@ -20,7 +20,7 @@ from spragsym import statics
 from spragsym.statics import compiled
 from spragsym.statics.slots import COLUMNS, Slots
 
-from .c99 import FLAGS, SOURCE, Judge
+from .c99 import FLAGS, LARGE, SOURCE, Judge
 
 #: What is no parameter: place in the row, and value.
 REFUSED = ((0, 4.0), (0, np.nan), (1, -1.0), (2, 0.0), (3, np.inf), (4, -0.1), (5, -1e-9))
@@ -73,7 +73,16 @@ class Extension(Judge):
         out = Slots(len(self.rows), 3)
         left = compiled.solve(changed, True, out, 0, len(self.rows))
         assert np.isin(bad, left).all(), "no parameter"
+        for row, values in zip((1, 2), LARGE, strict=True):
+            for column, value in zip(changed, values, strict=True):
+                column[row] = value
+        out = Slots(len(self.rows), 3)
+        left = compiled.solve(changed, True, out, 0, len(self.rows))
+        assert np.isin([*bad, 1, 2], left).all(), "beyond double precision"
+        assert not out.count[[*bad, 1, 2]].any(), "count of what is refused"
         again = compiled.count(changed, len(self.rows))
+        assert not again[[1, 2]].any(), "number beyond double precision"
+        again[[1, 2]] = counts[[1, 2]]
         assert not again[bad].any(), "number of no parameter"
         assert (np.delete(again, bad) == np.delete(counts, bad)).all(), "neighbours"
 

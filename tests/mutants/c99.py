@@ -7,10 +7,12 @@ bound; if it refuses a point that the sound one answers; if it crashes or does n
 from __future__ import annotations
 
 import ctypes
+import mmap
 import os
 import re
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 import time
@@ -40,6 +42,12 @@ _TOKEN = re.compile(_TOKENS + r"|(?<![\w.\[])\d+\.\d+(?!\w)")
 _FUNCTION = re.compile(r"^(?:INLINE|CLONED|static|spragsym_status)\s[^;{}]*?(\w+)\([^;{}]*\)\s*\{.*?(?:^\}|\}$)", re.M | re.S)
 SECONDS = 20
 OK, UNSURE, REFUSED, TOO_LARGE = range(4)
+#: So far apart that double-double arithmetic is not what its bounds say; and of such numbers double settles none.
+IMMODERATE = (
+    (1.2327756113845494, 4.53e21, 7.32e-53, 6.145e51, 2.6e-32, 1.748e49),
+    (1.7472274646865769, 2.618e-14, 7396.0, 1.605e-07, 1.298e-97, 9.32e-64),
+    (1.3664280351761058, 3.45e90, 1.433e12, 3.5579e34, 1.27e29, 9.49e41),
+)
 #: What is no parameter: place in the row, and value.
 BAD = (
     *((0, value) for value in (0.0, -1.0, np.pi, 3.5, np.nan, np.inf)),
@@ -160,12 +168,26 @@ def _refuses(library: Any, rows: Any, out: c_target.Solved, contact: bool, batch
 def _sizes(library: Any, rows: Any, out: c_target.Solved, contact: bool) -> None:
     """Batches that are full to the last, or by one more or less: the same, the worst status, and nothing beyond the last."""
     for size in (0, 1, 63, 64, 65, 129, len(rows)):
-        given, again = np.ascontiguousarray(rows[:size]), _filled(size + 1)
+        given, again = at_the_end(rows[:size]) if size else rows, _filled(size + 1)
         worst = _batch(library, size, given.ctypes.data, int(contact), *(_pointer(part) for part in _parts(again)))
         for part, whole in zip(_parts(again), _parts(out), strict=True):
             assert (part[:size] == whole[:size]).all(), "size"
             assert (part[size:].view(np.uint8) == 7).all(), "beyond the last"
         assert worst == max(out.status[:size], default=OK), "worst status"
+
+
+def at_the_end(values: Any) -> Any:
+    """A copy that ends at the border of a page that may not be touched."""
+    page = mmap.PAGESIZE
+    pages = -(-values.nbytes // page)
+    memory = mmap.mmap(-1, (pages + 1) * page)
+    start = ctypes.addressof(ctypes.c_char.from_buffer(memory))
+    if ctypes.CDLL(None).mprotect(ctypes.c_void_p(start + pages * page), ctypes.c_size_t(page), 0):
+        raise OSError("mprotect")
+    flat = np.frombuffer(memory, dtype=values.dtype, count=values.size, offset=pages * page - values.nbytes)
+    copy = flat.reshape(values.shape)
+    copy[...] = values
+    return copy
 
 
 def _pointers(library: Any, rows: Any, contact: bool) -> None:
@@ -211,12 +233,73 @@ def _text(judge: type) -> str:
     return Definitions(sys.modules[judge.__module__].__file__ or "").text([judge.__name__, "mutants"])
 
 
+#: Batches of several sizes and points one by one, in memory that ends where they do.
+_PROGRAM = """
+#include "spragsym.h"
+#include <stdio.h>
+#include <stdlib.h>
+int main(void) {
+    static spragsym_parameters all[4096];
+    const size_t read = fread(all, sizeof all[0], 4096, stdin);
+    const size_t sizes[] = {1, 63, 64, 65, 127, read};
+    for (int regime = 0; regime < 2; regime++) {
+        for (int k = 0; k < 6; k++) {
+            const size_t n = sizes[k];
+            spragsym_parameters *given = malloc(n * sizeof *given);
+            spragsym_equilibrium(*found)[SPRAGSYM_MAX_EQUILIBRIA] = malloc(n * sizeof *found);
+            int *counts = malloc(n * sizeof *counts);
+            spragsym_status *statuses = malloc(n * sizeof *statuses);
+            for (size_t i = 0; i < n; i++) {
+                given[i] = all[i];
+            }
+            spragsym_equilibria_batch(n, given, (spragsym_regime)regime, found, counts, statuses);
+            for (size_t i = 0; i < n && k == 5; i++) {
+                spragsym_model model;
+                if (spragsym_prepare(&given[i], &model) == SPRAGSYM_OK) {
+                    spragsym_equilibria(&model, (spragsym_regime)regime, found[i], &counts[i]);
+                }
+            }
+            free(given);
+            free(found);
+            free(counts);
+            free(statuses);
+        }
+    }
+    return 0;
+}
+"""
+
+
+def trespass(text: str, rows: Any) -> str:
+    """What an address sanitizer says of a build, if anything: what lies beyond an array may be harmless by chance."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "spragsym.h").write_text((SOURCE / "spragsym.h").read_text("utf-8"), "utf-8")
+        (folder / "spragsym.c").write_text(text, "utf-8")
+        (folder / "main.c").write_text(_PROGRAM, "utf-8")
+        flags = [flag for flag in FLAGS if "sanitize" not in flag]
+        command = [
+            shutil.which("gcc") or "cc",
+            "-std=c99",
+            *flags,
+            "-fsanitize=address",
+            "main.c",
+            "spragsym.c",
+            "-lm",
+            "-o",
+            "main",
+        ]
+        subprocess.run(command, cwd=folder, check=True)
+        done = subprocess.run([folder / "main"], input=rows.tobytes(), capture_output=True, check=False)
+        return done.stderr.decode(errors="replace").partition("\n")[2].partition("\n")[0][:200] if done.returncode else ""
+
+
 class Judge:
     """Points, the truth about them, and how many the sound build answers."""
 
     def __init__(self, each: int) -> None:
         sets = [family(np.random.default_rng([71, k]), each) for k, family in enumerate(FAMILIES.values())]
-        self.rows = np.concatenate([*map(c_target.table, sets), np.array([*UNCERTAIN, *EXTREMES])])
+        self.rows = np.concatenate([*map(c_target.table, sets), np.array([*UNCERTAIN, *IMMODERATE, *EXTREMES])])
         self.truth = [[ladder.equilibria(*map(float, row), contact=contact) for row in self.rows] for contact in (False, True)]
         self.answered = 0
 
@@ -262,7 +345,8 @@ class Judge:
             os.dup2(quiet, 2)
             try:
                 answered = self.count(text)
-                by = "" if answered >= self.answered else f"{self.answered - answered} points refused"
+                more = answered - self.answered
+                by = f"{-more} points refused" if more < 0 else f"{more} points vouched for without proof" if more else ""
             except Exception as error:
                 by = f"{type(error).__name__}: {error}"[:200]
             os.write(write, by.encode())
@@ -273,4 +357,9 @@ class Judge:
             by = answer.read()
         if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGINT:
             raise KeyboardInterrupt
-        return by or (f"signal {os.WTERMSIG(status)}" if os.WIFSIGNALED(status) else "")
+        by = by or (f"signal {os.WTERMSIG(status)}" if os.WIFSIGNALED(status) else "")
+        return by or self.trespasses(text)
+
+    def trespasses(self, text: str) -> str:
+        """Whether a build that answers well touches what it must not."""
+        return trespass(text, self.rows)

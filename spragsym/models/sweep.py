@@ -34,7 +34,7 @@ class ModelSweep(Sweep):
     """Results of a sweep of a model's motions; as :class:`~spragsym.Sweep`.
 
     ``x`` stands for the first coordinate and ``y`` for the second. The inputs are the model's parameters and initial state. Which
-    equilibrium it is that a motion comes to is not told: ``equilibrium`` is −1.
+    equilibrium a motion comes to is not told: ``equilibrium`` is −1.
 
     Attributes
     ----------

@@ -10,9 +10,9 @@ from .study import Study
 
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
 DEEP = 0.05
-#: Share of μ₀ below which friction at the speed of the belt is worth a word.
+#: Share of μ₀ below which the friction at the speed of the belt is worth a warning.
 FULL = 0.95
-#: Speeds in m/s that no belt has: mm/s, as it seems.
+#: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
 FLAT = 3.15

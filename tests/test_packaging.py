@@ -362,7 +362,10 @@ def make_installs(copy: Path, out: Path) -> Path:
     """The wheel by which `make` puts a tree into its environment: a path, or a finder, to the tree."""
     ((name, value),) = re.findall(r"--config-settings (\w+)=(\w+)", (copy / "Makefile").read_text(encoding="utf-8")) or [("", "")]
     program = "import setuptools.build_meta as build, sys; build.build_editable(sys.argv[1], {sys.argv[2]: sys.argv[3]})"
-    done = subprocess.run([sys.executable, "-c", program, str(out), name, value], cwd=copy, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, "-c", program, str(out), name, value],
+        env=os.environ | {"CC": "/bin/false"}, cwd=copy, capture_output=True, text=True,
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
     (wheel,) = out.glob("*.whl")
     return wheel

@@ -102,7 +102,10 @@ export function createPlane(box, store) {
   /** How many equilibria there are, once in each half: in the middle of the columns that have them over most of their height. */
   function label(ctx, dpr) {
     const { columns, found } = shapes.strips;
-    ctx.fillStyle = colour.faint;
+    ctx.fillStyle = colour.ink;
+    ctx.strokeStyle = colour.three;
+    ctx.lineWidth = 4 * dpr;
+    ctx.lineJoin = "round";
     ctx.font = `${12 * dpr}px system-ui`;
     ctx.textAlign = "center";
     for (const half of [0, 1]) {
@@ -112,7 +115,9 @@ export function createPlane(box, store) {
         const [text, { left, width }] = [`${count} states`, plot.bbox];
         const [x, y] = px((Math.PI * (i + 0.5)) / columns, 0.3 * top);
         const half_text = ctx.measureText(text).width / 2 + 3 * dpr;
-        ctx.fillText(text, Math.min(left + width - half_text, Math.max(left + half_text, x)), y);
+        const kept = Math.min(left + width - half_text, Math.max(left + half_text, x));
+        ctx.strokeText(text, kept, y); // a rim: read on a line too
+        ctx.fillText(text, kept, y);
       }
     }
     ctx.textAlign = "left";

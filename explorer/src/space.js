@@ -125,14 +125,21 @@ export function createSpace(box, store) {
     ])));
   }
 
+  /** The floor with the axes, their ticks, and names and numbers beside them. */
   function frame() {
-    const corners = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => put(u * Math.PI, v * top, 0));
     const faint = () => new LineBasicMaterial({ color: colour.faint });
-    const post = [put(0, 0, 0), put(0, 0, Math.PI)];
+    const corners = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => put(u * Math.PI, v * top, 0));
+    const [out, left] = [new Vector3(0, 0, 0.07), new Vector3(-0.07, 0, 0)];
+    const ticks = [30, 60, 90, 120, 150].map((angle) => [put((angle * Math.PI) / 180, 0, 0), out])
+      .concat([0.25, 0.5, 0.75].map((share) => [put(0, share * top, 0), left]), [45, 90, 135].map((angle) => [put(0, 0, (angle * Math.PI) / 180), left]));
+    const beside = (place, x, y, z) => place.add(new Vector3(x, y, z));
     replace("frame", [
-      line(corners, faint()), line(post, faint()),
-      label("θ₀ = 0°", put(0, 0, 0).add(new Vector3(0.05, -0.13, 0.12))), label("180°", put(Math.PI, 0, 0).add(new Vector3(0, -0.13, 0.12))),
-      label(`μ₀ = ${top}`, put(0, top, 0).add(new Vector3(-0.15, -0.13, 0))), label("θ = 180°", put(0, 0, Math.PI).add(new Vector3(-0.1, 0.13, 0))),
+      line(corners, faint()), line([put(0, 0, 0), put(0, 0, Math.PI)], faint()),
+      ...ticks.map(([from, way]) => line([from, from.clone().add(way)], faint())),
+      label("0°", beside(put(0, 0, 0), 0.03, -0.12, 0.14)), label("θ₀ = 90°", beside(put(Math.PI / 2, 0, 0), 0, -0.12, 0.2)),
+      label("180°", beside(put(Math.PI, 0, 0), 0, -0.12, 0.14)),
+      label(`μ₀ = ${top}`, beside(put(0, top, 0), -0.22, -0.1, 0)), label(String(top / 2), beside(put(0, top / 2, 0), -0.22, -0.06, 0)),
+      label("θ = 180°", beside(put(0, 0, Math.PI), -0.1, 0.13, 0)), label("90°", beside(put(0, 0, Math.PI / 2), -0.2, 0, 0)),
     ]);
   }
 
@@ -204,7 +211,7 @@ export function createSpace(box, store) {
     const [width, height] = [Math.max(200, box.clientWidth), Math.max(200, box.clientHeight)];
     renderer.setSize(width, height);
     camera.aspect = width / height;
-    camera.fov = width < 1.25 * height ? 44 : 35;
+    camera.fov = width < 1.25 * height ? 42 : 30;
     camera.updateProjectionMatrix();
     draw_soon();
   }

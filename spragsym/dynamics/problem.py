@@ -77,6 +77,8 @@ class Problem:
     max_steps: int = MAX_STEPS
     #: The field, for a given reach of the exponentials of the friction law.
     field_of: Callable[[float], Field] = sprag.field
+    #: Wells of the energy above the belt (:mod:`.lift_off`), where they are known.
+    wells: tuple[tuple[float, float, float], ...] | None = None
 
     @property
     def reach(self) -> float:

@@ -110,6 +110,31 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     return _arranged(model, balance, p, found, around, whole)
 
 
+def index_of(model: Model, given: FloatArray, states: FloatArray, near: float) -> NDArray[np.int64]:
+    """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, points).
+    states : ndarray
+        The first coordinates of each, shape (coordinates or fewer, points).
+    near : float
+        How far a motion may be from its equilibrium, over 1 + its size.
+    """
+    balance = Balance(model, True, "friction_at_speed")
+    found, _, _ = solved(balance, given)
+    order = np.lexsort((found.middle[0], found.point))
+    point, middle = found.point[order], found.middle[: states.shape[0], order]
+    slot = np.arange(point.size) - np.searchsorted(point, point)
+    away = np.linalg.norm(middle - states[:, point], axis=0) / (1 + np.linalg.norm(states[:, point], axis=0))
+    out = np.full(given.shape[1], -1)
+    for row in np.argsort(-away, kind="stable"):  # the nearest last
+        if away[row] <= near:
+            out[point[row]] = slot[row]
+    return out
+
+
 def columns(p: Any, names: list[str]) -> FloatArray:
     """Parameters as an array of shape (parameters, points)."""
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), -1)

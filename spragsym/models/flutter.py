@@ -15,12 +15,10 @@ from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
 from . import stability
 from .augmented import Condition
-from .balance import Balance, Model, matrix
+from .balance import NOTHING, Balance, Model, matrix
 from .conditions import Flutter, FrictionHopf, Hopf, NoSlope
 from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
 
-#: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
-NOTHING = 1e-290
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
 #: ω of the points of a search that M, C and K are taken at.
@@ -61,8 +59,8 @@ def flutter_onsets(
     -----
     Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Where the slope of the
     friction law is all that damps, it is a factor of Hurwitz's determinant and taken out: what is left, and the slope, are
-    searched for on their own. An end of the range at which C vanishes is no onset. Points where a real pair ± λ has the sum 0,
-    or two real λ meet, are roots as well and left out.
+    searched for on their own. An end of the range at which C vanishes is no onset. Points where a real pair ± λ has the sum 0, or
+    two real λ meet, are roots as well and left out.
     """
     balance = Balance(model, contact=True)
     spans = ranges(model, (vary,), between or {})

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -18,7 +19,7 @@ from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, common_shape
 from . import workers as processes
-from .measure import INPUTS, ProblemOf, Settings, article_problem, measured
+from .measure import INPUTS, ProblemOf, Settings, article_problem, article_wells, measured
 from .result import Results, Sweep
 from .workers import Workers
 
@@ -103,7 +104,11 @@ def rms_sweep(
     given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
     inputs = {name: given[name] for name in INPUTS}
     settings = settings_of(t_end, transient, rtol, backend, max_steps)
-    return carried_out(Plan(inputs, settings, article_problem, Results()), workers, progress, store)
+    return carried_out(Plan(inputs, settings, article_problem, Results(), article_wells), workers, progress, store)
+
+
+def _nothing(points: list[tuple[float, ...]]) -> list[tuple[Any, ...]]:
+    return [()] * len(points)
 
 
 @dataclass(frozen=True)
@@ -114,6 +119,8 @@ class Plan:
     settings: Settings
     problem_of: ProblemOf
     result: Results
+    #: What is told to every motion besides its inputs, found for many points at once.
+    further: Callable[[list[tuple[float, ...]]], list[tuple[Any, ...]]] = _nothing
 
 
 def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.PathLike[str] | None) -> Sweep:
@@ -171,7 +178,9 @@ def _records(
 ) -> list[Record]:
     """Every record: those that are done, and the others, stored as they are computed."""
     keep = done.__setitem__ if keep is None else keep
-    missing = {i: point for i, point in enumerate(points) if i not in done}
+    left = [i for i in range(len(points)) if i not in done]
+    further = plan.further([points[i] for i in left])
+    missing = {i: (*points[i], *known) for i, known in zip(left, further, strict=True)}
     found = processes.results(workers, partial(measured, plan.problem_of, plan.settings), missing, partial(_told, plan))
     with advance(progress, len(points), len(done)) as step, closing(found):
         for i, record in found:
@@ -180,8 +189,8 @@ def _records(
     return [done[i] for i in range(len(points))]
 
 
-def _told(plan: Plan, point: tuple[float, ...]) -> str:
-    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, point, strict=True))
+def _told(plan: Plan, point: tuple[Any, ...]) -> str:
+    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, point, strict=False))
 
 
 @contextmanager

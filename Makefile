@@ -28,6 +28,8 @@ CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --error-exitcode=1 --std=c
 
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
+# Files go to workers in the order that tests/conftest.py gives them: the longest first.
+TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 .PHONY: help install derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
@@ -86,7 +88,7 @@ derive: $(DERIVE)
 	$(BIN)/python -m derive
 
 test: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m "not thorough"
+	$(TESTS) -m "not thorough"
 
 lint: $(TEST)
 	$(BIN)/ruff check .
@@ -98,7 +100,7 @@ lint: $(TEST)
 
 # All tests, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --cov --cov-branch --cov-report=term
+	$(TESTS) --cov --cov-branch --cov-report=term
 
 # Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
 mutants: $(TEST)

@@ -26,7 +26,7 @@ NARROW = 2.0**-16
 
 @dataclass(frozen=True)
 class Undecided(Result):
-    """A box of one point of which it is not known what it holds: no equilibrium, one, or several."""
+    """A box at one point that may hold no equilibrium, one, or several: this is not known."""
 
     index: tuple[int, ...]  #: of the point in the shape of the parameters
     low: tuple[float, ...]  #: lower ends, by coordinate

@@ -65,7 +65,7 @@ def ball(value: float, bits: int) -> Ball:
 
 
 def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
-    """What a search of float64 has left or knows to few digits only, looked at again with many."""
+    """Searched again with many digits: what float64 left open, or knows to few digits only."""
     poor = ~(found.error <= TOLERANCE)
     points = np.unique(np.concatenate([found.left_point, found.point[poor]]))
     if not points.size:

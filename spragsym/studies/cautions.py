@@ -10,11 +10,11 @@ from .study import Study
 
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
 DEEP = 0.05
-#: Share of μ₀ below which friction at the speed of the belt is worth a word.
+#: Share of μ₀ below which the friction at the speed of the belt is worth a warning.
 FULL = 0.95
-#: Rms of what a fitted friction law leaves, over μ₀, from which on the law is another one.
+#: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
 POOR = 0.1
-#: Speeds in m/s that no belt has: mm/s, as it seems.
+#: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
 FLAT = 3.15
@@ -63,8 +63,8 @@ def _friction(study: Study) -> Iterator[str]:
     missing = [name for name in ("V", "d") if name not in study.quantities]
     if missing:
         yield (
-            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the friction "
-            "law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
+            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, "
+            "the friction law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
             'V = "1.2 m/s", d = "10 s/m"'
         )
     if fit is not None and fit.rms > POOR * fit.mu0:

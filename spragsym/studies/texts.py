@@ -37,7 +37,7 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
 
 
 def _within(parts: Mapping[str, Any]) -> str:
-    """What the tolerances make of it."""
+    """What follows within the tolerances."""
     reached, odds = parts["certificate"], parts["probability"]
     if reached is None:
         return ""

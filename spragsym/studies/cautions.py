@@ -63,8 +63,8 @@ def _friction(study: Study) -> Iterator[str]:
     missing = [name for name in ("V", "d") if name not in study.quantities]
     if missing:
         yield (
-            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the friction "
-            "law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
+            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the "
+            "friction law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
             'V = "1.2 m/s", d = "10 s/m"'
         )
     if fit is not None and fit.rms > POOR * fit.mu0:

@@ -105,6 +105,30 @@ def test_changes_keep_the_target_as_they_are_printed(study: ss.Study, report: ss
         assert math.isnan(jump) or jump >= report.target
 
 
+def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, report: ss.Report) -> None:
+    """Random brakes about each new design, every tolerance the same share of the new value: none jumps in the friction's range."""
+    rng = np.random.default_rng(11)
+    off = {name: rng.uniform(-0.15, 0.15, 4000) for name in ("k", "k_x", "k_c")}
+    for change in report.redesign:
+        values: dict[str, object] = {**study.values, **change.after}
+        values |= {name: float(values[name]) * (1 + share) for name, share in off.items()}  # type: ignore[arg-type]  # numbers
+        values["theta0"] = float(values["theta0"]) + rng.uniform(-1, 1, 4000) * math.pi / 180  # type: ignore[arg-type]  # a number
+        jump = np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless()))  # type: ignore[arg-type]  # arrays
+        assert not (jump < 0.6).any()
+        assert change.probability == 0
+
+
+def test_a_design_that_sprags_within_its_tolerances_only_is_called_so_and_gets_changes() -> None:
+    found = ss.Study(brake(mu0=0.34), tolerance={"k": "15 %", "k_c": "15 %", "theta0": "2 deg"}).report(n=1024, oscillation=False)
+    assert found.mu_jump > 0.34
+    assert found.verdict.startswith("As drawn it does not sprag")
+    assert "but within the tolerances" in found.verdict
+    assert found.redesign
+    with pytest.raises(ss.ParameterError, match="nothing slides"):
+        ss.Study(brake(V=0.0)).report(probability=False, redesign=False, oscillation=False)
+    assert "inf" not in ss.Study(brake(mu0=0.0)).report(redesign=False, oscillation=False).verdict
+
+
 def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(report: ss.Report) -> None:
     from spragsym.studies.tolerances import certificate
 

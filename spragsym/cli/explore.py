@@ -40,7 +40,9 @@ ARTICLE_MODEL = "kang_nam"
     help="Begin at your own data, a file like brake.toml.",
 )
 @click.option(
-    "--model", metavar="NAME|DIR", help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {ARTICLE_MODEL}]"
+    "--model",
+    metavar="NAME|DIR",
+    help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {ARTICLE_MODEL}]",
 )
 @click.option(
     "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."

@@ -10,7 +10,9 @@ from .page import about_units, asset, filled, page, points
 from .presets import Preset, article_presets
 from .units import Units
 
-_START = "explorer.start({ BASE, NAMES, RANGES, algebra, equilibria, surface, cusps, bifurcation_set, flutter_boundary, folds, motion });"
+_START = """explorer.start({
+  BASE, NAMES, RANGES, algebra, equilibria, surface, cusps, bifurcation_set, flutter_boundary, folds, motion,
+});"""
 _SOURCE = "Model: J. Kang and J. Nam, Applied Sciences 10 (2020) 2748."
 
 
@@ -38,11 +40,17 @@ def explorer_page(presets: Sequence[Preset] = (), *, V: float = V, d: float = D,
     (True, True)
     """
     module = resources.files("spragsym.generated") / "javascript" / "spragsym.mjs"
-    assumed = "V and d are assumptions; the article states neither." if units is None else "The numbers that a motion starts from are in units of the model."
+    assumed = (
+        "V and d are assumptions; the article states neither."
+        if units is None
+        else "The numbers that a motion starts from are in units of the model."
+    )
     parts = {
         "MOTION": motion_part("Solid: x; dashed: y.", assumed),
         "UNITS": about_units(units),
-        "SCALES": "Lengths in units of L₀, forces in k_c L₀." if units is None else "Error bounds are those of the model's own numbers.",
+        "SCALES": "Lengths in units of L₀, forces in k_c L₀."
+        if units is None
+        else "Error bounds are those of the model's own numbers.",
     }
     return page(
         "Sprag-slip explorer",

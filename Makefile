@@ -4,6 +4,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+# An extension that can't be compiled is left out, and pip is silent about it.
+SAY_COMPILED := $(BIN)/python .ci/compiled.py
 # A path to the tree, not a finder: a finder is asked last, after a folder named spragsym beside the script, as a clone is.
 EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt -e
 
@@ -11,6 +13,7 @@ EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt
 DERIVE := $(VENV)/.derive
 TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
+ALL := $(VENV)/.all
 SOURCES := pyproject.toml constraints.txt Makefile
 # The compiled solver is made of these.
 COMPILED := spragsym/statics/_compiled.c spragsym/dynamics/_carried.c generated/c/spragsym.c generated/c/spragsym.h
@@ -29,10 +32,11 @@ MODELS := $(patsubst generated/models/%/model.json,%,$(wildcard generated/models
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
 
-.PHONY: help derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
+.PHONY: help install derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
+	@echo "make install       set up .venv with all extras, for use without the tests"
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the tests, without those marked thorough"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
@@ -63,13 +67,23 @@ $(DERIVE): $(SOURCES) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[derive]'
 	@touch $@
 
+$(ALL): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
+	@$(EDIT) '.[all]'
+	@$(SAY_COMPILED)
+	@touch $@ $(DERIVE)
+
 $(TEST): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,test]'
+	@$(SAY_COMPILED)
 	@touch $@ $(DERIVE)
 
 $(DOCS): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,docs]'
+	@$(SAY_COMPILED)
 	@touch $@
+
+install: $(ALL)
+	@echo "now: . $(BIN)/activate && spragsym --help"
 
 derive: $(DERIVE)
 	$(BIN)/python -m derive

@@ -57,6 +57,12 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
+def friction_at_speed(model: Mechanics) -> sp.Expr:
+    """μ at the belt's speed: what holds a motion that has come to rest."""
+    ahead, _ = _sides(model)
+    return ahead.subs(_SLIP, model.belt)
+
+
 def slope_at_rest(model: Mechanics) -> sp.Expr:
     """dμ/dv at steady sliding."""
     ahead, _ = _sides(model)
@@ -70,7 +76,7 @@ def friction_at_rest(model: Mechanics) -> sp.Expr:
         return sp.S.Zero
     ahead, _ = _sides(model)
     if sliding.at_rest is None:
-        return ahead.subs(_SLIP, model.belt)
+        return friction_at_speed(model)
     limit, named = sp.limit(ahead, _SLIP, sp.oo), model.scaled(sliding.at_rest)
     if sp.simplify(limit - named) != 0:
         raise PageError(

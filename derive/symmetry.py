@@ -12,8 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .mechanics import DEPTH, MU, Mechanics
-from .statics import parameters
+from .mechanics import DEPTH, MU, Line, Mechanics, number
 
 #: Most parameters that have to be 0.
 MOST = 4
@@ -26,15 +25,22 @@ class Mirror:
     centres: Mapping[sp.Symbol, sp.Expr]
     zero: tuple[tuple[str, ...], ...]
 
+    def turns(self, line: Line) -> bool:
+        """Whether a line is mirrored, and so upright for states on the mirror."""
+        image = [
+            part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True) for part in (line.dx, line.dy)
+        ]
+        return bool(self.centres) and sp.expand(image[0] + line.dx) == 0 and sp.expand(image[1] - line.dy) == 0
+
     def image(self, symbol: sp.Symbol) -> sp.Expr:
         """Where a coordinate comes to lie."""
         return self.centres[symbol] - symbol if symbol in self.centres else symbol
 
 
-def mirror(model: Mechanics) -> Mirror | None:
-    """The mirror that asks for the fewest parameters to be 0; None if there is none."""
+def mirror(model: Mechanics) -> Mirror:
+    """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is none."""
     found = [one for turned in _subsets(model.coordinates) for one in _about(model, turned)]
-    return min(found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=None)
+    return min(found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Mirror({}, ()))
 
 
 def _subsets(symbols: tuple[sp.Symbol, ...]) -> Iterator[tuple[sp.Symbol, ...]]:
@@ -61,8 +67,7 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
     changes: dict[sp.Expr, sp.Expr] = dict(images)
     unknown: list[sp.Symbol] = []
     for line in model.lines:
-        image = [part.subs(images, simultaneous=True) for part in (line.dx, line.dy)]
-        if sp.expand(image[0] + line.dx) == 0 and sp.expand(image[1] - line.dy) == 0:
+        if one.turns(line):
             changes[line.c] = -line.c
         else:
             # A line that is not mirrored has another direction and length.
@@ -86,7 +91,10 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
 
 def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...], ...]:
     """The smallest sets of parameters that may be 0 and make all of them vanish."""
-    allowed = [symbol for symbol in (*parameters(model), MU) if not symbol.is_positive]
+    used = {part for term in remainders for part in term.free_symbols}
+    allowed = [
+        symbol for symbol in (*map(number, model.parameters), MU) if not symbol.is_positive and used & set(model.pair(symbol))
+    ]
     for size in range(min(MOST, len(allowed)) + 1):
         found = [
             tuple(map(str, chosen))

@@ -672,6 +672,14 @@ def test_arc_tangents_are_off_to_neither_side() -> None:
     assert math.copysign(1, kernel.arctangent(0.0)) == 1
 
 
+def test_arc_tangents_between_pieces_have_two_words() -> None:
+    """At 1/2, 1, 3/2 and far out nothing but the two parts of a constant is left; with 40 digits their sum is an arc tangent."""
+    with mpmath.workdps(40):
+        t = np.array([mpmath.mpf(1) / 2, mpmath.mpf(1), mpmath.mpf(3) / 2, mpmath.mpf(10) ** 60], dtype=object)
+        for value, angle in zip(t, kernel.arctangent(t), strict=True):
+            assert abs(angle - mpmath.atan(value)) < 2.0**-106
+
+
 def test_the_rest_of_an_angle_counts_once_and_only_once() -> None:
     """Errors of sine and cosine don't go with what the reduced angle lacks, z tail: half of it in the sine's last term."""
     rng = np.random.default_rng(32)

@@ -17,11 +17,12 @@ from click.testing import CliRunner
 import spragsym as ss
 from benchmarks import validate_cycles
 from spragsym.cli.cycles import cycles as command
-from spragsym.cycles import criteria, exponents, finding, shooting
-from spragsym.cycles.flows import carrier
+from spragsym.cycles import exponents, finding
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
+from spragsym.dynamics import criteria, shooting
 from spragsym.dynamics.field import Border, Field
+from spragsym.dynamics.flows import carrier
 from spragsym.generated import motion
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
@@ -486,7 +487,7 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
     flint = pytest.importorskip("flint")
     from spragsym.cycles import ball_flow, ball_proof
-    from spragsym.cycles.jets import Functions
+    from spragsym.exact.methods import Functions
 
     fly, _ = carrier(SPRAG, None)
     none = np.zeros((2, 8))

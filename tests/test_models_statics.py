@@ -245,16 +245,50 @@ def test_hopf_points_with_dampers_are_where_a_pair_crosses():
     assert np.abs(growth).max() < 1e-5
 
 
-def test_a_pitchfork_stays_undecided_with_its_box():
-    p = model("kang_nam").Parameters(theta0=1.0, mu0=0.0, alpha=0.0)
+@pytest.mark.parametrize(
+    ("name", "more"),
+    [("kang_nam", {}), ("trolley", {}), ("inclined_belt", {"gamma_g": 0.0}), ("two_springs", {"sigma_2": 0.0})],
+)
+def test_pitchforks_of_a_mirrored_model_are_the_articles(name, more):
     known = ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0))
     assert known.kind.tolist() == ["pitchfork"] * 2
-    found = model("kang_nam").folds(p, "theta0")
-    assert not found.complete
-    boxes = found.undecided[:, 2]
-    for theta0 in known.theta0:
-        assert ((boxes[:, 0] <= theta0) & (theta0 <= boxes[:, 1])).any()
-    assert (boxes[:, 1] - boxes[:, 0]).max() < 1e-3
+    found = model(name).folds(model(name).Parameters(theta0=1.0, mu0=0.0, alpha=0.0, **more), "theta0")
+    assert found.complete
+    assert found.kind.tolist() == ["pitchfork"] * 2
+    for column in ("theta0", "x", "y"):
+        assert np.allclose(getattr(found, column), getattr(known, column), atol=1e-12)
+    assert found.error.max() < 1e-12
+
+
+def test_where_a_mirrored_model_is_not_quite_one_its_pitchforks_are_folds():
+    found = model("kang_nam").folds(model("kang_nam").Parameters(theta0=1.0, mu0=1e-7, alpha=0.0), "theta0")
+    known = ss.folds(ss.Parameters.article(mu0=1e-7, alpha=0.0))
+    assert found.complete
+    assert set(found.kind) == {"fold"}
+    assert np.allclose(found.theta0, known.theta0, atol=1e-12)
+
+
+def forces_without_friction(name, p, q):
+    """Forces and the image of the state, by the generated functions alone."""
+    values = dict(zip(Balance(model(name), contact=True).codes, model(name).arguments(p, "motion"), strict=True))
+    statics, given = model(name).statics, [values[part] for part in model(name).about["arguments"]["statics"]]
+    directions = []
+    for dx, dy, _ in statics.geometry(*q, *given):
+        directions += [dx / np.hypot(dx, dy), dy / np.hypot(dx, dy), np.hypot(dx, dy)]
+    return np.array(statics.forces(*q, *directions, *given, 0.0, 1)), statics.mirror(*q, *given)
+
+
+@pytest.mark.parametrize("name", ["kang_nam", "trolley", "hertz_contact", "inclined_belt", "two_springs"])
+def test_the_mirror_turns_the_forces(name):
+    about = model(name).about["mirror"]
+    signs = np.array([-1 if part in about["turned"] else 1 for part in model(name).coordinates])
+    q = np.random.default_rng(3).uniform(-0.4, -0.1, signs.size)
+    for zero in about["zero"]:
+        p = model(name).Parameters(theta0=0.9, **dict.fromkeys((part for part in zero if part != "mu"), 0.0))
+        here, image = forces_without_friction(name, p, q)
+        there, _ = forces_without_friction(name, p, image)
+        assert np.allclose(there, signs * here, atol=1e-14)
+        assert not np.allclose(there, here, atol=1e-3)
 
 
 def test_what_does_not_vary_is_refused():
@@ -302,6 +336,35 @@ def test_path_is_the_articles_with_its_jump():
     assert np.isclose(found.jumps[0].value, known.jumps[0].value, atol=1e-12)
     assert abs(found.jumps[0].before["x"] - known.jumps[0].x_before) < 1e-9
     assert abs(found.jumps[0].after["x"] - known.jumps[0].x_after) < 1e-2
+
+
+def same_path(vary, values, start, **changes):
+    """A path through the general way and the article's."""
+    known = ss.quasi_static_path(ss.Parameters.article(**changes), vary, values, start=start)
+    p = model("kang_nam").Parameters(**{"theta0": 1.0, **changes})
+    found = model("kang_nam").quasi_static_path(p, vary, values, start=start)
+    assert np.allclose(found.x, known.x, atol=1e-9)
+    assert (found.stability == known.stability).all()
+    assert np.allclose([jump.value for jump in found.jumps], [jump.value for jump in known.jumps], atol=1e-12)
+    return found
+
+
+@pytest.mark.parametrize("start", ["small", "large"])
+def test_a_value_on_a_fold_is_the_fold_not_passed_yet(start):
+    # The state that arrives at the fold is the one in which two have met; the jump comes beyond it.
+    fold = model("kang_nam").folds(model("kang_nam").Parameters(theta0=1.0, mu0=0.7), "theta0").theta0[0]
+    for values in ([0.3, fold, 1.2], [fold, fold + 0.1], [fold - 0.1, fold - 1e-10, fold + 1e-10]):
+        same_path("theta0", values, start, mu0=0.7)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_nothing_jumps_at_a_pitchfork(way):
+    found = same_path("theta0", np.radians([60.0, 80.0, 90.0, 100.0, 110.0])[::way], "large", mu0=0.0, alpha=0.0)
+    assert not found.jumps
+
+
+def test_a_path_of_one_value():
+    assert same_path("theta0", [1.0], "small").x.shape == (1,)
 
 
 def test_path_errors_name_the_remedy():

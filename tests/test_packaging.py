@@ -6,6 +6,7 @@ import importlib.util
 import json
 import os
 import re
+import runpy
 import shutil
 import subprocess
 import sys
@@ -174,7 +175,7 @@ def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Pat
         names = {name.partition("/")[2] for name in sdist.getnames()}
     wanted = committed("derive", "generated", "spragsym", "tests", "benchmarks", "docs")
     wanted |= {"Makefile", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "CONTRIBUTING.md", "constraints.txt"}
-    wanted |= {"pyproject.toml", ".ci/run", ".pre-commit-config.yaml"}
+    wanted |= {"pyproject.toml", ".ci/run", ".ci/compiled.py", ".pre-commit-config.yaml"}
     assert wanted - names == set()
     assert not any("__pycache__" in name for name in names)
 
@@ -203,6 +204,19 @@ def wheel_by(compiler: str, sdist: Path, out: Path) -> Path:
 
 
 @needs_compiler
+def test_what_was_compiled_is_not_reported(capsys: pytest.CaptureFixture[str]) -> None:
+    """And what was not is, in one line each: what ``make`` says after an installation."""
+    report = runpy.run_path(str(ROOT / ".ci/compiled.py"))
+    report["main"]()
+    assert capsys.readouterr().err == ""
+    report["main"].__globals__["EXTENSIONS"] = (("a.c", lambda: False, "NumPy serves"),)
+    report["main"]()
+    said = capsys.readouterr().err
+    assert said.startswith("a.c: its compilation failed; NumPy serves")
+    assert said.count("\n") == 1
+
+
+@needs_compiler
 def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path]) -> None:
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     assert sorted(extensions(archives[0])) == [f"spragsym/{name}{suffix}" for name in ("dynamics/_carried", "statics/_compiled")]
@@ -223,6 +237,9 @@ def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], tmp_path: 
     ))  # fmt: skip
     assert "BackendError" in done.stderr, done.stderr
     assert "install spragsym again, with a compiler" in done.stderr
+    said = call(interpreter, str(ROOT / ".ci/compiled.py")).stderr.splitlines()
+    assert [line.partition(":")[0] for line in said] == ["spragsym/statics/_compiled.c", "spragsym/dynamics/_carried.c"]
+    assert all("NumPy" in line or "SciPy" in line for line in said)
 
 
 _DIGEST = """

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..dynamics.field import Field
+from ..dynamics.passage import Fly
+from ..dynamics.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, growth, looped, rate, recut, solved
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .passage import Fly
-from .shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, growth, looped, rate, recut, solved
 
 
 @dataclass(frozen=True)

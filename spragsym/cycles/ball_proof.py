@@ -18,8 +18,8 @@ from flint import acb_mat, arb, arb_mat, ctx
 
 from ..dynamics.field import Field, Mode
 from ..errors import ParameterError
+from ..exact.methods import Functions
 from .ball_flow import Balls, NotProved, polynomial, solution
-from .jets import Functions
 
 #: Rounds of Newton's method with the slopes of double precision.
 ROUNDS = 14

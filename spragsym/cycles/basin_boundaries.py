@@ -10,11 +10,11 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier, flow
+from ..dynamics.passage import Fly
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
-from .flows import carrier, flow
-from .passage import Fly
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 

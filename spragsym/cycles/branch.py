@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..dynamics.flows import carrier
+from ..dynamics.shooting import Guess, Loop, extent, looped, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, angle, between, corrected, cut_finer, fixed, point_of, started
-from .flows import carrier
 from .inspection import Finding, Seen, findings, halved, repeats
 from .orbit import Cycle, cycle_of
-from .shooting import Guess, Loop, extent, looped, rate
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9

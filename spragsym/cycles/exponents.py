@@ -10,9 +10,9 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, as_number
-from .flows import carrier
 from .sprag import SPRAG
 
 #: Time between two orthonormalizations.

@@ -9,13 +9,13 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier
+from ..dynamics.passage import Fly
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
 from .finding import cycle_near
-from .flows import carrier
-from .passage import Fly
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 

@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 
 from ..dynamics import Trajectory
+from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier, flow
+from ..dynamics.passage import Fly, Turn
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import Regime
+from ..dynamics.shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
-from .criteria import multipliers
-from .flows import carrier, flow
 from .orbit import Cycle, cycle_of
-from .passage import Fly, Turn
-from .shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
 from .sprag import SPRAG
 
 #: Returns of a motion are looked at over this time, then over longer ones.

@@ -8,12 +8,12 @@ from functools import cached_property
 
 import numpy as np
 
+from ..dynamics.criteria import CRITERIA, at_minus_one, is_complex_pair
+from ..dynamics.shooting import Guess, Loop, across, divided, solved
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .arclength import Point, Setting, between, corrected
-from .criteria import CRITERIA, at_minus_one, is_complex_pair
 from .grazing import Touch, grazing, may_touch, paired, signature, touches
-from .shooting import Guess, Loop, across, divided, solved
 
 #: What test functions tell, a grazing apart.
 KINDS = (*CRITERIA, "crossing")

@@ -13,17 +13,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
+from ..dynamics.flows import flow
 from ..dynamics.lobatto import PiecewisePolynomial
+from ..dynamics.passage import Fly
 from ..dynamics.problem import Event
-from ..dynamics.trajectory import Events
-from ..errors import ConvergenceError
-from ..files import storage
-from ..parameters import FloatArray
-from .criteria import multipliers
-from .flows import flow
-from .passage import Fly
-from .shooting import (
+from ..dynamics.shooting import (
     LARGEST_GROWTH,
     MOST_STRETCHES,
     Guess,
@@ -31,9 +27,14 @@ from .shooting import (
     at_rest_along,
     growth,
     looped,
+    once_round,
     recut,
     solved,
 )
+from ..dynamics.trajectory import Events
+from ..errors import ConvergenceError
+from ..files import storage
+from ..parameters import FloatArray
 
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
@@ -199,25 +200,6 @@ def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
         loop = ahead
     if loop.missed > 1e-10:
         raise ConvergenceError("the orbit does not close")
-    return loop
-
-
-def once_round(loop: Loop, fly: Fly) -> Loop:
-    """The same orbit over its least period."""
-    period, turns = loop.guess.period, [turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
-    if not turns:
-        return loop
-    scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
-    first = turns[0]
-    for other in turns[1:]:
-        share = period / (other.t - first.t)
-        if np.abs((other.state - first.state) / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
-            guess = Guess(first.state[None], period / round(share), loop.guess.values)
-            try:
-                shorter = solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
-            except ConvergenceError:
-                continue
-            return shorter
     return loop
 
 

@@ -13,9 +13,9 @@ import mpmath
 import numpy as np
 
 from ..display import Result
+from ..dynamics.shooting import rate
 from ..errors import ConvergenceError, MissingExtraError, ParameterError
 from .orbit import Cycle
-from .shooting import rate
 
 #: Seconds after which a proof is given up, unless asked otherwise.
 PATIENCE = 1800.0

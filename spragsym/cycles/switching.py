@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..dynamics.flows import carrier
+from ..dynamics.shooting import Guess, Loop, divided, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
 from .arclength import Setting, corrected, phase_row, point_of
-from .flows import carrier
 from .orbit import Cycle, cycle_of
-from .shooting import Guess, Loop, divided, looped, rate, solved
 
 if TYPE_CHECKING:
     from .branch import CycleBranch, CycleEvent

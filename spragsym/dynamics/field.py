@@ -103,4 +103,4 @@ class Field:
 
     def is_inside(self, state: Any, constants: Any, mode: Mode) -> bool:
         """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
-        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders if border.kink)
+        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)

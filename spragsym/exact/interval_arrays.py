@@ -279,7 +279,7 @@ def _by_zero(ends: FloatArray, ndim: int) -> NDArray[np.bool_]:
 
 
 def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is inside of them, or all of them."""
+    """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is inside of them."""
     one, other = _aligned(one, other)
     positive = (other[0] == 0) & (other[1] > 0)
     negative = (other[1] == 0) & (other[0] > 0)

@@ -76,12 +76,32 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobi
     return found
 
 
+def third_derivative(evaluate: Evaluate, box: Box, jacobian: NDArray[np.float64], bits: int, among: Sequence[int]) -> Ball:
+    """A sixth of the third derivative of g all over a box, with u and the equation that is left among the given ones.
+
+    Raises
+    ------
+    Undecided
+        Where the other unknowns are not proved to be functions of u that stay in a box slightly larger.
+    """
+    left_vectors, _, right_vectors = np.linalg.svd(jacobian)
+    along = max(among, key=lambda i: abs(float(right_vectors[-1, i])))
+    equation = max(among, key=lambda i: abs(float(left_vectors[i, -1])))
+    with _BALLS.precision(bits):
+        return _Task(evaluate, along, equation, len(box)).third(box)
+
+
 @dataclass(frozen=True)
 class _Task:
     evaluate: Evaluate
     along: int  #: number of u
     equation: int  #: number of the equation that is left
     n: int
+
+    def third(self, box: Box) -> Ball:
+        """The third coefficient of the expansion about any point of a box."""
+        last: Ball = self._expansion(_BALLS.between(*box[self.along]), self._others(box[self.along], box))[3]
+        return last
 
     def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> None:
         """All roots of a box: of the whole, or of its halves in u, and so on."""

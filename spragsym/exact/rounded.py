@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .interval_arrays import FUNCTION_ULPS
+from .methods import repeated_product
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
@@ -68,11 +69,7 @@ class Rounded:
     def __rtruediv__(self, other: Any) -> Rounded:
         return Rounded(other) / self
 
-    def __pow__(self, power: int) -> Rounded:
-        result = self
-        for _ in range(power - 1):
-            result = result * self
-        return result
+    __pow__ = repeated_product
 
     def sqrt(self) -> Rounded:
         """Square roots; an infinite error where negative numbers may be among them."""

@@ -33,9 +33,11 @@ class Condition(Protocol):
 class State:
     """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
 
-    def __init__(self, balance: Balance, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> None:
+    def __init__(
+        self, balance: Balance, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], upright: Sequence[int] = ()
+    ) -> None:
         self.balance, self.q, self.values, self.shape = balance, q, values, shape
-        self.directions = balance.directions(q, values, shape)
+        self.directions = balance.directions(q, values, shape, upright)
         self._stiffness: Any = None
 
     def forces(self) -> Sequence[Any]:

@@ -14,6 +14,9 @@ from ..exact.interval_functions import cos, sin
 from .directions import direction
 from .laws import XP
 
+#: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
+NOTHING = 1e-290
+
 
 class Model(Protocol):
     """What is needed of a model: generated modules, and what its page says."""
@@ -36,8 +39,10 @@ class Balance:
     generated functions, once for each node of the tree of points.
     """
 
-    def __init__(self, model: Model, contact: bool) -> None:
+    def __init__(self, model: Model, contact: bool, law: str = "friction_at_rest") -> None:
         about = model.about
+        #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
+        self.law = law
         self.model, self.contact = model, contact
         self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
         self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
@@ -84,10 +89,13 @@ class Balance:
 
     # ---------------------------------------------------------------------------------------------- forces
 
-    def directions(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[Any]:
-        """Cosine, sine and length of every spring."""
+    def directions(
+        self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], upright: Sequence[int] = ()
+    ) -> list[Any]:
+        """Cosine, sine and length of every spring; those that are known to be ``upright`` have dx = 0."""
         rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
-        return [part for dx, dy, _ in rows for part in direction(dx, dy, shape)]
+        steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
+        return [part for dx, dy in steps for part in direction(dx, dy, shape)]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """A function of ``statics`` that has the arguments of ``forces``."""
@@ -97,7 +105,7 @@ class Balance:
 
     def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The friction coefficient at steady sliding."""
-        return undecorated(self.model.statics.friction_at_rest)(*self._listed(values, "motion"), xp=xp)
+        return undecorated(getattr(self.model.statics, self.law))(*self._listed(values, "motion"), xp=xp)
 
     def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """M of the kinetic energy."""
@@ -115,6 +123,11 @@ class Balance:
     def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """The gap of the contact."""
         return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=XP)
+
+    def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+        """The image of a state in the model's mirror."""
+        image: Sequence[Any] = undecorated(self.model.statics.mirror)(*q, *self._listed(values, "statics"), xp=XP)
+        return image
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces over boxes, shape (n, N)."""

@@ -94,8 +94,8 @@ class Hopf(Plain):
 class FrictionHopf(Plain):
     """As :class:`Hopf`, where nothing but the slope of the friction law damps, and that the coordinate ``along``.
 
-    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ² M. A pair ± i ω is where A and B
-    have a common root, however small c is; it is divided out.
+    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ² M. A pair ± i ω is where A
+    and B have a common root, however small c is; it is divided out.
     """
 
     order = 0

@@ -16,6 +16,7 @@ from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
+from .columns import Columns
 from .precise import settled
 from .regions import region
 
@@ -33,7 +34,7 @@ class Undecided(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class ModelEquilibria(Result):
+class ModelEquilibria(Columns, held_in="coordinates"):
     """Every equilibrium of every parameter point of a model.
 
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
@@ -79,13 +80,6 @@ class ModelEquilibria(Result):
         """Whether every box of every point is decided: then there is no other equilibrium in the region."""
         return bool(self.decided.all())
 
-    def __getattr__(self, name: str) -> FloatArray:
-        coordinates = self.__dict__.get("coordinates", {})
-        if name in coordinates:
-            values: FloatArray = coordinates[name]
-            return values
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its coordinates are {', '.join(coordinates)}")
-
 
 def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     """All equilibria of a model: steady sliding in contact, or at rest in lift-off.
@@ -114,6 +108,31 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     given = columns(p, balance.parameters)
     found, around, whole = solved(balance, given)
     return _arranged(model, balance, p, found, around, whole)
+
+
+def index_of(model: Model, given: FloatArray, states: FloatArray, near: float) -> NDArray[np.int64]:
+    """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, points).
+    states : ndarray
+        The first coordinates of each, shape (coordinates or fewer, points).
+    near : float
+        How far a motion may be from its equilibrium, over 1 + its size.
+    """
+    balance = Balance(model, True, "friction_at_speed")
+    found, _, _ = solved(balance, given)
+    order = np.lexsort((found.middle[0], found.point))
+    point, middle = found.point[order], found.middle[: states.shape[0], order]
+    slot = np.arange(point.size) - np.searchsorted(point, point)
+    away = np.linalg.norm(middle - states[:, point], axis=0) / (1 + np.linalg.norm(states[:, point], axis=0))
+    out = np.full(given.shape[1], -1)
+    for row in np.argsort(-away, kind="stable"):  # the nearest last
+        if away[row] <= near:
+            out[point[row]] = slot[row]
+    return out
 
 
 def columns(p: Any, names: list[str]) -> FloatArray:

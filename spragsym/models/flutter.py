@@ -15,12 +15,10 @@ from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
 from . import stability
 from .augmented import Condition
-from .balance import Balance, Model, matrix
+from .balance import NOTHING, Balance, Model, matrix
 from .conditions import Flutter, FrictionHopf, Hopf, NoSlope
 from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
 
-#: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
-NOTHING = 1e-290
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
 #: ω of the points of a search that M, C and K are taken at.
@@ -60,9 +58,9 @@ def flutter_onsets(
     Notes
     -----
     Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Where the slope of the
-    friction law is all that damps, it is a factor of Hurwitz's determinant and taken out: what is left, and the slope, are searched
-    for on their own. An end of the range at which C vanishes is no onset. Points where a real pair ± λ has the sum 0, or two real λ
-    meet, are roots as well and left out.
+    friction law is all that damps, it is a factor of Hurwitz's determinant and taken out: what is left, and the slope, are
+    searched for on their own. An end of the range at which C vanishes is no onset. Points where a real pair ± λ has the sum 0, or
+    two real λ meet, are roots as well and left out.
     """
     balance = Balance(model, contact=True)
     spans = ranges(model, (vary,), between or {})
@@ -225,7 +223,8 @@ def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part]) 
     """All parts in one result."""
     first, roots = parts[0].found, [part.found.roots for part in parts]
     every = Roots(
-        *(np.concatenate([getattr(one, name) for one in roots], axis=2) for name in ("ends", "alone")),
+        np.concatenate([one.ends for one in roots], axis=2),
+        np.concatenate([one.alone for one in roots], axis=2),
         np.concatenate([one.point for one in roots]),
         np.concatenate([one.left for one in roots], axis=2),
         np.concatenate([one.left_point for one in roots]),

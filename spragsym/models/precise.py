@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from types import MappingProxyType
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,8 @@ from ..exact.polynomials import Undecided
 from ..exact.reduction import Reduced, reduced_roots
 from .balance import Balance, undecorated
 
+#: Ends of parameters that lie in a range.
+Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 #: Bits of the forces.
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
@@ -27,13 +30,17 @@ AROUND = 2.0**-13
 
 
 class PreciseBalance:
-    """Forces of a balance at one point, of balls or jets of balls."""
+    """Forces of a balance at one point, of balls or jets of balls; ``spans`` are parameters that lie in a range."""
 
-    def __init__(self, balance: Balance, given: FloatArray, bits: int) -> None:
+    def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
         self.balance = balance
         self.values: dict[str, Any] = {}
         for name, number in zip(balance.parameters, given, strict=True):
-            value = ball(float(number), bits)
+            if name in spans:
+                with Balls().precision(bits):
+                    value = Balls().between(*spans[name])
+            else:
+                value = ball(float(number), bits)
             if name in balance.angles:
                 self.values |= zip(balance.angles[name], Balls().cos_sin(value), strict=True)
             else:
@@ -81,7 +88,7 @@ def _of_point(balance: Balance, given: FloatArray, region: FloatArray, found: Ro
     good = mine[~poor]
     boxes = np.concatenate([found.left[:, :, found.left_point == point], found.ends[:, :, mine[poor]] + AROUND], axis=2)
     ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, balance.n, 0))]
-    for cluster in _clusters(boxes):
+    for cluster in clusters(boxes):
         reduced = _reduced(balance, given, cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
         ends += [_outward(box) for box in reduced.roots]
         alone += [_outward(box) for box in reduced.alone]
@@ -128,7 +135,7 @@ def _outward(box: Sequence[tuple[Fraction, Fraction]]) -> FloatArray:
     return out
 
 
-def _clusters(boxes: FloatArray) -> list[FloatArray]:
+def clusters(boxes: FloatArray) -> list[FloatArray]:
     """Hulls of boxes, shape (2, n, N), that meet each other, until no two hulls meet."""
     hulls: list[FloatArray] = []
     for place in range(boxes.shape[2]):

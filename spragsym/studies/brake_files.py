@@ -188,6 +188,8 @@ def _check_range(key: str, found: Measured, given: Any, where: str, unit: str) -
             word = "is not" if what else "must be"
             text = f"{key} = {given!r}{what} {word} {limits}"
             remedy = "" if unit == "rad" else allowed.remedy or _remedy(key)
+            if what and found.value >= allowed.low and not remedy:
+                remedy = f'give the two ends, as in {key} = "[0, {shown(found.high / factor(found.unit, unit))}] {found.unit}"'
             raise ParameterError(
                 f"{where}: {text}; " + (remedy or f'write for instance {key} = "{EXAMPLES.get(unit, "1 " + unit)}"')
             )

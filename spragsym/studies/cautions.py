@@ -12,6 +12,8 @@ from .study import Study
 DEEP = 0.05
 #: Share of μ₀ below which friction at the speed of the belt is worth a word.
 FULL = 0.95
+#: Rms of what a fitted friction law leaves, over μ₀, from which on the law is another one.
+POOR = 0.1
 #: Speeds in m/s that no belt has: mm/s, as it seems.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
@@ -27,13 +29,17 @@ def cautions(study: Study, found: Sequence[State]) -> tuple[str, ...]:
 
 def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
     length = 1e3 * study.values["L_0"]
-    deepest = max((-state.y_mm for state in found), default=0.0)
-    if deepest > DEEP * length:
-        yield (
-            f"the contact is {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
-            f"nothing there; check F_L = {study.shown('F_L', study.values['F_L'])} "
-            f"and k_c = {study.shown('k_c', study.values['k_c'])}"
-        )
+    for which, states in (
+        ("the contact is", [state for state in found if state.current]),
+        ("in another state of sliding the contact is", [state for state in found if not state.current]),
+    ):
+        deepest = max((-state.y_mm for state in states), default=0.0)
+        if deepest > DEEP * length:
+            yield (
+                f"{which} {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
+                f"nothing there; check F_L = {study.shown('F_L', study.values['F_L'])} "
+                f"and k_c = {study.shown('k_c', study.values['k_c'])}"
+            )
 
 
 def _stiffness(study: Study) -> Iterator[str]:
@@ -53,7 +59,19 @@ def _stiffness(study: Study) -> Iterator[str]:
 
 
 def _friction(study: Study) -> Iterator[str]:
-    mu0 = study.values["mu0"]
+    mu0, fit = study.values["mu0"], study.fit
+    missing = [name for name in ("V", "d") if name not in study.quantities]
+    if missing:
+        yield (
+            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the friction "
+            "law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
+            'V = "1.2 m/s", d = "10 s/m"'
+        )
+    if fit is not None and fit.rms > POOR * fit.mu0:
+        yield (
+            f"the law mu0 (1 - exp(-d v)) is {100 * fit.rms / fit.mu0:.0f} % off the measured friction on average: it rises with "
+            "speed and levels off; if what was measured falls with speed, the model kang_nam has no such law"
+        )
     if study.fraction < FULL:
         yield (
             f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "

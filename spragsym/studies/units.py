@@ -22,13 +22,18 @@ EXAMPLES: Mapping[str, str] = {
 
 _NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _SIGN = r"(?:±|\+/-|\+-)"
-_UNIT = r"[^\d\s±\[\],+][^±\[\],]*?"
+_UNIT = r"(?:1\s*/\s*)?[^\d\s±\[\],+.][^±\[\],]*?"
 _PLAIN = re.compile(
     rf"\s*(?P<value>{_NUMBER})\s*(?P<unit>{_UNIT})?\s*(?:{_SIGN}\s*(?P<off>{_NUMBER})\s*(?P<of>{_UNIT})?)?\s*", re.DOTALL
 )
 _RANGE = re.compile(
     rf"\s*\[\s*(?P<low>{_NUMBER})\s*(?P<first>{_UNIT})?\s*,\s*(?P<high>{_NUMBER})\s*(?P<second>{_UNIT})?\s*\]\s*(?P<unit>{_UNIT})?\s*"
 )
+#: (180 ± 15) N/mm
+_BRACKETED = re.compile(
+    rf"\s*\(\s*(?P<value>{_NUMBER})\s*(?P<sign>{_SIGN})\s*(?P<off>{_NUMBER})\s*\)\s*(?P<unit>{_UNIT})\s*", re.DOTALL
+)
+_PERCENT = {"percent": "%", "per cent": "%", "pct": "%"}
 #: What a unit may be written with; pint's own parser sees nothing else.
 _LETTERS = re.compile(r"[\w°µμΩ%*/^·⋅²³⁻¹ ().\-]{1,40}")
 
@@ -89,10 +94,19 @@ def parsed(unit: str) -> pint.Unit:
         found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
         registry().get_base_units(found)
     except Exception as error:  # pint raises many kinds, of the tokenizer too
-        raise ParameterError(f"the unit {unit!r} is not known") from error
+        remark = f"; did you mean {unit.lower()}?" if unit.lower() != unit and _is_known(unit.lower()) else ""
+        raise ParameterError(f"the unit {unit!r} is not known{remark}") from error
     if registry().Quantity(0.0, found).to_base_units().magnitude != 0:
         raise ParameterError(f"the unit {unit!r} has a zero point of its own")
     return found
+
+
+def _is_known(unit: str) -> bool:
+    try:
+        parsed(unit)
+    except ParameterError:
+        return False
+    return True
 
 
 def dimension(unit: pint.Unit) -> tuple[Any, ...]:
@@ -143,15 +157,19 @@ def read(text: str, si: str) -> Measured:
     """
     if len(text) > 200:
         raise ParameterError(f"{text[:20]!r}… is {len(text)} characters long, too long for a quantity; write {_example(si)}")
-    if found := _RANGE.fullmatch(text):
+    plain = text.replace("\N{MINUS SIGN}", "-")
+    if found := _RANGE.fullmatch(plain):
         return _ranged(found, text, si)
-    found = _PLAIN.fullmatch(text)
+    both = _BRACKETED.fullmatch(plain)
+    found = _PLAIN.fullmatch(both.expand(r"\g<value> \g<unit> \g<sign> \g<off> \g<unit>") if both else plain)
     if not found:
         raise ParameterError(f"{text!r} can't be read{_why(text)}; write {_example(si)}")
     number, unit = float(found["value"]), (found["unit"] or "").strip()
+    off, of = found["off"], _PERCENT.get((found["of"] or "").strip(), (found["of"] or "").strip())
+    if not unit and si != "1" and of and "%" not in of:
+        unit = of  # 180 ± 15 N/mm
     scale = _scale(unit, si, text)
     value = _finite(number, scale, text)
-    off, of = found["off"], (found["of"] or "").strip()
     if off is None:
         return Measured(value, value, value, unit)
     size = float(off)
@@ -188,7 +206,7 @@ def _scale(unit: str, si: str, text: str) -> float:
     try:
         return factor(unit, si)
     except ParameterError as error:
-        raise ParameterError(f"{text!r}: {error}; write {_example(si)}") from error
+        raise ParameterError(f"{text!r}: {_two_numbers(text) or error}; write {_example(si)}") from error
 
 
 def _finite(number: float, scale: float, text: str) -> float:
@@ -210,6 +228,8 @@ def _why(text: str) -> str:
         return ": it is empty"
     if re.match(r"\s*[+-]?\d+,\d", text):
         return ": a comma is no decimal point"
+    if ends := _two_numbers(text):
+        return f": {ends}"
     if re.match(r"\s*[+-]?\d+\s+\d", text):
         return ": there is a blank inside of the number"
     if "[" in text or "]" in text:
@@ -218,6 +238,15 @@ def _why(text: str) -> str:
         return ": it does not begin with a number"
     if re.search(_SIGN, text):
         return ": behind ± there is a number with a unit or %"
+    return ""
+
+
+def _two_numbers(text: str) -> str:
+    """What to say of two ends that are not in brackets."""
+    if re.match(rf"\s*{_NUMBER}\s*(?:\.\.+|…|-|–|to)\s*\d", text):
+        return "a range is two numbers in brackets, as in [150, 210] N/mm"
+    if re.search(rf"\+\s*{_NUMBER}.*[^eE]-\s*{_NUMBER}", text):
+        return "for different tolerances up and down give the two ends in brackets, as in [150, 210] N/mm"
     return ""
 
 

@@ -75,7 +75,10 @@ def comment(text: str, indent: str) -> list[str]:
 
 
 def wrapped(line: str) -> list[str]:
-    """A statement on as many lines as it needs."""
+    """A statement on as many lines as it needs, broken at spaces, and after brackets where these leave a line too long."""
     indent = " " * (len(line) - len(line.lstrip()) + 4)
-    broken = textwrap.wrap(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    wrapper = textwrap.TextWrapper(WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    broken = wrapper.wrap(line)
+    if max(map(len, broken)) > WIDTH:
+        broken = [part.replace("(\0 ", "(").replace("(\0", "(") for part in wrapper.wrap(line.replace("(", "(\0 "))]
     return [*(f"{part} ..." for part in broken[:-1]), broken[-1]]

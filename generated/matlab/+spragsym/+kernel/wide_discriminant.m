@@ -19,8 +19,7 @@ function result = wide_discriminant(line, u)
   Q_bound = abs(it.Q.high) + COUNT_Q .* u .* size.Q;
   from_P = P_bound .* P_bound .* size.P .* (3.0 .* COUNT_P + 4.0);
   from_Q = Q_bound .* size.Q .* (2.0 .* COUNT_Q + 4.0);
-  result.value = ...
-      spragsym.kernel.dd_leading(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(spragsym.kernel.dd_multiply(it.P, ...
-      it.P), it.P), spragsym.kernel.dd_multiply(it.Q, it.Q)));
+  result.value = spragsym.kernel.dd_leading(spragsym.kernel.dd_add(spragsym.kernel.dd_multiply( ...
+      spragsym.kernel.dd_multiply(it.P, it.P), it.P), spragsym.kernel.dd_multiply(it.Q, it.Q)));
   result.error = u .* (from_P + from_Q) + UNDERFLOW;
 end

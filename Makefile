@@ -26,8 +26,13 @@ C_FILES := $(wildcard generated/c/*.c generated/c/*.h) spragsym/statics/_compile
 CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --error-exitcode=1 --std=c11 --enable=warning,style,performance,portability \
 	-I generated/c -I $$($(BIN)/python -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
 
+# Models that come with the package, each of which has a page of the explorer in the documentation.
+MODELS := $(patsubst generated/models/%/model.json,%,$(wildcard generated/models/*/model.json))
+
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
+# Files go to workers in the order that tests/conftest.py gives them: the longest first.
+TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
 .PHONY: help install derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
@@ -86,7 +91,7 @@ derive: $(DERIVE)
 	$(BIN)/python -m derive
 
 test: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m "not thorough"
+	$(TESTS) -m "not thorough"
 
 lint: $(TEST)
 	$(BIN)/ruff check .
@@ -98,7 +103,7 @@ lint: $(TEST)
 
 # All tests, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --cov --cov-branch --cov-report=term
+	$(TESTS) --cov --cov-branch --cov-report=term
 
 # Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
 mutants: $(TEST)
@@ -131,6 +136,7 @@ explorer:
 
 docs: $(DOCS)
 	$(BIN)/spragsym explore --no-open --force --out docs/_build/explorer.html
+	for model in $(MODELS); do $(BIN)/spragsym explore --model $$model --no-open --force --out docs/_build/explorer_$$model.html || exit 1; done
 	$(BIN)/sphinx-build -W docs docs/_build
 
 check-claims: $(TEST)

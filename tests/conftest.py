@@ -26,6 +26,18 @@ settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeat"))
 
 
+#: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
+LONGEST = (
+    "test_c99", "test_explorer_models", "test_explorer", "test_models_statics", "test_figures", "test_cycles", "test_check",
+    "test_packaging", "test_documents", "test_cli",
+)  # fmt: skip
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The order of files; within each of them it stays."""
+    items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
+
+
 # ---------------------------------------------------------------------------------------------- what is computed once
 
 

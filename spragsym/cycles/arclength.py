@@ -24,7 +24,7 @@ class Setting:
     spans: tuple[float, ...]
 
     def weights(self, stretches: int) -> FloatArray:
-        """Of states, period and parameters in the length of the arc."""
+        """Weights of states, period and parameters in the length of the arc."""
         size = stretches * self.field.size
         return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
 
@@ -81,7 +81,7 @@ def corrected(setting: Setting, point: Point, length: float, *, reach: float = n
 
 
 def fixed(setting: Setting, loop: Loop) -> Loop:
-    """The closed orbit near a loop at its very value of the parameter, with the derivatives by that."""
+    """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
     target, phase = loop.guess.coordinates(setting.free), phase_row(setting, loop)[:, :-1]
 
     def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:

@@ -24,7 +24,7 @@ from .ball_flow import Balls, NotProved, polynomial, solution
 #: Rounds of Newton's method with the slopes of double precision.
 ROUNDS = 14
 
-#: Times the radius of the starts: half of the window in which a border is crossed.
+#: Half of the window in which a border is crossed, in units of the radius of the starts.
 WINDOW = 1e5
 
 
@@ -57,7 +57,7 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def bits_for(digits: int) -> int:
-    """Precision that a proof to so many digits works with."""
+    """Bits with which a proof to ``digits`` digits works."""
     return math.ceil(3.33 * (2.6 * digits + 20))
 
 

@@ -21,7 +21,7 @@ from .sprag import SPRAG
 #: Components of a state, by name.
 COMPONENTS = ("x", "y", "vx", "vy")
 
-#: Longer times in one refinement, in units of the saddle's time.
+#: How much longer the motion is followed in each refinement, in units of the saddle's time.
 MORE = 2.5
 
 #: A refinement that moves the start by less than this is the last.

@@ -23,7 +23,7 @@ FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
 #: Largest angle between the tangents of neighbours, as its cosine.
 STRAIGHT = 0.97
 
-#: Of the period of the first cycle: beyond it, a branch ends if it comes to rest somewhere.
+#: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
 
 #: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
@@ -193,7 +193,7 @@ class _Trace:
     backend: str
 
     def value(self, loop: Loop) -> float:
-        """Of the free parameter."""
+        """Values of the free parameter."""
         return loop.guess.values[self.setting.free[0]]
 
     def event(self, found: Finding) -> CycleEvent:

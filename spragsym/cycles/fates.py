@@ -19,7 +19,7 @@ from .finding import cycle_near
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 
-#: Motions are judged at these times, the next where the one before is unsettled.
+#: A motion is judged at the first of these times, and again at the next as long as it is unsettled.
 JUDGED = (2000.0, 10_000.0)
 
 #: Bisection by verdicts ends at this share of the bracket where the saddle is an equilibrium.

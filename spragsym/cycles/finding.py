@@ -23,10 +23,10 @@ from .sprag import SPRAG
 #: Returns of a motion are looked at over this time, then over longer ones.
 STAGES = (400.0, 3000.0, 20000.0)
 
-#: Returns that are tried, of one stretch of motion.
+#: Most returns of one stretch of motion that are tried.
 TRIES = 8
 
-#: A return as far as this, relative to the extent of the motion, is not tried.
+#: A return that misses by more than this share of the motion's extent is not tried.
 FAR = 0.3
 
 

@@ -21,7 +21,7 @@ KINDS = (*CRITERIA, "crossing")
 #: Halvings of a step that looks as if something were hidden in it.
 DEEPEST = 9
 
-#: Where the parameter changes less than this along the arc, a multiplier that passes 1 is a fold's.
+#: Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs to a fold.
 FLAT = 1e-6
 
 #: An event is located to this, in units of the arc.

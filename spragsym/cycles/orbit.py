@@ -39,7 +39,7 @@ from ..parameters import FloatArray
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
 
-#: Largest x that differ by less than this are one: the state highest above the belt is chosen.
+#: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
 SAME = 1e-9
 
 

@@ -114,7 +114,7 @@ def sides(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[Affine]:
 
 
 def cosine_and_sine(angle: Affine) -> tuple[Affine, Affine]:
-    """Of an angle: to first order in what it depends on."""
+    """Cosine and sine of an angle, to first order in what the angle depends on."""
     cosine, sine = np.cos(angle.value), np.sin(angle.value)
     reach = angle.radius()
     beyond = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK

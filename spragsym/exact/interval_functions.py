@@ -63,5 +63,5 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
 
 
 def ratio_bounded(values: FloatArray) -> FloatArray:
-    """NaN as infinity: widths and ratios to be compared, of which one that is unknown is large."""
+    """Widths or ratios to be compared, with infinity for NaN: what is unknown counts as large."""
     return np.nan_to_num(values, nan=np.inf, posinf=np.inf, neginf=np.inf)

@@ -100,6 +100,6 @@ class Rounded:
 
 
 def cosine_and_sine(angle: Any) -> tuple[Rounded, Rounded]:
-    """Of angles given exactly, with the error that is taken for functions of NumPy."""
+    """Cosine and sine of angles that are exact, with the error that NumPy's functions are taken to have."""
     cosine, sine = (Rounded(value, 2 * FUNCTION_ULPS * UNIT * np.abs(value) + _TINY) for value in (np.cos(angle), np.sin(angle)))
     return cosine, sine

@@ -198,7 +198,7 @@ class _Way:
         return stops[order], wanted[order]
 
     def _links(self) -> list[dict[int, int]]:
-        """For each step the slot at its end of each slot at its beginning, where they lie on one branch."""
+        """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one."""
         states = {float(value): self._states(self.eq, stop) for stop, value in enumerate(self.stops)}
         steps = list(itertools.pairwise(map(float, self.stops)))
         proved: dict[Step, dict[int, int]] = {}

@@ -191,7 +191,7 @@ class Runner:
             install(self.module, self.tree, mutant.scope)
             for item, following, limit in zip(items, [*items[1:], None], limits, strict=True):
                 signal.setitimer(signal.ITIMER_PROF, limit)
-                os.write(write, b"\n")  # so many tests were begun
+                os.write(write, b"\n")  # a byte for each test that was begun
                 item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
                 if self.failed:
                     break

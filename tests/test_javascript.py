@@ -16,9 +16,9 @@ from click.testing import CliRunner
 import spragsym as ss
 from benchmarks import c_target, languages
 from benchmarks.languages import NODE, STABILITY, answers, values
-from spragsym import generated
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
+from tests.support import generated
 from tests.test_documents import ROOT, fenced
 
 MODULE = ROOT / "generated" / "javascript" / "spragsym.mjs"
@@ -75,7 +75,7 @@ def test_algebra_is_that_of_python() -> None:
     rng = np.random.default_rng(18)
     calls, expected = [], []
     modules = ("catastrophe", "equilibrium", "linear_sprag", "motion", "scales", "stability")
-    functions = [(name, getattr(module, name)) for module in map(_generated, modules) for name in module.__all__]
+    functions = [(name, getattr(module, name)) for module in map(generated, modules) for name in module.__all__]
     assert len(functions) > 50
     for name, function in functions:
         given = [float(value) for value in rng.uniform(0.2, 0.9, function.__wrapped__.__code__.co_argcount)]
@@ -84,10 +84,6 @@ def test_algebra_is_that_of_python() -> None:
     for (name, *_), ours, theirs in zip(calls, values(calls), expected, strict=True):
         flat = np.array(np.concatenate([np.ravel(part) for part in _leaves(ours)]))
         assert flat == pytest.approx(np.concatenate([np.ravel(part) for part in _leaves(theirs)]), rel=1e-14, abs=1e-15), name
-
-
-def _generated(name: str) -> Any:
-    return __import__(f"{generated.__name__}.{name}", fromlist=[name])
 
 
 def _leaves(result: Any) -> list[Any]:

@@ -15,9 +15,9 @@ from click.testing import CliRunner
 import spragsym as ss
 from benchmarks import c_target, languages
 from benchmarks.languages import OCTAVE, octave
-from spragsym import generated
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
+from tests.support import generated
 from tests.test_documents import ROOT, fenced
 
 FOLDER = ROOT / "generated" / "matlab"
@@ -88,7 +88,7 @@ def test_algebra_is_that_of_python(package: Path) -> None:
     rng = np.random.default_rng(18)
     program, expected = "", []
     modules = ("catastrophe", "equilibrium", "linear_sprag", "motion", "scales", "stability")
-    functions = [(name, getattr(module, name)) for module in map(_generated, modules) for name in module.__all__]
+    functions = [(name, getattr(module, name)) for module in map(generated, modules) for name in module.__all__]
     assert len(functions) > 50
     for name, function in functions:
         given = list(rng.uniform(0.2, 0.9, (function.__wrapped__.__code__.co_argcount, 3)))
@@ -99,10 +99,6 @@ def test_algebra_is_that_of_python(package: Path) -> None:
         expected += [(name, np.broadcast_to(leaf, (3,))) for leaf in results]
     for (name, theirs), ours in zip(expected, numbers(octave(package, program)), strict=True):
         assert ours == pytest.approx(theirs, rel=1e-14, abs=1e-15), name
-
-
-def _generated(name: str) -> Any:
-    return __import__(f"{generated.__name__}.{name}", fromlist=[name])
 
 
 def _leaves(result: Any) -> list[Any]:

@@ -77,7 +77,7 @@ class _Program:
         return wide
 
     def several(self, number: int) -> str:
-        """The record of so many double-doubles, which generated algebra returns."""
+        """The record of ``number`` double-doubles, which generated algebra returns."""
         name = f"{WIDE}s{number}"
         self.define(name, f"{number} double-doubles.", {f"value{i}": WIDE for i in range(number)})
         return name

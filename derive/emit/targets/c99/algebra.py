@@ -6,6 +6,7 @@ import re
 import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import sympy as sp
 
@@ -20,6 +21,8 @@ _LARGEST_EXACT = 2**53
 
 class CPrinter(AlgebraPrinter):
     """The statements of the Python printer in C, operation for operation."""
+
+    functions: ClassVar[Mapping[str, str]] = {"sqrt": "sqrt", "exp": "exp", "abs": "fabs", "sign": "sign"}
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
         return c_name(str(expression.name))
@@ -48,16 +51,7 @@ class CPrinter(AlgebraPrinter):
             return f"square({self._print(expression.base)})"
         if expression.exp == -2:
             return f"1.0/square({self._print(expression.base)})"
-        return re.sub(r"^1/", "1.0/", super()._print_Pow(expression, rational=rational)).replace("xp.", "")
-
-    def _print_exp(self, expression: sp.exp) -> str:
-        return f"exp({self._print(expression.args[0])})"
-
-    def _print_Abs(self, expression: sp.Abs) -> str:
-        return f"fabs({self._print(expression.args[0])})"
-
-    def _print_sign(self, expression: sp.sign) -> str:
-        return f"sign({self._print(expression.args[0])})"
+        return re.sub(r"^1/", "1.0/", super()._print_Pow(expression, rational=rational))
 
 
 _PRINTER = CPrinter({"order": None})

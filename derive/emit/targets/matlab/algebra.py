@@ -4,34 +4,22 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
+from typing import ClassVar
 
 import sympy as sp
 
 from ...function import Function
 from ...quantities import Quantity
 from ...statements import flatten, straight_line
-from ..python.algebra import AlgebraPrinter
+from ..python.algebra import DividingPrinter
 
 WIDTH = 110
 
 
-class MatlabPrinter(AlgebraPrinter):
-    """Differs from Python in the names of functions, and in rationals: a division of two whole numbers rounds once."""
+class MatlabPrinter(DividingPrinter):
+    """Algebra in MATLAB."""
 
-    def _print_Rational(self, expression: sp.Rational) -> str:
-        return f"({expression.p}/{expression.q})"
-
-    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
-        if expression.exp == 2:  # of a name: straight_line() names what is squared
-            factor = self._print(expression.base)
-            return f"{factor}*{factor}"
-        return super()._print_Pow(expression, rational=rational).replace("xp.", "")
-
-    def _print_exp(self, expression: sp.exp) -> str:
-        return f"exp({self._print(expression.args[0])})"
-
-    def _print_sign(self, expression: sp.sign) -> str:
-        return f"sign({self._print(expression.args[0])})"
+    functions: ClassVar[Mapping[str, str]] = {"sqrt": "sqrt", "exp": "exp", "abs": "abs", "sign": "sign"}
 
 
 _PRINTER = MatlabPrinter({"order": None})

@@ -138,7 +138,7 @@ def test_curves_that_float64_cannot_tell_are_refused(kappa: float) -> None:
     p = ss.Parameters.article(kappa=kappa, mu0=1.0)
     with pytest.raises(ss.ConvergenceError, match="is too small beside sigma and 1 \\+ beta for curves of folds"):
         ss.bifurcation_set(p)
-    assert ss.folds(p).theta0 == pytest.approx([0.8663554, 2.7971377], abs=5e-3)  # the limit without preload
+    assert ss.folds(p).theta0 == pytest.approx([0.8663554, 2.7971377], abs=1e-2)  # the limit without preload
 
 
 def test_bifurcation_points_are_folds() -> None:

@@ -9,6 +9,8 @@ const STEPS = 40;
 /** Newton's method has arrived when a step is no longer than this, relative to the coordinates; states closer than SAME are one. */
 const ARRIVED = 1e-12;
 const SAME = 1e-7;
+/** More states than this on one side are one state that is so nearly multiple that steps end all around it. */
+const MANY = 24;
 /** No step of Newton's method is longer. */
 const LONGEST = 0.5;
 
@@ -69,7 +71,10 @@ export function described(balance, q, contact) {
   return { q, contact, stability: kindOf(balance.mass(q), balance.stiffness(q, contact, along)), along };
 }
 
-/** States found at a point, in contact first, by ascending first coordinate. */
+/**
+ * States found at a point, in contact first, by ascending first coordinate. Where they can't be told apart the list is empty and has
+ * `undecided`.
+ */
 export function search(balance, about) {
   const found = [];
   for (const contact of about.unilateral && about.gap !== null ? [true, false] : [true]) {
@@ -80,6 +85,9 @@ export function search(balance, about) {
       if (q && belongs(balance, about, q, contact) && !mine.some((other) => far(other) < SAME)) {
         mine.push(q);
       }
+    }
+    if (mine.length > MANY) {
+      return Object.assign([], { undecided: true });
     }
     found.push(...mine.sort((a, b) => a[0] - b[0]).map((q) => described(balance, q, contact)));
   }

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import equations, laws, linearization, motion, pages, soundness, statics, units
+from . import equations, laws, linearization, motion, pages, soundness, statics, symmetry, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -112,6 +112,7 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
 def description(model: Model) -> dict[str, Any]:
     """``model.json`` without the digests of the files."""
     it = model.mechanics
+    mirror = symmetry.mirror(it)
     of_statics = {str(symbol) for symbol in (*statics.parameters(it), *laws.friction_at_rest(it).free_symbols)}
     return {
         "name": model.name,
@@ -149,8 +150,13 @@ def description(model: Model) -> dict[str, Any]:
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
         },
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        "dampers": bool(it.page.dampers),
         "equations": equations.equations(it),
         "layers": len(laws.layers(it)),
+        "mirror": {
+            "turned": [str(symbol) for symbol in mirror.centres], "zero": mirror.zero,
+            "upright": [place for place, line in enumerate(it.lines) if mirror.turns(line)],
+        },
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
 

@@ -20,7 +20,7 @@ def slip(model: Mechanics) -> sp.Expr:
 
 
 def near(count: int) -> tuple[sp.Symbol, ...]:
-    """The factors of so many exponentials."""
+    """The factors of the exponentials, ``count`` of them."""
     return tuple(sp.Symbol(f"near{number}", real=True) for number in range(1, count + 1))
 
 
@@ -57,6 +57,18 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
+def friction_at_speed(model: Mechanics) -> sp.Expr:
+    """μ at the belt's speed: what holds a motion that has come to rest."""
+    ahead, _ = _sides(model)
+    return ahead.subs(_SLIP, model.belt)
+
+
+def slope_at_rest(model: Mechanics) -> sp.Expr:
+    """dμ/dv at steady sliding."""
+    ahead, _ = _sides(model)
+    return sp.factor_terms(sp.diff(ahead, _SLIP).subs(_SLIP, model.belt))
+
+
 def friction_at_rest(model: Mechanics) -> sp.Expr:
     """What μ is in the statics: the limit of the law that the page names, or the law at the belt's speed."""
     sliding = model.page.sliding
@@ -64,7 +76,7 @@ def friction_at_rest(model: Mechanics) -> sp.Expr:
         return sp.S.Zero
     ahead, _ = _sides(model)
     if sliding.at_rest is None:
-        return ahead.subs(_SLIP, model.belt)
+        return friction_at_speed(model)
     limit, named = sp.limit(ahead, _SLIP, sp.oo), model.scaled(sliding.at_rest)
     if sp.simplify(limit - named) != 0:
         raise PageError(

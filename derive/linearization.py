@@ -38,5 +38,7 @@ def module(model: Mechanics) -> Module:
                      nested(model.mass), "((M_11, …), …)", transcendental=True),
             Function("damping", "C: dampers, and the slope of the friction law at steady sliding.", "the page", (*state, PUSHING),
                      nested(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}, transcendental=True),
+            Function("friction_slope", "Slope of the friction law at steady sliding, by the sliding speed.", "the page",
+                     model.arguments, laws.slope_at_rest(model), "dμ/dv", transcendental=True),
         ),
     )  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from . import laws
+from . import laws, symmetry
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
@@ -48,6 +48,7 @@ def module(model: Mechanics) -> Module:
     state = (*model.coordinates, *model.directions, *arguments(model), MU, PUSHING)
     depth = {DEPTH: model.depth}
     friction = laws.friction_at_rest(model)
+    mirror = symmetry.mirror(model)
 
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, depth, transcendental=True)
@@ -60,8 +61,12 @@ def module(model: Mechanics) -> Module:
                      tuple((line.dx, line.dy, line.rest) for line in model.lines), "((dx, dy, rest), …)"),
             function("contact_gap", "The gap: contact where it is not positive.", place,
                      sp.S.Zero if model.gap is None else model.gap, "gap"),
+            function("mirror", "The image of a state in the model's mirror, if it has one: see \"mirror\" in model.json.", place,
+                     tuple(map(mirror.image, model.coordinates)), "image"),
             function("friction_at_rest", "The friction coefficient at steady sliding.", model.arguments,
                      friction, "mu"),
+            function("friction_at_speed", "The friction coefficient at the belt's speed: of a motion that has come to rest.",
+                     model.arguments, laws.friction_at_speed(model), "mu"),
             function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
                      tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
                      "(∂mu/∂p_1, …)"),

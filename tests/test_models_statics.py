@@ -245,16 +245,117 @@ def test_hopf_points_with_dampers_are_where_a_pair_crosses():
     assert np.abs(growth).max() < 1e-5
 
 
-def test_a_pitchfork_stays_undecided_with_its_box():
-    p = model("kang_nam").Parameters(theta0=1.0, mu0=0.0, alpha=0.0)
+@pytest.mark.parametrize(
+    ("name", "more"),
+    [("kang_nam", {}), ("trolley", {}), ("inclined_belt", {"gamma_g": 0.0}), ("two_springs", {"sigma_2": 0.0})],
+)
+def test_pitchforks_of_a_mirrored_model_are_the_articles(name, more):
     known = ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0))
     assert known.kind.tolist() == ["pitchfork"] * 2
-    found = model("kang_nam").folds(p, "theta0")
-    assert not found.complete
-    boxes = found.undecided[:, 2]
-    for theta0 in known.theta0:
-        assert ((boxes[:, 0] <= theta0) & (theta0 <= boxes[:, 1])).any()
-    assert (boxes[:, 1] - boxes[:, 0]).max() < 1e-3
+    found = model(name).folds(model(name).Parameters(theta0=1.0, mu0=0.0, alpha=0.0, **more), "theta0")
+    assert found.complete
+    assert found.kind.tolist() == ["pitchfork"] * 2
+    for column in ("theta0", "x", "y"):
+        assert np.allclose(getattr(found, column), getattr(known, column), atol=1e-12)
+    assert found.error.max() < 1e-12
+
+
+def test_where_a_mirrored_model_is_not_quite_one_its_pitchforks_are_folds():
+    found = model("kang_nam").folds(model("kang_nam").Parameters(theta0=1.0, mu0=1e-7, alpha=0.0), "theta0")
+    known = ss.folds(ss.Parameters.article(mu0=1e-7, alpha=0.0))
+    assert found.complete
+    assert set(found.kind) == {"fold"}
+    assert np.allclose(found.theta0, known.theta0, atol=1e-12)
+
+
+def forces_without_friction(name, p, q):
+    """Forces and the image of the state, by the generated functions alone."""
+    values = dict(zip(Balance(model(name), contact=True).codes, model(name).arguments(p, "motion"), strict=True))
+    statics, given = model(name).statics, [values[part] for part in model(name).about["arguments"]["statics"]]
+    directions = []
+    for dx, dy, _ in statics.geometry(*q, *given):
+        directions += [dx / np.hypot(dx, dy), dy / np.hypot(dx, dy), np.hypot(dx, dy)]
+    return np.array(statics.forces(*q, *directions, *given, 0.0, 1)), statics.mirror(*q, *given)
+
+
+@pytest.mark.parametrize("name", ["kang_nam", "trolley", "hertz_contact", "inclined_belt", "two_springs"])
+def test_the_mirror_turns_the_forces(name):
+    about = model(name).about["mirror"]
+    signs = np.array([-1 if part in about["turned"] else 1 for part in model(name).coordinates])
+    q = np.random.default_rng(3).uniform(-0.4, -0.1, signs.size)
+    for zero in about["zero"]:
+        p = model(name).Parameters(theta0=0.9, **dict.fromkeys((part for part in zero if part != "mu"), 0.0))
+        here, image = forces_without_friction(name, p, q)
+        there, _ = forces_without_friction(name, p, image)
+        assert np.allclose(there, signs * here, atol=1e-14)
+        assert not np.allclose(there, here, atol=1e-3)
+
+
+def growth_beside(name, p, vary, found, row, off=1e-5):
+    """Growth of the state at an onset, a little before and behind it."""
+    value = getattr(found, vary)[row]
+    sides = model(name).equilibria(p.replace(**{vary: value * np.array([1 - off, 1 + off])}))
+    assert sides.complete
+    slots = np.abs(sides.x - found.x[row]).argmin(axis=-1)
+    return sides.growth[[0, 1], slots]
+
+
+@pytest.mark.parametrize(
+    ("name", "vary", "number"),
+    [("kang_nam", "mu0", 3), ("kang_nam", "kappa", 0), ("kang_nam", "d", 0), ("two_springs", "theta0", 3), ("trolley", "mu0", 7)],
+)
+def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, number):
+    # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes for all states.
+    p = model(name).Parameters(theta0=0.8, d=1.0) if vary != "d" else model(name).Parameters(theta0=0.8)
+    found = model(name).flutter_onsets(p, vary)
+    assert found.complete
+    assert len(found) == number
+    crossed = [growth_beside(name, p, vary, found, row) for row in range(number) if getattr(found, vary)[row] > 1e-3]
+    # One of the pairs crosses; where another grows already, the largest growth says nothing.
+    assert number == 0 or any(before * behind < 0 for before, behind in crossed)
+
+
+def test_where_the_friction_law_turns_every_mode_crosses():
+    p = model("stribeck").Parameters(theta0=0.8)
+    found = model("stribeck").flutter_onsets(p, "mu_k")
+    assert found.complete
+    assert len(found) == 2
+    assert found.mu_k[0] == found.mu_k[1]
+    # dμ/dV = 0 there: by differences of the law itself.
+    law, names = model("stribeck").statics.friction_at_rest, model("stribeck").about["arguments"]["motion"]
+    angle = {"cos0": np.cos(0.8), "sin0": np.sin(0.8)}
+    ends = []
+    for V in (float(p.V) - 1e-5, float(p.V) + 1e-5):
+        values = {**angle, **{key: float(getattr(p, key)) for key in names if key not in angle}, "V": V, "mu_k": found.mu_k[0]}
+        ends.append(law(*(values[key] for key in names)))
+    assert abs(ends[1] - ends[0]) / 2e-5 < 1e-8
+    at = model("stribeck").equilibria(p.replace(mu_k=found.mu_k[0]))
+    assert np.allclose(np.sort(np.abs(at.eigenvalues[0].imag))[1::2], found.omega, atol=1e-9)
+
+
+def test_without_friction_no_pair_crosses():
+    found = model("stribeck").flutter_onsets(model("stribeck").Parameters(theta0=0.8, mu_s=0.0, mu_k=0.0), "theta0")
+    assert found.complete
+    assert len(found) == 0
+
+
+def test_no_points_give_an_empty_result():
+    eq = model("kang_nam").equilibria(model("kang_nam").Parameters(theta0=np.ones((0, 3))))
+    assert eq.count.shape == (0, 3)
+    assert eq.complete
+
+
+def test_a_range_that_ends_where_a_parameter_divides():
+    found = model("stribeck").folds(model("stribeck").Parameters(theta0=0.8), "v_s")
+    assert found.complete
+    assert len(found) == 1
+
+
+def test_lift_off_of_a_law_that_is_no_polynomial_in_many_digits():
+    eq = model("hertz_contact").equilibria(model("hertz_contact").Parameters(theta0=0.8, alpha=0.0), contact=False)
+    known = ss.equilibria(ss.Parameters.article(theta0=0.8, alpha=0.0), contact=False)
+    assert eq.complete
+    assert int(eq.count) == int(known.count)
 
 
 def test_what_does_not_vary_is_refused():
@@ -302,6 +403,35 @@ def test_path_is_the_articles_with_its_jump():
     assert np.isclose(found.jumps[0].value, known.jumps[0].value, atol=1e-12)
     assert abs(found.jumps[0].before["x"] - known.jumps[0].x_before) < 1e-9
     assert abs(found.jumps[0].after["x"] - known.jumps[0].x_after) < 1e-2
+
+
+def same_path(vary, values, start, **changes):
+    """A path through the general way and the article's."""
+    known = ss.quasi_static_path(ss.Parameters.article(**changes), vary, values, start=start)
+    p = model("kang_nam").Parameters(**{"theta0": 1.0, **changes})
+    found = model("kang_nam").quasi_static_path(p, vary, values, start=start)
+    assert np.allclose(found.x, known.x, atol=1e-9)
+    assert (found.stability == known.stability).all()
+    assert np.allclose([jump.value for jump in found.jumps], [jump.value for jump in known.jumps], atol=1e-12)
+    return found
+
+
+@pytest.mark.parametrize("start", ["small", "large"])
+def test_a_value_on_a_fold_is_the_fold_not_passed_yet(start):
+    # The state that arrives at the fold is the one in which two have met; the jump comes beyond it.
+    fold = model("kang_nam").folds(model("kang_nam").Parameters(theta0=1.0, mu0=0.7), "theta0").theta0[0]
+    for values in ([0.3, fold, 1.2], [fold, fold + 0.1], [fold - 0.1, fold - 1e-10, fold + 1e-10]):
+        same_path("theta0", values, start, mu0=0.7)
+
+
+@pytest.mark.parametrize("way", [1, -1])
+def test_nothing_jumps_at_a_pitchfork(way):
+    found = same_path("theta0", np.radians([60.0, 80.0, 90.0, 100.0, 110.0])[::way], "large", mu0=0.0, alpha=0.0)
+    assert not found.jumps
+
+
+def test_a_path_of_one_value():
+    assert same_path("theta0", [1.0], "small").x.shape == (1,)
 
 
 def test_path_errors_name_the_remedy():

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from ..errors import ParameterError
 from .options import Number
 from .tables import print_json, print_table
+from .targets import refuse
 from .with_model import parameter_options, parameters_of, without
 
 if TYPE_CHECKING:
@@ -72,7 +75,9 @@ def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
 def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
     """Options and work of ``spragsym bifurcation`` for a model."""
 
-    def bifurcation(vary: str, along: str, json_output: bool, **values: Any) -> None:
+    def bifurcation(vary: str, along: str, json_output: bool, plot: Path | None, force: bool, **values: Any) -> None:
+        if plot is not None:
+            draw(plot, vary, along, dict(values), force)
         asked = {"folds": ((vary,), model.folds), "flutter onsets": ((vary,), model.flutter_onsets)}
         found = {title: search(without(model, names, dict(values)), names[0]) for title, (names, search) in asked.items()}
         if along:
@@ -90,7 +95,28 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
             if not points.complete:
                 click.echo(f"{title}: not complete, {len(points.undecided)} boxes are undecided")
 
+    def draw(plot: Path, vary: str, along: str, values: dict[str, Any], force: bool) -> None:
+        if plot.suffix not in (".pdf", ".png", ".svg"):
+            raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+        if not along:
+            raise ParameterError("--plot shows the plane of two parameters; give the second one with --along")
+        refuse([plot], force)
+        from ..figures import FORMATS, model_figure
+        from ..figures.style import house_style
+
+        kind = plot.suffix[1:]
+        with house_style():
+            figure = model_figure(model, without(model, (vary, along), values), (vary, along))
+            figure.savefig(plot, format=kind, metadata=FORMATS[kind])
+        click.echo(f"drew {plot}", err=True)
+
     first, second = _axes(model)
+    plot = click.Option(
+        ["--plot"],
+        type=click.Path(dir_okay=False, path_type=Path),
+        metavar="FILE",
+        help="Draw the bifurcation set (pdf, png, svg).",
+    )
     options = [
         *(_optional(option) for option in parameter_options(model, Number)),
         click.Option(
@@ -100,6 +126,8 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
             ["--along", "along"], default=second, show_default=True, help="Second parameter, for cusps; empty for none."
         ),
         click.Option(["--json", "json_output"], is_flag=True, help=_JSON),
+        plot,
+        click.Option(["--force"], is_flag=True, help="Overwrite files that are in the way."),
     ]
     return options, bifurcation, "All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved."
 

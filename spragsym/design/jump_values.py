@@ -92,7 +92,7 @@ def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> fl
 
 
 def told(found: FirstJumps) -> FirstJumps:
-    """Itself; an error for a single point of which nothing is known, and a warning for some of many."""
+    """The values themselves; an error if nothing is known of a single point, a warning if nothing is known of some of many."""
     for reason in found.reasons.values():
         if not found.value.shape:
             raise ConvergenceError(reason)

@@ -19,7 +19,7 @@ from .jump_values import first_jumps
 from .nearest import nearest, shortened
 from .spaces import Space, space
 
-#: Shares of the distance of which it is asked whether nothing jumps within them, and how many boxes each may take.
+#: Shares of the distance within which a proof that nothing jumps is tried, and the boxes that each may take.
 _SHARES, _BOXES = (0.95, 0.8, 0.5, 0.2), 3_000
 
 

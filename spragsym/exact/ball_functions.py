@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 from .intervals import GUARD_BITS, Ball, Balls
@@ -41,12 +42,16 @@ class Functions:
     @staticmethod
     def sqrt(value: Any) -> Any:
         """Square root."""
-        return value.sqrt(_BALLS.sqrt(value.value)) if isinstance(value, Jet) else _BALLS.sqrt(value)
+        if isinstance(value, Jet):
+            return value.sqrt(Functions.sqrt(value.value))
+        return _BALLS.sqrt(value if isinstance(value, Ball) else _BALLS.exact(Fraction(value)))
 
     @staticmethod
     def exp(value: Any) -> Any:
         """Exponential."""
-        return value.exp(exp(value.value)) if isinstance(value, Jet) else exp(value)
+        if isinstance(value, Jet):
+            return value.exp(Functions.exp(value.value))
+        return exp(value if isinstance(value, Ball) else _BALLS.exact(Fraction(value)))
 
     @staticmethod
     def sign(value: Any) -> int:

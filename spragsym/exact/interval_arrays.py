@@ -6,7 +6,7 @@ one call serves both.
 Rounding. NumPy's + − × ÷ and √ round to nearest: for a result r the exact value lies below the float after r. That is at most
 r + 2⁻⁵² |r| for normal r, since the distance to the next float is at most 2⁻⁵² |r|; the sum is rounded to nearest, and rounding
 keeps the order of numbers, so that it does not fall below that float. :data:`TINY` is added for r that is 0 or subnormal, where
-2⁻⁵² |r| may be 0. Nothing is exact by this but negation, absolute value, sign and union.
+2⁻⁵² |r| may be 0. Only negation, absolute value, sign and union are exact.
 
 An end that is NaN bounds nothing, nor does an infinite one: every comparison with NaN is false, so that code which concludes from
 comparisons that hold concludes nothing from it. NaN comes from ∞ − ∞, 0 · ∞, and division by an interval that holds 0.
@@ -32,7 +32,7 @@ FUNCTION_ULPS = 8
 
 
 def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
-    """Numbers not below those of which ``ends`` are off by at most ``ulps`` units of 2⁻⁵² relative, or rounded once."""
+    """Upper bounds of the numbers from which ``ends`` differ by at most ``ulps`` units of 2⁻⁵² relative, or by one rounding."""
     out = np.abs(ends)
     out *= ulps * EPS
     out += TINY
@@ -173,7 +173,10 @@ class Intervals:
         if not isinstance(other, Intervals):
             return NotImplemented
         quotient = _extremes(np.divide, self.ends, other.ends)
-        return Intervals(raised(np.where(_by_zero(other.ends, quotient.ndim), np.nan, quotient)))
+        zero = _by_zero(other.ends, quotient.ndim)
+        if zero.any():
+            quotient = np.where(zero, _beside_zero(self.ends, other.ends), quotient)
+        return Intervals(raised(quotient))
 
     def __rtruediv__(self, other: Any) -> Intervals:
         if isinstance(other, int | float | np.ndarray):
@@ -210,7 +213,8 @@ class Intervals:
         """Exponential, off by no more than :data:`FUNCTION_ULPS`."""
         values = np.exp(np.stack([-self.ends[0], self.ends[1]]))
         values[0] *= -1
-        return Intervals(_not_negative(raised(values, FUNCTION_ULPS)))
+        # Of 0 it is 1, exactly: laws of friction vanish there.
+        return Intervals(np.where(self.ends == 0, values, _not_negative(raised(values, FUNCTION_ULPS))))
 
     def sign(self) -> Intervals:
         """−1, 0 or 1, or an interval of these."""
@@ -221,7 +225,7 @@ class Intervals:
 
 
 def exactly(number: float) -> float:
-    """An integer or float as a float; ValueError for an integer that is none."""
+    """An integer or float as a float; ValueError for an integer that no float equals."""
     value = float(number)
     if value != number:
         raise ValueError(f"{number!r} is no float; give an interval around it")
@@ -272,6 +276,18 @@ def _extremes(operation: np.ufunc, one: FloatArray, other: FloatArray) -> FloatA
 def _by_zero(ends: FloatArray, ndim: int) -> NDArray[np.bool_]:
     zero: NDArray[np.bool_] = ~((ends[0] < 0) | (ends[1] < 0))
     return zero.reshape(1, *(1,) * (ndim - 1 - zero.ndim), *zero.shape)
+
+
+def _beside_zero(one: FloatArray, other: FloatArray) -> FloatArray:
+    """Ends of the quotient by intervals that end at 0, for divisors other than 0; NaN where 0 is inside of them."""
+    one, other = _aligned(one, other)
+    positive = (other[0] == 0) & (other[1] > 0)
+    negative = (other[1] == 0) & (other[0] > 0)
+    least, most = np.where(negative, one[::-1], one)  # −least and greatest dividend, its sign turned for negative divisors
+    far = np.where(negative, other[0], other[1])
+    ends = np.stack([np.where(least > 0, np.inf, least / far), np.where(most > 0, np.inf, most / far)])
+    out: FloatArray = np.where(positive | negative, ends, np.nan)
+    return out
 
 
 def _not_negative(ends: FloatArray) -> FloatArray:

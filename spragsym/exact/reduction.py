@@ -47,8 +47,7 @@ PARTS = 400
 
 @dataclass(frozen=True)
 class Reduced:
-    """Boxes with pairs of fractions for each unknown: of each root, of what it is alone in, and pieces that nothing is known
-    of."""
+    """Boxes, as pairs of fractions for each unknown: around each root, those in which it is alone, and those still open."""
 
     roots: list[Box]
     alone: list[Box]
@@ -76,6 +75,21 @@ def reduced_roots(evaluate: Evaluate, box: Sequence[tuple[float, float]], jacobi
     return found
 
 
+def third_derivative(evaluate: Evaluate, box: Box, jacobian: NDArray[np.float64], bits: int, among: Sequence[int]) -> Ball:
+    """A sixth of the third derivative of g all over a box, with u and the equation that is left among the given ones.
+
+    Raises
+    ------
+    Undecided
+        Where the other unknowns are not proved to be functions of u that stay in a box slightly larger.
+    """
+    left_vectors, _, right_vectors = np.linalg.svd(jacobian)
+    along = max(among, key=lambda i: abs(float(right_vectors[-1, i])))
+    equation = max(among, key=lambda i: abs(float(left_vectors[i, -1])))
+    with _BALLS.precision(bits):
+        return _Task(evaluate, along, equation, len(box)).third(box)
+
+
 @dataclass(frozen=True)
 class _Task:
     evaluate: Evaluate
@@ -83,8 +97,13 @@ class _Task:
     equation: int  #: number of the equation that is left
     n: int
 
+    def third(self, box: Box) -> Ball:
+        """The third coefficient of the expansion about any point of a box."""
+        last: Ball = self._expansion(_BALLS.between(*box[self.along]), self._others(box[self.along], box))[3]
+        return last
+
     def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> None:
-        """All roots of a box: of the whole, or of its halves in u, and so on."""
+        """All roots of a box: of the whole if it can be settled, else of its halves in u, and of theirs."""
         waiting = deque([(box, DEPTH)])
         for _ in range(PARTS):
             if not waiting:

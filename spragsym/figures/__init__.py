@@ -28,6 +28,7 @@ from .extras import (  # fmt: skip
     figure_sensitivity,
 )
 from .files import FORMATS, write
+from .models import draw_bifurcation_set_of, draw_equilibria_of, draw_onsets_of, model_figure
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
 from .oscillation import branch_figure, figure_cycles, figure_cycles_plane
@@ -64,8 +65,11 @@ __all__ = [
     "bifurcation_figure",
     "branch_figure",
     "branches",
+    "draw_bifurcation_set_of",
     "draw_branches",
+    "draw_equilibria_of",
     "draw_motion",
+    "draw_onsets_of",
     "draw_operating_point",
     "draw_path",
     "draw_phase",
@@ -73,6 +77,7 @@ __all__ = [
     "draw_shares",
     "draw_spectrum",
     "mark_folds",
+    "model_figure",
     "motion_figure",
     "plot_equilibria",
     "write",

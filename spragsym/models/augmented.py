@@ -24,18 +24,20 @@ class Condition(Protocol):
     order: int
 
     def equations(self, at: State) -> Sequence[Any]:
-        """Values that vanish, as many as parameters are unknowns; from jets of ``order`` more than is asked of the values."""
+        """The values that must vanish, one for each unknown parameter; jets carry ``order`` derivatives more than these."""
 
     def hopeless(self, at: State) -> NDArray[np.bool_]:
-        """Boxes in which an inequality can't hold that is asked for, too."""
+        """Boxes in which an inequality that the condition asks for can't hold."""
 
 
 class State:
     """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
 
-    def __init__(self, balance: Balance, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> None:
+    def __init__(
+        self, balance: Balance, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], upright: Sequence[int] = ()
+    ) -> None:
         self.balance, self.q, self.values, self.shape = balance, q, values, shape
-        self.directions = balance.directions(q, values, shape)
+        self.directions = balance.directions(q, values, shape, upright)
         self._stiffness: Any = None
 
     def forces(self) -> Sequence[Any]:
@@ -60,6 +62,10 @@ class State:
     def damping(self) -> list[list[Any]]:
         """C: dampers and slope of the friction law."""
         return [list(row) for row in self.balance.damping(self.q, self.directions, self.values)]
+
+    def slope(self) -> Any:
+        """Slope of the friction law."""
+        return self.balance.slope(self.values)
 
 
 class Augmented:

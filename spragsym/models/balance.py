@@ -14,6 +14,9 @@ from ..exact.interval_functions import cos, sin
 from .directions import direction
 from .laws import XP
 
+#: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
+NOTHING = 1e-290
+
 
 class Model(Protocol):
     """What is needed of a model: generated modules, and what its page says."""
@@ -36,8 +39,10 @@ class Balance:
     generated functions, once for each node of the tree of points.
     """
 
-    def __init__(self, model: Model, contact: bool) -> None:
+    def __init__(self, model: Model, contact: bool, law: str = "friction_at_rest") -> None:
         about = model.about
+        #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
+        self.law = law
         self.model, self.contact = model, contact
         self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
         self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
@@ -84,29 +89,45 @@ class Balance:
 
     # ---------------------------------------------------------------------------------------------- forces
 
-    def directions(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[Any]:
-        """Cosine, sine and length of every spring."""
+    def directions(
+        self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], upright: Sequence[int] = ()
+    ) -> list[Any]:
+        """Cosine, sine and length of every spring; those that are known to be ``upright`` have dx = 0."""
         rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
-        return [part for dx, dy, _ in rows for part in direction(dx, dy, shape)]
+        steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
+        return [part for dx, dy in steps for part in direction(dx, dy, shape)]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """A function of ``statics`` that has the arguments of ``forces``."""
-        mu = undecorated(self.model.statics.friction_at_rest)(*self._listed(values, "motion"), xp=xp)
+        mu = self.friction(values, xp)
         function = undecorated(getattr(self.model.statics, name))
         return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
+
+    def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
+        """The friction coefficient at steady sliding."""
+        return undecorated(getattr(self.model.statics, self.law))(*self._listed(values, "motion"), xp=xp)
 
     def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """M of the kinetic energy."""
         return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
 
-    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any]) -> Any:
+    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None) -> Any:
         """C of dampers and of the slope of the friction law."""
         function = undecorated(self.model.linearization.damping)
-        return function(*q, *directions, *self._listed(values, "motion"), self.pushing, xp=XP)
+        return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=XP)
+
+    def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
+        """Slope of the friction law at steady sliding."""
+        return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
 
     def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
         """The gap of the contact."""
         return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=XP)
+
+    def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
+        """The image of a state in the model's mirror."""
+        image: Sequence[Any] = undecorated(self.model.statics.mirror)(*q, *self._listed(values, "statics"), xp=XP)
+        return image
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces over boxes, shape (n, N)."""
@@ -194,7 +215,7 @@ class Balance:
         return matrix(self.call("forces_jacobian", list(unknowns), far, values), shape)
 
     def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
-        """Whether a length stands in the forces, as of torsion springs: then they are unknown where it is. Asked once."""
+        """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""
         if self._lengths is None and unknowns.shape[1]:
             one = np.zeros(1, dtype=np.int64)
             unknown = Intervals(np.full((2, 1), np.nan))

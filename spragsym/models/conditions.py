@@ -91,6 +91,38 @@ class Hopf(Plain):
         return (determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places]),)
 
 
+class FrictionHopf(Plain):
+    """As :class:`Hopf`, where nothing but the slope of the friction law damps, and that the coordinate ``along``.
+
+    Then det(λ² M + λ C + K) = A(λ²) + λ c B(λ²) with the only entry c of C, and B a minor of K + λ² M. A pair ± i ω is where A
+    and B have a common root, however small c is; it is divided out.
+    """
+
+    order = 0
+
+    def __init__(self, along: int) -> None:
+        self.along = along
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The resultant of B and A, less a multiple of B: it does not depend on the entry in row and column ``along``."""
+        K, M = at.stiffness(), at.mass()
+        n = len(K)
+        rows = [[Polynomial([K[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
+        B = cofactor(rows, self.along, self.along)
+        rows[self.along][self.along] = Polynomial([0])
+        return (_resultant(_trimmed(B), _trimmed(determinant(rows))),)
+
+
+class NoSlope(Plain):
+    """The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The slope."""
+        return (at.slope(),)
+
+
 def change(K: Sequence[Sequence[Any]], column: int) -> Any:
     """Change of det K along a column of the adjugate, from entries that are jets in the coordinates first."""
     value = determinant(K)
@@ -107,7 +139,7 @@ def determinant(rows: Sequence[Sequence[Any]]) -> Any:
         return 1
     total: Any = 0
     for j, entry in enumerate(rows[0]):
-        if not (isinstance(entry, int) and entry == 0):
+        if not _is_zero(entry):
             total = total + entry * cofactor(rows, 0, j)
     return total
 
@@ -143,10 +175,24 @@ class Polynomial:
         out: list[Any] = [0] * (len(self.coefficients) + len(two) - 1)
         for i, a in enumerate(self.coefficients):
             for j, b in enumerate(two):
-                out[i + j] = out[i + j] + a * b
+                if not (_is_zero(a) or _is_zero(b)):
+                    out[i + j] = out[i + j] + a * b
         return Polynomial(out)
 
     __rmul__ = __mul__
+
+
+def _is_zero(value: Any) -> bool:
+    """0 by structure."""
+    return isinstance(value, int) and value == 0
+
+
+def _trimmed(polynomial: Polynomial) -> list[Any]:
+    """Coefficients without the highest ones that are 0 by structure."""
+    coefficients = polynomial.coefficients
+    while len(coefficients) > 1 and _is_zero(coefficients[-1]):
+        coefficients = coefficients[:-1]
+    return coefficients
 
 
 def _resultant(one: Sequence[Any], two: Sequence[Any]) -> Any:

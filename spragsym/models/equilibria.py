@@ -16,16 +16,20 @@ from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
-from .precise import settled
+from .columns import Columns
+from .precise import replaced, settled, unsettled
 from .regions import region
+from .wide import WideBalance
 
 #: Relative width of boxes that are left to many digits.
 NARROW = 2.0**-16
+#: Boxes of one point, and their relative width, after which many digits take over from double-double.
+WIDE_BUDGET, WIDE_NARROW = 1000, 2.0**-32
 
 
 @dataclass(frozen=True)
 class Undecided(Result):
-    """A box of one point of which it is not known what it holds: no equilibrium, one, or several."""
+    """A box at one point that may hold no equilibrium, one, or several: this is not known."""
 
     index: tuple[int, ...]  #: of the point in the shape of the parameters
     low: tuple[float, ...]  #: lower ends, by coordinate
@@ -33,7 +37,7 @@ class Undecided(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class ModelEquilibria(Result):
+class ModelEquilibria(Columns, held_in="coordinates"):
     """Every equilibrium of every parameter point of a model.
 
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
@@ -79,13 +83,6 @@ class ModelEquilibria(Result):
         """Whether every box of every point is decided: then there is no other equilibrium in the region."""
         return bool(self.decided.all())
 
-    def __getattr__(self, name: str) -> FloatArray:
-        coordinates = self.__dict__.get("coordinates", {})
-        if name in coordinates:
-            values: FloatArray = coordinates[name]
-            return values
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its coordinates are {', '.join(coordinates)}")
-
 
 def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     """All equilibria of a model: steady sliding in contact, or at rest in lift-off.
@@ -116,6 +113,31 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     return _arranged(model, balance, p, found, around, whole)
 
 
+def index_of(model: Model, given: FloatArray, states: FloatArray, near: float) -> NDArray[np.int64]:
+    """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, points).
+    states : ndarray
+        The first coordinates of each, shape (coordinates or fewer, points).
+    near : float
+        How far a motion may be from its equilibrium, over 1 + its size.
+    """
+    balance = Balance(model, True, "friction_at_speed")
+    found, _, _ = solved(balance, given)
+    order = np.lexsort((found.middle[0], found.point))
+    point, middle = found.point[order], found.middle[: states.shape[0], order]
+    slot = np.arange(point.size) - np.searchsorted(point, point)
+    away = np.linalg.norm(middle - states[:, point], axis=0) / (1 + np.linalg.norm(states[:, point], axis=0))
+    out = np.full(given.shape[1], -1)
+    for row in np.argsort(-away, kind="stable"):  # the nearest last
+        if away[row] <= near:
+            out[point[row]] = slot[row]
+    return out
+
+
 def columns(p: Any, names: list[str]) -> FloatArray:
     """Parameters as an array of shape (parameters, points)."""
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), -1)
@@ -124,9 +146,30 @@ def columns(p: Any, names: list[str]) -> FloatArray:
 def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool]:
     """The roots of all points, the region of each and whether it holds all."""
     around, whole = region(balance, Intervals.point(given))
+    if not given.shape[1]:
+        none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
+        return Roots(none, none, nowhere, none, nowhere), around, whole
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
+    found = _with_more_digits(balance, given, around, found)
     return settled(balance, given, around, found), around, whole
+
+
+def _with_more_digits(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+    """What floats have left, or know to few digits only, searched again with double-double residuals."""
+    points = unsettled(found)
+    if not points.size:
+        return found
+    wide = WideBalance(balance.model, balance.contact, balance.law)
+    mine, there = given[:, points], np.broadcast_to(around, (*around.shape[:2], given.shape[1]))[:, :, points]
+    outcome = boxes.search(wide, there, mine, mine, limits=balance.limits, budget=WIDE_BUDGET, narrow=WIDE_NARROW)
+    again = certified_roots.roots(wide, outcome, there, mine, mine)
+    # Of others the few large boxes that floats have left serve many digits better than many small ones.
+    done = np.setdiff1d(np.arange(points.size), unsettled(again))
+    kept = np.isin(again.point, done)
+    fewer = Roots(again.ends[:, :, kept], again.alone[:, :, kept], np.searchsorted(done, again.point[kept]),
+                  np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64))  # fmt: skip
+    return replaced(found, points[done], fewer)
 
 
 def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:

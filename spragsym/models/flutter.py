@@ -2,17 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
-from typing import Any
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..exact.interval_arrays import FloatArray
+from ..exact.certified_roots import Roots
+from ..exact.interval_arrays import FloatArray, Intervals, stacked
+from ..exact.jets import Jet, gradient
 from . import stability
-from .balance import Balance, Model
-from .conditions import Flutter, Hopf
+from .augmented import Condition
+from .balance import NOTHING, Balance, Model, matrix
+from .conditions import Flutter, FrictionHopf, Hopf, NoSlope
 from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
+
+#: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
+FAR = 1.0
+#: ω of the points of a search that M, C and K are taken at.
+Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 
 
 def flutter_onsets(
@@ -42,51 +52,182 @@ def flutter_onsets(
     -------
     ModelPoints
         Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
-        ``omega`` is the frequency.
+        ``omega`` is the frequency. Where nothing damps at all and the slope of the friction law changes its sign, every pair of a
+        state crosses, and each has a row.
 
     Notes
     -----
-    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Points where a real pair
-    ± λ has the sum 0, or two real λ meet, are roots as well and left out.
+    Source: F = 0 and Hurwitz's determinant of order 2 n − 1, or the discriminant of det(K − κ M) in κ. Where the slope of the
+    friction law is all that damps, it is a factor of Hurwitz's determinant and taken out: what is left, and the slope, are
+    searched for on their own. An end of the range at which C vanishes is no onset. Points where a real pair ± λ has the sum 0, or
+    two real λ meet, are roots as well and left out.
     """
     balance = Balance(model, contact=True)
     spans = ranges(model, (vary,), between or {})
     given = given_column(p, balance.parameters, (vary,))
+    along = _damped_by_friction_alone(balance, given, spans)
+    slope = None if along is None else _slope_over(balance, given, spans)
     if damping is None:
-        damping = _is_damped(balance, given, spans)
-    found = search(balance, (vary,), Hopf() if damping else Flutter(), given, spans)
-    omega = _frequency(balance, vary, given, found, damping)
-    oscillates = np.isfinite(omega)
-    kept = replace(found, roots=picked(found.roots, oscillates))
-    kind = np.full(int(oscillates.sum()), "hopf" if damping else "flutter")
-    return arranged(balance, (vary,), given, kept, kind, {"omega": omega[oscillates]})
+        damping = _is_damped(balance, given, spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
+
+    def found(condition: Condition) -> Found:
+        return search(balance, (vary,), condition, given, spans)
+
+    if not damping:
+        parts = [_part(balance, vary, given, found(Flutter()), "flutter", _meeting)]
+    elif slope is None or along is None or balance.n == 1:
+        parts = [_part(balance, vary, given, found(Hopf()), "hopf", _crossing)]
+    else:
+        parts = []
+        if _friction_over(balance, given, spans).magnitude.max() > NOTHING:
+            # Without friction K is symmetric, and damping takes energy: no pair crosses.
+            parts.append(_part(balance, vary, given, found(FrictionHopf(along)), "hopf", partial(_without, along)))
+        if not parts or slope.holds_zero().any():
+            ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
+            parts.append(_part(balance, vary, given, ends_left_out, "hopf", _every))
+    return _joined(balance, vary, given, parts)
+
+
+# ------------------------------------------------------------------------------------------------------- what damps
 
 
 def _is_damped(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
-    """Whether C is not 0 at a state that is nothing special."""
+    """Whether C is not 0 at a generic state."""
     point = np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given)
     state = -np.linspace(0.11, 0.23, balance.n)[:, None]
     return bool(np.any(stability.linearization(balance, state, point)[1]))
 
 
-def _frequency(balance: Balance, vary: str, given: FloatArray, found: Found, damping: bool) -> FloatArray:
-    """ω of the pair ± i ω at each point; NaN where the pair is real."""
+def _damped_by_friction_alone(balance: Balance, given: FloatArray, spans: FloatArray) -> int | None:
+    """The coordinate that friction opposes, if nothing else damps for any parameter of the range; None if that is not known."""
+    friction = balance.model.about["friction"]
+    if friction is None or friction["along"] not in balance.coordinates:
+        return None
+    if balance.model.about["dampers"]:
+        values, shape = _over(balance, given, spans)
+        states = [Intervals.between(np.full(shape, -FAR), np.full(shape, FAR)) for _ in range(balance.n)]
+        directions = [Intervals(np.ones((2, *shape))) for _ in range(3 * balance.springs)]
+        C = matrix(balance.damping(states, directions, values, pushing=0), shape)
+        # They are known on their own in lift-off.
+        if not balance.opens or not C.magnitude.max() <= NOTHING:
+            return None
+    return balance.coordinates.index(friction["along"])
+
+
+def _over(balance: Balance, given: FloatArray, spans: FloatArray) -> tuple[dict[str, Any], tuple[int, ...]]:
+    """Arguments of generated functions over a range."""
+    low, high = (np.where(np.isnan(given), end, given) for end in spans[0])
+    with np.errstate(all="ignore"):
+        return balance.arguments(balance.prepared(Intervals.between(low, high))), (1,)
+
+
+def _slope_over(balance: Balance, given: FloatArray, spans: FloatArray) -> Intervals:
+    """The slope of the friction law over a range."""
+    values, shape = _over(balance, given, spans)
+    with np.errstate(all="ignore"):
+        return stacked([balance.slope(values)], shape)[0]
+
+
+def _friction_over(balance: Balance, given: FloatArray, spans: FloatArray) -> Intervals:
+    """The friction coefficient over a range."""
+    values, shape = _over(balance, given, spans)
+    with np.errstate(all="ignore"):
+        return stacked([balance.friction(values)], shape)[0]
+
+
+def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> Found:
+    """Boxes without those in which the slope of the friction law has no zero but the end of the range."""
+    left, place = found.roots.left, balance.parameters.index(vary)
+    dropped = np.zeros(left.shape[2], dtype=np.bool_)
+    with np.errstate(all="ignore"):
+        for end in span:
+            point = np.where(np.isnan(given), end, given)
+            there = balance.slope(balance.arguments(balance.prepared(Intervals.point(point))))
+            if not stacked([there], (1,)).magnitude.max() <= NOTHING:
+                continue
+            wide = np.repeat(point, left.shape[2], axis=1)
+            low, high = wide.copy(), wide.copy()
+            low[place], high[place] = np.minimum(end, -left[0, -1]), np.maximum(end, left[1, -1])
+            bounds = Intervals.between(low, high)
+            changed = {vary: Jet.variable(bounds[place], 0, 1)}
+            change = gradient(balance.slope(balance.arguments(balance.prepared(bounds), changed)), 1)
+            dropped |= ~stacked(change, left.shape[2:])[0].holds_zero()
+    roots = found.roots
+    return replace(found, roots=replace(roots, left=left[:, :, ~dropped], left_point=roots.left_point[~dropped]))
+
+
+# ------------------------------------------------------------------------------------------------------- frequencies
+
+
+@dataclass(frozen=True)
+class _Part:
+    """Points of one search."""
+
+    found: Found
+    kind: NDArray[np.str_]
+    omega: FloatArray
+
+
+def _part(balance: Balance, vary: str, given: FloatArray, found: Found, kind: str, frequencies: Frequencies) -> _Part:
+    """A row for each frequency that a root has; none for roots whose λ are real."""
     middle = found.roots.middle
     point = np.repeat(given, middle.shape[1], axis=1)
     point[balance.parameters.index(vary)] = middle[-1]
-    out = np.full(middle.shape[1], np.nan)
-    if not out.size:
-        return out
-    M, C, K = (np.moveaxis(part, -1, 0) for part in stability.linearization(balance, middle[: balance.n], point))
-    for i in range(out.size):
-        if damping:
-            roots = stability.roots(M[i], C[i], K[i])
-            sums = np.abs(roots[:, None] + roots[None]) + np.where(np.eye(roots.size), np.inf, 0.0)
-            one = roots[np.unravel_index(sums.argmin(), sums.shape)[0]]
-            out[i] = abs(one.imag) if abs(one.imag) > abs(one.real) else np.nan
-        else:
-            squares = np.linalg.eigvals(np.linalg.solve(M[i], K[i])).astype(complex)
-            apart = np.abs(squares[:, None] - squares[None]) + np.where(np.eye(squares.size), np.inf, 0.0)
-            one = squares[np.unravel_index(apart.argmin(), apart.shape)[0]] if squares.size > 1 else np.nan
-            out[i] = np.sqrt(one.real) if one.real > 0 else np.nan
-    return out
+    rows: list[int] = []
+    omega: list[float] = []
+    if middle.shape[1]:
+        parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(balance, middle[: balance.n], point))
+        for row, (M, C, K) in enumerate(zip(*parts, strict=True)):
+            some = frequencies(M, C, K)
+            omega += some
+            rows += [row] * len(some)
+    kept = replace(found, roots=picked(found.roots, np.array(rows, dtype=np.int64)))
+    return _Part(kept, np.full(len(rows), kind), np.array(omega))
+
+
+def _crossing(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of the two roots λ of det(λ² M + λ C + K) whose sum is the nearest to 0, unless they are real."""
+    roots = stability.roots(M, C, K)
+    sums = np.abs(roots[:, None] + roots[None]) + np.where(np.eye(roots.size), np.inf, 0.0)
+    one = roots[np.unravel_index(sums.argmin(), sums.shape)[0]]
+    return [abs(one.imag)] if abs(one.imag) > abs(one.real) else []
+
+
+def _meeting(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of the two roots κ of det(K − κ M) that are the nearest to each other, unless they are negative."""
+    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    if squares.size < 2:
+        return []
+    apart = np.abs(squares[:, None] - squares[None]) + np.where(np.eye(squares.size), np.inf, 0.0)
+    one = squares[np.unravel_index(apart.argmin(), apart.shape)[0]]
+    return [float(np.sqrt(one.real))] if one.real > 0 else []
+
+
+def _without(along: int, M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of a mode in which the coordinate ``along`` does not move: the root of its minor that is the nearest to one of all."""
+    others = [i for i in range(len(K)) if i != along]
+    squares = np.linalg.eigvals(np.linalg.solve(M[np.ix_(others, others)], K[np.ix_(others, others)])).astype(complex)
+    all_of_them = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    one = squares[np.abs(squares[:, None] - all_of_them[None]).min(axis=1).argmin()]
+    return [float(np.sqrt(one.real))] if one.real > 0 else []
+
+
+def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
+    """ω of all modes that oscillate."""
+    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    scale = 1e-12 * np.abs(squares).max()
+    return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
+
+
+def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part]) -> ModelPoints:
+    """All parts in one result."""
+    first, roots = parts[0].found, [part.found.roots for part in parts]
+    every = Roots(
+        np.concatenate([one.ends for one in roots], axis=2),
+        np.concatenate([one.alone for one in roots], axis=2),
+        np.concatenate([one.point for one in roots]),
+        np.concatenate([one.left for one in roots], axis=2),
+        np.concatenate([one.left_point for one in roots]),
+    )
+    kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
+    return arranged(balance, (vary,), given, replace(first, roots=every), kind, {"omega": omega})

@@ -10,6 +10,7 @@ import numpy as np
 from .balance import Balance, Model
 from .conditions import Fold
 from .points import ModelPoints, arranged, given_column, ranges, search
+from .symmetry import with_pitchforks
 
 
 def folds(model: Model, p: Any, vary: str, *, between: Mapping[str, tuple[float, float]] | None = None) -> ModelPoints:
@@ -29,16 +30,19 @@ def folds(model: Model, p: Any, vary: str, *, between: Mapping[str, tuple[float,
     Returns
     -------
     ModelPoints
-        Of the kind ``"fold"``: two equilibria meet and vanish there. Points that are degenerate, as pitchforks, are no regular
-        roots and stay among the undecided boxes.
+        Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three become one, all of them in one
+        point, in a model that is its own mirror image. Other degenerate points are no regular roots and stay among the undecided
+        boxes.
 
     Notes
     -----
     Source: F = 0 and det K = 0 in coordinates and parameter. At a regular root of them the parameter moves the state across the
-    fold and the fold is quadratic: otherwise their Jacobian would be singular.
+    fold and the fold is quadratic: otherwise their Jacobian would be singular. Pitchforks: :mod:`spragsym.models.symmetry`.
     """
     balance = Balance(model, contact=True)
     spans = ranges(model, (vary,), between or {})
     given = given_column(p, balance.parameters, (vary,))
     found = search(balance, (vary,), Fold(), given, spans)
-    return arranged(balance, (vary,), given, found, np.full(found.roots.point.size, "fold"))
+    found, pitchforks = with_pitchforks(balance, vary, given, spans[0], found)
+    kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
+    return arranged(balance, (vary,), given, found, kind)

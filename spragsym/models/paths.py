@@ -20,9 +20,10 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.interval_arrays import FloatArray, Intervals
-from ..parameters import as_numbers
+from ..parameters import Range, as_numbers
 from ..statics.solver import Stability
 from .balance import Balance, Model
+from .columns import Columns
 from .conditions import Touch
 from .equilibria import ModelEquilibria, columns, equilibria
 from .folds import folds
@@ -55,7 +56,7 @@ class ModelJump(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class ModelPath(Result):
+class ModelPath(Columns, held_in="coordinates"):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them."""
 
     vary: str
@@ -63,13 +64,6 @@ class ModelPath(Result):
     stability: NDArray[np.int8]
     jumps: tuple[ModelJump, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
-
-    def __getattr__(self, name: str) -> FloatArray:
-        coordinates = self.__dict__.get("coordinates", {})
-        if name in coordinates:
-            column: FloatArray = coordinates[name]
-            return column
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its coordinates are {', '.join(coordinates)}")
 
 
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
@@ -103,27 +97,35 @@ def quasi_static_path(
     Raises
     ------
     ConvergenceError
-        Where folds or equilibria are not all decided, as at a pitchfork, or nothing stable is left to jump to.
+        Where folds or equilibria are not all decided, or nothing stable is left to jump to.
+
+    Notes
+    -----
+    The rules are those of :func:`spragsym.quasi_static_path`. A value that is equal to a fold as ``model.folds`` gives it counts
+    as the fold itself, not passed yet: the state on it is the one that arrives there, and the jump comes beyond it. If the first
+    value is a fold, "small" and "large" choose among the states there, the one in which two equilibria meet included; then the
+    path goes on with the stable one of those two, or jumps. At a pitchfork nothing jumps: where three equilibria become one, each
+    goes on as that one; where one becomes three, the path goes on with the one of larger x, or whatever the mirror turns.
     """
     along = as_numbers("values", values)
     steps = np.diff(along) if along.ndim == 1 else np.zeros(1)
-    if along.ndim != 1 or along.size < 2 or not ((steps > 0).all() or (steps < 0).all()):
-        raise ParameterError("values do not go one way; give one axis of two or more, strictly increasing or strictly decreasing")
+    if along.ndim != 1 or not along.size or not ((steps > 0).all() or (steps < 0).all()):
+        raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
     way = _Way(model, p, vary, along)
     place = way.begin(start)
     out = [way.state(0, place)]
     jumps = []
     for stop in range(1, way.stops.size):
-        image = way.links[stop - 1].get(place)
-        if image is None:
-            place, jump = way.jump(stop, after_jump)
-            jumps.append(jump)
-        else:
-            place = image
+        place, jump = way.moved(stop, place, after_jump)
+        jumps += [jump] if jump else []
         if way.wanted[stop]:
             out.append(way.state(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
     return ModelPath(vary, along, np.array([state[1] for state in out], dtype=np.int8), tuple(jumps), coordinates)
+
+
+#: Where two equilibria meet on a value, instead of the slot of one.
+MET = -1
 
 
 @dataclass(frozen=True)
@@ -141,14 +143,19 @@ class _Way:
         self.model, self.vary, self.balance = model, vary, Balance(model, contact=True)
         self.p = p
         low, high = float(along.min()), float(along.max())
+        self.ends_at = low, high
+        # Folds on the ends are inside of what is searched.
+        allowed: Range = p.ranges.get(vary, Range(-np.inf, np.inf))
+        low = max(low - BESIDE * max(1.0, abs(low)), allowed.low)
+        high = min(high + BESIDE * max(1.0, abs(high)), allowed.high)
         self.folds: ModelPoints = folds(model, p, vary, between={vary: (low, high)})
         if not self.folds.complete:
             raise ConvergenceError(
                 f"folds along {vary} between {low:.17g} and {high:.17g} are not all decided; model.folds lists the boxes, and a "
-                "path needs a range without degenerate points"
+                "path needs a range without them"
             )
         self.ends = [self.folds, *self._touches((low, high))]
-        self.at = self._column(vary)
+        self.at, self.kinds = self._column(vary), self._column("kind")
         self.stops, self.wanted = self._stops(along)
         self.eq = equilibria(model, p.replace(**{vary: self.stops}))
         if not self.eq.complete:
@@ -157,8 +164,10 @@ class _Way:
         self.links = self._links()
 
     def _column(self, name: str) -> NDArray[Any]:
-        """A column of all points at which states vanish."""
-        return np.concatenate([getattr(points, name) for points in self.ends])
+        """A column of all points at which states vanish on the way."""
+        at, column = (np.concatenate([getattr(points, key) for points in self.ends]) for key in (self.vary, name))
+        chosen: NDArray[Any] = column[(at >= self.ends_at[0]) & (at <= self.ends_at[1])]
+        return chosen
 
     def _touches(self, span: tuple[float, float]) -> list[ModelPoints]:
         """Where an equilibrium gets into contact or out of it."""
@@ -182,24 +191,20 @@ class _Way:
             beside += [fold - room, fold + room]
         low, high = along.min(), along.max()
         extra = np.array([value for value in beside if low < value < high])
-        keep = ~np.isin(along, self.at)
-        stops = np.concatenate([along[keep], extra])
-        wanted = np.concatenate([np.ones(int(keep.sum()), dtype=np.bool_), np.zeros(extra.size, dtype=np.bool_)])
-        if not keep.all():
-            value = along[~keep][0]
-            raise ParameterError(f"values hold {self.vary} = {value:.17g}, where a state vanishes; leave it out")
+        stops = np.concatenate([along, extra])
+        wanted = np.concatenate([np.ones(along.size, dtype=np.bool_), np.zeros(extra.size, dtype=np.bool_)])
         order = np.argsort(stops)
         order = order if along[-1] > along[0] else order[::-1]
         return stops[order], wanted[order]
 
     def _links(self) -> list[dict[int, int]]:
-        """For each step the slot at its end of each slot at its beginning, where they lie on one branch."""
+        """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one."""
         states = {float(value): self._states(self.eq, stop) for stop, value in enumerate(self.stops)}
         steps = list(itertools.pairwise(map(float, self.stops)))
         proved: dict[Step, dict[int, int]] = {}
         halved: dict[Step, float] = {}
         pending = steps
-        for _ in range(HALVINGS):
+        for _ in range(HALVINGS if steps else 0):
             found = self._by_boxes(pending, states)
             proved |= found
             failed = [step for step in pending if step not in found]
@@ -211,6 +216,8 @@ class _Way:
             eq = equilibria(self.model, self.p.replace(**{self.vary: np.array(list(middles.values()))}))
             states |= {middle: self._states(eq, k) for k, middle in enumerate(middles.values())}
             pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
+        if not steps:
+            return []
         raise ConvergenceError(
             f"branches between {self.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart"
         )
@@ -243,13 +250,35 @@ class _Way:
                 slots = [np.flatnonzero(_holds(roots.alone[:, :, box], part)) for part in (begin, end)]
                 if slots[0].size == slots[1].size == 1:
                     pairs[int(slots[0][0])] = int(slots[1][0])
-            over_fold = bool(((self.at > min(one, two)) & (self.at < max(one, two))).any())
-            if not over_fold:
-                pairs |= _by_sign(pairs, states[one].signs, states[two].signs)
-            wanted = min(begin.shape[1], end.shape[1]) if over_fold else begin.shape[1]
-            if len(pairs) == wanted and (over_fold or wanted == end.shape[1]):
+            if self._complete(pairs, (one, two), states[one], states[two]):
                 done[one, two] = pairs
         return done
+
+    def _complete(self, pairs: dict[int, int], step: Step, begin: _States, end: _States) -> bool:
+        """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
+        within = (self.at >= min(step)) & (self.at <= max(step))
+        counts = int(begin.q.shape[1]), int(end.q.shape[1])
+        mirrored = bool((self.kinds == "pitchfork").any() and (self.kinds[within] == "pitchfork").all())
+        if mirrored and (bool(within.any()) or counts[0] == counts[1] == len(pairs) + 3):
+            return self._across_pitchfork(pairs, begin, end)
+        # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
+        over_fold = bool(((self.at > min(step)) & (self.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
+        if over_fold:
+            return len(pairs) == min(counts)
+        pairs |= _by_sign(pairs, begin.signs, end.signs)
+        return len(pairs) == counts[0] == counts[1]
+
+    def _across_pitchfork(self, pairs: dict[int, int], begin: _States, end: _States) -> bool:
+        """Pairs of the states that meet at a pitchfork: none crosses the mirror; of three that begin there the upper goes on."""
+        turned = self.balance.coordinates.index(self.balance.model.about["mirror"]["turned"][0])
+        one = [k for k in range(begin.q.shape[1]) if k not in pairs]
+        two = [k for k in range(end.q.shape[1]) if k not in pairs.values()]
+        one.sort(key=lambda k: float(begin.q[turned, k]))
+        two.sort(key=lambda k: float(end.q[turned, k]))
+        if not {len(one), len(two)} <= {1, 3}:
+            return not one and not two
+        pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[-1])
+        return True
 
     def begin(self, start: int | str) -> int:
         """The slot at the first value."""
@@ -261,13 +290,47 @@ class _Way:
         if start not in ("small", "large"):
             raise ParameterError(f"start = {start!r}; give 'small', 'large' or the slot of an equilibrium")
         stable = [slot for slot in range(count) if self.eq.stability[0, slot] == Stability.STABLE] or list(range(count))
+        met = self._met(0)
+        if met is not None and self.links and count == len(self.links[0]):
+            # The float of the fold lies just beyond the states that meet there.
+            stable = [MET, *stable] if self._stability_met(met) == Stability.STABLE else (stable or [MET])
         if not stable:
             raise ParameterError(f"the first value, {self.vary} = {self.stops[0]:.17g}, has no equilibrium in contact")
-        first = self.eq.coordinates[self.balance.coordinates[0]][0]
-        return (min if start == "small" else max)(stable, key=lambda slot: abs(float(first[slot])))
+        return (min if start == "small" else max)(stable, key=lambda slot: abs(self.state(0, slot)[0][0]))
+
+    def _met(self, stop: int) -> int | None:
+        """The number of the fold or border that a stop is equal to."""
+        here = np.flatnonzero((self.at == self.stops[stop]) & (self.kinds != "pitchfork"))
+        return int(here[0]) if here.size else None
+
+    def _stability_met(self, number: int) -> int:
+        """Where one λ is 0 the others decide."""
+        q = np.array([[float(self._column(name)[number])] for name in self.balance.coordinates])
+        given = columns(self.p.replace(**{self.vary: self.at[number : number + 1]}), self.balance.parameters)
+        M, _, K = (part[:, :, 0] for part in linearization(self.balance, q, given))
+        squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+        others = np.delete(squares, np.abs(squares).argmin())
+        if (np.abs(others.imag) > 1e-13 * np.abs(others).max(initial=0.0)).any():
+            return int(Stability.FLUTTER)
+        return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
+
+    def moved(self, stop: int, place: int, choose: Choice | None) -> tuple[int, ModelJump | None]:
+        """The slot at a stop of the state that was in a slot at the one before, with the jump if it vanishes on the way."""
+        links = self.links[stop - 1]
+        if place == MET:
+            begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
+            stable = [slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE]
+            return (stable[0], None) if stable else self.jump(stop, choose)
+        if place in links:
+            return links[place], None
+        return (MET, None) if self._met(stop) is not None else self.jump(stop, choose)
 
     def state(self, stop: int, slot: int) -> tuple[list[float], int]:
         """Coordinates and stability."""
+        if slot == MET:
+            number = self._met(stop)
+            assert number is not None  # MET is returned where there is one
+            return [float(self._column(name)[number]) for name in self.balance.coordinates], self._stability_met(number)
         values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
         return values, int(self.eq.stability[stop, slot])
 

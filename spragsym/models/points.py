@@ -9,23 +9,23 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
+from .columns import Columns
 from .regions import region
 
-#: Boxes looked at for one search.
-BUDGET = 200_000
+#: Boxes looked at for one search of up to three unknowns, and of more.
+BUDGET, LARGE_BUDGET = 200_000, 1_000_000
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
 FAR = 10.0
 
 
 @dataclass(frozen=True, eq=False)
-class ModelPoints(Result):
+class ModelPoints(Columns, held_in="values"):
     """Points at which equilibria change, sorted by the first parameter that varies.
 
     Every parameter and coordinate is an attribute under its own name, one number a point.
@@ -60,13 +60,6 @@ class ModelPoints(Result):
     def __len__(self) -> int:
         return int(self.error.size)
 
-    def __getattr__(self, name: str) -> FloatArray:
-        values = self.__dict__.get("values", {})
-        if name in values:
-            column: FloatArray = values[name]
-            return column
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {', '.join(values)}")
-
 
 @dataclass(frozen=True)
 class Found:
@@ -98,7 +91,13 @@ def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float,
 
 
 def search(
-    balance: Balance, vary: Sequence[str], condition: Condition, given: FloatArray, spans: FloatArray, *, budget: int = BUDGET
+    balance: Balance,
+    vary: Sequence[str],
+    condition: Condition,
+    given: FloatArray,
+    spans: FloatArray,
+    *,
+    budget: int | None = None,
 ) -> Found:
     """All points of a kind.
 
@@ -108,6 +107,8 @@ def search(
         Shape (parameters, points); rows of parameters that vary are not used.
     spans : ndarray
         Their ranges, shape (number, 2).
+    budget : int, optional
+        Boxes looked at for one point.
     """
     places = [balance.parameters.index(name) for name in vary]
     low, high = given.copy(), given.copy()
@@ -119,6 +120,8 @@ def search(
     system = Augmented(balance, vary, condition)
     fixed = given.copy()
     fixed[places] = spans[:, :1]
+    if budget is None:
+        budget = BUDGET if system.n <= 3 else LARGE_BUDGET
     outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
     return Found(certified_roots.roots(system, outcome, around, fixed, fixed), around, whole)
 

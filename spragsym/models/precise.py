@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from types import MappingProxyType
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,8 @@ from ..exact.polynomials import Undecided
 from ..exact.reduction import Reduced, reduced_roots
 from .balance import Balance, undecorated
 
+#: Ends of parameters that lie in a range.
+Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 #: Bits of the forces.
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
@@ -27,13 +30,17 @@ AROUND = 2.0**-13
 
 
 class PreciseBalance:
-    """Forces of a balance at one point, of balls or jets of balls."""
+    """Forces of a balance at one point, of balls or jets of balls; ``spans`` are parameters that lie in a range."""
 
-    def __init__(self, balance: Balance, given: FloatArray, bits: int) -> None:
+    def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
         self.balance = balance
         self.values: dict[str, Any] = {}
         for name, number in zip(balance.parameters, given, strict=True):
-            value = ball(float(number), bits)
+            if name in spans:
+                with Balls().precision(bits):
+                    value = Balls().between(*spans[name])
+            else:
+                value = ball(float(number), bits)
             if name in balance.angles:
                 self.values |= zip(balance.angles[name], Balls().cos_sin(value), strict=True)
             else:
@@ -57,21 +64,40 @@ def ball(value: float, bits: int) -> Ball:
     return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
 
 
-def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
-    """What a search of float64 has left or knows to few digits only, looked at again with many."""
+def unsettled(found: Roots) -> NDArray[np.int64]:
+    """Points with boxes that are left, or with roots that are known to few digits only."""
     poor = ~(found.error <= TOLERANCE)
-    points = np.unique(np.concatenate([found.left_point, found.point[poor]]))
+    out: NDArray[np.int64] = np.unique(np.concatenate([found.left_point, found.point[poor]]))
+    return out
+
+
+def replaced(found: Roots, points: NDArray[np.int64], again: Roots) -> Roots:
+    """Roots and boxes of all points, those of the given ones by what a search among these has found."""
+    old, left = ~np.isin(found.point, points), ~np.isin(found.left_point, points)
+    return Roots(
+        np.concatenate([found.ends[:, :, old], again.ends], axis=2),
+        np.concatenate([found.alone[:, :, old], again.alone], axis=2),
+        np.concatenate([found.point[old], points[again.point]]),
+        np.concatenate([found.left[:, :, left], again.left], axis=2),
+        np.concatenate([found.left_point[left], points[again.left_point]]),
+    )
+
+
+def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+    """What is unsettled after double-double, looked at again with many digits."""
+    points = unsettled(found)
     if not points.size:
         return found
     parts = [_of_point(balance, given[:, at], around[:, :, at % around.shape[2]], found, int(at)) for at in points]
-    old = ~np.isin(found.point, points)
-    return Roots(
-        np.concatenate([found.ends[:, :, old], *(part.ends for part in parts)], axis=2),
-        np.concatenate([found.alone[:, :, old], *(part.alone for part in parts)], axis=2),
-        np.concatenate([found.point[old], *(part.point for part in parts)]),
+    sizes, left_sizes = ([getattr(part, name).size for part in parts] for name in ("point", "left_point"))
+    again = Roots(
+        np.concatenate([part.ends for part in parts], axis=2),
+        np.concatenate([part.alone for part in parts], axis=2),
+        np.repeat(np.arange(points.size), sizes),
         np.concatenate([part.left for part in parts], axis=2),
-        np.concatenate([part.left_point for part in parts]),
+        np.repeat(np.arange(points.size), left_sizes),
     )
+    return replaced(found, points, again)
 
 
 def _of_point(balance: Balance, given: FloatArray, region: FloatArray, found: Roots, point: int) -> Roots:
@@ -81,7 +107,7 @@ def _of_point(balance: Balance, given: FloatArray, region: FloatArray, found: Ro
     good = mine[~poor]
     boxes = np.concatenate([found.left[:, :, found.left_point == point], found.ends[:, :, mine[poor]] + AROUND], axis=2)
     ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, balance.n, 0))]
-    for cluster in _clusters(boxes):
+    for cluster in clusters(boxes):
         reduced = _reduced(balance, given, cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
         ends += [_outward(box) for box in reduced.roots]
         alone += [_outward(box) for box in reduced.alone]
@@ -128,7 +154,7 @@ def _outward(box: Sequence[tuple[Fraction, Fraction]]) -> FloatArray:
     return out
 
 
-def _clusters(boxes: FloatArray) -> list[FloatArray]:
+def clusters(boxes: FloatArray) -> list[FloatArray]:
     """Hulls of boxes, shape (2, n, N), that meet each other, until no two hulls meet."""
     hulls: list[FloatArray] = []
     for place in range(boxes.shape[2]):

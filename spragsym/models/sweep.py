@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.integrators import OF_ANY_MODEL
 from ..dynamics.problem import MAX_STEPS, Problem
+from ..dynamics.regimes import SETTLED
 from ..errors import ParameterTypeError
 from ..files import storage
 from ..parameters import FloatArray, ParameterSet
@@ -22,6 +23,7 @@ from ..sweeps.measure import Settings
 from ..sweeps.result import Results, Sweep
 from ..sweeps.workers import Workers
 from .describe import explained
+from .equilibria import index_of
 from .field import field_of
 from .trajectory import check_start, start_of
 
@@ -33,8 +35,8 @@ if TYPE_CHECKING:
 class ModelSweep(Sweep):
     """Results of a sweep of a model's motions; as :class:`~spragsym.Sweep`.
 
-    ``x`` stands for the first coordinate and ``y`` for the second. The inputs are the model's parameters and initial state. Which
-    equilibrium it is that a motion comes to is not told: ``equilibrium`` is −1.
+    ``x`` stands for the first coordinate and ``y`` for the second. The inputs are the model's parameters and initial state.
+    ``equilibrium`` is the slot among the model's equilibria in contact at the friction μ(V).
 
     Attributes
     ----------
@@ -69,7 +71,13 @@ class _ModelResults(Results):
         return {"model": about["name"], "files": about["files"], "page": about["source"], "code": code.digest("models")}
 
     def equilibrium(self, inputs: dict[str, FloatArray], x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
-        return np.full(x.shape, -1, dtype=np.int8)
+        out = np.full(x.shape, -1, dtype=np.int8)
+        rows = np.isfinite(x)
+        if rows.any():
+            given = np.array([np.broadcast_to(inputs[name], x.shape)[rows] for name in self.model.parameters])
+            states = np.array([column[rows] for column in (x, y)][: len(self.model.coordinates)])
+            out[rows] = index_of(self.model, given, states, SETTLED)
+        return out
 
     def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:
         return ModelSweep(inputs, **vars(settings), **results, model=self.model)

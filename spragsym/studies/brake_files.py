@@ -25,7 +25,7 @@ QUANTITY_UNITS: Mapping[str, str] = {
     field.name: QUANTITIES[f"{field.name}_dim" if field.name in ("V", "d") else field.name].unit
     for field in fields(PhysicalParameters)
 }
-#: Files are small; whatever is larger is something else.
+#: Bytes; a larger file is no file of this kind.
 _LARGEST = 1 << 20
 
 

@@ -12,11 +12,11 @@ from .study import Study
 DEEP = 0.05
 #: Displacement over the length of the spring beyond which a state is none of small deformation.
 FAR = 0.5
-#: Share of μ₀ below which friction at the speed of the belt is worth a word.
+#: Share of μ₀ below which the friction at the speed of the belt is worth a warning.
 FULL = 0.95
-#: Rms of what a fitted friction law leaves, over μ₀, from which on the law is another one.
+#: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
 POOR = 0.1
-#: Speeds in m/s that no belt has: mm/s, as it seems.
+#: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
 FLAT = 3.15

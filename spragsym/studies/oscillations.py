@@ -22,7 +22,7 @@ T_END = 3000.0
 class Oscillation(Result):
     """The motion that begins at rest at x = y = 0 or far out, and what it comes to.
 
-    ``kind`` is ``"cycle"``, ``"motion"`` (it has not repeated itself in the time that was looked at) or ``"none"`` (it comes to
+    ``kind`` is ``"cycle"``, ``"motion"`` (it has not repeated itself in the time it was followed) or ``"none"`` (it comes to
     rest). ``frequency_hz`` is NaN but for a cycle; ``amplitude_mm`` is half of the range along the belt; forces are least and
     largest values; ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says that it lives although steady sliding is stable,
     or so little damped or driven that what the model leaves out decides.

@@ -28,7 +28,7 @@ from .units import factor
 SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
 #: Tolerance of a quantity that has none, as a share of its value; of the inclination in radians.
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
-#: A single quantity is looked for up to this factor either way, at so many values, then between two of them.
+#: A single quantity is changed by up to this factor either way, at this many values, then between the two that decide.
 _FACTOR, _VALUES, _BETWEEN, _ROUNDS = 20.0, 160, 32, 2
 #: Quantities of whose tolerances all corners are looked at; of more, as many as that.
 _CORNERS = 5
@@ -86,7 +86,7 @@ def _scale(study: Study, name: str) -> float:
 
 
 def _jump(study: Study, changed: Mapping[str, Any]) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Where designs jump, and of which that is known."""
+    """Where designs jump, and for which of them that is known."""
     shape = np.shape(next(iter(changed.values())))
     values = {name: np.broadcast_to(changed.get(name, study.values[name]), shape) for name in PHYSICAL}
     parameters = {name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()}
@@ -215,7 +215,7 @@ def _verified(study: Study, after: Mapping[str, float], target: float, scale: Ma
 
 
 def _rounded(study: Study, name: str, before: float, after: float, further: int) -> float:
-    """A value away from the old one to few digits in its unit, and some units of the last of them further."""
+    """A value rounded away from the old one to few digits in its unit, and then by single units of the last digit farther."""
     unit = factor(study.quantities[name].unit, study.si(name))
     old, new = before / unit, after / unit
     step = 10.0 ** (math.floor(math.log10(abs(new))) - _DIGITS + 1) if new else 1.0

@@ -38,7 +38,7 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
 
 
 def _within(parts: Mapping[str, Any], jumps: bool = True) -> str:
-    """What the tolerances make of it."""
+    """What follows within the tolerances."""
     reached, odds = parts["certificate"], parts["probability"]
     if reached is None:
         return ""

@@ -205,7 +205,7 @@ def _ranged(found: re.Match[str], text: str, si: str) -> Measured:
     low, high = (_finite(float(found[name]), scale, text) for name in ("low", "high"))
     if low > high:
         raise ParameterError(f"{text!r} begins above its end; write the smaller number first")
-    # The middle of [0.3, 0.6] is 0.45 and no float beside it.
+    # The middle of [0.3, 0.6] is to be 0.45, not a float next to it.
     middle = float(f"{0.5 * (float(found['low']) + float(found['high'])):.15g}")
     return Measured(_finite(middle, scale, text), low, high, unit)
 

@@ -1,0 +1,114 @@
+"""The mirror of a model: coordinates that may be turned about a centre while all forces follow, for certain parameters at 0.
+
+The article's model without friction and without a spring along the belt is one: with x′ = 2 cos θ₀ − x every spring is mirrored. There
+equilibria do not meet at folds but at pitchforks, which no perturbation of one parameter shows.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .mechanics import DEPTH, MU, Line, Mechanics, number
+
+#: Most parameters that have to be 0.
+MOST = 4
+
+
+@dataclass(frozen=True)
+class Mirror:
+    """Turned coordinates with the doubled centre of each, and the sets of parameters of which one has to be 0."""
+
+    centres: Mapping[sp.Symbol, sp.Expr]
+    zero: tuple[tuple[str, ...], ...]
+
+    def turns(self, line: Line) -> bool:
+        """Whether a line is mirrored, and so upright for states on the mirror."""
+        image = [
+            part.subs({symbol: self.image(symbol) for symbol in self.centres}, simultaneous=True) for part in (line.dx, line.dy)
+        ]
+        return bool(self.centres) and sp.expand(image[0] + line.dx) == 0 and sp.expand(image[1] - line.dy) == 0
+
+    def image(self, symbol: sp.Symbol) -> sp.Expr:
+        """Where a coordinate comes to lie."""
+        return self.centres[symbol] - symbol if symbol in self.centres else symbol
+
+
+def mirror(model: Mechanics) -> Mirror:
+    """The mirror that asks for the fewest parameters to be 0; one that turns nothing if there is none."""
+    found = [one for turned in _subsets(model.coordinates) for one in _about(model, turned)]
+    return min(found, key=lambda one: (len(one.zero[0]), len(one.centres)), default=Mirror({}, ()))
+
+
+def _subsets(symbols: tuple[sp.Symbol, ...]) -> Iterator[tuple[sp.Symbol, ...]]:
+    return itertools.chain.from_iterable(itertools.combinations(symbols, size) for size in range(1, len(symbols) + 1))
+
+
+def _about(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> Iterator[Mirror]:
+    """The mirror of these coordinates, whose centre lies where the first line that they move is upright."""
+    centres = dict.fromkeys(turned, sp.S.Zero)
+    for line in model.lines:
+        upright = line.dx.subs(dict.fromkeys(turned[1:], 0))
+        if upright.has(turned[0]) and not upright.has(*(symbol for symbol in model.coordinates if symbol not in turned)):
+            centres[turned[0]] = 2 * sp.solve(upright, turned[0])[0]
+            break
+    one = Mirror(centres, ())
+    sets = _zero(model, _remainders(model, one))
+    if sets:
+        yield Mirror(centres, sets)
+
+
+def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
+    """Expressions in parameters that vanish where the forces follow."""
+    images = {symbol: one.image(symbol) for symbol in model.coordinates}
+    changes: dict[sp.Expr, sp.Expr] = dict(images)
+    unknown: list[sp.Symbol] = []
+    for line in model.lines:
+        if one.turns(line):
+            changes[line.c] = -line.c
+        else:
+            # A line that is not mirrored has another direction and length.
+            others = sp.symbols(f"{line.c}_image {line.s}_image {line.l}_image", real=True)
+            unknown += others
+            changes |= dict(zip((line.c, line.s, line.l), others, strict=True))
+    rows = []
+    if model.gap is not None and sp.expand(model.gap.subs(images, simultaneous=True) - model.gap) != 0:
+        return [sp.S.One]
+    for symbol, row in zip(model.coordinates, model.residuals, strict=True):
+        image = row.subs(changes, simultaneous=True)
+        rows.append(image + row if symbol in one.centres else image - row)
+    symbols = (*model.coordinates, *model.directions, *unknown, *(1 / line.l for line in model.lines), DEPTH)
+    generators = [symbol for symbol in symbols if any(row.has(symbol) for row in rows)]
+    out = []
+    for row in rows:
+        collected = sp.collect(sp.expand(row), generators, evaluate=False)
+        out += [term for term in collected.values() if term != 0]
+    return out
+
+
+def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...], ...]:
+    """The smallest sets of parameters that may be 0 and make all of them vanish."""
+    used = {part for term in remainders for part in term.free_symbols}
+    allowed = [
+        symbol for symbol in (*map(number, model.parameters), MU) if not symbol.is_positive and used & set(model.pair(symbol))
+    ]
+    for size in range(min(MOST, len(allowed)) + 1):
+        found = [
+            tuple(map(str, chosen))
+            for chosen in itertools.combinations(allowed, size)
+            if all(sp.expand(term.subs(_at_zero(model, chosen))) == 0 for term in remainders)
+        ]
+        if found:
+            return tuple(found)
+    return ()
+
+
+def _at_zero(model: Mechanics, chosen: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, int]:
+    values: dict[sp.Symbol, int] = {}
+    for symbol in chosen:
+        pair = model.pair(symbol)
+        values |= dict(zip(pair, (1, 0) if len(pair) == 2 else (0,), strict=True))
+    return values

@@ -1,0 +1,160 @@
+"""Figures of any model: where the number of its equilibria changes, equilibria along a parameter, where oscillation begins."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..models import Model
+from ..models.bifurcation import ModelBifurcationSet
+from ..statics.solver import Stability
+from .style import BLACK, BLUE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled
+
+#: Range of a parameter, by its name.
+Between = Mapping[str, tuple[float, float]]
+#: Names that are letters.
+GREEK = {
+    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
+}  # fmt: skip
+#: Colours of equilibria, which lie too densely for dashes.
+COLOURS: Mapping[Stability, str] = {
+    Stability.STABLE: BLACK,
+    Stability.DIVERGENT: VERMILION,
+    Stability.FLUTTER: BLUE,
+}
+
+
+def label(model: Model, name: str) -> str:
+    """A parameter or coordinate as an axis names it; the page's own symbol is that of a quantity with its unit."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    if name in entries and entries[name]["quantity"] == name:
+        symbol = entries[name]["symbol"]
+    else:
+        base, _, index = name.partition("_")
+        symbol = rf"\{base}" if base in GREEK else base
+        symbol += rf"_{{\rm {index}}}" if index else ""
+    return f"${symbol}$ (deg)" if name in model.about["angles"] else f"${symbol}$"
+
+
+def window(model: Model, vary: Sequence[str], between: Between) -> Between:
+    """Ranges to show: those given, the parameter's own, or up to twice the base value, and to 1 at least, if it has no end."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    out = dict(between)
+    for name in (name for name in vary if name in entries and name not in between):
+        entry = entries[name]
+        far = max(1.0, 2.0 * abs(entry["base"] or 0.0))
+        out[name] = (-far if entry["low"] is None else entry["low"], far if entry["high"] is None else entry["high"])
+    return out
+
+
+def _shown(model: Model, name: str, values: Any) -> Any:
+    return np.degrees(values) if name in model.about["angles"] else values
+
+
+def draw_bifurcation_set_of(model: Model, found: ModelBifurcationSet, ax: Axes | None = None) -> list[Any]:
+    """Curves of folds and cusps in the plane of two parameters; returns the artists.
+
+    Parameters
+    ----------
+    model : Model
+    found : ModelBifurcationSet
+        Of ``model.bifurcation_set``.
+    ax : Axes, optional
+    """
+    ax = own_axes(ax)
+    one, two = found.vary
+    artists: list[Any] = []
+    for curve in found.curves:
+        artists += ax.plot(_shown(model, one, getattr(curve, one)), _shown(model, two, getattr(curve, two)), color=BLACK)
+    cusps = [_shown(model, name, getattr(found.cusps, name)) for name in found.vary]
+    artists += ax.plot(*cusps, "o", color=BLACK, markersize=3.5)
+    ax.set(xlabel=label(model, one), ylabel=label(model, two))
+    return artists
+
+
+def draw_equilibria_of(
+    model: Model,
+    p: Any,
+    vary: str,
+    of: str | None = None,
+    ax: Axes | None = None,
+    *,
+    between: Between | None = None,
+    n: int = 300,
+) -> list[Any]:
+    """All equilibria in contact along a parameter, one dot each, coloured by stability; returns the artists.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; the one that varies is not used.
+    vary : str
+        A parameter.
+    of : str, optional
+        A coordinate, by default the first one.
+    ax : Axes, optional
+    between : mapping, optional
+        Range of the parameter, as for ``model.folds``.
+    n : int
+        Values in it.
+    """
+    from ..models.points import ranges
+
+    ax, of = own_axes(ax), of or model.coordinates[0]
+    low, high = ranges(model, (vary,), between or {})[0]
+    values = low + (high - low) * (np.arange(n) + 0.5) / n
+    eq = model.equilibria(p.replace(**{vary: values}))
+    across = np.broadcast_to(_shown(model, vary, values)[:, None], eq.stability.shape)
+    artists: list[Any] = []
+    for kind, colour in COLOURS.items():
+        chosen = eq.stability == kind
+        if chosen.any():
+            up = _shown(model, of, getattr(eq, of)[chosen])
+            artists += ax.plot(across[chosen], up, ".", color=colour, markersize=1.8, label=kind.name.lower())
+    ax.set(xlabel=label(model, vary), ylabel=label(model, of))
+    if len(artists) > 1:
+        ax.legend(markerscale=4)
+    return artists
+
+
+def draw_onsets_of(
+    model: Model, p: Any, vary: Sequence[str], ax: Axes | None = None, *, damping: bool | None = None,
+    between: Between | None = None, n: int = 60,
+) -> list[Any]:  # fmt: skip
+    """Onsets of flutter along the second parameter, on n lines of the first; returns the artists."""
+    from ..models.points import ranges
+
+    ax = own_axes(ax)
+    one, two = vary
+    given = between or {}
+    low, high = ranges(model, (one,), {one: given[one]} if one in given else {})[0]
+    spans = {two: given[two]} if two in given else None
+    points: list[list[float]] = [[], []]
+    for value in low + (high - low) * (np.arange(n) + 0.5) / n:
+        found = model.flutter_onsets(p.replace(**{one: float(value)}), two, damping=damping, between=spans)
+        points[0] += [float(value)] * len(found)
+        points[1] += getattr(found, two).tolist()
+    artists: list[Any] = ax.plot(*(_shown(model, name, np.array(column)) for name, column in zip(vary, points, strict=True)), ".",
+                                 color=GREEN, markersize=3)  # fmt: skip
+    ax.set(xlabel=label(model, one), ylabel=label(model, two))
+    return artists
+
+
+@styled
+def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between | None = None, n: int = 60) -> Sheet:
+    """The bifurcation set of a model in the plane of two parameters, as a figure."""
+    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    found = model.bifurcation_set(p, vary, n, between=window(model, vary, between or {}))
+    draw_bifurcation_set_of(model, found, ax)
+    names = (*found.vary, *model.coordinates)
+    columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
+    number = np.concatenate([np.full(getattr(curve, vary[0]).size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
+    open_boxes = "" if found.complete else f" {len(found.undecided)} boxes on its lines are undecided."
+    return figure.describe(
+        f"""Bifurcation set of {model.name}: two equilibria in contact meet on the lines; dots are cusps.{open_boxes}""",
+        a={"curve": number, **columns},
+    )

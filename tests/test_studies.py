@@ -191,6 +191,17 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
         assert one.value == pytest.approx(truth, rel=0.05)
 
 
+def test_friction_that_falls_with_speed_is_called_another_law(tmp_path: Path) -> None:
+    speed = np.linspace(0.05, 3.0, 20)
+    rows = [f"{v},{0.2 + 0.4 * math.exp(-v)}" for v in speed]
+    (tmp_path / "measured.csv").write_text("\n".join(rows))
+    lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
+    (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
+    study = ss.Study.from_file(tmp_path / "brake.toml")
+    found = study.report(probability=False, redesign=False, oscillation=False)
+    assert any("off the measured friction" in one for one in found.warnings)
+
+
 def test_the_oscillation_is_the_cycle_in_newtons_and_hertz() -> None:
     found = ss.Study(brake(mu0=0.45)).report(probability=False, redesign=False)
     lives = found.oscillation

@@ -41,8 +41,8 @@ def page(study: Study, report: Report) -> str:
     title = f"Sprag-slip report{': ' + study.source if study.source else ''}"
     parts = [
         "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
-        '<meta name="viewport" content="width=device-width,initial-scale=1"><meta name="color-scheme" content="light">', f"<title>{escape(title)}</title>",
-        f"<style>{_STYLE}</style></head><body>", f"<h1>{escape(title)}</h1>",
+        '<meta name="viewport" content="width=device-width,initial-scale=1"><meta name="color-scheme" content="light">',
+        f"<title>{escape(title)}</title>", f"<style>{_STYLE}</style></head><body>", f"<h1>{escape(title)}</h1>",
         f'<p class="verdict{sprags}">{escape(report.verdict)}</p>',
         *(f'<p class="warning">{escape(one)}</p>' for one in report.warnings),
         *(f"<figure>{svg}<figcaption>{escape(caption)}</figcaption></figure>" for svg, caption in pictures(study, report)),

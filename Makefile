@@ -4,6 +4,8 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --quiet --disable-pip-version-check
+# An extension that can't be compiled is left out, and pip is silent about it.
+SAY_COMPILED := $(BIN)/python .ci/compiled.py
 # A path to the tree, not a finder: a finder is asked last, after a folder named spragsym beside the script, as a clone is.
 EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt -e
 
@@ -11,6 +13,7 @@ EDIT := $(PIP) install --config-settings editable_mode=compat -c constraints.txt
 DERIVE := $(VENV)/.derive
 TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
+ALL := $(VENV)/.all
 SOURCES := pyproject.toml constraints.txt Makefile
 # The compiled solver is made of these.
 COMPILED := spragsym/statics/_compiled.c spragsym/dynamics/_carried.c generated/c/spragsym.c generated/c/spragsym.h
@@ -23,13 +26,19 @@ C_FILES := $(wildcard generated/c/*.c generated/c/*.h) spragsym/statics/_compile
 CPPCHECK = cppcheck --quiet --suppress=toomanyconfigs --error-exitcode=1 --std=c11 --enable=warning,style,performance,portability \
 	-I generated/c -I $$($(BIN)/python -c 'import sysconfig; print(sysconfig.get_paths()["include"])')
 
+# Models that come with the package, each of which has a page of the explorer in the documentation.
+MODELS := $(patsubst generated/models/%/model.json,%,$(wildcard generated/models/*/model.json))
+
 # As many workers as cores, at most four.
 WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1))' 2>/dev/null || echo 1)
+# Files go to workers in the order that tests/conftest.py gives them: the longest first.
+TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
-.PHONY: help derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
+.PHONY: help install derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
+	@echo "make install       set up .venv with all extras, for use without the tests"
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the tests, without those marked thorough"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
@@ -60,19 +69,29 @@ $(DERIVE): $(SOURCES) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[derive]'
 	@touch $@
 
+$(ALL): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
+	@$(EDIT) '.[all]'
+	@$(SAY_COMPILED)
+	@touch $@ $(DERIVE)
+
 $(TEST): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,test]'
+	@$(SAY_COMPILED)
 	@touch $@ $(DERIVE)
 
 $(DOCS): $(SOURCES) $(COMPILED) | $(VENV)/.made $(LINKS)
 	@$(EDIT) '.[all,docs]'
+	@$(SAY_COMPILED)
 	@touch $@
+
+install: $(ALL)
+	@echo "now: . $(BIN)/activate && spragsym --help"
 
 derive: $(DERIVE)
 	$(BIN)/python -m derive
 
 test: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile -m "not thorough"
+	$(TESTS) -m "not thorough"
 
 lint: $(TEST)
 	$(BIN)/ruff check .
@@ -84,7 +103,7 @@ lint: $(TEST)
 
 # All tests, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --cov --cov-branch --cov-report=term
+	$(TESTS) --cov --cov-branch --cov-report=term
 
 # Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
 mutants: $(TEST)
@@ -117,6 +136,7 @@ explorer:
 
 docs: $(DOCS)
 	$(BIN)/spragsym explore --no-open --force --out docs/_build/explorer.html
+	for model in $(MODELS); do $(BIN)/spragsym explore --model $$model --no-open --force --out docs/_build/explorer_$$model.html || exit 1; done
 	$(BIN)/sphinx-build -W docs docs/_build
 
 check-claims: $(TEST)

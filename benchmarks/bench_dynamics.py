@@ -17,7 +17,7 @@ import numpy as np
 from scipy.integrate import simpson, solve_ivp
 
 import spragsym as ss
-from spragsym.dynamics import integrators, simulate
+from spragsym.dynamics import flows, integrators, simulate
 from spragsym.dynamics.classify import classify
 from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.with_heyoka import compiled_for
@@ -155,7 +155,7 @@ def overhead_table() -> None:
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
             problem = prepare(p, V=V, d=D, start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
-            course, flow = integrators.measure(problem, "heyoka"), integrators.flow(problem, "heyoka")
+            course, flow = integrators.measure(problem, "heyoka"), flows.onward(problem, "heyoka")
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)
             measured = fastest(lambda problem=problem: integrators.measure(problem, "heyoka"), times)

@@ -59,7 +59,7 @@ def trust(ways: dict[str, Callable[[ss.Parameters, bool], languages.Found]], n: 
     """What each language vouches for in each family, and where it differs from C."""
     print(
         f"{n:,} points of each family. Against NumPy with its ladder: the share that is vouched for; among these wrong counts or kinds, "
-        "and the largest error over both error bounds together. Against C: points that are vouched for at which a bit of the results differs.\n"
+        "and the largest error over both error bounds together. Against C: points at which a bit of the results differs.\n"
     )
     print("| family | regime | language | vouched for | wrong | largest / bounds | not as C |\n|---|---|---|---|---|---|---|")
     for place, (family, points) in enumerate(FAMILIES.items()):

@@ -52,7 +52,7 @@ class Machine:
         """The program, or nothing where the compiler refuses."""
         target = folder / "program.exe"
         command = [self.compiler, *self.flags, "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}", "-o", target, *sources, "-lm"]
-        return None if subprocess.run(command, capture_output=True, timeout=300).returncode else target
+        return None if subprocess.run(command, capture_output=True, timeout=1800).returncode else target
 
     def results(self, program: Path, points: str) -> str:
         """What the program prints for points."""

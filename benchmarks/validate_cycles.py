@@ -14,7 +14,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
-from spragsym.cycles import shooting
+from spragsym.dynamics import shooting
 from spragsym.generated import motion
 
 _FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)

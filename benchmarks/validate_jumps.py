@@ -1,6 +1,7 @@
 """Jump values against paths of states, certificates against samples, probabilities against plain samples and their own truth.
 
-Run ``python -m benchmarks.validate_jumps [what] [number] [seed]``, with ``what`` one of values, boxes, probability, coverage, speed.
+Run ``python -m benchmarks.validate_jumps [what] [number] [seed] [store] [seconds]``, with ``what`` one of values, boxes,
+probability, coverage, speed. Finished parts go to the file ``store``, and a second call goes on from there.
 """
 
 from __future__ import annotations
@@ -10,13 +11,12 @@ import sys
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
 from typing import Any
 
 import numpy as np
 
 import spragsym as ss
-from benchmarks import families
+from benchmarks import families, parts
 from spragsym.parameters import NAMES
 
 #: Of a jump that is right, relative.
@@ -41,37 +41,35 @@ def wrong(task: tuple[ss.Parameters, float, str, float, float]) -> tuple[Any, ..
     return None if right else (q, vary, value, jumps)
 
 
-def tasks(number: int, seed: int) -> Iterator[tuple[ss.Parameters, float, str, float, float]]:
-    """Points of both families, with their values; the path goes 1 % beyond the value, or far where there is none."""
-    rng = np.random.default_rng(seed)
-    for vary, family in itertools.cycle(itertools.product(("mu0", "theta0"), (families.random, families.near_folds))):
-        size = min(number, 2000)
-        p = family(rng, size)
-        values = np.asarray(ss.jump_value(p, vary))
-        start = 0.0 if vary == "mu0" else 1e-12
-        far = 1e3 if vary == "mu0" else 3.14159
-        for i in range(size):
-            end = min(values[i] * 1.01, far) if np.isfinite(values[i]) else far
-            if not np.isfinite(values[i]) or start < values[i] < end:
-                yield point(p, i), float(values[i]), vary, start, float(end)
-        number -= size
-        if not number:
-            return
+def tasks(part: str) -> Iterator[tuple[ss.Parameters, float, str, float, float]]:
+    """Points of both families with their values; the path goes 1 % beyond the value, or far where there is none."""
+    vary, family, seed, size = part.split()
+    p = getattr(families, family)(np.random.default_rng(int(seed)), int(size))
+    values = np.asarray(ss.jump_value(p, vary))
+    start, far = (0.0, 1e3) if vary == "mu0" else (1e-12, 3.14159)
+    for i, value in enumerate(values):
+        end = min(value * 1.01, far) if np.isfinite(value) else far
+        if not np.isfinite(value) or start < value < end:
+            yield point(p, i), float(value), vary, start, float(end)
 
 
-def validate_values(number: int, seed: int = 1) -> int:
+def compared(part: str) -> dict[str, Any]:
+    """How many points a part has, how many of them jump, and those that are wrong."""
+    every = list(tasks(part))
+    bad = [str(found) for found in map(wrong, every) if found]
+    for found in bad:
+        print("wrong:", found)
+    return {"points": len(every), "jumping": sum(bool(np.isfinite(task[1])) for task in every), "wrong": bad}
+
+
+def validate_values(number: int, seed: int = 1, store: str = "", seconds: float = np.inf) -> int:
     """How many of ``number`` random values are not the first jump of their path."""
-    begin = time.perf_counter()
-    bad, seen, jumping = 0, 0, 0
-    with ProcessPoolExecutor() as pool:
-        for found, task in zip(pool.map(wrong, tasks(number, seed), chunksize=50), tasks(number, seed), strict=True):
-            seen, jumping = seen + 1, jumping + bool(np.isfinite(task[1]))
-            if found:
-                bad += 1
-                print("wrong:", *found)
-            if seen % 1000 == 0:
-                print(f"{seen} points, {jumping} with a jump, {bad} wrong", flush=True)
-    print(f"{seen} points, {jumping} with a jump, {bad} wrong, in {time.perf_counter() - begin:.0f} s")
+    kinds = list(itertools.product(("mu0", "theta0"), ("random", "near_folds")))
+    names = [f"{' '.join(kinds[i % 4])} {1000 * seed + i} {min(100, number - 100 * i)}" for i in range(-(-number // 100))]
+    done = parts.run(names, compared, store, seconds).values()
+    seen, jumping = (sum(row[key] for row in done) for key in ("points", "jumping"))
+    bad = sum(len(row["wrong"]) for row in done)
+    print(f"{seen} points of {number}, {jumping} with a jump, {bad} wrong")
     return bad
 
 
@@ -88,43 +86,44 @@ def speed(number: int) -> None:
 # ------------------------------------------------------------------------------------------------------------- boxes
 
 
-def validate_boxes(number: int, seed: int = 2, samples: int = 1_000_000) -> int:
+SIZES = (0.01, 0.05, 0.2)
+
+
+def certified(part: str) -> dict[str, Any]:
+    """One box: its outcome, and whether a sample or a path of states contradicts it."""
+    seed, i, samples = map(int, part.split())
+    rng, size = np.random.default_rng([seed, i]), SIZES[i % 3]
+    middle = point(families.random(np.random.default_rng(seed), i + 1), i).scalars(*NAMES)
+    ends = {name: (value * (1 - size), value * (1 + size)) for name, value in zip(NAMES, middle, strict=True)}
+    ends["theta0"] = ends["theta0"][0], min(ends["theta0"][1], 3.1415)
+    low, high = (ss.Parameters(**{name: pair[side] for name, pair in ends.items()}) for side in (0, 1))
+    begin = time.process_time()
+    found = ss.certify(low, high, "no jump", max_boxes=4000)
+    result = {"size": size, "outcome": found.outcome, "seconds": time.process_time() - begin, "undecided": found.undecided}
+    against = False
+    if found.counterexample is not None:
+        inside = all(ends[name][0] <= float(getattr(found.counterexample, name)) <= ends[name][1] for name in NAMES)
+        path = ss.quasi_static_path(found.counterexample, "mu0", [0.0, float(found.counterexample.mu0)])
+        against = not (inside and path.jumps)
+    if found.outcome == "proved":
+        for _ in range(0, samples, 100_000):
+            many = ss.Parameters(**{name: rng.uniform(*pair, min(samples, 100_000)) for name, pair in ends.items()})
+            against |= bool((ss.jump_value(many) <= many.mu0).any())
+    return result | {"contradicted": bool(against)}
+
+
+def validate_boxes(number: int, seed: int = 2, store: str = "", seconds: float = np.inf, samples: int = 1_000_000) -> int:
     """How many certificates of random boxes of three sizes a sample or a path of states contradicts."""
-    rng = np.random.default_rng(seed)
-    p = families.random(rng, number)
-    outcomes: Counter[tuple[str, float, str]] = Counter()
-    seconds: Counter[tuple[str, float]] = Counter()
-    left: dict[float, list[float]] = {}
-    bad = 0
-    for i in range(number):
-        size = (0.01, 0.05, 0.2)[i % 3]
-        ends = {
-            name: (value * (1 - size), value * (1 + size)) for name, value in zip(NAMES, point(p, i).scalars(*NAMES), strict=True)
-        }
-        ends["theta0"] = ends["theta0"][0], min(ends["theta0"][1], 3.1415)
-        low, high = (ss.Parameters(**{name: pair[side] for name, pair in ends.items()}) for side in (0, 1))
-        begin = time.process_time()
-        found = ss.certify(low, high, "no jump", max_boxes=4000)
-        seconds["no jump", size] += time.process_time() - begin
-        outcomes["no jump", size, found.outcome] += 1
-        if found.outcome == "undecided":
-            left.setdefault(size, []).append(found.undecided)
-        if found.outcome == "refuted":
-            assert found.counterexample is not None
-            bad += not ss.quasi_static_path(found.counterexample, "mu0", [0.0, float(found.counterexample.mu0)]).jumps
-        if found.outcome == "proved":
-            for _ in range(0, samples, 100_000):
-                inside = ss.Parameters(**{name: rng.uniform(*pair, min(samples, 100_000)) for name, pair in ends.items()})
-                bad += bool((ss.jump_value(inside) <= inside.mu0).any())
-    for key, count in sorted(outcomes.items()):
-        print(*key, count)
-    for (claim, size), total in seconds.items():
-        boxes = sum(count for key, count in outcomes.items() if key[:2] == (claim, size))
-        print(
-            f"{claim}, ±{size:.0%}: {total / boxes:.2f} s of the processor a box; undecided shares",
-            *(f"{v:.2g}" for v in left.get(size, [])),
-        )
-    print(f"{number} boxes, {samples} samples in each that is proved, {bad} contradicted")
+    done = list(parts.run([f"{seed} {i} {samples}" for i in range(number)], certified, store, seconds).values())
+    for size in SIZES:
+        rows = [row for row in done if row["size"] == size]
+        outcomes = Counter(row["outcome"] for row in rows)
+        spent = sum(row["seconds"] for row in rows) / max(len(rows), 1)
+        left = sorted(row["undecided"] for row in rows if row["outcome"] == "undecided")
+        middle = f", share undecided {left[len(left) // 2]:.2g} in the middle, {left[-1]:.2g} at most" if left else ""
+        print(f"±{size:.0%}: {dict(sorted(outcomes.items()))}, {spent:.2f} s of the processor a box{middle}")
+    bad = sum(row["contradicted"] for row in done)
+    print(f"{len(done)} boxes of {number}, {samples} samples in each that is proved, {bad} contradicted")
     return bad
 
 
@@ -136,34 +135,40 @@ TOLERANCES: dict[str, Any] = {
 }  # fmt: skip
 
 
-def plain(number: int, seed: int) -> tuple[float, float]:
-    """The share of plain random points that jump, and its standard error."""
-    rng = np.random.default_rng(seed)
-    hits = 0
-    for begin in range(0, number, 1_000_000):
-        size = min(1_000_000, number - begin)
-        p = ss.Parameters(**{name: rng.uniform(*ends, size) for name, ends in TOLERANCES.items()})
-        hits += int((ss.jump_value(p) <= p.mu0).sum())
-    share = hits / number
-    return share, (share * (1 - share) / number) ** 0.5
+def hits(part: str) -> tuple[int, int]:
+    """How many of a million plain random points jump, and how many there are."""
+    rng = np.random.default_rng([*map(int, part.split())])
+    p = ss.Parameters(**{name: rng.uniform(*ends, 1_000_000) for name, ends in TOLERANCES.items()})
+    return int((ss.jump_value(p) <= p.mu0).sum()), 1_000_000
 
 
-def validate_probability(number: int, seed: int = 3) -> int:
+def validate_probability(number: int, seed: int = 3, store: str = "", seconds: float = np.inf) -> int:
     """Whether the interval and that of plain samples meet."""
-    share, error = plain(number, seed)
+    done = parts.run([f"{seed} {i}" for i in range(number // 1_000_000)], hits, store, seconds).values()
+    many = sum(row[1] for row in done)
+    share = sum(row[0] for row in done) / many
+    error = (share * (1 - share) / many) ** 0.5
     found = ss.jump_probability(TOLERANCES, n=1 << 17, rng=4)
-    print(f"plain: {share:.6f} ± {1.96 * error:.6f} of {number}; interval: {found.low:.6f} to {found.high:.6f} of {found.n}")
+    print(f"plain: {share:.6f} ± {1.96 * error:.6f} of {many}; interval: {found.low:.6f} to {found.high:.6f} of {found.n}")
     print({name: f"{found.first[name]:.3f} {found.total[name]:.3f}" for name in found.first})
     return int(not found.low - 2 * error < share < found.high + 2 * error)
 
 
-def validate_coverage(studies: int, seed: int = 5) -> int:
+def studied(part: str) -> tuple[float, float]:
+    """The interval of one study; the one numbered −1 has 2¹⁸ points."""
+    seed, i = map(int, part.split())
+    n, rng = (1 << 18, seed) if i < 0 else (4096, 1000 * seed + i)
+    found = ss.jump_probability(TOLERANCES, n=n, rng=rng, sobol=False)
+    return found.low, found.high
+
+
+def validate_coverage(studies: int, seed: int = 5, store: str = "", seconds: float = np.inf) -> int:
     """How many studies' intervals hold what a study of 2¹⁸ points says."""
-    truth = ss.jump_probability(TOLERANCES, n=1 << 18, rng=seed, sobol=False)
-    found = [ss.jump_probability(TOLERANCES, n=4096, rng=1000 * seed + i, sobol=False) for i in range(studies)]
-    held = sum(one.low <= truth.probability <= one.high for one in found)
-    print(f"truth {truth.probability:.6f} ± {(truth.high - truth.low) / 2:.6f}; {held} of {studies} intervals hold it")
-    return int(held < 0.88 * studies)
+    truth, *found = parts.run([f"{seed} {i}" for i in range(-1, studies)], studied, store, seconds).values()
+    middle = 0.5 * (truth[0] + truth[1])
+    held = sum(low <= middle <= high for low, high in found)
+    print(f"truth {middle:.6f} ± {(truth[1] - truth[0]) / 2:.6f}; {held} of {len(found)} intervals hold it")
+    return int(held < 0.88 * len(found))
 
 
 CHECKS: dict[str, tuple[Callable[..., int], int]] = {
@@ -174,14 +179,15 @@ CHECKS: dict[str, tuple[Callable[..., int], int]] = {
 }
 
 
-def main(what: str = "values", number: str = "", *seed: str) -> int:
+def main(what: str = "values", number: str = "", seed: str = "", store: str = "", seconds: str = "inf") -> int:
     """Run one check, or the measurement of speed; 1 if it fails."""
     if what == "speed":
         speed(int(number or 100_000))
         return 0
     check, size = CHECKS[what]
-    return int(check(int(number or size), *map(int, seed)) > 0)
+    more = {"seed": int(seed)} if seed else {}
+    return int(check(int(number or size), store=store, seconds=float(seconds), **more) > 0)
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:4]))
+    sys.exit(main(*sys.argv[1:6]))

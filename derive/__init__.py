@@ -1,1 +1,1 @@
-"""The derivation, one step of the article's argument a module: run it with ``make derive`` or ``python -m derive``."""
+"""The derivation: what follows from any page, and in ``kang_nam`` the article's model. ``make derive`` runs it."""

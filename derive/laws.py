@@ -20,7 +20,7 @@ def slip(model: Mechanics) -> sp.Expr:
 
 
 def near(count: int) -> tuple[sp.Symbol, ...]:
-    """The factors of so many exponentials."""
+    """The factors of the exponentials, ``count`` of them."""
     return tuple(sp.Symbol(f"near{number}", real=True) for number in range(1, count + 1))
 
 

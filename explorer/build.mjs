@@ -7,18 +7,19 @@ import { fileURLToPath } from "node:url";
 const HERE = dirname(fileURLToPath(import.meta.url));
 const OUT = process.argv[2] ?? join(HERE, "..", "spragsym", "explorer", "assets");
 
-await build({
+const { metafile } = await build({
   absWorkingDir: HERE,
-  entryPoints: { explorer: "src/main.js", worker: "src/worker.js", style: "src/style.css" },
+  entryPoints: { explorer: "src/main.js", model: "src/models/main.js", worker: "src/worker.js", style: "src/style.css" },
   outdir: OUT,
   bundle: true,
   minify: true,
   format: "iife",
-  globalName: "explorer", // of both scripts: each has a thread of its own
+  globalName: "explorer", // of all: each has a page or a thread of its own
   target: "es2022",
   charset: "utf8",
   legalComments: "none", // the licences are in the page in full
   logLevel: "warning",
+  metafile: true,
 });
 
 /** The licence of a library that is bundled, with its name and version. */
@@ -35,6 +36,6 @@ function fromReadme(text) {
   return text.slice(text.search(/^#+\s*licen[cs]e/im)).split("\n").slice(1).join("\n");
 }
 
-const { dependencies } = JSON.parse(await readFile(join(HERE, "package.json"), "utf8"));
-const licences = await Promise.all(Object.keys(dependencies).sort().map(licence));
+const bundled = Object.keys(metafile.inputs).map((path) => /node_modules\/((?:@[^/]+\/)?[^/]+)/.exec(path)?.[1]).filter(Boolean);
+const licences = await Promise.all([...new Set(bundled)].sort().map(licence));
 await writeFile(join(OUT, "licences.txt"), licences.join("\n" + "-".repeat(80) + "\n\n"));

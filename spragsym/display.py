@@ -59,7 +59,9 @@ def tables(thing: Any) -> Iterator[Table]:
         return
     values = _fields(thing)
     if name == "Events":
-        values |= zip(("x", "y", "vx", "vy"), values.pop("state").T, strict=True)
+        states = values.pop("state").T
+        numbered = tuple(f"state_{i + 1}" for i in range(len(states)))
+        values |= zip({2: ("x", "vx"), 4: ("x", "y", "vx", "vy")}.get(len(states), numbered), states, strict=True)
     if "vary" in values and "values" in values:
         vary, column = values["vary"], values.pop("values")
         if isinstance(vary, str):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -11,14 +12,67 @@ from collections.abc import Callable, Iterator
 from typing import Any, TypeAlias
 
 import pytest
+from filelock import FileLock
 from hypothesis import settings
 
+from spragsym.exact.intervals import Arithmetic, Balls
+
+Once: TypeAlias = Callable[[str, Callable[[], Any]], Any]
 Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
 
 # The same numbers in every run, so that a failure is one everywhere; HYPOTHESIS_PROFILE=search looks for new ones.
 settings.register_profile("repeat", derandomize=True, deadline=None)
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeat"))
+
+
+#: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
+LONGEST = (
+    "test_c99", "test_explorer_models", "test_explorer", "test_models_statics", "test_figures", "test_cycles", "test_check",
+    "test_packaging", "test_documents", "test_cli",
+)  # fmt: skip
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The order of files; within each of them it stays."""
+    items.sort(key=lambda item: LONGEST.index(item.path.stem) if item.path.stem in LONGEST else len(LONGEST))
+
+
+# ---------------------------------------------------------------------------------------------- what is computed once
+
+
+@pytest.fixture(scope="session")
+def once(tmp_path_factory: pytest.TempPathFactory) -> Once:
+    """``once(name, compute)``: what a computation gives, made by the first test of a run that asks and kept for all others."""
+    folder = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        folder = folder.parent  # of the run, shared by its workers
+
+    def given(name: str, compute: Callable[[], Any]) -> Any:
+        file = folder / f"{name}.pickle"
+        with FileLock(file.with_suffix(".lock")):
+            if not file.is_file():
+                file.write_bytes(pickle.dumps(compute()))
+        return pickle.loads(file.read_bytes())  # noqa: S301  # written above
+
+    return given
+
+
+@pytest.fixture
+def checked(once: Once, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """The rows of the check against the article; until the test ends commands take them instead of deriving them again."""
+    pytest.importorskip("sympy")
+    from spragsym.derive.kang_nam import check
+
+    rows: list[Any] = once("check", check.run)
+    monkeypatch.setattr(check, "run", lambda: rows)
+    return rows
+
+
+@pytest.fixture(params=["integers", "Arb"])
+def arith(request: pytest.FixtureRequest) -> Arithmetic:
+    """Both interval arithmetics: the package's and Arb's."""
+    return Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
 
 
 # ----------------------------------------------------------------------------------------- processes that tests start

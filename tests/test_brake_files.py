@@ -69,6 +69,17 @@ VALUES = [
     ("theta0", '"52 rad"', ["'52 rad'", "between 0 deg and 180 deg"]),
     ("theta0", '"0.5 deg ± 1 deg"', ["reaches -0.5 deg", "between 0 deg and 180 deg"]),
     ("k_y", '"-1 N/mm"', ["at least 0"]),
+    ("k_y", '"0 N/mm ± 1 N/mm"', ["reaches -1 N/mm", "two ends", 'k_y = "[0, 1] N/mm"']),
+    ("k", '"150-210 N/mm"', ["two numbers in brackets", "[150, 210] N/mm"]),
+    ("k", '"180 N/mm, +- 15 %"', ["leave out the comma"]),
+    ("k", '"180 N/mm 15 %"', ["± is missing before 15 %"]),
+    ("k", '"180 n/mm"', ["did you mean N/mm?"]),
+    ("k_c", '"1500 N/mm ± 150 %"', ["reaches -750 N/mm", 'k_c = "[750, 3750] N/mm"']),
+    ("mu0", '"0.3 to 0.6"', ["two numbers in brackets", "[0.3, 0.6]"]),
+    ("k", '"150 to 210 N/mm"', ["two numbers in brackets"]),
+    ("k", '"180 N/mm +15% -10%"', ["up and down", "two ends"]),
+    ("F_L", '"420 Newton"', ["'Newton' is not known", "did you mean newton?"]),
+    ("mu0", '"0.45 1"', ["'0.45 1' can't be read"]),
     ("F_L", '"0 N"', ["'0 N'", "nothing presses"]),
     ("F_L", '"42 kg"', ["a mass", "a force"]),
     ("mu0", '"0.45 N"', ["'N'", "number without unit", '"0.45"']),
@@ -193,6 +204,7 @@ CONVERSIONS = [
     ("0.01 s/mm", "s/m", 10.0),
     ("45 %", "1", 0.45),
     ("1.2e3 mm/s", "m/s", 1.2),
+    ("10 1/(m/s)", "s/m", 10.0),
     ("52°", "rad", 52 * 3.141592653589793 / 180),
 ]
 
@@ -210,4 +222,7 @@ def test_signs_of_a_tolerance(sign: str) -> None:
 
     found = read(f"180 N/mm {sign} 15 %", "N/m")
     assert (found.low, found.high) == (153e3, 207e3)
+    for text in (f"180 {sign} 27 N/mm", f"(180 {sign} 27) N/mm", f"180 N/mm {sign} 15 percent"):
+        assert (read(text, "N/m").low, read(text, "N/m").high) == (153e3, 207e3)
+    assert read(f"(45 {sign} 5) %", "1").high == pytest.approx(0.5)
     assert read(f"0.5{sign}0.1", "1").high == 0.6

@@ -7,8 +7,10 @@ import math
 import re
 import shutil
 import subprocess
+from collections.abc import Callable
+from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeAlias
 
 import mpmath
 import numpy as np
@@ -28,7 +30,7 @@ SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "driver.c"
 HEADER = (SOURCES / "spragsym.h").read_text(encoding="utf-8")
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)] or [name for name in ("cc",) if shutil.which(name)]
-STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+STRICT = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-Wconversion", "-Wshadow", "-Wstrict-prototypes"]
 OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE = range(4)
 LIFTOFF, CONTACT = 0, 1
 STABLE, DIVERGENT, FLUTTER = 1, 2, 3
@@ -36,6 +38,10 @@ STABLE, DIVERGENT, FLUTTER = 1, 2, 3
 BATCH = 4096
 #: Flags under which the batch's loops become vector instructions.
 VECTORS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
+#: For a shared object.
+SHARED = ("-shared", "-fPIC")
+#: Builds the driver: ``built(compiler, *flags)``.
+Build: TypeAlias = Callable[..., Path]
 BASE = (math.radians(49.0), 0.5, 0.007, 0.007, 0.1, 0.0)
 DISTANCES = (0.0, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4)
 
@@ -101,15 +107,25 @@ def compile_driver(folder: Path, compiler: str, *flags: str) -> Path:
 
 
 @pytest.fixture(scope="module")
-def library(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
-    folder = tmp_path_factory.mktemp("c99")
-    return ctypes.CDLL(str(compile_driver(folder, COMPILERS[0], "-O2", "-ffp-contract=off", "-shared", "-fPIC")))
+def built(tmp_path_factory: pytest.TempPathFactory) -> Build:
+    """The driver, built once for each compiler and its flags."""
+
+    @cache
+    def build(compiler: str, *flags: str) -> Path:
+        return compile_driver(tmp_path_factory.mktemp("c99"), compiler, *flags)
+
+    return build
+
+
+@pytest.fixture(scope="module")
+def library(built: Build) -> ctypes.CDLL:
+    return ctypes.CDLL(str(built(COMPILERS[0], "-O2", "-ffp-contract=off", *SHARED)))
 
 
 def compile_inside(folder: Path, text: str) -> Any:
     """The function ``run`` of ``text``, which sees the static functions of the source."""
     (folder / "inside.c").write_text(f'#include "spragsym.c"\n{text}', encoding="utf-8")
-    command: list[str | Path] = [COMPILERS[0], "-std=c99", "-O1", "-shared", "-fPIC", f"-I{SOURCES}"]
+    command: list[str | Path] = [COMPILERS[0], "-std=c99", "-O0", *SHARED, f"-I{SOURCES}"]
     subprocess.run([*command, "-o", folder / "inside.so", folder / "inside.c", "-lm"], check=True, timeout=60)
     return ctypes.CDLL(str(folder / "inside.so")).run
 
@@ -288,9 +304,10 @@ def nonsense() -> Any:
 
 
 @pytest.mark.parametrize("compiler", COMPILERS)
-@pytest.mark.parametrize("level", ["-O0", "-O3"])
-def test_strict_flags(compiler: str, level: str, tmp_path: Path) -> None:
-    compile_driver(tmp_path, compiler, level, "-Wconversion", "-Wshadow", "-Wstrict-prototypes")
+@pytest.mark.parametrize("level", [("-O0",), VECTORS], ids=["-O0", "-O3"])
+def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> None:
+    """Without and with optimization, which sees more: every build has the flags of STRICT."""
+    assert built(compiler, *level, *SHARED).is_file()
 
 
 @pytest.mark.parametrize("flag", ["-ffast-math", "-ffinite-math-only", "-Ofast"])
@@ -401,14 +418,10 @@ def _values(found: Any) -> Any:
 
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
 @pytest.mark.parametrize("compiler", COMPILERS)
-def test_batch_is_the_single_call_bit_for_bit(compiler: str, regime: int, tmp_path: Path) -> None:
+def test_batch_is_the_single_call_bit_for_bit(compiler: str, regime: int, built: Build) -> None:
     """In vector instructions and in none, on hard points, refused ones and those that double can't carry."""
     points = np.concatenate([*adversarial().values(), nonsense()])
-    plain, vectors = tmp_path / "plain", tmp_path / "vectors"
-    plain.mkdir()
-    vectors.mkdir()
-    one = ctypes.CDLL(str(compile_driver(plain, compiler, "-O0", "-shared", "-fPIC")))
-    other = ctypes.CDLL(str(compile_driver(vectors, compiler, *VECTORS, "-shared", "-fPIC")))
+    one, other = (ctypes.CDLL(str(built(compiler, *flags, *SHARED))) for flags in (("-O0",), VECTORS))
     single = solve(one, points, regime)
     for library in (one, other):
         worst, found, counts, status = solve_batch(library, points, regime)

@@ -16,13 +16,6 @@ from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided, exact_sign
 from spragsym.exact.refinement import Cell, refine
 
-
-@pytest.fixture(params=["integers", "Arb"])
-def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """Both interval arithmetics."""
-    return intervals.Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
-
-
 # ----------------------------------------------------------------------------------------------- polynomials
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections import deque
 from fractions import Fraction
 
 import numpy as np
@@ -171,6 +172,44 @@ def test_the_indicators_sign_is_that_of_the_number_of_real_roots() -> None:
         np.testing.assert_allclose(value, np.where(share < 0, -1, (1 - share) / (1 + share)), rtol=1e-9, atol=1e-12)
 
 
+def test_without_alpha_the_indicator_is_the_discriminant_over_its_own_terms(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of e0 + e1 sin θ₀ + e2 sin² θ₀, with the sign that is negative where two sines are real; all of it where e0 e2 < 0."""
+    for e0, e1, e2, wanted in ((-2, 1, 3, -1.0), (2, 1, -3, -1.0), (2, 1, 3, 23 / 25), (1, -4, 1, -12 / 20), (1, 2, 1, 0.0)):
+        monkeypatch.setattr(fold_curves, "_conic", lambda *_, e=(e0, e1, e2, 0): tuple(np.full(2, float(value)) for value in e))
+        found = fold_curves.indicator(np.array([0.5, 0.6]), Fixed(1.0, 0.0, 1.0, 1.0))
+        np.testing.assert_allclose(found, wanted, rtol=1e-15)
+
+
+def test_without_alpha_a_root_ends_at_a_sine_of_0_or_1() -> None:
+    """The two end values are the conic there: of the sines that solve it, their product says so from both sides."""
+    theta = np.random.default_rng(66).uniform(0.05, math.pi / 2, 40)
+    for fixed in (one for one in SETS if not one.alpha):
+        at_0, at_1, end = fold_curves._ends(theta, fixed)
+        assert end == 1.0
+        for row, angle in enumerate(theta):
+            e0, e1, e2, _ = (float(value) for value in generated.fold_conic(np.cos(angle), np.sin(angle), *fixed))
+            sines = np.roots([e2, e1, e0])
+            np.testing.assert_allclose(
+                [at_0[row], at_1[row]], [e2 * np.prod(sines).real, e2 * np.prod(1 - sines).real], rtol=1e-6
+            )
+
+
+def test_without_alpha_curves_lie_on_either_side_alike_and_friction_is_positive() -> None:
+    """A fold at θ₀ is one at π − θ₀; none with cos θ > 0 has a negative friction, in contact or not."""
+    rng = np.random.default_rng(67)
+    for fixed in [one for one in SETS if not one.alpha]:
+        found = _strands(fixed)
+        theta, theta0 = (np.concatenate([getattr(strand, name) for strand in found]) for name in ("theta", "theta0"))
+        there, mirrored = np.lexsort((theta0, theta)), np.lexsort((np.pi - theta0, theta))
+        np.testing.assert_allclose(theta0[there], (np.pi - theta0)[mirrored], rtol=0, atol=1e-12)
+    for _ in range(40):
+        fixed = Fixed(10 ** rng.uniform(-4, 1), 0.0, 10 ** rng.uniform(-3, 1.5), rng.choice([0, 10 ** rng.uniform(-2, 1.5)]))
+        theta = rng.uniform(0.01, math.pi / 2 - 1e-3, 50)
+        roots, _ = fold_curves.positive_roots(theta, fixed)
+        mu0 = fold_curves.friction(theta[:, None], 2 * np.arctan(roots), fixed)
+        assert not (mu0 < 0).any()
+
+
 @pytest.mark.parametrize(
     ("sines", "kept"), [((-0.5, 0.5), [0.5]), ((0.0, 0.5), [0.5]), ((1.0, 0.5), [0.5]), ((0.2, 0.7), [0.2, 0.7]),
                         ((1e-13, 0.9), [1e-13, 0.9]), ((-0.1, 2.0), []), ((-1e-13, 0.9), [0.9])],
@@ -198,6 +237,34 @@ def test_a_root_at_0_is_not_positive(monkeypatch: pytest.MonkeyPatch) -> None:
     assert number.tolist() == [2, 2]
     np.testing.assert_allclose(values[:, :2], [[1, 2], [0.5, 4]], rtol=1e-13)
     assert np.isnan(values[:, 2:]).all()
+
+
+@pytest.mark.parametrize(
+    ("roots", "real", "wanted"),
+    [
+        # A real pair that rounding split is far out: its imaginary part is the larger one, over its size the smaller one.
+        ([1e6 + 1e-2j, 1e6 - 1e-2j, 1e-3 + 1e-3j, 1e-3 - 1e-3j], 2, [1e6, 1e6]),
+        ([1e-3 + 1e-3j, 1e6 - 1e-2j, 1e-3 - 1e-3j, 1e6 + 1e-2j], 2, [1e6, 1e6]),
+        ([1e-6 + 1e-9j, 1e-6 - 1e-9j, 1e-9 + 5e-10j, 1e-9 - 5e-10j], 2, [1e-6, 1e-6]),
+        # 0 is real, and takes a place.
+        ([0.0, 2.0, 3.0 + 1j, 3.0 - 1j], 2, [2.0]),
+        ([3.0 + 1j, 3.0 - 1j, 0.0, 2.0], 2, [2.0]),
+        ([3.0 + 1j, 3.0 - 1j, 2.0, 1.0], 0, []),
+        ([2.0, 1.0, -3.0 + 1j, -3.0 - 1j], 2, [1.0, 2.0]),
+        ([-3.0 + 1j, -3.0 - 1j, 2.0, 1.0], 2, [1.0, 2.0]),
+    ],
+)
+def test_as_many_roots_as_are_real_are_kept(
+    monkeypatch: pytest.MonkeyPatch, roots: list[complex], real: int, wanted: list[float]
+) -> None:
+    """Those closest to the real axis for their size, whatever the order in which they come."""
+    monkeypatch.setattr(fold_curves, "eigenvalues", lambda _: np.array([roots, roots], dtype=complex))
+    monkeypatch.setattr(fold_curves, "discriminant", lambda _: (np.zeros(2), np.full(2, real)))
+    monkeypatch.setattr(fold_curves, "polished", lambda _, values: values)
+    values, number = fold_curves.positive_roots(np.array([0.5, 0.6]), FAMILY)
+    assert number.tolist() == [len(wanted)] * 2
+    for row in values:
+        np.testing.assert_array_equal(row, [*wanted, *[math.nan] * (4 - len(wanted))])
 
 
 def test_linear_critical_friction_has_the_shape_of_its_parameters() -> None:
@@ -304,7 +371,9 @@ def test_events_that_share_a_cell_are_told_apart(
     monkeypatch.setattr(fold_curves, "positive_roots", roots)
     monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (theta - enters, leaves - theta, math.inf))
     monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - born)
-    for theta in (np.array([0.1, 0.4, 0.6, 0.9]), np.array([0.1, 0.4, 0.46, 0.6, 0.9])):
+    events = sorted({enters, leaves} | {born} - {2.0})
+    for inner in ([], [0.46], events, events[:1], events[-1:]):  # the last ones with events exactly at an angle of the grid
+        theta = np.array([0.1, 0.4, *inner, 0.6, 0.9])
         strands = sorted(fold_curves._trace(theta, FAMILY), key=lambda strand: strand.theta0.max())
         assert len(strands) == 2 + (born < 1)
         first, *pair, last = strands
@@ -316,6 +385,44 @@ def test_events_that_share_a_cell_are_told_apart(
             np.testing.assert_allclose((v - 2) ** 2, strand.theta - born, atol=1e-9)
             assert (np.diff(v) > 0).all() or (np.diff(v) < 0).all()
             assert strand.theta[[0, -1]].tolist() == [0.9, 0.9]
+
+
+def test_a_root_that_comes_in_unannounced_is_followed_from_there(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where rounding hides the change of sign of the end values, numbers of roots decide."""
+    roots = lambda theta, _=None: _padded([[0.1 * (angle - ENTERS)] if angle > ENTERS else [] for angle in theta])  # noqa: E731
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (1e-9 + 0 * theta, 1e-9 + 0 * theta, math.inf))
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: np.ones_like(theta))
+    for theta in (np.linspace(0.1, 1.5, 29), np.linspace(1.5, 0.1, 29)[::-1]):
+        [strand] = fold_curves._trace(theta, FAMILY)
+        assert strand.theta[0] == pytest.approx(ENTERS, abs=1e-12)
+        assert strand.theta[1:].tolist() == theta[theta > ENTERS].tolist()
+
+
+@pytest.mark.parametrize("below", [0, 1, 2])
+def test_nothing_is_joined_where_there_are_no_two_curves(monkeypatch: pytest.MonkeyPatch, below: int) -> None:
+    """As where rounding took one of them before."""
+    row = [0.1 * k for k in range(1, below + 1)]
+    roots = lambda theta, _=None: _padded([[*row, *([2 - (0.7 - t), 2 + (0.7 - t)] if t < 0.7 else [])] for t in theta])  # noqa: E731
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - 0.7)
+    for number in range(below + 2):
+        curves = [(deque([np.zeros((2, 1))]), True) for _ in range(number)]
+        assert fold_curves._pair(0.6, 0.8, below + 2, FAMILY, curves, [], born=False) == curves
+
+
+def test_a_pair_far_out_vanishes_beside_two_roots_close_to_0(monkeypatch: pytest.MonkeyPatch) -> None:
+    def roots(theta: np.ndarray, _: object = None) -> tuple[np.ndarray, np.ndarray]:
+        pairs = [[1e3 * (1 + way * math.sqrt(0.7 - t)) for way in (-1, 1)] if t < 0.7 else [] for t in theta]
+        return _padded([[1e-4, 2e-4, *pair] for pair in pairs])
+
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - 0.7)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (1 + 0 * theta, 1 + 0 * theta, math.inf))
+    ends = sorted(np.tan(strand.theta0[0] / 2) for strand in fold_curves._trace(np.linspace(0.1, 1.5, 29), FAMILY))
+    assert len(ends) == 3
+    np.testing.assert_allclose(ends[:2], [1e-4, 2e-4])
+    assert ends[2] > 100
 
 
 #: θ(v) = T₅(v − 2) with a tilt: one curve, of which one to five pass a θ; up, and down.
@@ -421,6 +528,31 @@ def test_angles_gather_where_curves_are_long(monkeypatch: pytest.MonkeyPatch) ->
     np.testing.assert_array_equal(fold_curves._refined(coarse, FAMILY, 100), coarse)
 
 
+def test_angles_are_shared_out_by_length_and_by_angle(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Between any two that are added lie the same length of the longest curve, over all of it, and half its angle over all of it.
+
+    A length is that in the plane of θ₀/π and μ₀/(1 + |μ₀|); a step of half of the plane or more is a jump.
+    """
+    coarse = np.linspace(0.2, 1.5, 27)
+    curves = np.stack([1 + 0.8 * (coarse - 0.2) ** 2, 0.3 + 0.3 * (coarse > 1.0), 2 - coarse / 2], axis=-1)
+    mu0 = np.stack([-5 * np.sin(4 * coarse), np.where(coarse > 0.7, 40.0, -40.0), 0.3 * coarse], axis=-1)
+    curves[:3, 2] = math.nan
+    monkeypatch.setattr(fold_curves, "positive_roots", lambda theta, _: (np.tan(curves / 2), np.full(theta.size, 3)))
+    monkeypatch.setattr(fold_curves, "friction", lambda theta, _, fixed: mu0)
+    longest = []
+    for i in range(26):
+        steps = [
+            math.dist(*((curves[k, j] / math.pi, mu0[k, j] / (1 + abs(mu0[k, j]))) for k in (i, i + 1)))
+            for j in range(3) if not np.isnan(curves[i, j])
+        ]  # fmt: skip
+        longest.append(max([step for step in steps if step < 0.5]))
+    measure = np.cumsum([0.0, *(one / sum(longest) + 0.5 / 26 for one in longest)])
+    found = fold_curves._refined(coarse, FAMILY, 427)
+    added = found[~np.isin(found, coarse)]
+    assert added.size == pytest.approx(398, abs=3)  # two ends, and those that are there
+    np.testing.assert_allclose(np.diff(np.interp(added, coarse, measure)), 1.5 / 399, rtol=1e-9)
+
+
 # ----------------------------------------------------------------------------------------------------- pieces
 
 
@@ -485,6 +617,19 @@ def test_a_zero_that_is_not_there_is_none(monkeypatch: pytest.MonkeyPatch) -> No
     assert [part.theta.size for part in fold_curves._one_sign(turned, FAMILY, 1.0)] == [20, 20]
 
 
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_zero_at_a_point_is_that_point(monkeypatch: pytest.MonkeyPatch, side: float) -> None:
+    """Where friction only touches 0 the strand goes on; where it passes, both parts have the point, once."""
+    at = np.linspace(0.1, 1.4, 41)[20]
+    touching = _drawn(monkeypatch, lambda theta: side * (theta - at) ** 2)
+    [whole] = fold_curves._one_sign(touching, FAMILY, side)
+    assert whole.theta.tolist() == touching.theta.tolist()
+    passing = _drawn(monkeypatch, lambda theta: side * (theta - at))
+    for way, wanted in ((side, passing.theta[20:]), (-side, passing.theta[:21])):
+        [part] = fold_curves._one_sign(passing, FAMILY, way)
+        assert part.theta.tolist() == wanted.tolist()
+
+
 def test_mirrored_strands_are_the_mirror_image() -> None:
     strand = fold_curves.Strand(np.array([0.1, 0.2]), np.array([1.0, 2.5]), np.array([-0.5, 0.0]))
     image = fold_curves._mirrored(strand)
@@ -525,5 +670,8 @@ def test_only_ends_that_are_one_point_are_joined() -> None:
     ends = fold_curves.Strand(np.array([0.1, 0.5]), np.array([1.0, 1.2]), np.array([2.0, 0.0]))
     assert len(fold_curves._joined([ends], [fold_curves._backward(ends)])) == 1  # at 2.0, not where friction ends
     assert fold_curves._joined([ends], [fold_curves._backward(ends)])[0].mu0.tolist() == [0.0, 2.0, 2.0, 0.0]
+    three = fold_curves.Strand(np.array([0.1, 0.3, 0.5]), np.array([1.0, 1.1, 1.2]), np.array([2.0, 1.0, 0.0]))
+    after = fold_curves.Strand(np.array([0.5, 0.7, 0.9]), np.array([1.2, 1.3, 1.4]), np.array([0.0, 1.0, 3.0]))
+    assert len(fold_curves._joined([three], [after])) == 2
     far = fold_curves.Strand(np.array([0.5, 0.9]), np.array([1.2, 1.3]), np.array([0.0, 3.0]))
     assert len(fold_curves._joined([ends], [far])) == 2

@@ -17,23 +17,9 @@ import pytest
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic, Ball, Balls
 from spragsym.exact.polynomials import Undecided
+from tests.support import as_fraction, as_mpf
 
 ARITH = Balls()
-
-
-@pytest.fixture(params=["integers", "Arb"])
-def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """Both interval arithmetics."""
-    return ARITH if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
-
-
-def _fraction(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
-def _mpf(value: Fraction) -> mpmath.mpf:
-    return mpmath.mpf(value.numerator) / value.denominator
 
 
 def _small_balls(bits: int) -> Iterator[Ball]:
@@ -214,7 +200,7 @@ def test_numbers_for_mpmath_and_their_bounds() -> None:
     many = Fraction((1 << 700) + 1, 1 << 900)
     with mpmath.workdps(3):
         number = intervals.as_mpf(many)
-    assert _fraction(number) == many
+    assert as_fraction(number) == many
     with pytest.raises(ValueError, match="1/3"):
         intervals.as_mpf(Fraction(1, 3))
     for bound in (many, Fraction(1, 3), Fraction(10**400, 7), Fraction(0), Fraction(2**31 + 1, 2**31)):
@@ -308,8 +294,8 @@ def test_bounds_hold_without_guard_bits(name: str, monkeypatch: pytest.MonkeyPat
         for bits, mid, rad in itertools.product((3, 7, 12, 30), (-125, -77, -3, 1, 2, 9, 99, 127), (0, 1)):
             for exp in (-40, -9, -7, -6):
                 ball = Ball(mid, rad, exp, bits)
-                low, high = map(_mpf, ARITH.ends(FUNCTIONS[name](ball)))
-                for end in map(_mpf, ARITH.ends(ball)):
+                low, high = map(as_mpf, ARITH.ends(FUNCTIONS[name](ball)))
+                for end in map(as_mpf, ARITH.ends(ball)):
                     assert low <= getattr(mpmath, name)(end) <= high
 
 
@@ -325,8 +311,8 @@ def test_arc_tangents_of_large_numbers() -> None:
     with mpmath.workprec(400):
         for mid, rad, exp in itertools.product((1, -1, 3, 2**52 - 1, 1 - 2**52), (0, 1), (-20, 2, 5, 20)):
             ball = Ball(mid, rad, exp, 53)
-            low, high = map(_mpf, ARITH.ends(ARITH.atan(ball)))
-            ends = [mpmath.atan(_mpf(end)) for end in ARITH.ends(ball)]
+            low, high = map(as_mpf, ARITH.ends(ARITH.atan(ball)))
+            ends = [mpmath.atan(as_mpf(end)) for end in ARITH.ends(ball)]
             assert low <= ends[0] <= ends[1] <= high
             if abs(mid) > 3:
                 assert high - low <= ends[1] - ends[0] + mpmath.ldexp(1, -48)
@@ -384,13 +370,13 @@ def test_functions_enclose_the_truth_and_little_else(name: str, arith: Arithmeti
                     given = arith.between(value, value + width)
                     ends = arith.ends(_function(arith, name, given))
                 with mpmath.workprec(bits + 200):
-                    low, high = map(_mpf, ends)
-                    truths = [_REFERENCES[name](_mpf(value + width * k / 4)) for k in range(5)]
+                    low, high = map(as_mpf, ends)
+                    truths = [_REFERENCES[name](as_mpf(value + width * k / 4)) for k in range(5)]
                     assert low <= min(truths)
                     assert max(truths) <= high
-                    slope = 1 / mpmath.sqrt(_mpf(abs(value))) if name == "sqrt" else 1
-                    slope = 1 / _mpf(value) ** 2 if name == "atan" and abs(value) >= 2 else slope
-                    span = 2.04 * _mpf(width) * slope  # twice what the function may change by
+                    slope = 1 / mpmath.sqrt(as_mpf(abs(value))) if name == "sqrt" else 1
+                    slope = 1 / as_mpf(value) ** 2 if name == "atan" and abs(value) >= 2 else slope
+                    span = 2.04 * as_mpf(width) * slope  # twice what the function may change by
                     size = max(map(abs, truths)) + (1 if name in ("cos", "sin") else 0)
                     assert high - low <= span + size * mpmath.ldexp(1, 3 - bits)
 

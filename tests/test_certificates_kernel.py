@@ -672,6 +672,14 @@ def test_arc_tangents_are_off_to_neither_side() -> None:
     assert math.copysign(1, kernel.arctangent(0.0)) == 1
 
 
+def test_arc_tangents_between_pieces_have_two_words() -> None:
+    """At 1/2, 1, 3/2 and far out nothing but the two parts of a constant is left; with 40 digits their sum is an arc tangent."""
+    with mpmath.workdps(40):
+        t = np.array([mpmath.mpf(1) / 2, mpmath.mpf(1), mpmath.mpf(3) / 2, mpmath.mpf(10) ** 60], dtype=object)
+        for value, angle in zip(t, kernel.arctangent(t), strict=True):
+            assert abs(angle - mpmath.atan(value)) < 2.0**-106
+
+
 def test_the_rest_of_an_angle_counts_once_and_only_once() -> None:
     """Errors of sine and cosine don't go with what the reduced angle lacks, z tail: half of it in the sine's last term."""
     rng = np.random.default_rng(32)
@@ -709,6 +717,17 @@ def test_what_underflow_may_touch_is_not_sound() -> None:
         for value in (0.0, 0.99e-250, 1e-250):
             assert bool(kernel.sound(FINE._replace(**{name: value}))) == (value == 0 and name in ("mu0", "alpha", "beta"))
         assert kernel.sound(FINE._replace(**{name: 1.01e-250}))
+
+
+def test_what_double_double_arithmetic_may_be_asked_for() -> None:
+    """Each parameter apart from both limits, or 0; the sine never 0."""
+    assert kernel.moderate(FINE)
+    for name in ("sin0", "mu0", "kappa", "alpha", "sigma", "beta"):
+        for value in (0.99e-50, 1e-50) if name == "sin0" else (0.99e-50, 1e-50, 1e50, 1.01e50):
+            assert not kernel.moderate(FINE._replace(**{name: value}))
+        for value in (1.01e-50, 0.5) if name == "sin0" else (1.01e-50, 0.99e50):
+            assert kernel.moderate(FINE._replace(**{name: value}))
+        assert bool(kernel.moderate(FINE._replace(**{name: 0.0}))) == (name != "sin0")
 
 
 def test_what_can_be_divided_out() -> None:

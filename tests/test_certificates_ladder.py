@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 from fractions import Fraction
@@ -17,17 +18,13 @@ from benchmarks.families import FAMILIES
 from spragsym.catastrophe import fold_proofs
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
+from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
-from spragsym.statics import ladder
+from spragsym.statics import kernel, ladder
+from tests.support import as_fraction
 
 NUMBERS = ("theta", "L", "x", "y")
 BASE = (math.radians(30), 0.5, 0.007, 0.007, 0.1, 0.0)
-
-
-@pytest.fixture(params=["integers", "Arb"])
-def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """Both interval arithmetics."""
-    return intervals.Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
 
 
 def _points(number: int) -> Iterator[tuple[float, ...]]:
@@ -114,11 +111,6 @@ def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(ladder, name, value)
 
 
-def _fraction(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
 @pytest.mark.usefixtures("few_bits")
 def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
     """Both folds of the base values, left and right: the double root, the simple one, and what is stable."""
@@ -137,7 +129,7 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
         for state in (one, two):
             assert state.error < 1e-17
             for name, value in zip(NUMBERS, true, strict=True):
-                assert abs(_fraction(getattr(state, name)) - value) <= _fraction(state.error) * max(1, abs(value))
+                assert abs(as_fraction(getattr(state, name)) - value) <= as_fraction(state.error) * max(1, abs(value))
             assert state.stability == 1
         [other] = [state for state in found.states if state.theta != one.theta]
         assert other.stability == 1
@@ -147,7 +139,7 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
 @pytest.mark.usefixtures("few_bits")
 def test_a_boundary_that_no_bits_settle_is_an_error(arith: Arithmetic) -> None:
     """The mass at the anchor of the spring: with α = β = 0 and κ = σ the balance holds at θ = −π/2 with L = 0 exactly."""
-    with pytest.raises(ss.ConvergenceError, match=r"128 bits do not settle theta0=.*move the point off"):
+    with pytest.raises(ss.ConvergenceError, match=r"128 bits do not settle theta0=.*: L or y holds 0; move the point off"):
         ladder.equilibria(1, 0, Fraction(1, 2), 0, Fraction(1, 2), 0, contact=False, arith=arith)
 
 
@@ -160,6 +152,7 @@ def test_most_bits_grow_with_the_spread() -> None:
     assert most(2**10, 1, 1, 1, 1) == most(1, Fraction(1, 2**10), 1, 1, 1) == ladder.MAXIMUM_BITS + 10 * ladder.BITS_A_SPREAD
     assert most(2**10, 1, 1, 1, Fraction(1, 2**30)) == ladder.MAXIMUM_BITS + 40 * ladder.BITS_A_SPREAD
     assert ladder._most_bits(2.0**-20, [Fraction(1)] * 5) == ladder.MAXIMUM_BITS + 20 * ladder.BITS_A_SPREAD
+    assert most(*[2**10] * 5) == ladder.MAXIMUM_BITS + 10 * ladder.BITS_A_SPREAD  # equations have coefficients of 1 as well
     assert ladder.BITS_A_SPREAD >= 6  # a discriminant of the sixth degree
 
 
@@ -191,3 +184,237 @@ def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int, arith: A
 def _middle(arith: Arithmetic, value: Any) -> Fraction:
     low, high = arith.ends(value)
     return (low + high) / 2
+
+
+# ------------------------------------------------------------------------------------------------------ its parts
+
+
+@pytest.fixture
+def held(arith: Arithmetic) -> Iterator[Arithmetic]:
+    """An arithmetic at 128 bits."""
+    with arith.precision(128):
+        yield arith
+
+
+def _float(arith: Arithmetic, value: Any) -> float:
+    return float(_middle(arith, value))
+
+
+def test_seventeen_digits_and_our_own_arithmetic_unless_told_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert ladder.equilibria(*BASE) == ladder.equilibria(*BASE, arith=intervals.arithmetic())
+    monkeypatch.setattr(ladder, "_settle", lambda arith, theta0, rational, contact, digits, *_: digits)
+    assert ladder.equilibria(*BASE) == 17
+
+
+#: P and Q of z³ + 3 P z = 2 Q: around powers of two of any remainder by 2 and 3, either one 0, P of either sign.
+_ABOUT = [Fraction(share) * Fraction(2) ** power for power in (*range(-7, 8), -100, 100) for share in ("0.5", "0.75", "0.999999")]
+_NEAR = [value for value in _ABOUT if 2**-7 < value < 2**7]
+CUBICS = [
+    *((Fraction(0), Q) for Q in _ABOUT), *((-P, Fraction(0)) for P in _ABOUT), *((-P, Q) for P in _NEAR for Q in _NEAR),
+    *((P, Q) for P in _NEAR for Q in _NEAR), *((sign * P, Q) for sign in (1, -1) for P in _ABOUT[-6:] for Q in _ABOUT[-6:]),
+]  # fmt: skip
+
+
+def _largest_root(P: Fraction, Q: Fraction) -> mpmath.mpf:
+    """By Cardano's formulas, the trigonometric one where all roots are real."""
+    P, Q = (mpmath.mpf(value.numerator) / value.denominator for value in (P, Q))
+    inside = P**3 + Q**2
+    if inside < 0:
+        return 2 * mpmath.sqrt(-P) * mpmath.cos(mpmath.acos(min(mpmath.mpf(1), Q / mpmath.sqrt(-P) ** 3)) / 3)
+    w = mpmath.cbrt(Q + mpmath.sqrt(inside))
+    return w - P / w
+
+
+def test_newtons_start_is_above_the_root_and_not_far(held: Arithmetic) -> None:
+    with mpmath.workdps(120):
+        for P, Q in CUBICS:
+            start = mpmath.mpf(2) ** ladder._power_above(held, held.exact(P), held.exact(Q))
+            root = _largest_root(P, Q)
+            assert start >= root
+            if P > 0:  # next to the smaller of two bounds on the root
+                cube, line = mpmath.cbrt(2 * mpmath.mpf(Q.numerator) / Q.denominator), 2 * Q / (3 * P)
+                assert start <= min(2 * cube, 6 * mpmath.mpf(line.numerator) / line.denominator)
+            else:
+                assert start <= root * (2 if P == 0 else 2.32 if Q == 0 else 3.18)
+
+
+def test_the_farthest_root_is_found_to_its_last_bits(held: Arithmetic) -> None:
+    with mpmath.workdps(120):
+        for P, Q in CUBICS:
+            found = ladder._farthest_root(held, held.exact(P), held.exact(Q), 128)
+            low, high = held.ends(found)
+            root = _largest_root(P, Q)
+            assert low == high
+            assert abs(mpmath.mpf(low.numerator) / low.denominator / root - 1) < mpmath.mpf(2) ** -100
+    for P in (0, 1, 7):
+        assert _float(held, ladder._farthest_root(held, held.exact(Fraction(P)), held.exact(Fraction(0)), 128)) == 0
+
+
+@pytest.mark.parametrize("half", [Fraction(2) ** 40, -(Fraction(2) ** 40), Fraction(5, 4), Fraction(-5, 4), Fraction(0)])
+@pytest.mark.parametrize("q", [Fraction(1), Fraction(-1), Fraction(1, 3)])
+def test_roots_of_quadratics_keep_their_digits(held: Arithmetic, half: Fraction, q: Fraction) -> None:
+    """Both of them, however far apart."""
+    one, other, distance = (_middle(held, value) for value in ladder._real_parts(held, held.exact(2 * half), held.exact(q)))
+    with mpmath.workdps(120):
+        middle, inside = -mpmath.mpf(half.numerator) / half.denominator, half * half - q
+        root = mpmath.sqrt(abs(mpmath.mpf(inside.numerator) / inside.denominator))
+        true = sorted((middle - root, middle + root) if inside > 0 else (middle, middle))
+        for value, wanted in zip([*sorted((one, other)), distance], [*true, root], strict=True):
+            assert abs(mpmath.mpf(value.numerator) / value.denominator - wanted) <= abs(wanted) * mpmath.mpf(2) ** -115
+
+
+@pytest.mark.parametrize("trig", [
+    ("0", "-1", "0", "1e6"), ("0", "2", "1", "1e6"), ("-1/2", "-1e-12", "0", "0"), ("-1/2", "1e-12", "0", "1/3"),
+    ("3", "1e-12", "0", "0"), ("3", "-1", "1", "1/3"), ("-1/2", "2", "1", "1/3"), ("3", "2", "0", "0"),
+])  # fmt: skip
+def test_the_quartic_is_split_to_its_last_digits(arith: Arithmetic, trig: tuple[str, ...]) -> None:
+    """By seven times as many bits, which multiply to the quartic; −q₁ and q₂ may be a million times each other's size."""
+
+    def split(bits: int) -> list[Fraction]:
+        with arith.precision(bits):
+            return [_middle(arith, value) for value in ladder._split(arith, tuple(arith.exact(Fraction(v)) for v in trig), bits)]
+
+    p1, q1, p2, q2 = split(900)
+    quartic = kernel.t_quartic(*map(Fraction, trig))
+    for product, wanted in ((p1 * q2 + p2 * q1, quartic[1]), (q1 + q2 + p1 * p2, quartic[2]), (p1 + p2, quartic[3])):
+        assert abs(product - wanted / quartic[4]) <= (abs(p1 * q2) + abs(p2 * q1) + abs(q1) + q2 + 1) / 2**700
+    assert abs(q1 * q2 + 1) < Fraction(1, 2**700)
+    for found, wanted in zip(split(128), (p1, q1, p2, q2), strict=True):
+        assert abs(found - wanted) <= abs(wanted) / 2**110
+
+
+def test_an_enclosure_is_in_order_and_a_root_without_a_change_of_sign_is_none(held: Arithmetic) -> None:
+    for root in (Fraction(3, 7), Fraction(-3, 7), Fraction(0)):
+        around = held.exact(root + Fraction(1, 10**9) * (root != 0))
+        quartic = tuple(held.exact(value) for value in (-root, Fraction(1), Fraction(0), Fraction(0), Fraction(0)))
+        if not root:
+            with pytest.raises(Undecided, match="no change of sign"):
+                ladder._enclose(held, quartic, around, 128)
+            continue
+        low, high = (_middle(held, value) for value in ladder._enclose(held, quartic, around, 128))
+        assert low < root < high
+        assert high - low < 1e-3
+    positive = tuple(held.exact(Fraction(value)) for value in (1, 0, 0, 0, 1))
+    with pytest.raises(Undecided, match="no change of sign"):
+        ladder._enclose(held, positive, held.exact(Fraction(1)), 128)
+
+
+def test_roots_that_share_an_interval_are_undecided(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
+    ends = {-3: (-4, -2), 2: (1, 3), 5: (4, 6), 7: (6.5, 8)}
+    roots = {1: (-3, 2, 0), 2: (5, 7, 0)}
+    exact = lambda value: held.exact(Fraction(value))  # noqa: E731
+    monkeypatch.setattr(ladder, "_split", lambda *_: (1, 1, 2, 2))
+    monkeypatch.setattr(ladder, "_real_parts", lambda _, p, q: roots[p])
+    monkeypatch.setattr(ladder, "_enclose", lambda _, quartic, root, bits: tuple(map(exact, ends[root])))
+    trig = tuple(map(exact, (1, 1, 1, 1)))
+    for all_real, number in ((True, 4), (False, 2)):
+        found = ladder._enclosed_roots(held, trig, 128, all_real=all_real)
+        for value, wanted in zip(found, list(ends.values())[:number], strict=True):
+            assert [float(end) for end in held.ends(value)] == pytest.approx(wanted, rel=1e-6)
+    for one, other in itertools.permutations(ends, 2):
+        for shared in ((ends[one][0] - 1, ends[one][0] + 0.25), ends[one], (ends[one][1] - 0.25, ends[one][1] + 1)):
+            with monkeypatch.context() as patch:
+                patch.setitem(ends, other, shared)
+                with pytest.raises(Undecided, match="share an interval"):
+                    ladder._enclosed_roots(held, trig, 128, all_real=True)
+
+
+@pytest.mark.parametrize("middle", [3, -3])
+@pytest.mark.parametrize("square", [Fraction(1, 2**100), -Fraction(1, 2**100), Fraction(1, 2**120), Fraction(0)])
+def test_a_double_root_lies_within_twice_its_parts_and_half_its_digits(
+    monkeypatch: pytest.MonkeyPatch, held: Arithmetic, middle: int, square: Fraction
+) -> None:
+    """The second factor is (t − middle)² − square, the first one (t − 7)(t − 8)."""
+    parts = (Fraction(-15), Fraction(56), Fraction(-2 * middle), middle**2 - square)
+    monkeypatch.setattr(ladder, "_split", lambda *_: tuple(map(held.exact, parts)))
+    monkeypatch.setattr(ladder, "_enclose", lambda _, quartic, root, bits: (root, root))
+    one, two, *simple = ladder._fold_roots(held, tuple(held.exact(Fraction(1)) for _ in range(4)), 128)
+    assert sorted(_float(held, value) for value in simple) == [7, 8]
+    assert held.ends(one) == held.ends(two)
+    low, high = held.ends(one)
+    width = 2 * math.sqrt(abs(square)) + 3 * 2.0**-64
+    for off in (middle - low, high - middle):
+        assert float(off) == pytest.approx(width, rel=1e-6, abs=0.0)
+
+
+def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
+    plain = ladder._state
+    monkeypatch.setattr(ladder, "_state", lambda *given: 2 * plain(*given))
+    rational = list(map(Fraction, BASE[1:]))
+    assert len(ladder._settle(held, BASE[0], rational, False, 17, 128, False).states) % 2 == 0
+    with pytest.raises(Undecided, match="even number"):
+        ladder._settle(held, BASE[0], rational, True, 17, 128, False)
+
+
+@pytest.mark.parametrize("place", [0, 1, 2])
+@pytest.mark.parametrize(
+    ("ends", "error"),
+    [((7, 9), Fraction(1, 7)), ((-9, -7), Fraction(1, 7)), ((Fraction(1, 8), Fraction(3, 8)), Fraction(1, 8)),
+     ((Fraction(3, 4), Fraction(7, 4)), Fraction(1, 2)), ((Fraction(-1, 16), Fraction(1, 16)), Fraction(1, 16))],
+)  # fmt: skip
+def test_an_error_is_over_the_smallest_value_that_it_may_be_of(
+    monkeypatch: pytest.MonkeyPatch, held: Arithmetic, place: int, ends: tuple[Fraction, Fraction], error: Fraction
+) -> None:
+    """Half the width over max(1, |value|)."""
+    if (place == 0 and ends[0] < 0) or (place == 2 and ends[1] > 0):  # L > 0 and y < 0
+        return
+    given = [held.exact(Fraction(value)) for value in (1, 1, -1)]
+    given[place] = held.between(*map(Fraction, ends))
+    [state] = _states(monkeypatch, held, given, digits=0)
+    assert error <= as_fraction(state.error) <= error * (1 + Fraction(1, 10**6))
+
+
+def _states(monkeypatch: pytest.MonkeyPatch, arith: Arithmetic, given: list[Any], digits: int, fold: bool = False) -> Any:
+    monkeypatch.setattr(kernel, "state", lambda *_: tuple(given))
+    monkeypatch.setattr(ladder, "_stability", lambda *_: 1)
+    t, values = arith.exact(Fraction(1, 2)), (*[arith.exact(Fraction(1))] * 7, 1)
+    return ladder._state(arith, t, values[:4], values, digits, fold)
+
+
+def test_an_error_above_what_is_asked_for_is_undecided_but_on_a_fold(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
+    one, minus = held.exact(Fraction(1)), held.exact(Fraction(-1))
+
+    def states(half: Fraction, digits: int, fold: bool = False) -> Any:
+        return _states(monkeypatch, held, [one, held.between(-half, half), minus], digits, fold)
+
+    if isinstance(held, intervals.Balls):  # whose radius is what is asked for
+        assert len(states(Fraction(1), 0)) == 1  # as large as is allowed
+    assert len(states(Fraction(95, 1000), 1)) == 1
+    assert len(states(Fraction(105, 1000), 1, fold=True)) == 1
+    with pytest.raises(Undecided, match="an error of"):
+        states(Fraction(105, 1000), 1)
+
+
+def test_lengths_and_sides_that_hold_0_are_undecided(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
+    one, minus, open_one = held.exact(Fraction(1)), held.exact(Fraction(-1)), held.between(Fraction(-1), Fraction(1))
+    for L, y, number in ((one, minus, 1), (minus, minus, 0), (one, one, 0), (minus, open_one, 0), (open_one, one, 0)):
+        assert len(_states(monkeypatch, held, [L, one, y], 0)) == number
+    for L, y in ((open_one, minus), (one, open_one)):
+        with pytest.raises(Undecided, match="L or y holds 0"):
+            _states(monkeypatch, held, [L, one, y], 0)
+
+
+@pytest.mark.parametrize("fold", [True, False])
+def test_kinds_by_the_signs_of_what_decides_them(monkeypatch: pytest.MonkeyPatch, held: Arithmetic, fold: bool) -> None:
+    """λ² − trace λ + slope: flutter where they are not real; on a fold one of them is 0, and the trace is the other one."""
+    signs = {sign: held.between(Fraction(sign) - Fraction(1, 2), Fraction(sign) + Fraction(1, 2)) for sign in (-1, 0, 1)}
+    unit = held.exact(Fraction(1))
+    for flutter, slope, trace in itertools.product((-1, 0, 1), repeat=3):
+        monkeypatch.setattr(kernel, "invariants", lambda *_, t=trace, f=flutter: (signs[t], unit, signs[f]))
+        monkeypatch.setattr(kernel, "f_slope", lambda *_, s=slope: signs[s])
+        call = (held, unit, unit, unit, (unit,) * 4, (unit,) * 7 + (1,), fold)
+        if flutter < 0:
+            wanted = 3
+        elif flutter == 0:
+            wanted = None
+        elif slope < 0:
+            wanted = 2
+        elif (slope == 0 and not fold) or trace == 0:
+            wanted = None
+        else:
+            wanted = 1 if trace > 0 else 2
+        if wanted is None:
+            with pytest.raises(Undecided, match="a stability boundary"):
+                ladder._stability(*call)
+        else:
+            assert ladder._stability(*call) == wanted

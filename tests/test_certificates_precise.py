@@ -19,13 +19,6 @@ from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
 from spragsym.statics import ladder
 
-
-@pytest.fixture(params=["integers", "Arb"])
-def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """Both interval arithmetics."""
-    return intervals.Balls() if request.param == "integers" else pytest.importorskip("benchmarks.arb").Arb()
-
-
 # ----------------------------------------------------------------------------------------------------- precise
 
 

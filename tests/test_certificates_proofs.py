@@ -13,30 +13,13 @@ import pytest
 import sympy as sp
 
 import spragsym as ss
-from benchmarks.arb import Arb
 from spragsym.catastrophe import cusp_proofs, fold_proofs
 from spragsym.catastrophe.enclosures import Angles, Point, in_contact
 from spragsym.exact import charts, escalation, polynomials
 from spragsym.exact.intervals import Arithmetic, Balls
 from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
-
-
-@pytest.fixture(params=[Balls, Arb])
-def arith(request: pytest.FixtureRequest) -> Arithmetic:
-    """The package's interval arithmetic, and Arb."""
-    found: Arithmetic = request.param()
-    return found
-
-
-def _fraction(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
-def _mpf(value: Fraction) -> mpmath.mpf:
-    return mpmath.mpf(value.numerator) / value.denominator
-
+from tests.support import as_fraction, as_mpf
 
 # ------------------------------------------------------------------------------------------- proofs: the means
 
@@ -83,22 +66,22 @@ def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
     with arith.precision(80), mpmath.workprec(200):
         for k in range(-23, 25):
             true = mpmath.pi * k / 24
-            cosine, sine = (arith.between(_fraction(value) - Fraction(1, 2**60), _fraction(value) + Fraction(1, 2**60))
+            cosine, sine = (arith.between(as_fraction(value) - Fraction(1, 2**60), as_fraction(value) + Fraction(1, 2**60))
                             for value in (mpmath.cos(true), mpmath.sin(true)))  # fmt: skip
             if k == 24:
                 with pytest.raises(Undecided, match="0 or π"):
                     escalation.angle(arith, cosine, sine)
                 continue
             low, high = arith.ends(escalation.angle(arith, cosine, sine))
-            assert low <= _fraction(true) <= high
+            assert low <= as_fraction(true) <= high
             assert high - low < 1e-15
         for side in (-1, 1):  # a cosine of either sign
             turns = [side * (mpmath.pi / 2 + mpmath.mpf(k) / 100) for k in (-3, 0, 1)]
             cosines, sines = ([function(turn) for turn in turns] for function in (mpmath.cos, mpmath.sin))
-            held = [arith.between(_fraction(min(values)), _fraction(max(values))) for values in (cosines, sines)]
+            held = [arith.between(as_fraction(min(values)), as_fraction(max(values))) for values in (cosines, sines)]
             low, high = arith.ends(escalation.angle(arith, *held))
-            assert low <= _fraction(min(turns))
-            assert _fraction(max(turns)) <= high
+            assert low <= as_fraction(min(turns))
+            assert as_fraction(max(turns)) <= high
             assert high - low < 0.05
 
 
@@ -145,7 +128,7 @@ def _f(theta: mpmath.mpf, values: list[mpmath.mpf]) -> mpmath.mpf:
 
 
 def _middle(arith: Arithmetic, value: Any) -> mpmath.mpf:
-    return _mpf(sum(arith.ends(value)) / 2)
+    return as_mpf(sum(arith.ends(value)) / 2)
 
 
 def _check(arith: Arithmetic, point: Point, orders: int, digits: int) -> None:

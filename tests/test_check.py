@@ -5,9 +5,10 @@ from __future__ import annotations
 import dataclasses
 import random
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from functools import cache
+from typing import Any
 
 import mpmath
 import pytest
@@ -28,8 +29,8 @@ PRINTED = {entry.id: entry for entry in article.PRINTED}
 
 
 @pytest.fixture(scope="module")
-def rows() -> dict[str, Row]:
-    return {row.id: row for row in check.run()}
+def rows(once: Callable[[str, Callable[[], list[Row]]], list[Row]]) -> dict[str, Row]:
+    return {row.id: row for row in once("check", check.run)}
 
 
 @cache
@@ -262,7 +263,16 @@ def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sp, "simplify", lambda expression: expression)
 
 
-@pytest.mark.parametrize("id", MUTATED)
+#: Those that take longest; what the others show is the same, by the same code.
+LARGE = ("A1-c0", "A2", "A3", "A4", "A6", "A7", "eq-1", "eq-6", "eq-12", "eq-28")
+
+
+def large_are_thorough(ids: Iterable[str]) -> list[Any]:
+    """Parameters of a test."""
+    return [pytest.param(id, marks=pytest.mark.thorough) if id in LARGE else id for id in ids]
+
+
+@pytest.mark.parametrize("id", large_are_thorough(MUTATED))
 @pytest.mark.usefixtures("plain_differences")
 def test_every_mutation_is_caught_and_located(id: str) -> None:
     sound = check_with(id, PRINTED[id].expression).status
@@ -287,7 +297,7 @@ def test_neutral_mutations_are_recognized_by_numbers() -> None:
     assert check_with("A4", without_one).status == check.FAILED
 
 
-@pytest.mark.parametrize("id", sorted(explanations.CORRECTIONS))
+@pytest.mark.parametrize("id", large_are_thorough(sorted(explanations.CORRECTIONS)))
 @pytest.mark.usefixtures("plain_differences")
 def test_every_mutation_of_a_misprint_is_caught(id: str) -> None:
     for name, changed, neutral in mutated(id, components_of(id)):
@@ -295,7 +305,7 @@ def test_every_mutation_of_a_misprint_is_caught(id: str) -> None:
         assert neutral or row.status == check.FAILED, f"{id}: {name}"
 
 
-@pytest.mark.parametrize("id", sorted(explanations.CORRECTIONS))
+@pytest.mark.parametrize("id", large_are_thorough(sorted(explanations.CORRECTIONS)))
 @pytest.mark.usefixtures("plain_differences")
 def test_every_mutation_of_a_right_form_is_caught(id: str, monkeypatch: pytest.MonkeyPatch) -> None:
     correction = explanations.CORRECTIONS[id]

@@ -6,6 +6,7 @@ import io
 import json
 import math
 import os
+import pickle
 import re
 import signal
 import subprocess
@@ -15,7 +16,7 @@ from collections.abc import Callable
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import click
 import numpy as np
@@ -100,20 +101,32 @@ def test_bifurcation_draws(kind: str, tmp_path: Path, capsys: pytest.CaptureFixt
     assert said == f"drew {tmp_path}/a.{kind}\n"
 
 
+@pytest.mark.usefixtures("checked")
 def test_check_prints_every_row(capsys: pytest.CaptureFixture[str]) -> None:
-    pytest.importorskip("sympy")
     assert invoke("check", "--json") == DONE
     rows = json.loads(capsys.readouterr().out)
     assert len(rows) == 53
     assert [row["id"] for row in rows if row["status"] == "misprint"] == ["eq-6", "eq-9", "eq-13", "def-n", "A1-d0"]
 
 
-def test_check_fails_where_a_row_is_not_as_recorded(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    pytest.importorskip("sympy")
+@pytest.mark.usefixtures("checked")
+def test_check_of_single_rows(capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke("check", "--row", "eq-9", "--row", "def-", "--json") == DONE
+    rows = [row["id"] for row in json.loads(capsys.readouterr().out)]
+    assert "eq-9" in rows
+    assert len(rows) > 3
+    assert all(row == "eq-9" or row.startswith("def-") for row in rows)
+    for row, remedy in (("eq-99", "eq-9"), ("fig-7", "--claims")):
+        assert invoke("check", "--row", row) == USAGE
+        assert remedy in capsys.readouterr().err
+
+
+def test_check_fails_where_a_row_is_not_as_recorded(
+    checked: list[Any], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     from spragsym.derive.kang_nam import check as derivation
 
-    rows = derivation.run()
-    monkeypatch.setattr(derivation, "run", lambda: rows[1:])
+    monkeypatch.setattr(derivation, "run", lambda: checked[1:])
     assert invoke("check") == FAILED
     assert "eq-1 is not as recorded" in capsys.readouterr().err
 
@@ -169,6 +182,7 @@ def test_every_option_that_names_a_file_is_known_here() -> None:
 
 
 @pytest.mark.parametrize("command", WRITING)
+@pytest.mark.usefixtures("checked")
 def test_no_file_is_overwritten_without_force(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -189,6 +203,7 @@ def test_no_file_is_overwritten_without_force(
 
 
 @pytest.mark.parametrize("command", ["check", "sweep", "explore", "export"])
+@pytest.mark.usefixtures("checked")
 def test_what_is_there_already_is_no_obstacle(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     arguments, name = WRITING[command]
     place = str(tmp_path) if command in FOLDERS else str(tmp_path / name)
@@ -524,42 +539,51 @@ SURROUNDINGS: dict[str, dict[str, str]] = {
 }
 
 
-@pytest.mark.parametrize(
-    "surroundings", [pytest.param(name, marks=pytest.mark.thorough) if name == "latin-1" else name for name in SURROUNDINGS]
-)
-def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
-    """Right output or one line: with Greek in the output, in the arguments, and a bar on stderr."""
+def run_in(surroundings: str, folder: Path, *arguments: str) -> subprocess.CompletedProcess[bytes]:
+    call = [sys.executable, "-W", "error", "-m", "spragsym", *arguments]
+    return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=SURROUNDINGS[surroundings], cwd=folder)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("surroundings", ["C without UTF-8", "latin-1"])
+def test_greek_output_in_any_surroundings(surroundings: str, tmp_path: Path) -> None:
+    """The command that writes Greek takes seconds."""
     pytest.importorskip("sympy")
+    done = run_in(surroundings, tmp_path, "check")
+    assert (done.returncode, done.stderr) == (DONE, b"")
+    assert b"eq-6" in done.stdout
+    assert len(json.loads(run_in(surroundings, tmp_path, "check", "--json").stdout)) == 53
 
-    def run(*arguments: str) -> subprocess.CompletedProcess[bytes]:
-        call = [sys.executable, "-W", "error", "-m", "spragsym", *arguments]
-        return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=SURROUNDINGS[surroundings], cwd=tmp_path)
 
-    if surroundings in ("C without UTF-8", "latin-1"):  # the command that writes Greek takes seconds
-        done = run("check")
-        assert (done.returncode, done.stderr) == (DONE, b"")
-        assert b"eq-6" in done.stdout
-    if surroundings == "latin-1":
-        assert len(json.loads(run("check", "--json").stdout)) == 53
-    done = run("equilibria", "--θ0", "30")
+@pytest.mark.parametrize("surroundings", SURROUNDINGS)
+def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
+    """Right output or one line: with Greek in the arguments, and a bar on stderr."""
+    done = run_in(surroundings, tmp_path, "equilibria", "--θ0", "30")
     assert done.returncode == USAGE
     assert done.stderr.count(b"\n") == 1
-    done = run("sweep", "--theta0", "49", "--t-end", "20", "--backend", "scipy", "-o", "a.csv")
+    done = run_in(surroundings, tmp_path, "sweep", "--theta0", "49", "--t-end", "20", "--backend", "scipy", "-o", "a.csv")
     assert done.returncode == DONE, done.stderr
     assert b"Traceback" not in done.stderr
 
 
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs a pseudo terminal")
 @pytest.mark.parametrize("colour", [True, pytest.param(False, marks=pytest.mark.thorough)])
-def test_no_color_is_respected(colour: bool, begin: Callable[..., subprocess.Popen[bytes]]) -> None:
+def test_no_color_is_respected(
+    colour: bool, checked: list[Any], tmp_path: Path, begin: Callable[..., subprocess.Popen[bytes]]
+) -> None:
+    """With the rows of the check as they are: what is looked at is how they are printed."""
+    (tmp_path / "rows").write_bytes(pickle.dumps(checked))
+    code = (
+        "import pickle; from spragsym.cli import main; from spragsym.derive.kang_nam import check; "
+        "rows = pickle.load(open('rows', 'rb')); check.run = lambda: rows; main(['check'])"
+    )
     environment = {**os.environ, "TERM": "xterm-256color", "COLUMNS": "200"}
     environment.pop("FORCE_COLOR", None)
     environment.pop("NO_COLOR", None)
     if not colour:
         environment["NO_COLOR"] = "1"
     master, slave = os.openpty()
-    call = [sys.executable, "-m", "spragsym", "check"]
-    process = begin(call, stdout=slave, stderr=slave, env=environment)
+    process = begin([sys.executable, "-c", code], stdout=slave, stderr=slave, env=environment, cwd=tmp_path)
     os.close(slave)
     shown = b""
     try:

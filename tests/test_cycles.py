@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import importlib.util
 import json
 import math
@@ -14,18 +15,22 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import validate_cycles
+from benchmarks import bench_auto, validate_cycles
 from spragsym.cli.cycles import cycles as command
-from spragsym.cycles import criteria, exponents, finding, saddles, shooting
-from spragsym.cycles.flows import carrier
+from spragsym.cycles import exponents, finding
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
+from spragsym.dynamics import criteria, shooting
 from spragsym.dynamics.field import Border, Field
+from spragsym.dynamics.flows import carrier
 from spragsym.generated import motion
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
 
 BELT = {"V": 0.5, "d": 10.0}
+
+#: Where the motion from rest changes its fate, as the test of fates confirms.
+FATE = 0.7210117285507
 
 
 def at(degrees: float, **changes: float) -> ss.Parameters:
@@ -147,6 +152,73 @@ def test_a_branch_ends_at_hopfs_bifurcation() -> None:
     assert abs(end.value) <= end.error
 
 
+#: Its closed orbits are the curves v² / 2 − x² / 2 + x³ / 3 = e about x = 1, from e = −1/6 to that through the saddle, e = 0.
+SADDLE_LOOP = field_of(
+    "saddle loop", lambda x, v, e, m: x - x * x + (e - v * v / 2 + x * x / 2 - x**3 / 3) * v,
+    lambda x, v, e, m: (1 - 2 * x + (x - x * x) * v, e - 1.5 * v * v + x * x / 2 - x**3 / 3), lambda x, v, e, m: v,
+)  # fmt: skip
+
+
+def test_a_branch_ends_at_a_homoclinic_orbit() -> None:
+    branch = ss.cycle_branch(finding.cycle_near(SADDLE_LOOP, (-0.1,), (1.3, 0.0)), "e", (-0.3, 0.3), longest=0.2)
+    shrunk, (homoclinic,) = branch.of("end")[0], branch.of("homoclinic")
+    assert "equilibrium" in shrunk.how
+    assert abs(shrunk.value + 1 / 6) < min(shrunk.error, 1e-4)
+    assert abs(homoclinic.value) < min(homoclinic.error, 1e-12)
+    assert "[0.0, 0.0]" in homoclinic.how
+    top = branch.cycles[len(branch.cycles) // 2].state[0]
+    assert top**3 / 3 - top**2 / 2 == pytest.approx(branch.values[len(branch.cycles) // 2], abs=1e-12)
+    assert "CONTACT" not in str(branch.cycles[0])  # a state of two numbers is shown as it is
+
+
+#: Its cycles are circles with r⁴ − 2 r² = e: two, which meet in a fold at e = −1.
+TWO_CIRCLES = field_of(
+    "two circles", lambda x, v, e, m: (e + 2 * (x * x + v * v) - (x * x + v * v) ** 2) * v - x,
+    lambda x, v, e, m: (
+        (4 * x - 4 * x * (x * x + v * v)) * v - 1,
+        e + 2 * (x * x + v * v) - (x * x + v * v) ** 2 + (4 * v - 4 * v * (x * x + v * v)) * v,
+    ),
+    lambda x, v, e, m: v,
+)  # fmt: skip
+
+
+def test_switching_at_a_fold_goes_to_its_other_side() -> None:
+    outer = finding.cycle_near(TWO_CIRCLES, (-0.5,), (1.3, 0.0))
+    branch = ss.cycle_branch(outer, "e", (-1.5, -0.4), longest=0.3)
+    (fold,) = branch.of("fold")
+    assert fold.value == pytest.approx(-1, abs=1e-9)
+    sides = {round(branch.cycles[i].amplitude ** 2 - 1, 6) > 0 for i in (0, -1)}
+    assert sides == {True, False}
+    other = branch.switch(fold)
+    assert (other.amplitude > 1) == (branch.cycles[-1].amplitude > 1)
+    assert other.amplitude**4 - 2 * other.amplitude**2 == pytest.approx(other.values[0], abs=1e-10)
+
+
+def test_where_another_branch_crosses_it_can_be_followed() -> None:
+    """The circle of radius 1 beside y″ = e y − y³ − y′, whose rest y = 0 forks at e = 0 into y = ±√e."""
+
+    def force(q: Any, c: Any, mode: Any, xp: Any = math) -> Any:
+        x, y, v, w = q
+        return (1 - x * x - v * v) * v - x, c[0] * y - y * y * y - w
+
+    def slopes(q: Any, c: Any, mode: Any, xp: Any = math) -> Any:
+        x, y, v, w = q
+        return (-2 * x * v - 1, 0.0, 1 - x * x - 3 * v * v, 0.0), (0.0, c[0] - 3 * y * y, 0.0, -1.0)
+
+    fork = dataclasses.replace(
+        CIRCLE, name="fork", coordinates=("x", "y"), acceleration=force, jacobian=slopes,
+        by_parameters=lambda q, c, mode, xp=math: ((0.0,), (q[1],)),
+    )  # fmt: skip
+    found = finding.cycle_near(fork, (-0.1,), (1.0, 0.0, 0.0, 0.0))
+    branch = ss.cycle_branch(found, "e", (-0.2, 0.15), longest=0.3)
+    (crossing,) = branch.of("fold")
+    assert crossing.value == pytest.approx(0, abs=1e-8)
+    assert "another branch" in crossing.how
+    other = branch.switch(crossing, step=0.1)
+    assert other.state[1] ** 2 == pytest.approx(other.values[0], abs=1e-10)
+    assert abs(other.state[1]) > 0.05
+
+
 def stick_slip(width: float) -> Field:
     """A block on a belt of speed 0.2, static friction 1, kinetic 0.5: rising over a slip of ``width``, falling over another."""
     speed, static, kinetic = 0.2, 1.0, 0.5
@@ -195,6 +267,19 @@ def test_the_textbook_period_of_stick_slip() -> None:
         off.append(found.period - exact)
     assert abs(off[1]) < 0.05
     assert 0 < off[1] < off[0] / 3  # it goes with the width of the layer, but for a logarithm
+
+
+@pytest.mark.thorough
+@pytest.mark.skipif(not bench_auto.installed(), reason="AUTO-07p, a continuation code by collocation, is not installed")
+def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
+    hopf, theirs = bench_auto.by_auto(intervals=30)
+    end, own = bench_auto.ours()
+    exact = bench_auto.hopf_exactly()
+    assert hopf == pytest.approx(exact, abs=1e-9)
+    assert end == pytest.approx(exact, abs=1e-6)
+    for speed, (period, top) in own.items():
+        assert theirs[speed][0] == pytest.approx(period, rel=1e-7)
+        assert theirs[speed][1] == pytest.approx(top, rel=1e-4)  # AUTO's is the largest on its mesh
 
 
 # ------------------------------------------------------------------------------------------------------ branches
@@ -267,6 +352,7 @@ def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
 def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
     found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7208, 0.7212), **BELT)
     assert found.saddle == "equilibrium"
+    assert found.value == pytest.approx(FATE, abs=1e-12)
     for sign in (-1, 1):
         p = ss.Parameters.article(theta0=found.value + sign * 1e-9)
         reach = ss.simulate(p, **BELT, rtol=1e-12, t_end=1000.0).amplitude(300.0)
@@ -279,15 +365,18 @@ def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
         ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.70, 0.71), **BELT)
 
 
-def test_the_boundary_of_a_basin_divides_the_sides_of_the_saddle() -> None:
-    found = ss.basin_boundary(at(40.0), **BELT, step=0.05, points=1)
-    fly, _ = carrier(SPRAG, None)
-    values = (np.radians(40.0), 0.5, 0.007, 0.007, 0.1, 0.0, 0.5, 10.0)
-    saddle = saddles.saddle_near(SPRAG, values, found.saddle)
-    assert saddle is not None
-    x, vx = found.points[len(found.points) // 2]
-    sides = [saddles.side(SPRAG, fly, values, np.array([x + off, 0, vx, 0]), 60.0, saddle)[0] for off in (-1e-5, 1e-5)]
-    assert sides[0] * sides[1] < 0
+def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate() -> None:
+    """One is found over the parameter by verdicts and bisection, the other over starts by the saddle's manifold."""
+    p = ss.Parameters.article(theta0=FATE)
+    found = ss.basin_boundary(p, **BELT, to=((-0.1, 0.1), (-0.1, 0.1)), points=1)
+    at_rest = found.points[np.argmin(np.abs(found.points[:, 1]))]
+    assert np.abs(at_rest).max() < 1e-7
+    assert found.error.max() < 1e-10
+    reach = [ss.simulate(p, **BELT, x0=off, rtol=1e-12, t_end=1000.0).amplitude(300.0) for off in (-1e-6, 1e-6)]
+    assert min(reach) < 1 < max(reach)
+    model = ss.load("kang_nam")
+    again = model.basin_boundary(model.Parameters(theta0=FATE), plane=("x", "vx"), to=((-0.1, 0.1), (-0.1, 0.1)), points=1)
+    assert again.points == pytest.approx(found.points, abs=1e-7)  # along the curve; across it they are one
     with pytest.raises(ss.ParameterError, match="three equilibria"):
         ss.basin_boundary(at(60.0), **BELT)
 
@@ -310,7 +399,7 @@ def test_chaos_is_told_from_rest() -> None:
 
 
 def test_what_has_no_cycle_says_what_it_is_instead() -> None:
-    with pytest.raises(ss.ConvergenceError, match="equilibrium"):
+    with pytest.raises(ss.ConvergenceError, match="decays to rest at x"):
         ss.cycle(at(35.0), **BELT, patient=False)
     with pytest.raises(ss.ConvergenceError, match=r"no cycle"):
         ss.cycle(at(60.0), **BELT, patient=False)
@@ -331,6 +420,15 @@ def test_a_range_that_is_none(slow: ss.Cycle) -> None:
         ss.cycle_branch(slow, "theta0", (0.1, 0.2))
     with pytest.raises(ss.ParameterError, match="not one of"):
         ss.cycle_branch(slow, "gamma", (0.1, 0.2))
+    with pytest.raises(ss.ParameterError, match="kappa = 0 is not in"):
+        ss.cycle_branch(slow, "kappa", (0.0, 0.01))
+
+
+def test_a_branch_reaches_the_end_of_what_a_parameter_may_be() -> None:
+    start = ss.cycle(at(42.0, alpha=2e-5), **BELT, near=(3.1, 2.96, 0.0, -0.344), patient=True)
+    branch = ss.cycle_branch(start, "alpha", (0.0, 4e-5))
+    assert {event.how for event in branch.of("end")} == {"the range ends"}
+    assert 0.0 in branch.values
 
 
 # ------------------------------------------------------------------------------------------------ proofs and files
@@ -358,16 +456,13 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
 
     found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     claim = proofs.claim_of(found, 12)
-    ball_proof.FIELDS[CIRCLE.name] = CIRCLE
-    try:
-        with ball_proof.bits(ball_proof.bits_for(12)):
-            proved = ball_proof.proved(claim)
-            claim["state"][0] += 1e-3
-            claim["slopes"] = [[1.0, 0.0], [0.0, 1.0]]
-            with pytest.raises(ball_proof.NotProved):
-                ball_proof.proved(claim)
-    finally:
-        del ball_proof.FIELDS[CIRCLE.name]
+    with ball_proof.bits(ball_proof.bits_for(12)):
+        proved = ball_proof.proved(CIRCLE, claim)
+        claim["state"][0] += 1e-3
+        claim["slopes"] = [[1.0, 0.0], [0.0, 1.0]]
+        with pytest.raises(ball_proof.NotProved):
+            ball_proof.proved(CIRCLE, claim)
+    assert "again" in proofs.prove_cycle(found).reason  # no other process knows a field of this file
     with mpmath.workdps(40):
         assert abs(mpmath.mpf(proved["period"]) - 2 * mpmath.pi) <= proved["error"]
         assert abs(mpmath.mpf(proved["state"][0]) - mpmath.mpf(1) / 2) <= proved["error"]
@@ -405,7 +500,7 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
     flint = pytest.importorskip("flint")
     from spragsym.cycles import ball_flow, ball_proof
-    from spragsym.cycles.jets import Functions
+    from spragsym.exact.methods import Functions
 
     fly, _ = carrier(SPRAG, None)
     none = np.zeros((2, 8))

@@ -85,7 +85,18 @@ def test_readme_python() -> None:
     assert runner.failures == 0
 
 
-@pytest.mark.parametrize("command", [command for command, _ in commands(README) if not command.startswith("make ")])
+#: Commands that take seconds; ``test_cli`` and ``test_studies`` run them in their own process.
+LONG = ("spragsym check", "spragsym report")
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        pytest.param(command, marks=pytest.mark.thorough) if command.startswith(LONG) else command
+        for command, _ in commands(README)
+        if not command.startswith("make ")
+    ],
+)
 def test_readme_commands(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(README))[command], run(command, tmp_path))
 
@@ -211,6 +222,7 @@ def test_every_benchmark_can_be_imported(name: str) -> None:
         pytest.skip(f"{error.name} is not installed")
 
 
+@pytest.mark.thorough
 def test_the_performance_page_is_written(tmp_path: Path) -> None:
     """With few points, and every solver in its columns."""
     page = tmp_path / "performance.md"
@@ -229,6 +241,7 @@ def test_the_performance_page_is_written(tmp_path: Path) -> None:
             assert float(error) < 1e-12, row
 
 
+@pytest.mark.thorough
 def test_a_commit_before_can_be_compared_with(tmp_path: Path) -> None:
     """Against itself: the same answers, and a time for each solver."""
     if not (ROOT / ".git").exists():

@@ -16,6 +16,7 @@ from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.exact import intervals
 from spragsym.generated.equilibrium import f_coefficients
 from spragsym.statics import compiled, kernel, ladder, solver
+from tests.support import as_fraction
 
 FOLD_DEG = 44.5593177025653  # left fold at base values, by three continuation codes (peers)
 
@@ -196,17 +197,12 @@ def test_a_fold_to_the_last_digit_is_reported_not_guessed(monkeypatch: pytest.Mo
     monkeypatch.setattr(ladder, "BITS_A_SPREAD", 0)
     fold = Fraction(math.radians(FOLD_DEG))
     exact = ss.precise.cusps(dps=60)[2]
-    found = ladder.equilibria(_mpf(exact.theta0), _mpf(exact.mu0), "0.007", "0.007", "0.1", 0)
+    found = ladder.equilibria(as_fraction(exact.theta0), as_fraction(exact.mu0), "0.007", "0.007", "0.1", 0)
     assert found.fold
     assert len(found.states) == 3
     low, middle, high = (state.theta for state in found.states)
     assert abs(low - middle) < 1e-15 or abs(middle - high) < 1e-15
     assert not ladder.equilibria(fold, "0.5", "0.007", "0.007", "0.1", 0).fold
-
-
-def _mpf(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def test_precise_takes_numbers_exactly() -> None:

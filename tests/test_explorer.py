@@ -22,20 +22,13 @@ from spragsym.cli import cli
 from spragsym.cli.explore import explore
 from spragsym.explorer import Preset, article_presets, explorer_page
 from spragsym.parameters import NAMES
+from tests.explorer_pages import WITHOUT_WEBGL, Explorer, chromium
 
 ROOT = Path(__file__).resolve().parent.parent
 ASSETS = ROOT / "spragsym" / "explorer" / "assets"
 SOURCES = ROOT / "explorer"
-CHROMIUM = shutil.which("chromium")
 NODE = shutil.which("node")
 BASE = ss.Parameters.article()
-#: Drawing in 3D by software takes most of a test's time: one test has it.
-WITHOUT_WEBGL = """
-const get = HTMLCanvasElement.prototype.getContext;
-HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
-  return kind === "webgl2" ? null : get.call(this, kind, ...more);
-};
-"""
 
 
 # ------------------------------------------------------------------------------------------------------- bytes
@@ -46,10 +39,14 @@ def test_the_page_is_whole_and_the_same_every_time() -> None:
     assert page == explorer_page()
     assert len(page.encode()) < 2_000_000
     assert not re.search(r"""(src|href)\s*=\s*["']?\s*(https?:)?//""", page)
-    assert not re.search(r"@(STYLE|DATA|WORKER|EXPLORER|MODULE|LICENCES|VERSION)@", page)
-    for name in ("three", "uplot", "fft.js"):
-        assert re.search(rf"^{name} \d+\.\d+\.\d+, MIT$", page, re.MULTILINE)
-    assert page.count("Permission is hereby granted") == 3
+    assert not re.search(
+        r"@(STYLE|DATA|WORKER|BODY|BUNDLE|MODULE|MOTION|START|LICENCES|VERSION|UNITS|SCALES|LINES|ASSUMED)@", page
+    )
+    bundled = json.loads((SOURCES / "package.json").read_text(encoding="utf-8"))["dependencies"]
+    assert {"three", "uplot", "fft.js", "ml-matrix"} == set(bundled)
+    for name, version in bundled.items():
+        assert re.search(rf"^{re.escape(f'{name} {version}')}, MIT$", page, re.MULTILINE)
+    assert page.count("Permission is hereby granted") == len(bundled)
     assert (ROOT / "generated/javascript/spragsym.mjs").read_text(encoding="utf-8").strip() in page
 
 
@@ -58,7 +55,7 @@ def test_the_bundle_is_what_its_sources_give(tmp_path: Path) -> None:
         pytest.skip("needs node, and its packages in explorer/: make explorer")
     subprocess.run([NODE, "build.mjs", str(tmp_path)], cwd=SOURCES, check=True, timeout=60)
     made = sorted(path.name for path in tmp_path.iterdir())
-    assert made == sorted({path.name for path in ASSETS.iterdir()} - {"page.html"})
+    assert made == sorted({path.name for path in ASSETS.iterdir()} - {"page.html", "article.html", "model.html", "motion.html"})
     assert filecmp.cmpfiles(tmp_path, ASSETS, made, shallow=False) == (made, [], [])
 
 
@@ -86,6 +83,17 @@ def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     wanted = {"theta0": math.radians(52), "mu0": 0.45, "kappa": 420 / force, "alpha": 9 / 1500, "sigma": 180 / 1500, "beta": 0.0}
     assert said["presets"][0]["point"] == pytest.approx(wanted, rel=1e-12)
     assert said["drive"] == pytest.approx({"V": 1.2 * second / 0.038, "d": 10 * 0.038 / second}, rel=1e-12)
+    units = said["units"]
+    assert [units["length"], units["time"], units["force"]] == [
+        [pytest.approx(38), "mm"], [pytest.approx(second), "s"], [pytest.approx(force), "N"],
+    ]  # fmt: skip
+    given = {"kappa": ["F_L", 420, "N"], "alpha": ["k_x", 9, "N/mm"], "sigma": ["k", 180, "N/mm"], "V": ["V", 1.2, "m/s"]}
+    for name, (quantity, value, unit) in given.items():
+        one = wanted | said["drive"]
+        assert units["parameters"][name] == [quantity, pytest.approx(value / one[name]), unit]
+    named = CliRunner().invoke(explore, ["--data", str(data), "--model", "trolley", "--out", str(out), "--no-open"]).exception
+    assert isinstance(named, ss.ParameterError)
+    assert "holds data for the model kang_nam" in str(named)
     other = tmp_path / "other.toml"
     other.write_text(data.read_text(encoding="utf-8").replace('"kang_nam"', '"nobody"'), encoding="utf-8")
     problem = CliRunner().invoke(explore, ["--data", str(other), "--out", str(out), "--no-open", "--force"]).exception
@@ -102,76 +110,18 @@ def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DISPLAY", ":1")
     assert CliRunner().invoke(explore, ["--out", str(out)]).exit_code == 0  # the same bytes are not in the way
     assert opened == [out.resolve().as_uri()]
+    for given, made in ((tmp_path / "new", "new/explorer.html"), (tmp_path / "bare", "bare.html")):
+        assert CliRunner().invoke(explore, ["--out", str(given), "--no-open"]).stdout.strip() == str(tmp_path / made)
     out.write_text("mine", encoding="utf-8")
     assert isinstance(CliRunner().invoke(explore, ["--out", str(out)]).exception, ss.SpragsymError)
     assert out.read_text(encoding="utf-8") == "mine"
-    for name, words in (("two_springs", "not exported to JavaScript"), ("nobody", "is no model")):
-        problem = CliRunner().invoke(explore, ["--out", str(out), "--model", name]).exception
-        assert isinstance(problem, ss.ParameterError)
-        assert words in str(problem)
+    problem = CliRunner().invoke(explore, ["--out", str(out), "--model", "nobody"]).exception
+    assert isinstance(problem, ss.ParameterError)
+    assert "neither a shipped model" in str(problem)
     assert "explore" in cli.list_commands(None)  # type: ignore[arg-type]  # the list does not depend on the context
 
 
 # ------------------------------------------------------------------------------------------------- in a browser
-
-
-class Explorer:
-    """One open page: what a reader does on it, and what it says."""
-
-    def __init__(self, page: Any, url: str) -> None:
-        self.page, self.url, self.opened = page, url, 0
-        self.errors: list[str] = []
-        page.set_default_timeout(10_000)
-        page.on(
-            "console",
-            lambda message: (
-                message.type in ("error", "warning")
-                and not message.text.startswith("[.WebGL")
-                and self.errors.append(message.text)
-            ),
-        )
-        page.on("pageerror", lambda error: self.errors.append(str(error)))
-        page.on("request", lambda request: request.url.startswith(("file:", "blob:", "data:")) or self.errors.append(request.url))
-
-    def open(self, hash: str = "") -> None:
-        if self.page.url.startswith("about:"):
-            self.page.goto(self.url)
-        else:  # as a link that is followed on the page
-            self.opened += 1
-            self.page.evaluate("hash => { location.hash = hash; }", f"{hash}&opened={self.opened}")
-        self.settle()
-
-    def settle(self) -> None:
-        """Wait for two pictures: what was dragged is taken up once for each."""
-        self.page.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
-
-    def at(self, theta0: float, mu0: float) -> tuple[float, float]:
-        """Where a point of the plane is on the screen."""
-        box = self.page.locator("#plane .u-over").bounding_box()
-        return box["x"] + box["width"] * theta0 / 180, box["y"] + box["height"] * (1 - mu0)
-
-    def drag(self, *way: tuple[float, float]) -> None:
-        """With the mouse, along corners."""
-        self.page.locator("#plane").scroll_into_view_if_needed()
-        self.page.mouse.move(*self.at(*way[0]))
-        self.page.mouse.down()
-        for corner in way[1:]:
-            self.page.mouse.move(*self.at(*corner), steps=6)
-            self.settle()
-        self.page.mouse.up()
-        self.settle()
-
-    def theta(self) -> float:
-        """Direction of the state that the mass is on, degrees, as the table says it."""
-        text = self.page.locator("#states tr[aria-current] td").nth(3).inner_text()
-        return float(text.replace("−", "-"))
-
-    def point(self) -> dict[str, float]:
-        names = ("theta0_deg", *NAMES[1:])
-        return {name: float(self.page.input_value(f"#{name}")) for name in names}
-
-    def says(self) -> str:
-        return str(self.page.inner_text("#story"))
 
 
 @pytest.fixture(scope="module")
@@ -183,14 +133,8 @@ def url(tmp_path_factory: pytest.TempPathFactory) -> str:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
-    if CHROMIUM is None:
-        pytest.skip("no chromium on this machine")
-    playwright = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-    with playwright.sync_playwright() as tool:
-        # Drawing in 3D by software, as on a machine without a graphics card.
-        started = tool.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--enable-unsafe-swiftshader"])
+    with chromium() as started:
         yield started
-        started.close()
 
 
 @pytest.fixture(scope="module")
@@ -336,6 +280,30 @@ def test_bad_numbers_change_nothing_and_are_explained(explorer: Explorer, name: 
     assert explorer.page.inner_text("#states") == before
 
 
+def test_drawings_are_worked_out_beside_the_page(explorer: Explorer) -> None:
+    """In a worker, also of a page from a file: curves that have no end cost their drawing, and the page goes on."""
+    assert len(explorer.page.workers) == 1
+    explorer.page.fill("#kappa", "1e-20")
+    explorer.settle()
+    assert "3 states" in explorer.says()
+    explorer.page.fill("#kappa", "0.007")
+    explorer.settle()
+    assert explorer.theta() == pytest.approx(python_states(explorer.point())[0], abs=1e-5)
+
+
+def test_a_fold_on_a_long_way_is_told_as_on_a_short_one(explorer: Explorer) -> None:
+    (fold,) = ss.folds(BASE.replace(theta0=math.radians(30)), vary="mu0").mu0
+    for far in ("3", "1e6"):
+        explorer.open("theta0_deg=30&mu0=0.5")
+        explorer.page.fill("#mu0", far)
+        said = re.search(r"μ₀ = (\d\.\d+)", explorer.says())
+        assert said is not None
+        assert float(said[1]) == pytest.approx(float(fold), abs=1e-4)
+    explorer.open("theta0_deg=30&mu0=0.5")
+    explorer.page.fill("#kappa", "0.04")
+    assert re.search(r"crossed the fold at κ = 0\.0\d+\.", explorer.says())
+
+
 def test_huge_numbers_do_not_keep_the_page_waiting(explorer: Explorer) -> None:
     """A way of any length is followed in a bounded number of steps; 10 s is the limit of every action here."""
     for name, typed in (("mu0", "1e6"), ("alpha", "1e9"), ("sigma", "1e12"), ("theta0_deg", "1e-9"), ("kappa", "1e300")):
@@ -368,6 +336,7 @@ def test_keyboard_only(explorer: Explorer) -> None:
     page.focus("#point")
     for _ in range(4):
         page.keyboard.press("Shift+ArrowRight")
+    explorer.settle()
     assert explorer.point()["theta0_deg"] == pytest.approx(50)
     assert "jumped" in explorer.says()
     assert "50 degrees" in page.get_attribute("#point", "aria-valuetext")
@@ -395,18 +364,21 @@ def test_a_link_carries_the_sheet(explorer: Explorer) -> None:
     assert explorer.point()["mu0"] == 0.5
 
 
-def test_what_is_undecided_is_said(explorer: Explorer) -> None:
-    """Exactly on a fold, to the last bit of θ₀, double precision can't tell one state from three."""
+def test_on_a_fold_the_page_decides_as_python_does(explorer: Explorer) -> None:
+    """At the float nearest to a fold, and at its neighbours: the number of states is the one that Python proves."""
     fold = float(ss.folds(BASE).theta0[0])
-    explorer.open(f"theta0_deg={math.degrees(fold)!r}")
-    status = explorer.page.evaluate(
-        "p => window.spragsym.equilibria(p).status", {**article_presets()[0].point, "theta0": fold, "contact": True}
-    )
-    assert status == "uncertain"
-    assert "Undecided" in explorer.page.inner_text("#status")
-    assert "undecided" in explorer.page.inner_text("#count")
+    for theta0 in (np.nextafter(fold, 0), fold, np.nextafter(fold, 4)):
+        point = {**article_presets()[0].point, "theta0": float(theta0)}
+        found = explorer.page.evaluate("p => window.spragsym.equilibria(p)", point)
+        assert found["status"] == "ok"
+        assert found["count"] == int(ss.equilibria(BASE.replace(theta0=theta0)).count)
+
+
+def test_what_is_undecided_is_said(explorer: Explorer) -> None:
     explorer.open("kappa=1e-200")
     assert "Undecided" in explorer.page.inner_text("#status")
+    assert "undecided" in explorer.page.inner_text("#count")
+    assert "Undecided" in explorer.says()
 
 
 def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
@@ -432,7 +404,7 @@ def test_the_surface_is_drawn(browser: Any, url: str) -> None:
     explorer.open()
     explorer.page.wait_for_timeout(1000)
     assert explorer.errors == []
-    picture = explorer.page.locator("#space canvas").screenshot()
+    picture = explorer.page.locator("#space canvas[role=img]").screenshot()
     explorer.page.close()
     image = pytest.importorskip("PIL.Image", reason="Pillow is not installed")
     colours = image.open(io.BytesIO(picture)).convert("RGB").getcolors(1 << 24)

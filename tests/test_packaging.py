@@ -6,6 +6,7 @@ import importlib.util
 import json
 import os
 import re
+import runpy
 import shutil
 import subprocess
 import sys
@@ -131,14 +132,17 @@ def clone(folder: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def archives(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
-    """A wheel, built from the source distribution, and that, built from a copy of the tree without a network."""
+    """A wheel, built from the source distribution, and that, built from a copy of the tree without a network.
+
+    Nothing is compiled for it, which takes most of the time: what needs the compiled solver builds :func:`wheel_by` a compiler.
+    """
     if importlib.util.find_spec("build") is None:
         pytest.skip("build is not installed: pip install 'spragsym[test]'")
     out = tmp_path_factory.mktemp("dist")
     copy = clone(tmp_path_factory.mktemp("tree"))
     done = subprocess.run(
         [sys.executable, "-m", "build", "--no-isolation", "--outdir", str(out), str(copy)],
-        capture_output=True, text=True, timeout=300,
+        env=os.environ | {"CC": "/bin/false"}, capture_output=True, text=True, timeout=300,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     (wheel,), (sdist,) = out.glob("*.whl"), out.glob("*.tar.gz")
@@ -174,7 +178,7 @@ def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Pat
         names = {name.partition("/")[2] for name in sdist.getnames()}
     wanted = committed("derive", "generated", "spragsym", "tests", "benchmarks", "docs")
     wanted |= {"Makefile", "README.md", "LICENSE", "CITATION.cff", "CHANGELOG.md", "CONTRIBUTING.md", "constraints.txt"}
-    wanted |= {"pyproject.toml", ".ci/run", ".pre-commit-config.yaml"}
+    wanted |= {"pyproject.toml", ".ci/run", ".ci/compiled.py", ".pre-commit-config.yaml"}
     assert wanted - names == set()
     assert not any("__pycache__" in name for name in names)
 
@@ -203,19 +207,31 @@ def wheel_by(compiler: str, sdist: Path, out: Path) -> Path:
 
 
 @needs_compiler
-def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path]) -> None:
-    suffix = sysconfig.get_config_var("EXT_SUFFIX")
-    assert sorted(extensions(archives[0])) == [f"spragsym/{name}{suffix}" for name in ("dynamics/_carried", "statics/_compiled")]
-    assert not archives[0].name.endswith("-none-any.whl")
+def test_what_was_compiled_is_not_reported(capsys: pytest.CaptureFixture[str]) -> None:
+    """And what was not is, in one line each: what ``make`` says after an installation."""
+    report = runpy.run_path(str(ROOT / ".ci/compiled.py"))
+    report["main"]()
+    assert capsys.readouterr().err == ""
+    report["main"].__globals__["EXTENSIONS"] = (("a.c", lambda: False, "NumPy serves"),)
+    report["main"]()
+    said = capsys.readouterr().err
+    assert said.startswith("a.c: its compilation failed; NumPy serves")
+    assert said.count("\n") == 1
 
 
 @pytest.mark.thorough
-def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], tmp_path: Path) -> None:
-    """The source distribution installs, solves, and says what is missing."""
-    wheel = wheel_by("/bin/false", archives[1], tmp_path)
-    assert extensions(wheel) == []
-    interpreter = environment(tmp_path / "env", wheel)
-    done = call(interpreter, "-c", (
+@needs_compiler
+def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_path: Path) -> None:
+    wheel = wheel_by(str(COMPILER), archives[1], tmp_path)
+    suffix = sysconfig.get_config_var("EXT_SUFFIX")
+    assert sorted(extensions(wheel)) == [f"spragsym/{name}{suffix}" for name in ("dynamics/_carried", "statics/_compiled")]
+    assert not wheel.name.endswith("-none-any.whl")
+
+
+def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], python: Path) -> None:
+    """What was built without one solves, and says what is missing."""
+    assert extensions(archives[0]) == []
+    done = call(python, "-c", (
         "import numpy as np, spragsym as ss\n"
         "p = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))\n"
         "assert ss.equilibria(p).count.tolist() == ss.count(p).tolist() == [3, 1]\n"
@@ -223,6 +239,9 @@ def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], tmp_path: 
     ))  # fmt: skip
     assert "BackendError" in done.stderr, done.stderr
     assert "install spragsym again, with a compiler" in done.stderr
+    said = call(python, str(ROOT / ".ci/compiled.py")).stderr.splitlines()
+    assert [line.partition(":")[0] for line in said] == ["spragsym/statics/_compiled.c", "spragsym/dynamics/_carried.c"]
+    assert all("NumPy" in line or "SciPy" in line for line in said)
 
 
 _DIGEST = """
@@ -343,7 +362,10 @@ def make_installs(copy: Path, out: Path) -> Path:
     """The wheel by which `make` puts a tree into its environment: a path, or a finder, to the tree."""
     ((name, value),) = re.findall(r"--config-settings (\w+)=(\w+)", (copy / "Makefile").read_text(encoding="utf-8")) or [("", "")]
     program = "import setuptools.build_meta as build, sys; build.build_editable(sys.argv[1], {sys.argv[2]: sys.argv[3]})"
-    done = subprocess.run([sys.executable, "-c", program, str(out), name, value], cwd=copy, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, "-c", program, str(out), name, value],
+        env=os.environ | {"CC": "/bin/false"}, cwd=copy, capture_output=True, text=True,
+    )  # fmt: skip
     assert done.returncode == 0, done.stderr
     (wheel,) = out.glob("*.whl")
     return wheel

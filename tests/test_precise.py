@@ -29,11 +29,6 @@ from spragsym.statics import compiled, ladder
 ARITH = Balls()
 
 
-def _fraction(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return (-1) ** negative * Fraction(int(mantissa)) * Fraction(2) ** int(exponent)
-
-
 # ------------------------------------------------------------------------------------------------------ bounds
 
 

@@ -14,8 +14,11 @@ from scipy.integrate import solve_ivp
 
 import spragsym as ss
 from benchmarks import validate_regimes
+from spragsym.dynamics import with_compiled
 from spragsym.dynamics.classify import classify
-from spragsym.dynamics.course import Course, Flow
+from spragsym.dynamics.closed import Closed
+from spragsym.dynamics.course import Course
+from spragsym.dynamics.flows import Onward
 from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion
@@ -71,6 +74,21 @@ def test_a_cycle_is_told_with_its_own_period_while_the_motion_winds_onto_it(slow
 
 
 @needs_heyoka
+@pytest.mark.skipif(not with_compiled.available(), reason="the compiled integrator was not built")
+def test_a_cycle_by_derivatives_and_by_differences_is_one() -> None:
+    found = [
+        rms_sweep(SLOW, **BELT, x0=2.54, y0=3.36, vy0=0.36, t_end=400.0, transient=100.0, backend=backend)
+        for backend in ("heyoka", "compiled")
+    ]
+    assert [one.regime for one in found] == [Regime.APPROACHES_CYCLE] * 2
+    known = ss.cycle(SLOW, **BELT, near=(2.54, 3.36, 0.0, 0.36))
+    for one, off in zip(found, (1e-10, 1e-6), strict=True):
+        assert one.period == pytest.approx(known.period, rel=off)
+        assert one.rate == pytest.approx(-np.log(known.multipliers[1].real) / known.period, rel=1e-4)
+        assert one.cycle_rms == pytest.approx(known.rms, rel=1e-7)
+
+
+@needs_heyoka
 def test_the_rate_is_the_rate_of_the_motion() -> None:
     # From close by, over ten thousand time units: what is left falls as the multipliers say.
     distances = [rms_sweep(SLOW, **BELT, t_end=end, transient=end - 500.0).distance for end in (20_000.0, 40_000.0)]
@@ -97,8 +115,8 @@ def problem() -> Problem:
 PERIOD = 25.433
 
 
-def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, Flow]:
-    """A motion whose largest x, after every PERIOD, follow s → s* + matrix (s − s*); and the flow it belongs to."""
+def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, Onward]:
+    """A motion whose largest x, after every PERIOD, follow s → s* + matrix (s − s*); and how it goes on."""
     fixed = np.array([1.0, 0.2, 0.1])
 
     def course(state: np.ndarray, duration: float) -> Course:
@@ -112,7 +130,12 @@ def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, 
         return Course(0.0, duration, np.asarray(state, dtype=float), last, t, maxima, integrals, minima, events)
 
     first = fixed + start
-    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), course
+
+    def closed(state: np.ndarray, period: float, reach: float) -> Closed:
+        # One round is what Newton's method finds of two or more.
+        return Closed(np.insert(fixed, 2, 0.0), PERIOD, matrix)
+
+    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), Onward(course, closed)
 
 
 def _turn(size: float, angle: float) -> np.ndarray:
@@ -229,9 +252,10 @@ def test_rest_where_the_equilibria_are_undecided_has_no_index(monkeypatch: pytes
     start = {"x0": eq.x[0], "y0": eq.y[0], "t_end": 20.0, "transient": 10.0}
     assert rms_sweep(p, **BELT, **start).equilibrium == 0
 
-    def undecided(p: ss.Parameters) -> SimpleNamespace:
+    def undecided(p: ss.Parameters, contact: bool = True) -> SimpleNamespace:
         empty = np.full((*p.shape, 3), np.nan)
-        return SimpleNamespace(x=empty, y=empty, undecided=np.ones(p.shape, dtype=bool))
+        none = np.zeros((*p.shape, 3), dtype=np.int8)
+        return SimpleNamespace(x=empty, y=empty, stability=none, undecided=np.ones(p.shape, dtype=bool))
 
     monkeypatch.setattr(solver, "equilibria", undecided)
     found = rms_sweep(p, **BELT, **start)

@@ -85,6 +85,11 @@ def dd_absolute(x: Wide) -> Wide:
     return Wide(absolute(x.high), where(x.high < 0.0, -x.low, x.low))
 
 
+def dd_leading(x: Wide) -> Real:
+    """The double nearest to x."""
+    return x.high
+
+
 def dd_scaled(x: Wide, power: Real) -> Wide:
     """x times a power of two, exactly."""
     return Wide(x.high * power, x.low * power)

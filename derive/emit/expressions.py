@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from .function import Results
-from .language import KernelError, Source
+from .language import KernelError, Routine, Source
 
 _ARITHMETIC = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "=="}
@@ -66,7 +66,7 @@ class Expressions:
                 return f"{self.print(left, SUM)} {sign} {self.print(right, SUM)}", _COMPARE
             case ast.Call(func=ast.Name(id="where"), args=[condition, yes, no]) if self.syntax.ternary:
                 return f"{self.print(condition, _COMPARE)} ? {self.print(yes, _OR)} : {self.print(no, _OR)}", _CHOICE
-            case ast.Call(func=ast.Name(id=name), args=[argument]) if self._hands_back(name):
+            case ast.Call(func=ast.Name(id=name), args=[argument]) if hands_back(self.source.routines.get(name)):
                 return self._expression(argument)
             case ast.Call(func=ast.Name(id=name), args=args):
                 return f"{self.called(name)}({self.listed(args)})", _ATOM
@@ -78,16 +78,6 @@ class Expressions:
             return self.syntax.primitives[name]
         return self.syntax.routine(name) if name in self.source.routines else self.syntax.algebra(name)
 
-    def _hands_back(self, name: str) -> bool:
-        """Whether a routine returns what it is given, as one does that only other number types need."""
-        routine = self.source.routines.get(name)
-        if routine is None:
-            return False
-        match routine.body:
-            case [ast.Return(value=ast.Name(id=returned))]:
-                return returned == routine.arguments[0][0]
-        return False
-
     def _binary(self, left: ast.expr, op: ast.operator, right: ast.expr) -> tuple[str, int]:
         strength = _STRENGTH[type(op)]
         if isinstance(op, ast.BitAnd | ast.BitOr):
@@ -98,6 +88,19 @@ class Expressions:
         sign = _ARITHMETIC[type(op)]
         sign = self.syntax.arithmetic.get(sign, sign)
         return f"{self.print(left, strength)} {sign} {self.print(right, strength + 1)}", strength
+
+
+def hands_back(routine: Routine | None) -> bool:
+    """Whether a routine returns what it is given, as one does that only other number types need: its argument stands for it."""
+    match routine:
+        case Routine(arguments=((argument, _),), body=(ast.Return(value=ast.Name(id=returned)),)):
+            return argument == returned
+    return False
+
+
+def printed(source: Source) -> list[Routine]:
+    """The routines of which a target has something to print."""
+    return [routine for routine in source.routines.values() if not hands_back(routine)]
 
 
 def number(value: float) -> str:

@@ -93,8 +93,17 @@ class KernelError(ArithmeticError):
 
 
 def read(path: Path) -> Source:
+    """Parse the kernel in a file."""
+    return parse(path.read_text(encoding="utf-8"))
+
+
+def joined(*sources: Source) -> Source:
+    """Several as one: all constants, then all records and functions, in order."""
+    return parse("\n\n".join(source.text for source in sources))
+
+
+def parse(text: str) -> Source:
     """Parse a kernel."""
-    text = path.read_text(encoding="utf-8")
     lines = text.splitlines()
     constants, records, routines = [], {}, {}
     first_line = 0

@@ -51,8 +51,7 @@ class Counted:
     def __sub__(self, other: Any) -> Counted:
         return _cancelling(self + other)
 
-    def __rsub__(self, other: Any) -> Counted:
-        return _cancelling(self + other)
+    __rsub__ = __sub__
 
     def __mul__(self, other: Any) -> Counted:
         other = counted(other)
@@ -100,11 +99,9 @@ def follow(function: Function, arguments: tuple[Counted, ...]) -> tuple[Counted,
 def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
     if expression.is_Symbol:
         return known[expression]
-    if expression.is_Integer:
-        return Counted(abs(expression), 0, bool(expression < 0))
     if expression.is_Rational:
         # p/q in a product is printed as a product and a quotient, of which only the quotient may round, and not by a power of 2.
-        return Counted(abs(expression), 0 if _is_power_of_two(Counted(sp.Integer(expression.q))) else 1, bool(expression < 0))
+        return Counted(abs(expression), 0 if _is_power_of_two(Counted(sp.Integer(expression.q))) else 1)
     parts = [_follow(part, known) for part in expression.args if not (expression.is_Pow and part.is_Number)]
     if expression.is_Add:
         # Printed in some order: each term meets at most all of the additions.
@@ -116,7 +113,7 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
         return Counted(
             sp.Mul(*(part.size for part in parts)),
             sum(part.count for part in parts) + max(len(rounding) - 1, 0),
-            any(part.cancels for part in parts if not part.size.is_Number),
+            any(part.cancels for part in parts),
         )
     if expression.is_Pow and expression.exp == 2:
         return Counted(parts[0].size ** 2, 2 * parts[0].count + 1, parts[0].cancels)
@@ -133,11 +130,11 @@ def _follow(expression: sp.Expr, known: Mapping[sp.Symbol, Counted]) -> Counted:
 def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
     """Every count that the kernel names, with ``known`` the generated functions by name."""
     kernel = _runnable(source)
-    symbols = {name: sp.Symbol(name, positive=True) for name in ("t", "c", "s", "scale")}
-    exact = {symbol: Counted(sp.Symbol(f"{symbol}_size", positive=True)) for symbol in (*nm.PARAMETERS, nm.nbar)}
+    symbols = {name: sp.Symbol(name) for name in ("t", "c", "s")}
+    exact = {symbol: Counted(sp.Symbol(f"{symbol}_size")) for symbol in (*nm.PARAMETERS, nm.nbar)}
     angle0 = (
-        Counted(sp.Symbol("cos0_size", positive=True), _IN_DIRECTION),
-        Counted(sp.Symbol("sin0_size", positive=True), _IN_DIRECTION),
+        Counted(sp.Symbol("cos0_size"), _IN_DIRECTION),
+        Counted(sp.Symbol("sin0_size"), _IN_DIRECTION),
     )
     # t is exact, so that 1 − t and 1 + t are rounded once, relative to themselves: the counts of cos θ and sin θ are relative.
     at = kernel["direction"](Counted(symbols["t"]))
@@ -145,7 +142,7 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
 
     # The common factor of a balance changes no root: only the product with it rounds.
     coefficients = follow(known["f_coefficients"], (*angle0, *exact.values()))
-    line = tuple(Counted(value.size, value.count + 1, True) for value in coefficients)
+    line = tuple(Counted(value.size, value.count + 1, value.cancels) for value in coefficients)
     _same_sizes(coefficients, follow(known["f_magnitudes"], (*angle0, *exact.values())))
 
     cubic = follow(known["resolvent"], line)
@@ -161,7 +158,7 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
 
     # In units of the uncertainty ω: one for each of cos θ, sin θ and L, and an eighth for a rounding.
     omega = sp.Rational(_ROUNDINGS_IN_UNCERTAINTY)
-    vague = [Counted(sp.Symbol(name, positive=True), omega) for name in ("c", "s", "L")]
+    vague = [Counted(sp.Symbol(name), omega) for name in ("c", "s", "L")]
     stiffness = follow(
         known["stiffness"], (*vague, *(exact[symbol] for symbol in (nm.mu0, nm.alpha, nm.sigma, nm.beta, nm.nbar)))
     )

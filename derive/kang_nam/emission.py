@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from ..emit import language, targets, write
+from ..emit import language, targets, wide, write
 from . import article, bounds, ledger, mechanics
 from . import nomenclature as nm
 from .catalogue import modules
@@ -15,6 +15,12 @@ PUBLIC = (
     "contact_quartic", "liftoff_quartic", "f_coefficients", "f", "f_slope", "f_curvature",
     "t_quartic", "resolvent", "state", "residuals", "stiffness", "invariants", "damping", "characteristic",
     "spring_length", "friction", "rhs", "regime_rhs", "regime_jacobian", "energy",
+)  # fmt: skip
+
+#: What solvers call on double-double numbers: functions of the kernel with the kinds of their arguments.
+WIDELY = (
+    ("balance", ("Point",)), ("moderate", ("Point",)), ("representable", ("Balance",)), ("guesses", ("Point", "Balance", "Real")),
+    ("at_root", ("Wide", "Point", "Balance", "Real")), ("apart", ("Wide", "Real", "Wide", "Real")),
 )  # fmt: skip
 
 SUMMARY = "Equilibria, stability and motion of the sprag-slip oscillator, for real-time use."
@@ -36,10 +42,12 @@ def material(digest: str) -> targets.Material:
     """What every target prints."""
     parts = modules()
     kernel = language.read(Path(__file__).parent / "kernel.py")
+    arithmetic = language.read(Path(language.__file__).parent / "double_double.py")
+    functions = {function.name: function for module in parts for function in module.functions}
     return targets.Material(
         modules=parts,
         kernel=kernel,
-        counts=bounds.counts(kernel, {function.name: function for module in parts for function in module.functions}),
+        counts=bounds.counts(kernel, functions),
         quantities=nm.quantities(),
         parameters=tuple(map(str, (nm.theta0, *nm.PARAMETERS))),
         base_values={str(symbol): float(value) for symbol, value in article.BASE.items()},
@@ -49,7 +57,8 @@ def material(digest: str) -> targets.Material:
         header=write.header(),
         summary=SUMMARY,
         runtime=own_files(),
-        arithmetic=language.read(Path(language.__file__).parent / "double_double.py"),
+        arithmetic=arithmetic,
+        widened=wide.widened(kernel, arithmetic, functions, nm.quantities(), WIDELY),
     )
 
 

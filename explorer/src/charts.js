@@ -8,14 +8,25 @@ import { colours } from "./colours.js";
 const SAMPLES = 2048;
 const FEWEST = 256;
 const HIGHEST = 2; // angular frequency, in sqrt(k_c/m)
+/** Lines of the coordinates: told apart by their dashes too. */
+const STROKES = ["accent", "flutter", "divergent", "ink"];
+const LINES = [{ width: 2 }, { width: 1.5, dash: [6, 4] }, { width: 1.5, dash: [2, 3] }, { width: 1, dash: [10, 3, 2, 3] }];
 
-export function createCharts({ trace, phase, spectrum }) {
+/**
+ * `names` are the coordinates, whose rates follow them in a state; `units` turn what is drawn into units of a reader's own: factors
+ * and names of a length and of a time.
+ */
+export function createCharts({ trace, phase, spectrum }, names, units = { length: [1, ""], time: [1, ""] }) {
+  const n = names.length;
+  const [long, length_name] = units.length;
+  const [lasting, time_name] = units.time;
+  const named = (text, unit) => (unit ? `${text} in ${unit}` : text);
   let colour = colours();
   let history = empty();
   const transforms = new Map();
 
   function empty() {
-    return { t: [], x: [], y: [], vx: [], off: [], ahead: [] };
+    return { t: [], q: names.map(() => []), v: [], off: [], ahead: [] };
   }
 
   const axis = (label, more = {}) => ({
@@ -27,20 +38,20 @@ export function createCharts({ trace, phase, spectrum }) {
   const plain = { legend: { show: false }, cursor: { show: false } };
 
   const traced = new uPlot({
-    ...plain, ...size(trace), scales: { x: { time: false, range: reach(100) }, y: { range: reach(0.1) } }, axes: [axis("time τ", { size: 32 }), axis("x, y", { size: 50 })],
-    series: [{}, { stroke: () => colour.accent, width: 2 }, { stroke: () => colour.flutter, width: 1.5, dash: [6, 4] }],
+    ...plain, ...size(trace), scales: { x: { time: false, range: reach(100) }, y: { range: reach(0.1) } }, axes: [axis(time_name ? named("time", time_name) : "time τ", { size: 32 }), axis(named(names.join(", "), length_name), { size: 50 })],
+    series: [{}, ...names.map((_, i) => ({ ...LINES[i % LINES.length], stroke: () => colour[STROKES[i % STROKES.length]] }))],
     hooks: { drawAxes: [marks] },
-  }, [[], [], []], trace);
+  }, [[], ...names.map(() => [])], trace);
 
   const portrait = new uPlot({
-    ...plain, ...size(phase), scales: { x: { time: false, range: (u, low, high) => spread(history.x) }, y: { range: () => spread(history.vx) } },
-    axes: [axis("x", { size: 32 }), axis("x′", { size: 50 })], series: [{}, { paths: () => null, points: { show: false } }],
+    ...plain, ...size(phase), scales: { x: { time: false, range: () => spread(history.q[0]) }, y: { range: () => spread(history.v) } },
+    axes: [axis(named(names[0], length_name), { size: 32 }), axis(named(`${names[0]}′`, length_name && `${length_name}/${time_name}`), { size: 50 })], series: [{}, { paths: () => null, points: { show: false } }],
     hooks: { draw: [orbit] },
   }, [[0, 1], [0, 1]], phase);
 
   const spectral = new uPlot({
-    ...plain, ...size(spectrum), scales: { x: { time: false, range: () => [0, HIGHEST] }, y: { range: reach(0.1) } },
-    axes: [axis("angular frequency", { size: 32 }), axis("amplitude of x", { size: 50 })],
+    ...plain, ...size(spectrum), scales: { x: { time: false, range: () => [0, time_name ? HIGHEST / (2 * Math.PI * lasting) : HIGHEST] }, y: { range: reach(0.1) } },
+    axes: [axis(time_name ? `frequency in ${time_name === "s" ? "Hz" : `1/${time_name}`}` : "angular frequency", { size: 32 }), axis(named(`amplitude of ${names[0]}`, length_name), { size: 50 })],
     series: [{}, { stroke: () => colour.accent, width: 1.5, fill: () => colour.three }],
   }, [[], []], spectrum);
 
@@ -75,13 +86,14 @@ export function createCharts({ trace, phase, spectrum }) {
     ctx.beginPath();
     ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
     ctx.clip();
-    const place = (i) => [plot.valToPos(history.x[i], "x", true), plot.valToPos(history.vx[i], "y", true)];
+    const count = history.v.length;
+    const place = (i) => [plot.valToPos(history.q[0][i], "x", true), plot.valToPos(history.v[i], "y", true)];
     for (const off of [false, true]) {
       ctx.beginPath();
       ctx.strokeStyle = off ? colour.flutter : colour.accent;
       ctx.setLineDash(off ? [5 * devicePixelRatio, 3 * devicePixelRatio] : []);
       ctx.lineWidth = 1.5 * devicePixelRatio;
-      for (let i = 1; i < history.x.length; i++) {
+      for (let i = 1; i < count; i++) {
         if (history.off[i] === off) {
           if (i === 1 || history.off[i - 1] !== off) {
             ctx.moveTo(...place(i - 1));
@@ -91,11 +103,11 @@ export function createCharts({ trace, phase, spectrum }) {
       }
       ctx.stroke();
     }
-    if (history.x.length) {
+    if (count) {
       ctx.setLineDash([]);
       ctx.fillStyle = colour.ink;
       ctx.beginPath();
-      ctx.arc(...place(history.x.length - 1), 4 * devicePixelRatio, 0, 7);
+      ctx.arc(...place(count - 1), 4 * devicePixelRatio, 0, 7);
       ctx.fill();
     }
     ctx.restore();
@@ -103,7 +115,7 @@ export function createCharts({ trace, phase, spectrum }) {
 
   /** Amplitudes over angular frequency of the last values, as many as a power of two, by a Hann window. */
   function analysed() {
-    const size = 2 ** Math.floor(Math.log2(Math.max(1, history.x.length)));
+    const size = 2 ** Math.floor(Math.log2(Math.max(1, history.v.length)));
     if (size < FEWEST) {
       return [[], []];
     }
@@ -112,16 +124,16 @@ export function createCharts({ trace, phase, spectrum }) {
     }
     const fft = transforms.get(size);
     const output = fft.createComplexArray();
-    const x = history.x.slice(-size);
+    const x = history.q[0].slice(-size);
     const mean = x.reduce((sum, value) => sum + value, 0) / size;
     fft.realTransform(output, x.map((value, i) => (value - mean) * (0.5 - 0.5 * Math.cos((2 * Math.PI * i) / size))));
     const step = (2 * Math.PI) / (size * (history.t.at(-1) - history.t.at(-2)));
-    const bins = Array.from({ length: Math.min(size / 2, Math.ceil(HIGHEST / step)) }, (_, i) => i);
-    return [bins.map((i) => i * step), bins.map((i) => (4 / size) * Math.hypot(output[2 * i], output[2 * i + 1]))];
+    const bins = Array.from({ length: Math.min(size / 2, Math.ceil(HIGHEST / lasting / step)) }, (_, i) => i);
+    return [bins.map((i) => (time_name ? (i * step) / (2 * Math.PI) : i * step)), bins.map((i) => (4 / size) * Math.hypot(output[2 * i], output[2 * i + 1]))];
   }
 
   function draw(also_spectrum) {
-    traced.setData([history.t, history.x, history.y]);
+    traced.setData([history.t, ...history.q]);
     portrait.redraw(false, true);
     portrait.setData([[0, 1], [0, 1]]);
     if (also_spectrum) {
@@ -130,14 +142,13 @@ export function createCharts({ trace, phase, spectrum }) {
   }
 
   return {
-    add(t, [x, y, vx], { contact, side }) {
-      const row = { t, x, y, vx, off: !contact, ahead: side < 0 };
-      Object.entries(row).forEach(([name, value]) => {
-        history[name].push(value);
-        if (history[name].length > SAMPLES) {
-          history[name].shift();
-        }
-      });
+    add(t, state, { contact, side }) {
+      history.q.forEach((column, i) => column.push(long * state[i]));
+      const row = { t: lasting * t, v: (long / lasting) * state[n], off: !contact, ahead: side < 0 };
+      Object.entries(row).forEach(([name, value]) => history[name].push(value));
+      if (history.v.length > SAMPLES) {
+        [...history.q, history.t, history.v, history.off, history.ahead].forEach((column) => column.shift());
+      }
     },
     clear() { history = empty(); draw(true); },
     draw,

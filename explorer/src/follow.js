@@ -1,7 +1,7 @@
 // The quasi-static state along a straight way through the parameters: it stays on its sheet until the sheet ends at a fold.
 //
 // Equilibria before and after a step are matched in their order by theta. A step is halved until the match is beyond doubt, so that
-// a fold, or a pair of folds, cannot be stepped over unseen but within FINEST of the way.
+// a fold, or a pair of folds, cannot be stepped over unseen but within FINEST of the way, or less where the way is long.
 
 const FINEST = 2 ** -30;
 /** A match counts if every other one moves the states this much further, and if states move less than this share of their gaps. */
@@ -9,7 +9,7 @@ const CLEARLY = 4;
 const SHARE = 0.3;
 /** No step changes a state's direction by more than this, radians; longer ones are halved. */
 const LONGEST = 0.1;
-/** A fold is located within this share of the longest step. */
+/** A fold is located within this share of a first step. */
 const LOCATED = 2 ** -14;
 /** What a first step may change of each parameter. */
 const FIRST = { theta0: 0.035, mu0: 0.02, kappa: 0.002, alpha: 0.05, sigma: 0.02, beta: 0.1 };
@@ -69,6 +69,8 @@ export function follow(solve, from, to, theta) {
   const angles = ({ states }) => states.map((state) => state.theta);
   const size = Math.max(...Object.keys(FIRST).map((name) => Math.abs(to[name] - from[name]) / FIRST[name]));
   const longest = 1 / Math.max(1, Math.min(MOST, Math.ceil(size)));
+  const located = LOCATED / Math.max(1, size);
+  const finest = Math.min(FINEST, located);
   const samples = [];
   // Where double precision can't decide, the way is taken up again beyond: by longer and longer steps once the short ones are used up.
   const shortest = longest * 2 ** -12;
@@ -89,13 +91,13 @@ export function follow(solve, from, to, theta) {
       continue;
     }
     const { pairs, sure } = matched(angles(here), angles(there));
-    if (!sure && !across && step > FINEST) {
+    if (!sure && !across && step > finest) {
       step /= 2;
       continue;
     }
     const rank = nearest(here.states, now);
     const pair = pairs.find(([before]) => before === rank);
-    if (!pair && !across && step > longest * LOCATED) {
+    if (!pair && !across && step > located) {
       step /= 2;
       continue;
     }

@@ -1,24 +1,16 @@
 // A number and a slider for each parameter.
 
-import { degrees, parsed, radians, typed } from "./numbers.js";
+import { degrees, parsed, radians, typed, written } from "./numbers.js";
 
-/** Per parameter: what it means, and what the slider spans; the number may be anything that is allowed. */
-const FIELDS = [
-  ["theta0", "θ₀", "inclination of the spring, degrees", 0.5, 179.5],
-  ["mu0", "μ₀", "friction coefficient", 0, 1],
-  ["kappa", "κ", "preload", 0.001, 0.05],
-  ["alpha", "α", "stiffness along the belt", 0, 1],
-  ["sigma", "σ", "stiffness of the inclined spring", 0.02, 1],
-  ["beta", "β", "stiffness across the belt", 0, 3],
-];
-
-const inward = (name, value) => (name === "theta0" ? radians(value) : value);
-const outward = (name, value) => (name === "theta0" ? degrees(value) : value);
+/** A parameter is `{ name, symbol, meaning, angle, low, high }`: the slider spans low to high, in degrees where it is an angle. */
+const inward = ({ angle }, value) => (angle ? radians(value) : value);
+const outward = ({ angle }, value) => (angle ? degrees(value) : value);
+export const idOf = ({ name, angle }) => (angle ? `${name}_deg` : name);
 
 /** What is wrong with a number, or an empty text. */
-export function wrong(name, symbol, value, text, RANGES) {
-  const { low = -Infinity, high = Infinity, low_open, high_open } = RANGES[name];
-  const [least, most] = [outward(name, low), outward(name, high)];
+export function wrong(field, value, text, range = {}) {
+  const { low = -Infinity, high = Infinity, low_open, high_open } = range;
+  const [least, most] = [outward(field, low), outward(field, high)].map((end) => Number(end.toPrecision(12)));
   if (!Number.isFinite(value)) {
     return `“${text}” is not a number; type one like 0.5 or 0,5`;
   }
@@ -27,25 +19,26 @@ export function wrong(name, symbol, value, text, RANGES) {
       return "";
     }
   }
-  const unit = name === "theta0" ? " degrees" : "";
+  const unit = field.angle ? " degrees" : "";
   const ends = Number.isFinite(high) ? `between ${least} and ${most}${unit}` : `${low_open ? "greater than" : "at least"} ${least}${unit}`;
-  return `${symbol} must be ${ends}; ${text} is not`;
+  return `${field.symbol} must be ${ends}; ${text} is not`;
 }
 
-/** Builds the rows; typing and sliding move the store's point. */
-export function createInputs(box, store, RANGES) {
-  const rows = FIELDS.map((field) => row(...field));
+/** Builds the rows; typing and sliding move the store's point. `beside(name, value)` is a text that follows the number. */
+export function createInputs(box, store, fields, RANGES, beside = () => "") {
+  const rows = fields.map(row);
 
-  function row(name, symbol, meaning, low, high) {
-    const id = name === "theta0" ? "theta0_deg" : name;
+  function row(field) {
+    const { name, symbol, meaning, low, high } = field;
+    const id = idOf(field);
     const line = document.createElement("div");
     line.className = "parameter";
-    line.innerHTML = `<label for="${id}"><b>${symbol}</b> <span>${meaning}</span></label>
+    line.innerHTML = `<label for="${id}"><b>${symbol}</b> <span>${meaning}${field.angle ? ", degrees" : ""}</span> <i id="${id}_beside"></i></label>
       <input id="${id}" type="text" inputmode="decimal" autocomplete="off" spellcheck="false" aria-describedby="${id}_error">
       <input id="${id}_slider" type="range" min="${low}" max="${high}" step="any" aria-label="${meaning}">
       <p class="error" id="${id}_error" role="alert"></p>`;
     box.append(line);
-    const [number, slider, error] = ["input[type=text]", "input[type=range]", ".error"].map((what) => line.querySelector(what));
+    const [number, slider, error, aside] = ["input[type=text]", "input[type=range]", ".error", "i"].map((what) => line.querySelector(what));
     let taken = ""; // the text that was last taken up: leaving the field does not take it up again
     let begun = null; // the state when typing began: half a number leaves no trace on the path
 
@@ -56,12 +49,12 @@ export function createInputs(box, store, RANGES) {
 
     function take() {
       const value = parsed(number.value);
-      const problem = wrong(name, symbol, value, number.value, RANGES);
+      const problem = wrong(field, value, number.value, RANGES[name]);
       taken = number.value;
       say(problem);
       if (!problem) {
         begun ??= store.get();
-        store.move({ [name]: inward(name, value) }, begun);
+        store.move({ [name]: inward(field, value) }, begun);
       }
     }
 
@@ -81,9 +74,9 @@ export function createInputs(box, store, RANGES) {
       } else if (step) {
         event.preventDefault();
         done();
-        const value = outward(name, store.get().point[name]) + (step * (event.shiftKey ? 10 : 1) * (high - low)) / 200;
-        if (!wrong(name, symbol, value, "", RANGES)) {
-          store.move({ [name]: inward(name, value) });
+        const value = outward(field, store.get().point[name]) + (step * (event.shiftKey ? 10 : 1) * (high - low)) / 200;
+        if (!wrong(field, value, "", RANGES[name])) {
+          store.move({ [name]: inward(field, value) });
           show(true);
         }
       }
@@ -93,13 +86,14 @@ export function createInputs(box, store, RANGES) {
     slider.addEventListener("input", () => {
       if (!pending) {
         pending = true;
-        requestAnimationFrame(() => { pending = false; store.move({ [name]: inward(name, Number(slider.value)) }); });
+        requestAnimationFrame(() => { pending = false; store.move({ [name]: inward(field, Number(slider.value)) }); });
       }
     });
 
     function show(always = false) {
-      const value = outward(name, store.get().point[name]);
+      const value = outward(field, store.get().point[name]);
       slider.value = value;
+      aside.textContent = beside(name, store.get().point[name]);
       slider.setAttribute("aria-valuetext", typed(value, 5));
       if (always || (document.activeElement !== number && parsed(number.value) !== value)) {
         taken = number.value = typed(value);
@@ -111,4 +105,12 @@ export function createInputs(box, store, RANGES) {
   }
 
   return (always) => rows.forEach((show) => show(always));
+}
+
+/** What a parameter is in units of the reader's own, as a text that follows the number. */
+export function besides(units) {
+  return (name, value) => {
+    const unit = units?.parameters[name];
+    return unit ? `${unit[0]} = ${written(value * unit[1], 5)} ${unit[2]}` : "";
+  };
 }

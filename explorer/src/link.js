@@ -2,14 +2,14 @@
 
 import { degrees, parsed, radians, typed } from "./numbers.js";
 
-/** The text after # for a point, the direction of its state, and the drive of the motion. */
-export function linked({ point, theta }, drive) {
-  const { theta0, ...rest } = point;
-  const values = { theta0_deg: degrees(theta0), ...rest, ...(theta === null ? {} : { theta_deg: degrees(theta) }), ...drive };
-  return Object.entries(values).map(([name, value]) => `${name}=${typed(value, 15)}`).join("&");
+/** The text after #: each value by its name; those that `angles` names are written in degrees, with _deg behind their names. */
+export function linked(values, angles) {
+  const written = Object.entries(values).filter(([, value]) => value !== null)
+    .map(([name, value]) => (angles.includes(name) ? [`${name}_deg`, degrees(value)] : [name, value]));
+  return written.map(([name, value]) => `${name}=${typed(value, 15)}`).join("&");
 }
 
-/** What a link says, or null: names that are unknown or no numbers are left out, and so is what is out of its range. */
+/** What a link says of `names`, or null: names that are unknown or no numbers are left out, and so is what is out of its range. */
 export function unlinked(hash, names, RANGES) {
   const said = new URLSearchParams(hash.replace(/^#/, ""));
   const found = {};
@@ -19,10 +19,22 @@ export function unlinked(hash, names, RANGES) {
       found[name.endsWith("_deg") ? name.slice(0, -4) : name] = name.endsWith("_deg") ? radians(value) : value;
     }
   }
-  const allowed = Object.fromEntries([...names, "V", "d", "theta"].filter((name) => name in found && inside(found[name], RANGES[name])).map((name) => [name, found[name]]));
+  const allowed = Object.fromEntries(names.filter((name) => Object.hasOwn(found, name) && inside(found[name], RANGES[name])).map((name) => [name, found[name]]));
   return Object.keys(allowed).length ? allowed : null;
 }
 
 function inside(value, { low = -Infinity, high = Infinity, low_open, high_open } = {}) {
   return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
+}
+
+/** Puts a link to what stands after # into the address and into the clipboard, and says which of the two it came to. */
+export async function copied(after, says) {
+  const text = `${location.href.split("#")[0]}#${after}`;
+  history.replaceState(null, "", text);
+  try {
+    await navigator.clipboard.writeText(text);
+    says.textContent = "The link is copied.";
+  } catch {
+    says.textContent = "The address now carries the state: copy it from there.";
+  }
 }

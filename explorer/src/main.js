@@ -1,14 +1,13 @@
 // The page: parts made, and told of changes. `start` is called by the page with everything that the exported module offers.
 
 import { createAsking } from "./asking.js";
-import { createCharts } from "./charts.js";
 import { whenColoursChange } from "./colours.js";
 import { forces } from "./forces.js";
-import { createInputs, wrong } from "./inputs.js";
-import { linked, unlinked } from "./link.js";
+import { besides, createInputs } from "./inputs.js";
+import { copied, linked, unlinked } from "./link.js";
 import { createMechanism } from "./mechanism.js";
-import { createMotion } from "./motion.js";
-import { degrees, parsed, radians, typed, written } from "./numbers.js";
+import { radians } from "./numbers.js";
+import { createPanel } from "./panel.js";
 import { createPlane } from "./plane.js";
 import { createSpace } from "./space.js";
 import { createStates, story, undecided } from "./states.js";
@@ -19,6 +18,15 @@ const $ = (id) => document.getElementById(id);
 const still = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 /** How long the drawing of a jump takes, milliseconds. */
 const FLIGHT = 450;
+/** What the parameters mean, and what their sliders span; a number may be anything that is allowed. */
+const FIELDS = [
+  ["theta0", "θ₀", "inclination of the spring", 0.5, 179.5],
+  ["mu0", "μ₀", "friction coefficient", 0, 1],
+  ["kappa", "κ", "preload", 0.001, 0.05],
+  ["alpha", "α", "stiffness along the belt", 0, 1],
+  ["sigma", "σ", "stiffness of the inclined spring", 0.02, 1],
+  ["beta", "β", "stiffness across the belt", 0, 3],
+].map(([name, symbol, meaning, low, high]) => ({ name, symbol, meaning, low, high, angle: name === "theta0" }));
 
 export function start(solver) {
   const data = JSON.parse($("data").textContent);
@@ -30,12 +38,21 @@ export function start(solver) {
   const mechanism = createMechanism($("mechanism"), { anchor, mass: thrown });
   const plane = createPlane($("plane"), store);
   const space = createSpace($("space"), store);
-  const inputs = createInputs($("parameters"), store, solver.RANGES);
-  const table = createStates($("states"), store, solver.algebra);
-  const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") });
+  const inputs = createInputs($("parameters"), store, FIELDS, solver.RANGES, besides(data.units));
+  const table = createStates($("states"), store, solver.algebra, data.units ?? undefined);
+  const assumed = [["V", "speed of the belt"], ["d", "steepness of the friction law"]]
+    .map(([id, meaning]) => ({ id, symbol: id, meaning, value: drive[id], range: solver.RANGES[id] }));
+  const panel = createPanel(["x", "y"], assumed, data.units ?? undefined, {
+    beside: besides(data.units),
+    field: (numbers) => fieldOf(solver.motion, store.get().point, numbers),
+    state: () => { const state = current(store.get()); return state && [state.x, state.y]; },
+    frame: moved,
+    rest: () => { mechanism.roll(0); if (store.get()) { rest(store.get()); } },
+    begun: (numbers) => { flight = null; Object.assign(drive, numbers); remember(); },
+  });
+  ["V", "d"].forEach((name) => ($(name).onchange = () => { const said = panel.numbersOf(); if (said) { Object.assign(drive, said); remember(); } }));
 
-  let [moving, top, frames, belt, flight] = [false, 1, 0, 0, null];
-  const motion = createMotion(solver.motion, { sample: charts.add, frame: moved, stop: (message) => { $("motion_says").textContent = message; buttons(); } });
+  let [top, flight] = [1, null];
 
   // ------------------------------------------------------------------------------------------------ the state
 
@@ -43,10 +60,15 @@ export function start(solver) {
     const state = current(now);
     const drawn = state ? { x: x ?? state.x, y: y ?? state.y } : { x: 0, y: 0 };
     mechanism.draw({
-      ...now.point, ...drawn, others: now.found.contact.states.filter((other) => other !== state), kind: state?.stability ?? "",
+      ...held(now.point), ...drawn, others: now.found.contact.states.filter((other) => other !== state), kind: state?.stability ?? "",
       forces: state && x === undefined ? forces(solver.algebra, now.point, state, true) : null,
       note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
     });
+  }
+
+  /** What holds the mass, as it is drawn. */
+  function held({ theta0, alpha, beta }) {
+    return { to: [{ at: [Math.cos(theta0), Math.sin(theta0)], angle: theta0, symbol: "θ₀" }], ties: [alpha > 0, beta > 0] };
   }
 
   /** A jump is drawn as a short flight between the two states. */
@@ -57,7 +79,7 @@ export function start(solver) {
     const mine = (flight = { at: before });
     const frame = (time) => {
       const share = Math.min(1, (time - begun) / FLIGHT);
-      if (flight !== mine || moving) {
+      if (flight !== mine || panel.moving()) {
         return;
       }
       const [x, y] = [0, 1].map((k) => before[k] + (1 - (1 - share) ** 3) * ([to.x, to.y][k] - before[k]));
@@ -96,9 +118,9 @@ export function start(solver) {
   function say(now) {
     $("status").textContent = undecided(now.found);
     $("count").textContent = now.found.contact.status === "ok" ? `${now.found.contact.count} in contact, ${now.found.liftoff.count} in lift-off` : "undecided";
-    $("story").textContent = story(now);
+    $("story").textContent = story(now, data.units?.length);
     clearTimeout(quiet);
-    quiet = setTimeout(() => ($("spoken").textContent = story(now)), 700); // a reader hears where it ends, not all of the way
+    quiet = setTimeout(() => ($("spoken").textContent = $("story").textContent), 700); // a reader hears where it ends, not all of the way
   }
 
   function drawn(kinds) {
@@ -113,16 +135,14 @@ export function start(solver) {
     if (kinds.has("family")) {
       shapes(now.point);
     }
-    if (kinds.has("jump") && now.last && current(now) && !still() && !moving) {
+    if (kinds.has("jump") && now.last && current(now) && !still() && !panel.moving()) {
       fly(now);
-    } else if (!moving && !flight) {
+    } else if (!panel.moving() && !flight) {
       rest(now);
     }
     plane.draw();
     space?.draw();
-    if (moving) {
-      motion.set(now.point, drive);
-    }
+    panel.changed();
     remember();
   }
 
@@ -146,108 +166,28 @@ export function start(solver) {
     }
   }
 
+  const link = () => linked({ ...store.get().point, theta: store.get().theta, ...drive }, ["theta0", "theta"]);
   let later = 0;
   function remember() {
     clearTimeout(later);
-    later = setTimeout(() => history.replaceState(null, "", `#${linked(store.get(), drive)}`), 250);
+    later = setTimeout(() => history.replaceState(null, "", `#${link()}`), 250);
   }
 
   // ----------------------------------------------------------------------------------------------- the motion
 
-  function moved(t, state) {
-    const [x, y, vx] = state;
+  function moved(t, [x, y], { contact }) {
     const now = store.get();
-    frames += 1;
-    belt = t * drive.V;
-    mechanism.roll(belt);
-    const off = y >= 0;
-    mechanism.draw({ ...now.point, x, y, others: now.found.contact.states, kind: off ? "off" : "", note: `in motion, τ = ${t.toFixed(0)}; pale: the states` });
-    $("motion_says").textContent = `${off ? "off the belt" : "on the belt"}, ${vx > drive.V ? "faster than the belt" : "slower than the belt"}`;
-    if (frames % 2 === 0) {
-      charts.draw(frames % 16 === 0);
-    }
-  }
-
-  function launch(from) {
-    const now = store.get();
-    motion.set(now.point, drive);
-    charts.clear();
-    moving = true;
-    flight = null;
-    motion.start(from);
-    motion.play();
-    buttons();
+    mechanism.roll(t * drive.V);
+    mechanism.draw({ ...held(now.point), x, y, others: now.found.contact.states, kind: contact ? "" : "off", note: `in motion, τ = ${t.toFixed(0)}; pale: the states` });
   }
 
   /** The mass as it is dragged, and let go. */
   function thrown(x, y, let_go) {
-    const [kept_x, kept_y] = [Math.max(-1.7, Math.min(2, x)), Math.max(-0.1, Math.min(1.4, y))];
-    motion.pause();
-    moving = true;
-    ["x0", "y0", "vx0", "vy0"].forEach((name, i) => ($(name).value = typed([kept_x, kept_y, 0, 0][i], 5)));
+    const at = [Math.max(-1.7, Math.min(2, x)), Math.max(-0.1, Math.min(1.4, y))];
     const now = store.get();
-    mechanism.draw({ ...now.point, x: kept_x, y: kept_y, others: now.found.contact.states, note: "let go, and it moves from here at rest" });
-    if (let_go) {
-      launch([kept_x, kept_y, 0, 0]);
-    }
-    buttons();
+    mechanism.draw({ ...held(now.point), x: at[0], y: at[1], others: now.found.contact.states, note: "let go, and it moves from here at rest" });
+    panel.hold(at, let_go);
   }
-
-  function buttons() {
-    $("play").textContent = motion.running() ? "Pause" : "Run";
-    $("play").setAttribute("aria-pressed", String(motion.running()));
-    $("still").disabled = !moving;
-  }
-
-  function numbersOf(names) {
-    const found = {};
-    for (const name of names) {
-      const box = $(name);
-      const value = parsed(box.value);
-      const problem = wrong(solver.RANGES[name] ? name : "x", name, value, box.value, solver.RANGES);
-      box.setAttribute("aria-invalid", String(Boolean(problem)));
-      if (problem) {
-        $("motion_says").textContent = problem;
-        return null;
-      }
-      found[name] = value;
-    }
-    return found;
-  }
-
-  function begin() {
-    const from = numbersOf(["x0", "y0", "vx0", "vy0", "V", "d"]);
-    if (from) {
-      [drive.V, drive.d] = [from.V, from.d];
-      launch([from.x0, from.y0, from.vx0, from.vy0]);
-      remember();
-    }
-  }
-
-  $("play").onclick = () => {
-    if (motion.running()) {
-      motion.pause();
-    } else if (moving && charts_have_begun) {
-      motion.play();
-    } else {
-      begin();
-    }
-    charts_have_begun = true;
-    buttons();
-  };
-  let charts_have_begun = false;
-  $("restart").onclick = () => { charts_have_begun = true; begin(); };
-  $("still").onclick = () => { motion.pause(); moving = false; charts_have_begun = false; $("motion_says").textContent = ""; mechanism.roll(0); if (store.get()) { rest(store.get()); } buttons(); };
-  $("from_state").onclick = () => {
-    const state = current(store.get());
-    if (state) {
-      [["x0", state.x + 0.01], ["y0", state.y], ["vx0", 0], ["vy0", 0]].forEach(([name, value]) => ($(name).value = typed(value, 8)));
-      charts_have_begun = true;
-      begin();
-    }
-  };
-  $("pace").oninput = () => { motion.pace(Number($("pace").value)); $("pace_says").textContent = `${$("pace").value} units of τ a second`; };
-  ["V", "d"].forEach((name) => ($(name).onchange = () => { const said = numbersOf(["V", "d"]); if (said) { Object.assign(drive, said); remember(); } }));
 
   // --------------------------------------------------------------------------------------------- presets, walks
 
@@ -255,7 +195,7 @@ export function start(solver) {
   data.presets.forEach(({ name }, i) => choice.append(new Option(name, i)));
   choice.onchange = () => {
     const { point, theta } = data.presets[Number(choice.value)];
-    $("still").onclick();
+    panel.still();
     store.place(point, theta ?? null);
     choice.blur();
   };
@@ -264,7 +204,7 @@ export function start(solver) {
   document.querySelectorAll("[data-walk]").forEach((button) => {
     button.onclick = () => {
       stop?.();
-      $("still").onclick();
+      panel.still();
       const way = WAYS[button.dataset.walk];
       const on = ["back", "home"].includes(button.dataset.walk); // from where the point is
       if (!on) {
@@ -275,33 +215,29 @@ export function start(solver) {
   });
   $("plane").addEventListener("pointerdown", () => stop?.());
   $("forget").onclick = () => store.forget();
-  $("link").onclick = async () => {
-    const text = `${location.href.split("#")[0]}#${linked(store.get(), drive)}`;
-    history.replaceState(null, "", text);
-    try {
-      await navigator.clipboard.writeText(text);
-      $("link_says").textContent = "The link is copied.";
-    } catch {
-      $("link_says").textContent = "The address now carries the state: copy it from there.";
-    }
-  };
+  $("link").onclick = () => copied(link(), $("link_says"));
 
   // ----------------------------------------------------------------------------------------------------- begin
 
   function open() {
-    const said = unlinked(location.hash, solver.NAMES, solver.RANGES);
+    const said = unlinked(location.hash, [...solver.NAMES, "theta", "V", "d"], solver.RANGES);
     const { V = drive.V, d = drive.d, theta = null, ...point } = said ?? {};
     Object.assign(drive, { V, d });
-    Object.entries(drive).forEach(([name, value]) => ($(name).value = typed(value)));
-    $("still").onclick();
+    panel.put(drive);
+    panel.still();
     store.place({ ...data.presets[0].point, ...point }, theta);
   }
 
-  const redraw = () => { plane.resize(); space?.resize(); charts.resize(); };
+  const redraw = () => { plane.resize(); space?.resize(); panel.resize(); };
   new ResizeObserver(redraw).observe($("page"));
-  whenColoursChange(() => { plane.recolour(); space?.recolour(); charts.recolour(); });
+  whenColoursChange(() => { plane.recolour(); space?.recolour(); panel.recolour(); });
   window.addEventListener("hashchange", open);
-  $("pace").oninput();
-  buttons();
   open();
+}
+
+/** Stiff supports and steep creep need short steps: a share of the shortest period or time constant that they may give. */
+function fieldOf(motion, point, drive) {
+  const { alpha, beta, sigma, mu0, kappa } = point;
+  const fastest = Math.max(Math.sqrt(Math.max(1, alpha + sigma, 1 + beta + sigma)), 0.02 * mu0 * drive.d * Math.max(kappa, 0.02));
+  return { ...motion(point, drive), pieces: (state, time, longest) => Math.min(1000, Math.ceil((time / longest) * fastest)) };
 }

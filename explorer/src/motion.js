@@ -6,25 +6,24 @@ const STEP = 0.05;
 /** No frame integrates for longer, milliseconds: on a slow machine the motion is slow, and the page is not. */
 const BUDGET = 10;
 
-/** Stiff supports need short steps: a share of the shortest period that they may give. */
-function pieces({ alpha, beta, sigma }) {
-  return Math.ceil((SAMPLE / STEP) * Math.sqrt(Math.max(1, alpha + sigma, 1 + beta + sigma)));
-}
-
-/** `on.sample(t, state, regime)` for each sample, `on.frame(t, state)` for each picture, `on.stop(message)` where it can't go on. */
-export function createMotion(motion, on) {
-  let [run, state, t, running, last, debt, pace] = [null, [0, 0, 0, 0], 0, false, 0, 0, 10];
+/**
+ * `on.sample(t, state, regime)` for each sample, `on.frame(t, state)` for each picture, `on.stop()` where it can't go on.
+ * A field that is set has `regime(state)`, `step(state, h)` and `pieces(state, time, longest)`, into how many steps it cuts a time.
+ */
+export function createMotion(on) {
+  let [run, state, t, running, last, debt, pace] = [null, [], 0, false, 0, 0, 10];
   let parts = 2;
 
-  function set(point, drive) {
-    run = motion(point, drive);
-    parts = pieces(point);
+  function set(field) {
+    run = field;
+    parts = state.length ? run.pieces(state, SAMPLE, STEP) : parts;
   }
 
   function start(from) {
     [state, t, debt] = [from, 0, 0];
+    parts = run.pieces(state, SAMPLE, STEP);
     on.sample(t, state, run.regime(state));
-    on.frame(t, state);
+    on.frame(t, state, run.regime(state));
   }
 
   function advance() {
@@ -47,12 +46,12 @@ export function createMotion(motion, on) {
         advance();
         debt -= SAMPLE;
       }
-    } catch (error) {
+    } catch {
       running = false;
-      on.stop(error.message);
+      on.stop();
       return;
     }
-    on.frame(t, state);
+    on.frame(t, state, run.regime(state));
     requestAnimationFrame(tick);
   }
 

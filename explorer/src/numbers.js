@@ -17,7 +17,7 @@ export function parsed(text) {
   return Number(plain.replace(",", "."));
 }
 
-/** A number in at most so many significant digits, without trailing zeros. */
+/** A number in at most that many significant digits, without trailing zeros. */
 export function written(value, digits = 6) {
   if (value === null || value === undefined || Number.isNaN(value)) {
     return "–";

@@ -3,6 +3,7 @@
 import uPlot from "uplot";
 import { colours } from "./colours.js";
 import { degrees, radians, written } from "./numbers.js";
+import { createOverlay } from "./overlay.js";
 
 const EDGE = 0.01; // degrees: 0 and 180 themselves are not allowed
 const STEPS = { ArrowLeft: [-0.5, 0], ArrowRight: [0.5, 0], ArrowDown: [0, -0.005], ArrowUp: [0, 0.005] };
@@ -26,11 +27,12 @@ export function createPlane(box, store) {
         axis("friction μ₀", 46),
       ],
       series: [{}, { paths: () => null, points: { show: false } }],
-      hooks: { drawAxes: [shade], draw: [curves, trail] },
+      hooks: { drawAxes: [shade], draw: [curves] },
     },
     [[0, 180], [0, 1]],
     box,
   );
+  const glass = createOverlay(plot.over);
   plot.over.append(handle);
 
   function axis(label, room, more = {}) {
@@ -100,7 +102,10 @@ export function createPlane(box, store) {
   /** How many equilibria there are, once in each half: in the middle of the columns that have them over most of their height. */
   function label(ctx, dpr) {
     const { columns, found } = shapes.strips;
-    ctx.fillStyle = colour.faint;
+    ctx.fillStyle = colour.ink;
+    ctx.strokeStyle = colour.three;
+    ctx.lineWidth = 4 * dpr;
+    ctx.lineJoin = "round";
     ctx.font = `${12 * dpr}px system-ui`;
     ctx.textAlign = "center";
     for (const half of [0, 1]) {
@@ -110,28 +115,32 @@ export function createPlane(box, store) {
         const [text, { left, width }] = [`${count} states`, plot.bbox];
         const [x, y] = px((Math.PI * (i + 0.5)) / columns, 0.3 * top);
         const half_text = ctx.measureText(text).width / 2 + 3 * dpr;
-        ctx.fillText(text, Math.min(left + width - half_text, Math.max(left + half_text, x)), y);
+        const kept = Math.min(left + width - half_text, Math.max(left + half_text, x));
+        ctx.strokeText(text, kept, y); // a rim: read on a line too
+        ctx.fillText(text, kept, y);
       }
     }
     ctx.textAlign = "left";
   }
 
+  /** The path and its jumps, on the glass: the drawing beneath stays as it is while the point is dragged. */
   function trail() {
     const { path } = store.get() ?? { path: [] };
-    clipped((ctx, dpr) => {
+    const near = ({ theta0, mu0 }) => [plot.valToPos(degrees(theta0), "x"), plot.valToPos(mu0, "y")];
+    glass((ctx) => {
       ctx.strokeStyle = colour.path;
-      ctx.lineWidth = 2 * dpr;
+      ctx.lineWidth = 2;
       ctx.beginPath();
-      path.forEach(({ theta0, mu0 }, i) => ctx[i ? "lineTo" : "moveTo"](...px(theta0, mu0)));
+      path.forEach((at, i) => ctx[i ? "lineTo" : "moveTo"](...near(at)));
       ctx.stroke();
       ctx.strokeStyle = colour.jump;
-      ctx.lineWidth = 2.5 * dpr;
-      for (const { theta0, mu0 } of path.filter(({ jump }) => jump)) {
-        const [[x, y], r] = [px(theta0, mu0), 6 * dpr];
-        ctx.beginPath();
+      ctx.lineWidth = 2.5;
+      ctx.beginPath();
+      for (const at of path.filter(({ jump }) => jump)) {
+        const [[x, y], r] = [near(at), 6];
         [[-r, -r, r, r], [-r, r, r, -r]].forEach(([a, b, c, d]) => { ctx.moveTo(x + a, y + b); ctx.lineTo(x + c, y + d); });
-        ctx.stroke();
       }
+      ctx.stroke();
     });
   }
 
@@ -169,7 +178,7 @@ export function createPlane(box, store) {
 
   function draw() {
     const { point, found } = store.get();
-    plot.redraw(false);
+    trail();
     handle.style.left = `${plot.valToPos(degrees(point.theta0), "x")}px`;
     handle.style.top = `${plot.valToPos(Math.min(point.mu0, top), "y")}px`;
     const text = `inclination ${written(degrees(point.theta0), 5)} degrees, friction ${written(point.mu0, 4)}, ${found.contact.count} equilibria in contact`;
@@ -181,10 +190,10 @@ export function createPlane(box, store) {
 
   return {
     draw,
-    show: (found) => { shapes = found; draw(); },
+    show: (found) => { shapes = found; plot.redraw(false); },
     reach: (value) => { top = value; plot.redraw(true); },
     resize: () => { plot.setSize(size(box)); draw(); },
-    recolour: () => { colour = colours(); draw(); },
+    recolour: () => { colour = colours(); plot.redraw(false); draw(); },
   };
 }
 

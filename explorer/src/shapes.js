@@ -5,7 +5,7 @@ const COLUMNS = 240;
 const NODES = 140;
 const GRADING = 3.5;
 const RULED = 360;
-/** Cells over which friction changes by more than this share of the drawing's are cut into so many strips. */
+/** Cells over which friction changes by more than this share of the drawing's are cut into this many strips. */
 const STEEP = 0.25;
 const STRIPS = 10;
 /** How far from 0 and pi the surface ends, and how far outside a node is still moved to the edge, radians. */

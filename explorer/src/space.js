@@ -1,16 +1,19 @@
 // The equilibrium surface over the plane of theta0 and mu0, its height the direction of the spring, with the state and its path on it.
 
 import {
-  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Line, LineBasicMaterial, LineDashedMaterial,
-  Mesh, MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Plane, Scene, SphereGeometry, Sprite, SpriteMaterial,
-  CanvasTexture, Vector3, WebGLRenderer,
+  AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Line, LineBasicMaterial,
+  Mesh, MeshLambertMaterial, PerspectiveCamera, Plane, Scene, Sprite, SpriteMaterial, CanvasTexture, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { colours } from "./colours.js";
+import { createOverlay } from "./overlay.js";
 
 const [WIDTH, HEIGHT, DEPTH] = [2.6, 1.7, 1.8];
 /** Friction is drawn no further outside than this many times the drawing's. */
 const FAR = 30;
+/** Pixels of the drawing for one of the page, and the smallest share of them while it turns; a picture is late after so long, ms. */
+const FULL = Math.min(2, devicePixelRatio);
+const [COARSEST, LATE] = [0.25, 34];
 
 /** Null where the browser has no WebGL. */
 export function createSpace(box, store) {
@@ -21,9 +24,10 @@ export function createSpace(box, store) {
     return null;
   }
   const renderer = new WebGLRenderer({ canvas, context });
-  renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  renderer.setPixelRatio(FULL);
   renderer.localClippingEnabled = true;
   box.append(renderer.domElement);
+  const glass = createOverlay(box);
   const [scene, camera] = [new Scene(), new PerspectiveCamera(35, 1, 0.1, 50)];
   camera.position.set(-2.7, 2.1, 5.0);
   const controls = new OrbitControls(camera, renderer.domElement);
@@ -39,16 +43,12 @@ export function createSpace(box, store) {
   const clip = [new Plane(new Vector3(0, 0, -1), DEPTH / 2 + 1e-3), new Plane(new Vector3(0, 0, 1), DEPTH / 2 + 1e-3)];
 
   let [top, colour, surface, sets, pending] = [1, colours(), null, null, false];
+  let [turning, last_turn, share] = [false, 0, 1];
   const put = (theta0, mu0, theta) => new Vector3(
     WIDTH * (theta0 / Math.PI - 0.5), HEIGHT * (theta / Math.PI - 0.5), DEPTH * (0.5 - mu0 / top),
   );
 
-  // White in a dark rim, or the other way round: seen on every colour of the surface, and through it.
-  const [ball, rim] = [0.045, 0.065].map((radius) => new Mesh(new SphereGeometry(radius, 24, 16), new MeshBasicMaterial({ depthTest: false })));
-  rim.renderOrder = 3;
-  ball.renderOrder = 4;
-  scene.add(rim, ball);
-  const groups = { surface: [], curves: [], path: [], frame: [] };
+  const groups = { surface: [], curves: [], frame: [] };
 
   function replace(name, objects) {
     for (const old of groups[name]) {
@@ -129,14 +129,21 @@ export function createSpace(box, store) {
     ])));
   }
 
+  /** The floor with the axes, their ticks, and names and numbers beside them. */
   function frame() {
-    const corners = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => put(u * Math.PI, v * top, 0));
     const faint = () => new LineBasicMaterial({ color: colour.faint });
-    const post = [put(0, 0, 0), put(0, 0, Math.PI)];
+    const corners = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(([u, v]) => put(u * Math.PI, v * top, 0));
+    const [out, left] = [new Vector3(0, 0, 0.07), new Vector3(-0.07, 0, 0)];
+    const ticks = [30, 60, 90, 120, 150].map((angle) => [put((angle * Math.PI) / 180, 0, 0), out])
+      .concat([0.25, 0.5, 0.75].map((share) => [put(0, share * top, 0), left]), [45, 90, 135].map((angle) => [put(0, 0, (angle * Math.PI) / 180), left]));
+    const beside = (place, x, y, z) => place.add(new Vector3(x, y, z));
     replace("frame", [
-      line(corners, faint()), line(post, faint()),
-      label("θ₀ = 0°", put(0, 0, 0).add(new Vector3(0.05, -0.13, 0.12))), label("180°", put(Math.PI, 0, 0).add(new Vector3(0, -0.13, 0.12))),
-      label(`μ₀ = ${top}`, put(0, top, 0).add(new Vector3(-0.15, -0.13, 0))), label("θ = 180°", put(0, 0, Math.PI).add(new Vector3(-0.1, 0.13, 0))),
+      line(corners, faint()), line([put(0, 0, 0), put(0, 0, Math.PI)], faint()),
+      ...ticks.map(([from, way]) => line([from, from.clone().add(way)], faint())),
+      label("0°", beside(put(0, 0, 0), 0.03, -0.12, 0.14)), label("θ₀ = 90°", beside(put(Math.PI / 2, 0, 0), 0, -0.12, 0.2)),
+      label("180°", beside(put(Math.PI, 0, 0), 0, -0.12, 0.14)),
+      label(`μ₀ = ${top}`, beside(put(0, top, 0), -0.22, -0.1, 0)), label(String(top / 2), beside(put(0, top / 2, 0), -0.22, -0.06, 0)),
+      label("θ = 180°", beside(put(0, 0, Math.PI), -0.1, 0.13, 0)), label("90°", beside(put(0, 0, Math.PI / 2), -0.2, 0, 0)),
     ]);
   }
 
@@ -155,49 +162,79 @@ export function createSpace(box, store) {
     return sprite;
   }
 
-  /** The path on the surface: whole where the state followed, dashed where it jumped. */
-  function trail(path) {
-    const [pieces, jumps] = [[[]], []];
-    path.forEach(({ theta0, mu0, theta, jump }, i) => {
-      const at = put(theta0, mu0, theta);
-      if (jump && i) {
-        jumps.push([pieces.at(-1).at(-1), at]);
-        pieces.push([]);
-      }
-      pieces.at(-1).push(at);
-    });
-    const solid = new LineBasicMaterial({ color: colour.path, depthTest: false });
-    const dashed = new LineDashedMaterial({ color: colour.jump, dashSize: 0.06, gapSize: 0.04, depthTest: false });
-    replace("path", [
-      ...pieces.filter((piece) => piece.length > 1).map((piece) => line(piece, solid.clone())),
-      ...jumps.filter(([from]) => from).map((jump) => line(jump, dashed.clone())),
-    ]);
-  }
-
+  /** Draws the surface anew with the next picture, and what lies over it. */
   function draw_soon() {
     if (!pending) {
       pending = true;
-      requestAnimationFrame(() => { pending = false; renderer.render(scene, camera); });
+      requestAnimationFrame((now) => { pending = false; pace(now); renderer.render(scene, camera); draw(); });
     }
   }
 
-  function draw() {
-    const { path, point, theta } = store.get();
-    trail(path);
-    [ball, rim].forEach((sphere) => { sphere.visible = theta !== null; });
-    ball.material.color.set(colour.panel);
-    rim.material.color.set(colour.path);
-    if (theta !== null) {
-      [ball, rim].forEach((sphere) => sphere.position.copy(put(point.theta0, Math.min(point.mu0, top), theta)));
+  /** While the surface turns and pictures come late, as without a graphics card, it is drawn in fewer pixels; at rest in all. */
+  function pace(now) {
+    const late = turning && last_turn && now - last_turn > LATE;
+    last_turn = turning ? now : 0;
+    if (late && share > COARSEST) {
+      sharp(share / 2);
     }
-    draw_soon();
+  }
+
+  function sharp(wanted) {
+    if (wanted !== share) {
+      share = wanted;
+      renderer.setPixelRatio(share * FULL);
+    }
+  }
+
+  controls.addEventListener("start", () => { turning = true; });
+  controls.addEventListener("end", () => { [turning, last_turn] = [false, 0]; sharp(1); draw_soon(); });
+
+  /**
+   * The path, whole where the state followed and dashed where it jumped, and the state: over the surface, on glass. So while the
+   * point is dragged nothing is drawn in 3D.
+   */
+  function draw() {
+    const { path, point, theta } = store.get() ?? { path: [], theta: null };
+    glass((ctx, width, height) => {
+      const seen = (theta0, mu0, height_of) => {
+        const { x, y } = put(theta0, Math.min(mu0, FAR * top), height_of).project(camera);
+        return [(0.5 + 0.5 * x) * width, (0.5 - 0.5 * y) * height];
+      };
+      const [solid, jumps] = [new Path2D(), new Path2D()];
+      let last = null;
+      path.forEach(({ theta0, mu0, theta: at, jump }) => {
+        const place = seen(theta0, mu0, at);
+        if (jump && last) {
+          jumps.moveTo(...last);
+          jumps.lineTo(...place);
+        }
+        solid[last && !jump ? "lineTo" : "moveTo"](...place);
+        last = place;
+      });
+      ctx.lineWidth = 2;
+      ctx.strokeStyle = colour.path;
+      ctx.stroke(solid);
+      ctx.setLineDash([7, 5]);
+      ctx.strokeStyle = colour.jump;
+      ctx.stroke(jumps);
+      ctx.setLineDash([]);
+      if (theta !== null) { // in two colours: seen on every colour of the surface
+        ctx.beginPath();
+        ctx.arc(...seen(point.theta0, Math.min(point.mu0, top), theta), 6, 0, 7);
+        ctx.fillStyle = colour.panel;
+        ctx.fill();
+        ctx.lineWidth = 3.5;
+        ctx.strokeStyle = colour.path;
+        ctx.stroke();
+      }
+    });
   }
 
   function resize() {
     const [width, height] = [Math.max(200, box.clientWidth), Math.max(200, box.clientHeight)];
     renderer.setSize(width, height);
     camera.aspect = width / height;
-    camera.fov = width < 1.25 * height ? 44 : 35;
+    camera.fov = width < 1.25 * height ? 42 : 30;
     camera.updateProjectionMatrix();
     draw_soon();
   }

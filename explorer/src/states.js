@@ -4,7 +4,9 @@ import { forces } from "./forces.js";
 import { degrees, written } from "./numbers.js";
 import { current } from "./store.js";
 
-const COLUMNS = ["", "regime", "stability", "θ in °", "x", "y", "L", "error bound", "spring force", "normal force", "friction"];
+const LENGTHS = ["x", "y", "L"];
+const FORCES = ["spring S", "other springs", "normal n", "friction μ₀n"];
+const columns = (length, force) => ["", "regime", "stability", "θ in °", ...LENGTHS.map((name) => name + length), "error bound", ...FORCES.map((name) => name + force)];
 const SIGNS = { stable: "●", divergent: "▲", flutter: "≈" };
 const ABOUT = {
   stable: "stable: pushed a little, the mass comes back",
@@ -23,14 +25,16 @@ export function undecided({ contact, liftoff }) {
   return words.join(" ");
 }
 
-export function createStates(table, store, algebra) {
-  table.innerHTML = `<thead><tr>${COLUMNS.map((name) => `<th scope="col">${name}</th>`).join("")}</tr></thead><tbody></tbody>`;
+export function createStates(table, store, algebra, units = { length: [1, ""], force: [1, ""] }) {
+  const [[long, length], [strong, force]] = [units.length, units.force];
+  const named = columns(length && ` in ${length}`, force && ` in ${force}`);
+  table.innerHTML = `<thead><tr>${named.map((name) => `<th scope="col">${name}</th>`).join("")}</tr></thead><tbody></tbody>`;
   const body = table.tBodies[0];
 
   function row(state, regime, point, chosen) {
     const of = forces(algebra, point, state, regime === "contact");
-    const values = [written(degrees(state.theta), 8), written(state.x, 7), written(state.y, 7), written(state.L, 7), written(state.error, 2),
-      written(Math.hypot(...of.spring), 5), written(of.normal[1], 5), written(of.friction[0], 5)];
+    const values = [written(degrees(state.theta), 8), ...LENGTHS.map((name) => written(long * state[name], 7)), written(state.error, 2),
+      ...[Math.hypot(...of.spring), Math.hypot(...of.ties), of.normal[1], of.friction[0]].map((value) => written(strong * value, 5))];
     const line = document.createElement("tr");
     line.className = `${state.stability}${chosen ? " chosen" : ""}`;
     if (chosen) {
@@ -51,12 +55,19 @@ export function createStates(table, store, algebra) {
   };
 }
 
+const SYMBOLS = { theta0: "θ₀", mu0: "μ₀", kappa: "κ", alpha: "α", sigma: "σ", beta: "β" };
+
+/** Parameters with their values, as words. */
+function placed(fold) {
+  return Object.entries(fold).map(([name, value]) => `${SYMBOLS[name]} = ${name === "theta0" ? `${written(degrees(value), 4)}°` : written(value, 4)}`).join(", ");
+}
+
 /** What a reader should know now, in a few words. */
-export function story({ point, theta, decided, found, last, jumps }) {
+export function story({ point, theta, decided, found, last, jumps }, [long, length] = [1, ""]) {
   const state = current({ found, theta });
   if (!decided) {
     const last = theta === null ? "" : ` The mass stays at its last decided state, θ = ${written(degrees(theta), 4)}°.`;
-    return `Undecided here: double precision can't tell the states apart, as close to a fold.${last}`;
+    return `Undecided here: double precision can't tell the states apart, as on a fold.${last}`;
   }
   if (!state) {
     return "No state in contact with the belt: see the motion below.";
@@ -64,8 +75,8 @@ export function story({ point, theta, decided, found, last, jumps }) {
   const where = Math.abs(state.theta - point.theta0) < 0.35 ? "hardly moved" : "swept along by the belt";
   const kind = state.stability === "flutter" ? "; it flutters, so the motion below swings up" : "";
   const jump = last
-    ? ` It jumped from θ = ${written(degrees(last.from), 4)}° to ${written(degrees(last.to), 4)}° when the point crossed the fold at θ₀ = ${written(degrees(last.theta0), 4)}°, μ₀ = ${written(last.mu0, 4)}.`
+    ? ` It jumped from θ = ${written(degrees(last.from), 4)}° to ${written(degrees(last.to), 4)}° when the point crossed the fold at ${placed(last.fold)}.`
     : "";
   const more = jumps > 1 ? ` ${jumps} jumps on this path.` : "";
-  return `${found.contact.count} ${found.contact.count === 1 ? "state" : "states"} in contact. The mass is ${where}: θ = ${written(degrees(state.theta), 4)}°, x = ${written(state.x, 4)}${kind}.${jump}${more}`;
+  return `${found.contact.count} ${found.contact.count === 1 ? "state" : "states"} in contact. The mass is ${where}: θ = ${written(degrees(state.theta), 4)}°, x = ${written(long * state.x, 4)}${length && ` ${length}`}${kind}.${jump}${more}`;
 }

@@ -3,6 +3,8 @@
 import { follow } from "./follow.js";
 
 const LONGEST_PATH = 3000;
+/** The parameters of the plane. */
+const PLANE = ["theta0", "mu0"];
 
 /** A store over the exported solver. Listeners are called once per change with the kinds of what changed. */
 export function createStore({ equilibria, NAMES }) {
@@ -34,23 +36,25 @@ export function createStore({ equilibria, NAMES }) {
   function move(change, base = state) {
     const to = { ...state.point, ...change };
     const way = follow(solve, base.anchor, to, base.theta);
-    const samples = way.samples.map(({ point, theta, jump }) => ({ theta0: point.theta0, mu0: point.mu0, theta, jump }));
+    const samples = way.samples.map(({ point, theta, jump }) => ({ theta0: point.theta0, mu0: point.mu0, theta, jump, point }));
     const jumped = samples.filter((sample) => sample.jump);
     const family = NAMES.some((name) => !["theta0", "mu0"].includes(name) && to[name] !== state.point[name]);
     const anchor = way.decided ? to : way.samples.length ? way.samples.at(-1).point : base.anchor;
-    const before = samples.length && jumped.length ? previous(base, samples) : null;
+    const before = samples.length && jumped.length ? previous(base, samples, NAMES.filter((name) => to[name] !== base.anchor[name])) : null;
     state = {
       point: to, anchor: { ...anchor }, theta: way.theta, decided: way.decided, found: look(to),
-      path: [...base.path, ...samples.filter(({ theta }) => theta !== null)].slice(-LONGEST_PATH),
+      path: [...base.path, ...samples.filter(({ theta }) => theta !== null).map(({ point, ...kept }) => kept)].slice(-LONGEST_PATH),
       jumps: base.jumps + jumped.length, last: before ?? (jumped.length ? null : base.last),
     };
     tell("point", ...(family ? ["family"] : []), ...(jumped.length ? ["jump"] : []));
   }
 
-  /** The directions before and after the last jump of a way. */
-  function previous(base, samples) {
+  /** The directions before and after the last jump of a way, and where it was: the plane's two parameters, or those that changed. */
+  function previous(base, samples, changed) {
     const i = samples.findLastIndex((sample) => sample.jump);
-    return { from: i > 0 ? samples[i - 1].theta : base.theta, to: samples[i].theta, theta0: samples[i].theta0, mu0: samples[i].mu0 };
+    const names = changed.every((name) => PLANE.includes(name)) ? PLANE : changed;
+    const fold = Object.fromEntries(names.map((name) => [name, samples[i].point[name]]));
+    return { from: i > 0 ? samples[i - 1].theta : base.theta, to: samples[i].theta, fold };
   }
 
   /** Forget the path. */

@@ -174,7 +174,12 @@ def _lengths(arith: Arithmetic, elimination: Elimination, spring: _Spring, value
 def _at_length(
     arith: Arithmetic, elimination: Elimination, spring: _Spring, L: Interval, values: tuple[Interval, ...], *, alone: bool
 ) -> Iterator[Onset]:
-    """The onsets with that spring length: the θ₀ in (0, π) that the balances give, if in contact."""
+    """The onsets with that spring length: the θ₀ in (0, π) that the balances give.
+
+    All of them are in contact, as cos θ ≤ 0 and μ₀ > 0 there. Were y ≥ 0, the balance across would need L > 1, and the one along,
+    α x = −μ₀ y + σ (L − 1) cos θ, that x ≤ 0, or y = cos θ = 0 where α = 0. Hence sin θ₀ ≥ L sin θ and, but for cos θ = 0,
+    −cos θ₀ ≥ −L cos θ, so that 1 ≥ L².
+    """
     root, v, c, s = spring
     mu0, kappa, alpha, sigma, beta = values
     u1, w1, u2, w2 = _stability.reference_lines(c, s, *values)
@@ -200,8 +205,6 @@ def _at_length(
         stationary = above == 0
     for c0 in cosines:
         L, x, y = kernel.state(c, s, c0, s0, kappa, sigma, beta, 1)
-        if decided(arith, y, "y = 0") > 0:
-            continue
         # N/J with J = f′ > 0 is the change of the discriminant with θ₀. N is 0 at a double root, where the boundary is touched.
         change, _ = _stability.flutter_crossing(c, s, L, c0, s0, mu0, alpha, sigma, beta)
         touches = stationary or (alone and sign(arith, change) == 0 and elimination.multiplicity(root) % 2 == 0)

@@ -126,9 +126,8 @@ def strands(fixed: Fixed, n: int) -> list[Strand]:
         found = _trace(_refined(coarse, fixed, n), fixed)
         parts = [part for strand in found for part in _one_sign(strand, fixed, 1.0)]
         mirrored = [_mirrored(part) for strand in found for part in _one_sign(strand, fixed, -1.0)]
-        if fixed.alpha == 0:
+        if fixed.alpha == 0:  # where sin θ f + cos θ f′ = 0 and f = 0 leave no negative friction at cos θ > 0
             parts += [Strand(part.theta, np.pi - part.theta0, part.mu0) for part in parts]
-            mirrored += [Strand(part.theta, np.pi - part.theta0, part.mu0) for part in mirrored]
         return _joined(parts, mirrored)
 
 
@@ -148,9 +147,8 @@ def _with_hidden(theta: FloatArray, fixed: Fixed) -> FloatArray:
         crossed = np.sign(value) != np.sign(value[:, :1])
         hidden = crossed.any(axis=-1)
         added += [row[flags] for row, flags in zip(fine[hidden], crossed[hidden], strict=True)]
-        best = np.argmin(np.abs(value), axis=-1)
-        rows = np.flatnonzero(~hidden & (best > 0) & (best < 32))
-        spans = np.stack([fine[rows, best[rows] - 1], fine[rows, best[rows] + 1]], axis=-1)
+        rows, before = np.flatnonzero(~hidden), np.argmin(np.abs(value[~hidden, 1:-1]), axis=-1)
+        spans = np.stack([fine[rows, before], fine[rows, before + 2]], axis=-1)
     return np.unique(np.concatenate([theta, *added]))
 
 
@@ -178,8 +176,9 @@ def _trace(theta: FloatArray, fixed: Fixed) -> list[Strand]:
     roots, number = positive_roots(theta, fixed)
     finished: list[_Curve] = []
     open_ends: list[_End] = [(deque(), True) for _ in range(number[0])]
-    passes = [np.diff(np.sign(end)) != 0 for end in _ends(theta, fixed)[:2]]
-    starts = [0, *(np.flatnonzero((np.diff(number) != 0) | passes[0] | passes[1]) + 1)]
+    # Where their number stays and something happens, a root passes one end and another root the other end: either tells.
+    passes = np.diff(np.sign(_ends(theta, fixed)[0])) != 0
+    starts = [0, *(np.flatnonzero((np.diff(number) != 0) | passes) + 1)]
     for begin, end in zip(starts, [*starts[1:], theta.size], strict=True):
         if begin:
             cell = float(theta[begin - 1]), float(theta[begin]), int(number[begin - 1]), int(number[begin])
@@ -287,7 +286,7 @@ def _pair(
     if np.isnan(gaps).all():
         return open_ends
     place = int(np.nanargmin(gaps))
-    point = np.array([[many], [np.sqrt(roots[0, place] * roots[0, place + 1])]])
+    point = np.array([[many], [roots[0, place]]])  # both, but for the root of a rounding error
     if born:
         fresh: _Curve = deque([point])
         return [*open_ends[:place], (fresh, False), (fresh, True), *open_ends[place:]]
@@ -346,7 +345,7 @@ def _zero_friction(strand: Strand, outer: int, inner: int, fixed: Fixed) -> Stra
     def value(theta: float) -> float:
         return float(friction(np.array([theta]), np.array([angle(theta)]), fixed)[0])
 
-    if value(far) * value(near) > 0:
+    if value(far) * value(near) >= 0:
         return None
     theta = float(brentq(value, far, near, xtol=1e-15, rtol=1e-15))
     return Strand(np.array([theta]), np.array([angle(theta)]), np.array([0.0]))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 import json
 import sys
 from collections.abc import Sequence
@@ -12,7 +13,7 @@ from typing import Any
 
 import click
 
-from ..errors import MissingExtraError
+from ..errors import MissingExtraError, ParameterError
 from .options import as_json
 from .tables import print_json, show
 from .targets import force, holds, refuse
@@ -29,11 +30,16 @@ _CLAIM_STYLES = {
 @as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
 @click.option(
+    "--row", "only", multiple=True, metavar="ROW", help="Only this row, or rows that begin so: eq-9, fig-7. Repeatable."
+)
+@click.option(
     "--report", type=click.Path(dir_okay=False, path_type=Path), help="Write the report on both, from the records; check nothing."
 )
 @click.option("--model", "model_name", metavar="NAME|DIR", help=f"{TEXT} What holds of the article for it.")
 @force
-def check(json_output: bool, claims: bool, report: Path | None, model_name: str | None, force: bool) -> None:
+def check(
+    json_output: bool, claims: bool, only: tuple[str, ...], report: Path | None, model_name: str | None, force: bool
+) -> None:  # fmt: skip
     """Hold every printed equation of the article against the derivation, or every statement against computation.
 
     Every row is recomputed. The committed record is read only to see whether a row has changed.
@@ -41,7 +47,8 @@ def check(json_output: bool, claims: bool, report: Path | None, model_name: str 
     \b
     Examples:
       spragsym check
-      spragsym check --claims
+      spragsym check --row eq-9
+      spragsym check --claims --row fig-7
       spragsym check --json | jq '.[] | select(.status == "misprint")'
       spragsym check --report docs/reproduction.md
       spragsym check --model cubic_contact
@@ -62,15 +69,28 @@ def check(json_output: bool, claims: bool, report: Path | None, model_name: str 
         report.write_text(text, encoding="utf-8", newline="\n")
         click.echo(f"wrote {report}", err=True)
     elif claims:
-        _check_claims(json_output)
+        _check_claims(json_output, only)
     else:
-        _check_equations(json_output)
+        _check_equations(json_output, only)
 
 
-def _check_claims(json_output: bool) -> None:
+def _chosen(only: tuple[str, ...], known: Sequence[str], what: str) -> list[str]:
+    """The rows asked for, by name or by how names begin, in the order of the record; all of them if none is asked for."""
+    chosen = set() if only else set(known)
+    for name in only:
+        found = {name} & set(known) or {row for row in known if row.startswith(name)}
+        if not found:
+            near = ", ".join(difflib.get_close_matches(name, known, n=3, cutoff=0.3)) or "none"
+            raise ParameterError(f"--row {name}: no row of {what} has this name or begins with it; names like it: {near}")
+        chosen |= found
+    return [row for row in known if row in chosen]
+
+
+def _check_claims(json_output: bool, only: tuple[str, ...]) -> None:
     from ..claims import STATEMENTS, drifted, recorded, run
 
-    rows = run(STATEMENTS)
+    chosen = _chosen(only, [statement.id for statement in STATEMENTS], "the claims")
+    rows = run([statement for statement in STATEMENTS if statement.id in chosen])
     if json_output:
         print_json([row.as_dict() for row in rows])
     else:
@@ -81,21 +101,23 @@ def _check_claims(json_output: bool) -> None:
         print_table("", ("row", "status", "outcome"), [
             (row.id, Text(row.status, style=_CLAIM_STYLES[row.status]), row.outcome) for row in rows
         ])  # fmt: skip
-    lines = drifted(rows, recorded())
+    lines = drifted(rows, [row for row in recorded() if not only or row["id"] in chosen])
     for line in lines:
         click.echo(f"spragsym check: {line}", err=True)
     if lines:
         sys.exit(1)
 
 
-def _check_equations(json_output: bool) -> None:
+def _check_equations(json_output: bool, only: tuple[str, ...]) -> None:
     try:
         from ..derive.kang_nam import check as derivation
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym check", error.name or "sympy", "derive") from error
-    rows = derivation.run()
-    recorded = json.loads(resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8"))
-    changed = _changed([row.as_dict() for row in rows], recorded["rows"])
+    every = derivation.run()
+    chosen = _chosen(only, [row.id for row in every], "the equations (statements of the text: --claims)")
+    rows = [row for row in every if row.id in chosen]
+    recorded = json.loads(resources.files("spragsym.generated").joinpath("ledger.json").read_text(encoding="utf-8"))["rows"]
+    changed = _changed([row.as_dict() for row in rows], [row for row in recorded if not only or row["id"] in chosen])
     if json_output:
         print_json([row.as_dict() for row in rows])
     else:

@@ -6,25 +6,32 @@ import os
 import sys
 import webbrowser
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from .. import assumed
-from ..errors import ParameterError
-from ..explorer import Preset, explorer_page
+from ..errors import MissingExtraError, ParameterError
+from ..explorer import Derived, Preset, Units, explorer_page, model_page, model_preset
+from .export import of_model
 from .targets import force, holds, refuse
+from .with_model import page_of
 
-#: The model that the exported JavaScript solves.
+if TYPE_CHECKING:
+    from ..models import Model
+    from ..studies import Study
+
+#: The model that the exported JavaScript solves with proofs.
 ARTICLE_MODEL = "kang_nam"
 
 
 @click.command()
 @click.option(
     "--out",
-    type=click.Path(dir_okay=False, path_type=Path),
+    type=click.Path(path_type=Path),
     default=Path("explorer.html"),
     show_default=True,
-    help="File to write.",
+    help="File to write; a name without an ending gets .html, and in a folder it is explorer.html.",
 )
 @click.option(
     "--data",
@@ -32,29 +39,39 @@ ARTICLE_MODEL = "kang_nam"
     metavar="FILE",
     help="Begin at your own data, a file like brake.toml.",
 )
-@click.option("--model", default=ARTICLE_MODEL, show_default=True, metavar="NAME", help="Model to explore.")
+@click.option(
+    "--model",
+    metavar="NAME|DIR",
+    help=f"Model to explore: a shipped one, or a folder of `spragsym derive`.  [default: {ARTICLE_MODEL}]",
+)
 @click.option(
     "--no-open", "unopened", is_flag=True, help="Only write it; otherwise the browser opens it, where there is a display."
 )
 @force
-def explore(out: Path, data: Path | None, model: str, unopened: bool, force: bool) -> None:
+def explore(out: Path, data: Path | None, model: str | None, unopened: bool, force: bool) -> None:
     """Write the explorer, one page that computes in the browser and needs no network, and open it.
 
     It shows the mechanism, the plane of inclination and friction, the surface of all equilibria, every state at a point,
     and the motion in time. A state carried along a path follows its sheet of the surface, and jumps at a fold.
+    With --data, states, forces and motion are shown in the units of the file too.
+
+    The page of another model shows its mechanism, its states along any parameter, and its motion. It searches the states by
+    Newton's method and says so; nothing is proved there. Making it takes the extra derive.
 
     \b
     Examples:
       spragsym explore
       spragsym explore --data brake.toml
+      spragsym explore --model two_springs --out two_springs.html
       spragsym explore --out web/explorer.html --no-open
 
     \b
     Exit codes: 0 written; 1 the file can't be written; 2 usage, or a file that differs is in the way.
     """
-    _check_model(model)
-    presets, V, d = ((), assumed.V, assumed.D) if data is None else _study(data)
-    text = explorer_page(presets, V=V, d=d)
+    study = None if data is None else _study(data, model)
+    name = study.model if study is not None else model or ARTICLE_MODEL
+    text = _article(study) if name == ARTICLE_MODEL else _other(name, study)
+    out = _page_name(out)
     if not holds(out, text):
         refuse([out], force)
         out.parent.mkdir(parents=True, exist_ok=True)
@@ -65,30 +82,93 @@ def explore(out: Path, data: Path | None, model: str, unopened: bool, force: boo
     if _has_display():
         webbrowser.open(out.resolve().as_uri())
     else:
-        click.echo("there is no display; open the file in a browser", err=True)
+        click.echo(f"there is no display; open {out} in a browser", err=True)
 
 
-def _check_model(name: str) -> None:
-    """Raise for every model whose equilibria the exported JavaScript does not have."""
-    from ..models.load import shipped
-
-    if name not in shipped():
-        raise ParameterError(f"--model {name} is no model; the models are {', '.join(shipped())}")
-    if name != ARTICLE_MODEL:
-        raise ParameterError(
-            f"--model {name}: this model is not exported to JavaScript, so the page can't compute it; "
-            f"use {ARTICLE_MODEL}, the article's, or spragsym.load({name!r}) in Python"
-        )
+def _page_name(out: Path) -> Path:
+    """A file that browsers take for a page: they go by its ending."""
+    if out.is_dir():
+        return out / "explorer.html"
+    return out if out.suffix else out.with_name(f"{out.name}.html")
 
 
-def _study(path: Path) -> tuple[tuple[Preset, ...], float, float]:
-    """The user's point, and belt speed and steepness of the friction law if the file has them."""
+def _study(path: Path, model: str | None) -> Study:
+    """The user's data, for the model that the command names if it names one."""
     from ..studies import Study
 
     study = Study.from_file(path)
-    _check_model(study.model)
+    if model not in (None, study.model):
+        raise ParameterError(f"--model {model}: {path} holds data for the model {study.model}; leave out one of the two")
+    return study
+
+
+def _article(study: Study | None) -> str:
+    """The article's page, at the user's point with belt speed and steepness of the friction law if the file has them."""
+    if study is None:
+        return explorer_page()
     drive = {"V": assumed.V, "d": assumed.D} | (study.parameters.belt() if study.moves else {})
-    return (Preset.of(f"Your data: {path.name}", study.dimensionless),), float(drive["V"]), float(drive["d"])
+    preset = Preset.of(f"Your data: {study.source}", study.dimensionless)
+    return explorer_page([preset], V=float(drive["V"]), d=float(drive["d"]), units=_units(study))
+
+
+def _other(name: str, study: Study | None) -> str:
+    """The page of another model, at the user's point if there is one."""
+    from ..models import load
+
+    model = load(name)
+    derived = _derived(model)
+    if study is None:
+        return model_page(model, derived)
+    from ..studies.other_models import dimensionless
+
+    point, _ = dimensionless(study.model, study.values)
+    values = {key: getattr(point, key) for key in model.parameters}
+    return model_page(model, derived, [model_preset(f"Your data: {study.source}", model, values)], _units(study))
+
+
+def _derived(model: Model) -> Derived:
+    """What the page of a model takes from its derivation."""
+    try:
+        from ..derive import drawing, pages
+    except ModuleNotFoundError as error:
+        raise MissingExtraError("spragsym explore --model", error.name or "sympy", "derive") from error
+    page = pages.read(page_of(model, pages.SHIPPED), model.name).page
+    names = {entry["quantity"]: entry["name"] for entry in model.about["parameters"]}
+    along, across = (
+        tuple(
+            names.get(str(symbol), "1")
+            for spring in page.springs
+            if str(spring.along) == coordinate
+            for symbol in sorted(spring.stiffness.free_symbols, key=str)
+        )
+        for coordinate in (*model.coordinates, "")[:2]
+    )
+    return Derived(of_model(model, "javascript")[f"{model.name}.mjs"], drawing.render(page), (along, across))
+
+
+def _units(study: Study) -> Units:
+    """The units of the user's file."""
+    from ..models import load
+    from ..studies.other_models import scale_of
+    from ..studies.units import factor
+
+    about = load(study.model).about
+    bases = {entry["name"]: (study.quantities[entry["name"]].value, entry["unit"]) for entry in about["units"]}
+    length = next(study.quantities[entry["name"]].unit for entry in about["units"] if entry["unit"] == "m")
+    parameters: dict[str, Any] = {}
+    for entry in about["parameters"]:
+        quantity = entry["quantity"]
+        if quantity in study.quantities and entry["quantity_unit"] not in ("rad", "1"):
+            one = study.in_file(quantity, scale_of(entry["quantity_unit"], bases))
+            parameters[entry["name"]] = quantity, one, study.quantities[quantity].unit or entry["quantity_unit"]
+    fixed = ", ".join(f"{name} = {study.shown(name, value)}" for name, (value, _) in bases.items())
+    return Units(
+        f"those of {study.source}, at its {fixed}.",
+        (study.scales.length / factor(length, "m"), length or "m"),
+        (study.scales.time, "s"),
+        (study.scales.force, "N"),
+        parameters,
+    )
 
 
 def _has_display() -> bool:

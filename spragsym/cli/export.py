@@ -6,12 +6,16 @@ import json
 from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from ..errors import MissingExtraError
 from .targets import force, holds, refuse
 from .with_model import TEXT, page_of
+
+if TYPE_CHECKING:
+    from ..models import Model
 
 
 def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
@@ -39,7 +43,7 @@ def export(model_name: str | None, language: str, out: Path, force: bool) -> Non
     """Write the solver in another language, with an example that runs.
 
     All equilibria with their stability, an error bound and a status, the generated algebra, the right-hand side, and a
-    step in time across the kinks. JavaScript and MATLAB have folds, cusps and the surface as well. Of another model, in C:
+    step in time across the kinks. JavaScript and MATLAB have folds, cusps and the surface as well. Of another model:
     its forces with first and second derivatives, its motion with Jacobians, borders, energy and powers, derived anew from
     its page (extra derive).
 
@@ -54,7 +58,7 @@ def export(model_name: str | None, language: str, out: Path, force: bool) -> Non
     \b
     Exit codes: 0 written; 1 the folder can't be written; 2 usage, or a file that differs is in the way.
     """
-    texts = _of_model(model_name, language) if model_name else _of_article(language)
+    texts = _of_name(model_name, language) if model_name else _of_article(language)
     changed = {name: text for name, text in texts.items() if not holds(out / name, text)}
     refuse((out / name for name in changed), force)
     out.mkdir(parents=True, exist_ok=True)
@@ -70,11 +74,14 @@ def _of_article(language: str) -> dict[str, str]:
     return {name: (folder / name).read_text(encoding="utf-8") for name in names}
 
 
-def _of_model(name: str, language: str) -> dict[str, str]:
-    """The functions of a model in the language, from its page: that of the package, or the one in its folder."""
+def _of_name(name: str, language: str) -> dict[str, str]:
     from ..models import load
 
-    model = load(name)
+    return of_model(load(name), language)
+
+
+def of_model(model: Model, language: str) -> dict[str, str]:
+    """The functions of a model in the language, from its page: that of the package, or the one in its folder."""
     try:
         from ..derive import export as translation
         from ..derive import pages

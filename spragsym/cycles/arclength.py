@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..dynamics.field import Field
+from ..dynamics.passage import Fly
+from ..dynamics.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, growth, looped, rate, recut, solved
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .passage import Fly
-from .shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, divided, growth, looped, rate, solved
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,7 @@ class Setting:
     spans: tuple[float, ...]
 
     def weights(self, stretches: int) -> FloatArray:
-        """Of states, period and parameters in the length of the arc."""
+        """Weights of states, period and parameters in the length of the arc."""
         size = stretches * self.field.size
         return np.concatenate([np.full(size, 1 / np.sqrt(stretches)), [1 / self.period], 1 / np.array(self.spans)])
 
@@ -80,17 +80,15 @@ def corrected(setting: Setting, point: Point, length: float, *, reach: float = n
     return point_of(setting, loop, point.tangent)
 
 
-def fixed(setting: Setting, loop: Loop, value: float) -> Loop:
-    """The closed orbit near a loop at a given value of the one free parameter."""
-    target, phase = loop.guess.coordinates(setting.free), phase_row(setting, loop)
-    last = np.zeros_like(phase)
-    last[0, -1] = 1.0
+def fixed(setting: Setting, loop: Loop) -> Loop:
+    """The closed orbit near a loop at the same value of the parameter, with the derivatives by the parameter."""
+    target, phase = loop.guess.coordinates(setting.free), phase_row(setting, loop)[:, :-1]
 
     def conditions(now: Loop) -> tuple[FloatArray, FloatArray]:
-        there = now.guess.coordinates(setting.free)
-        return np.array([*(phase @ (there - target)), there[-1] - value]), np.vstack([phase, last])
+        return phase @ (now.guess.coordinates(()) - target[:-1]), phase
 
-    return solved(setting.field, setting.fly, loop.guess, conditions, setting.free)
+    found = solved(setting.field, setting.fly, loop.guess, conditions)
+    return looped(setting.field, setting.fly, found.guess, setting.free)
 
 
 def cut_finer(setting: Setting, point: Point) -> Point:
@@ -99,8 +97,7 @@ def cut_finer(setting: Setting, point: Point) -> Point:
     pieces = len(loop.guess.states)
     if growth(loop) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
         return point
-    guess = divided(setting.field, setting.fly, loop.guess, 2 * pieces)
-    finer = looped(setting.field, setting.fly, guess, setting.free)
+    finer = looped(setting.field, setting.fly, recut(loop, setting.fly, 2 * pieces), setting.free)
     # The old tangent by its first state, period and parameter.
     along = np.zeros(finer.guess.states.size + 1 + len(setting.free))
     size = setting.field.size

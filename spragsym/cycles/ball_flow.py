@@ -16,7 +16,8 @@ from typing import Any
 from flint import acb, arb, arb_mat
 
 from ..dynamics.field import Field, Mode
-from .jets import Functions, Jet
+from ..exact.methods import Functions
+from .jets import Jet
 
 #: Radii of convergence that are tried.
 TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)

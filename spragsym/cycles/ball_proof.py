@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import math
 import sys
@@ -16,23 +17,20 @@ import numpy as np
 from flint import acb_mat, arb, arb_mat, ctx
 
 from ..dynamics.field import Field, Mode
+from ..errors import ParameterError
+from ..exact.methods import Functions
 from .ball_flow import Balls, NotProved, polynomial, solution
-from .jets import Functions
-from .sprag import SPRAG
-
-#: Models whose cycles can be proved, by name.
-FIELDS = {SPRAG.name: SPRAG}
 
 #: Rounds of Newton's method with the slopes of double precision.
 ROUNDS = 14
 
-#: Times the radius of the starts: half of the window in which a border is crossed.
+#: Half of the window in which a border is crossed, in units of the radius of the starts.
 WINDOW = 1e5
 
 
-def proved(claim: dict[str, Any]) -> dict[str, Any]:
+def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     """What is shown of a claim, all numbers as decimal strings; within :func:`bits` of :func:`bits_for` its digits."""
-    field, digits = FIELDS[claim["field"]], int(claim["digits"])
+    digits = int(claim["digits"])
     radius, order = arb(10) ** -digits, math.ceil(1.9 * digits)
     radius = arb(float(radius.mid()))
     constants = list(field.constants([arb(value) for value in claim["values"]], Functions))
@@ -59,7 +57,7 @@ def proved(claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def bits_for(digits: int) -> int:
-    """Precision that a proof to so many digits works with."""
+    """Bits with which a proof to ``digits`` digits works."""
     return math.ceil(3.33 * (2.6 * digits + 20))
 
 
@@ -212,8 +210,10 @@ def main() -> None:
     claim = json.load(sys.stdin)
     try:
         with bits(bits_for(int(claim["digits"]))):
-            found = {"proved": True, **proved(claim)}
-    except NotProved as reason:
+            module, function, *given = claim["field"]
+            field = getattr(importlib.import_module(module), function)(*given)
+            found = {"proved": True, **proved(field, claim)}
+    except (NotProved, ParameterError) as reason:
         found = {"proved": False, "reason": str(reason)}
     json.dump(found, sys.stdout)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,22 +10,28 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier, flow
+from ..dynamics.passage import Fly
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
-from .flows import carrier
-from .passage import Fly
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 
 #: Components of a state, by name.
 COMPONENTS = ("x", "y", "vx", "vy")
 
-#: Longer times in one refinement, in units of the saddle's time.
-MORE = 3.0
+#: How much longer the motion is followed in each refinement, in units of the saddle's time.
+MORE = 2.5
 
 #: A refinement that moves the start by less than this is the last.
 SETTLED = 1e-11
+
+#: A step of Newton's method longer than this leads astray.
+FARTHEST = 0.2
+
+#: A start as far off the curve as the square of a step is followed until it is off the saddle by no more than this.
+BENT = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,17 +96,27 @@ def basin_boundary(
     the boundary; others may be elsewhere in the plane, and far folds of the manifold are not followed.
     """
     values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
-    if len(plane) != 2 or plane[0] == plane[1] or any(name not in COMPONENTS for name in plane):
-        raise ParameterError(f"plane = {plane!r} is not two of {', '.join(COMPONENTS)}")
-    axes = (COMPONENTS.index(plane[0]), COMPONENTS.index(plane[1]))
     state = np.array([as_number("start", value, FINITE) for value in start])
-    saddle = _divergent(p, values)
-    fly, _ = carrier(SPRAG, backend)
-    widths = [3.0 if axis < 2 else 1.0 for axis in axes]
+    return boundary_of(
+        SPRAG, values, _divergent(p, values), COMPONENTS, plane, state, to, step=step, points=points, backend=backend
+    )
+
+
+def boundary_of(
+    field: Field, values: tuple[float, ...], saddle: Saddle, names: tuple[str, ...], plane: tuple[str, str], start: FloatArray,
+    to: Any = None, *, step: float = 0.02, points: int = 80, backend: str | None = None,
+) -> BasinBoundary:  # fmt: skip
+    """As :func:`basin_boundary`, of any field whose states have the components ``names``."""
+    if len(plane) != 2 or plane[0] == plane[1] or any(name not in names for name in plane):
+        raise ParameterError(f"plane = {plane!r} is not two of {', '.join(names)}")
+    axes = (names.index(plane[0]), names.index(plane[1]))
+    fly, name = carrier(field, backend)
+    widths = [3.0 if axis < len(field.coordinates) else 1.0 for axis in axes]
     ranges = to or tuple((saddle.state[a] - w, saddle.state[a] + w) for a, w in zip(axes, widths, strict=True))
-    walk = _Walk(SPRAG, fly, values, saddle, axes, ranges, step, points)
-    first, error = walk.begun(state)
-    ways = [walk.follow(first, error, sign) for sign in (-1.0, 1.0)]
+    plain = flow(field, name, derivatives=False).fly
+    walk = _Walk(field, fly, plain, values, saddle, axes, ranges, step, points)
+    first, error, span = walk.begun(start)
+    ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
     found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
     return BasinBoundary(
         plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]), saddle.state,
@@ -129,6 +146,7 @@ class _Walk:
 
     field: Field
     fly: Fly
+    plain: Fly
     values: tuple[float, ...]
     saddle: Saddle
     axes: tuple[int, int]
@@ -141,96 +159,96 @@ class _Walk:
         value, slope = side(self.field, self.fly, self.values, state, span, self.saddle)
         return value, slope[list(self.axes)]
 
-    def begun(self, state: FloatArray) -> tuple[FloatArray, float]:
-        """A first point, along the first direction of the plane: between starts that leave to different sides."""
+    def begun(self, state: FloatArray) -> tuple[FloatArray, float, float]:
+        """A first point, along the first direction of the plane, between starts that leave to different sides."""
         low, high = self.to[0]
         ways = np.linspace(low, high, 121)
-        span = 6 / self.saddle.growth
-        sides = []
-        for way in ways:
+
+        def at(way: float) -> FloatArray:
             there = state.copy()
             there[self.axes[0]] = way
-            sides.append(self._side(there, span))
+            return there
+
+        sides = [self.leaves(at(way))[0] for way in ways]
         changes = [i for i in range(len(ways) - 1) if sides[i] * sides[i + 1] < 0]
         if not changes:
             raise ConvergenceError("no start in that line of the plane leaves the saddle to the other side; give another start")
-        near = min(changes, key=lambda i: abs(ways[i] - self.saddle.state[self.axes[0]]))
-        low, high = float(ways[near]), float(ways[near + 1])
-        for _ in range(30):
-            middle = (low + high) / 2
-            there = state.copy()
-            there[self.axes[0]] = middle
-            low, high = (middle, high) if self._side(there, span) == sides[near] else (low, middle)
-        there = state.copy()
-        there[self.axes[0]] = (low + high) / 2
-        direction = np.zeros(2)
-        direction[0] = 1.0
-        return self.refined(there, direction)
+        for near in sorted(changes, key=lambda i: abs(ways[i] - self.saddle.state[self.axes[0]])):
+            low, high, left = float(ways[near]), float(ways[near + 1]), 0.0
+            for _ in range(24):
+                middle = (low + high) / 2
+                which, left = self.leaves(at(middle))
+                low, high = (middle, high) if which == sides[near] else (low, middle)
+            for span in (0.75 * left, 3 / self.saddle.growth):
+                with suppress(ConvergenceError):  # a side that changes because a motion turns late is no boundary
+                    return self.refined(at((low + high) / 2), np.array([1.0, 0.0]), span)
+        raise ConvergenceError("no place in that line of the plane where the side changes is on the boundary; give another start")
 
-    def _side(self, state: FloatArray, span: float) -> float:
-        """To which side a motion leaves first: the sign of its part along the direction of growth, once that is large."""
+    def leaves(self, state: FloatArray) -> tuple[float, float]:
+        """To which side a motion leaves, and when: the sign of its part along the direction of growth, once that is large."""
         none = np.zeros((2, len(self.field.parameters)))
-        constants = self.field.constants(self.values)
+        constants, reach = self.field.constants(self.values), 0.1 * float(np.abs(self.saddle.measure).max())
+        part, clock = 0.0, 0.0
         for _ in range(20):
-            state = self.fly(state, constants, span / 6, none).state
+            state = self.plain(state, constants, 1 / self.saddle.growth, none).state
+            clock += 1 / self.saddle.growth
             part = float(self.saddle.measure @ (state - self.saddle.state))
-            if abs(part) > 0.5 * float(np.abs(self.saddle.measure).max()) * 0.2:
+            if abs(part) > reach:
                 break
-        return float(np.sign(part))
+        return float(np.sign(part)), clock
 
-    def refined(self, state: FloatArray, direction: FloatArray) -> tuple[FloatArray, float]:
-        """The start on the manifold near another, along a direction in the plane, and what the last refinement changed."""
-        span, before, moved = 3 / self.saddle.growth, np.inf, np.inf
+    def refined(self, state: FloatArray, direction: FloatArray, span: float) -> tuple[FloatArray, float, float]:
+        """The start on the manifold near another, along a direction in the plane; what the last refinement changed; the time.
+
+        The longer the motion is followed, the more is known of the start, by a factor of e every 1 / growth, each by a few
+        steps of Newton's method.
+        """
+        axes, before = list(self.axes), np.inf
         for _ in range(40):
-            begun = state.copy()
-            for _ in range(12):
+            first = np.inf
+            for _ in range(10):
                 value, slope = self.off(state, span)
                 along = float(slope @ direction)
                 if along == 0:
                     raise ConvergenceError("the boundary is not crossed along that direction")
                 change = -value / along
-                if abs(change) > 0.2:
+                if abs(change) > min(FARTHEST, max(10 * before, 1e-4)):
                     raise ConvergenceError("the boundary is not near")
                 state = state.copy()
-                state[list(self.axes)] += change * direction
-                if abs(change) < 1e-13:
+                state[axes] += change * direction
+                if abs(change) < SETTLED:
+                    return state, max(abs(change), 1e-15), span
+                if abs(change) < 0.1 * first < np.inf:
                     break
-            moved = float(np.abs(state - begun).max())
-            if moved < SETTLED:
-                return state, max(moved, 1e-15)
-            if moved > 10 * before:
-                break
-            before, span = moved, span + MORE / self.saddle.growth
+                first = min(first, abs(change))
+            before, span = first, span + MORE / self.saddle.growth
         raise ConvergenceError("the boundary could not be refined")
 
-    def follow(self, first: FloatArray, error: float, sign: float) -> tuple[list[tuple[FloatArray, float]], str]:
+    def follow(self, first: FloatArray, span: float, sign: float) -> tuple[list[tuple[FloatArray, float]], str]:
         """Points in one direction, and why they end."""
         found: list[tuple[FloatArray, float]] = []
-        state, way, step = first, None, self.step
-        span = 12 / self.saddle.growth
+        state, way, step, axes = first, None, self.step, list(self.axes)
         while len(found) < self.points:
             _, slope = self.off(state, span)
             normal = slope / np.linalg.norm(slope)
             along = np.array([-normal[1], normal[0]])
             along = along * sign if way is None else along * np.sign(along @ way)
             guess = state.copy()
-            guess[list(self.axes)] += step * along
+            guess[axes] += step * along
             try:
-                ahead, error = self.refined(guess, normal)
+                seen = float(np.linalg.norm(slope)) * step**2 / (BENT * float(np.abs(self.saddle.measure).max()))
+                ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
+                moved = (ahead - state)[axes]
+                astray = bool(moved @ along < 0.3 * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step)
             except ConvergenceError:
+                astray = True
+            if astray:
                 step /= 2
                 if step < 1e-4:
                     return found, "it could not be followed farther"
                 continue
-            moved = (ahead - state)[list(self.axes)]
-            if moved @ along < 0.3 * float(np.linalg.norm(moved)) or np.linalg.norm(moved) > 3 * step:
-                step /= 2
-                if step < 1e-4:
-                    return found, "it could not be followed farther"
-                continue
-            inside = [low <= ahead[axis] <= high for axis, (low, high) in zip(self.axes, self.to, strict=True)]
-            if not all(inside):
+            if not all(low <= ahead[axis] <= high for axis, (low, high) in zip(axes, self.to, strict=True)):
                 return found, "the range ends"
             found.append((ahead, error))
-            state, way, step = ahead, along, min(self.step, 1.5 * step)
+            state, way, step, span = ahead, along, min(self.step, 1.5 * step), later
         return found, f"{self.points} points were followed"

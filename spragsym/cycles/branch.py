@@ -9,13 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..dynamics.flows import carrier
+from ..dynamics.shooting import Guess, Loop, extent, looped, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, angle, between, corrected, cut_finer, fixed, point_of, started
-from .flows import carrier
 from .inspection import Finding, Seen, findings, halved, repeats
 from .orbit import Cycle, cycle_of
-from .shooting import Guess, Loop, divided, extent, looped, rate
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
@@ -23,7 +23,7 @@ FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
 #: Largest angle between the tangents of neighbours, as its cosine.
 STRAIGHT = 0.97
 
-#: Of the period of the first cycle: beyond it, a branch ends if it comes to rest somewhere.
+#: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
 
 #: Share of the first cycle's extent below which a branch has shrunk onto an equilibrium where the parameter turns back.
@@ -33,6 +33,7 @@ SHRUNK = 0.1
 STILL = 2e-3
 
 
+CROSSES = "another branch of cycles crosses this one"
 MERGES = "it meets the cycle of half its period, which doubles there"
 
 
@@ -60,6 +61,7 @@ class CycleEvent(Result):
     how: str = ""
     border: int = field(default=-1, repr=False)
     loop: Loop | None = field(default=None, repr=False)
+    crossed: FloatArray | None = field(default=None, repr=False)
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,9 +91,11 @@ class CycleBranch(Result):
     to: tuple[float, float] = field(repr=False)
 
     def switch(self, event: CycleEvent, *, step: float = 0.02) -> Cycle:
-        """A cycle on the other branch that begins at an event: the doubled cycle of a period doubling.
+        """A cycle on the other branch at an event, where :func:`cycle_branch` can begin.
 
-        The start of :func:`cycle_branch` for it.
+        That is the doubled cycle at a period doubling, or, at the end of a branch of doubled cycles, the cycle that doubles
+        there; where another branch crosses (a fold whose ``how`` says so) a cycle on that one; at another fold a cycle on the
+        far side of it. ``step`` is how far off, in states.
         """
         from .switching import switched
 
@@ -127,7 +131,7 @@ def cycle_branch(
     Raises
     ------
     ParameterError
-        For a parameter that the model does not have, or a range without the cycle's own value.
+        For a parameter that the model does not have, or a range without the cycle's own value, or beyond what it may be.
 
     Examples
     --------
@@ -143,6 +147,8 @@ def cycle_branch(
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
     index = model.parameters.index(vary)
     low, high = (as_number("to", value, FINITE) for value in to)
+    for bound in (low, high):
+        model.check(vary, bound)
     value = cycle.values[index]
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
@@ -187,7 +193,7 @@ class _Trace:
     backend: str
 
     def value(self, loop: Loop) -> float:
-        """Of the free parameter."""
+        """Values of the free parameter."""
         return loop.guess.values[self.setting.free[0]]
 
     def event(self, found: Finding) -> CycleEvent:
@@ -195,11 +201,13 @@ class _Trace:
         how = found.how if isinstance(found, End) else ""
         if found.border >= 0:
             how = self.setting.field.borders[found.border].name
+        if found.crossed is not None:
+            how = CROSSES
         cycle = cycle_of(found.loop, self.setting.fly, self.backend)
         value = self.value(found.loop)
         if isinstance(found, End) and found.value is not None:
             value = found.value
-        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop)
+        return CycleEvent(found.kind, value, cycle, found.error, how, found.border, found.loop, found.crossed)
 
     def follow(self, start: Point, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""
@@ -208,7 +216,7 @@ class _Trace:
         seen = Seen(setting, point)
         for count in range(self.points):
             try:
-                ahead = corrected(setting, point, length, reach=0.5)
+                ahead = self._last(point, length) or corrected(setting, point, length, reach=0.5)
             except ConvergenceError as error:
                 length /= 3
                 if length < SHORTEST:
@@ -261,25 +269,46 @@ class _Trace:
         there = value - squares[1] * (value - first) / (squares[1] - squares[0])
         return End("end", last.point.loop, abs(there - value) * squares[1] / squares[0], how=how, value=there)
 
+    def _last(self, point: Point, length: float) -> Point | None:
+        """The point at the end of the range, where the tangent leads beyond it: there may be no parameters beyond."""
+        now = self.value(point.loop)
+        ahead = now + length * float(point.tangent[-1])
+        if self.to[0] <= ahead <= self.to[1] or now in self.to:
+            return None
+        bound = self.to[0] if ahead < self.to[0] else self.to[1]
+        return self._at(point, (bound - now) / (ahead - now) * length * point.tangent, bound)
+
     def _beyond(self, point: Point, ahead: Point) -> Point | None:
-        """The point at the end of the range, if it was passed."""
-        now = self.value(ahead.loop)
+        """The point at the end of the range, if it was reached or passed."""
+        now, before = self.value(ahead.loop), self.value(point.loop)
+        if now in self.to:
+            return ahead
         if self.to[0] <= now <= self.to[1]:
             return None
         bound = self.to[0] if now < self.to[0] else self.to[1]
-        if self.value(point.loop) == bound:
+        if before == bound:
             return point
-        share = (bound - self.value(point.loop)) / (now - self.value(point.loop))
-        step = share * (ahead.loop.guess.coordinates(self.setting.free) - point.loop.guess.coordinates(self.setting.free))
-        guess = point.loop.guess.moved(step, self.setting.free)
+        free = self.setting.free
+        way = ahead.loop.guess.coordinates(free) - point.loop.guess.coordinates(free)
+        return self._at(point, (bound - before) / (now - before) * way, bound)
+
+    def _at(self, point: Point, step: FloatArray, value: float) -> Point:
+        """The point at a value of the parameter, a step from another point."""
+        moved = point.loop.guess.moved(step, self.setting.free)
+        values = list(moved.values)
+        values[self.setting.free[0]] = value  # exactly, since there may be no parameters beyond
+        guess = Guess(moved.states, moved.period, tuple(values))
         near = looped(self.setting.field, self.setting.fly, guess, self.setting.free)
-        return point_of(self.setting, fixed(self.setting, near, bound), point.tangent)
+        found = point_of(self.setting, fixed(self.setting, near), point.tangent)
+        if np.abs(found.loop.guess.states - point.loop.guess.states).max() > 0.5:
+            raise ConvergenceError("the end of the range is farther than a step")
+        return found
 
     def _ends(self, start: Point, point: Point, ahead: Point, count: int) -> Finding | None:
         loop = ahead.loop
         if extent(loop) < 1e-3:
             return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
-        error = abs(self.value(loop) - self.value(point.loop))
+        error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
         if loop.guess.period > LONG * self.setting.period and slowest(loop) < STILL:
             return End("homoclinic", loop, error, how=f"it comes to rest near {np.round(stillest(loop), 6).tolist()}")
         if count > 10 and self._passes(start, point, ahead):
@@ -312,8 +341,3 @@ def slowest(loop: Loop) -> float:
 def stillest(loop: Loop) -> FloatArray:
     """Where that is."""
     return min(loop.turns(), key=lambda turn: float(np.linalg.norm(rate(loop.field, turn.state, loop.constants)))).state
-
-
-def recut(setting: Setting, guess: Guess, pieces: int) -> Loop:
-    """A loop in another number of stretches."""
-    return looped(setting.field, setting.fly, divided(setting.field, setting.fly, guess, pieces), setting.free)

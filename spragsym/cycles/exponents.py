@@ -10,9 +10,9 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, as_number
-from .flows import carrier
 from .sprag import SPRAG
 
 #: Time between two orthonormalizations.
@@ -36,7 +36,7 @@ class Lyapunov(Result):
     error : ndarray, shape (m,)
         Standard error by the scatter among eight equal parts of that half; no bound: what a motion does later is not known.
     zero : ndarray of bool, shape (m,)
-        Whether an exponent is not told from 0: four standard errors, or what a growth by a factor of e over that half is.
+        Whether an exponent can't be told from 0: it is below four standard errors, or below that of a growth by e over that half.
     trace : float
         Mean divergence of the field, which the exponents add up to.
     t : ndarray, shape (n,)

@@ -9,17 +9,17 @@ import numpy as np
 
 from ..display import Result
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier
+from ..dynamics.passage import Fly
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
 from .finding import cycle_near
-from .flows import carrier
-from .passage import Fly
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 
-#: Motions are judged at these times, the next where the one before is unsettled.
+#: A motion is judged at the first of these times, and again at the next as long as it is unsettled.
 JUDGED = (2000.0, 10_000.0)
 
 #: Bisection by verdicts ends at this share of the bracket where the saddle is an equilibrium.

@@ -8,25 +8,35 @@ from typing import Any
 import numpy as np
 
 from ..dynamics import Trajectory
+from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier, flow
+from ..dynamics.passage import Fly, Turn
 from ..dynamics.problem import BELT_SPEED, CREEP
+from ..dynamics.regimes import Regime
+from ..dynamics.shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
-from .criteria import multipliers
-from .flows import carrier, flow
 from .orbit import Cycle, cycle_of
-from .passage import Fly, Turn
-from .shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
 from .sprag import SPRAG
 
 #: Returns of a motion are looked at over this time, then over longer ones.
 STAGES = (400.0, 3000.0, 20000.0)
 
-#: Returns that are tried, of one stretch of motion.
+#: Most returns of one stretch of motion that are tried.
 TRIES = 8
 
-#: A return as far as this, relative to the extent of the motion, is not tried.
+#: A return that misses by more than this share of the motion's extent is not tried.
 FAR = 0.3
+
+
+#: What a motion that is on no cycle found here does instead.
+COMES_TO = {
+    Regime.EQUILIBRIUM: "it is at rest", Regime.APPROACHES_EQUILIBRIUM: "it decays to rest",
+    Regime.LIFT_OFF: "it has lifted off for good", Regime.LIMIT_CYCLE: "it is on a cycle that Newton's method did not close",
+    Regime.APPROACHES_CYCLE: "it nears a cycle that Newton's method did not close", Regime.UNSETTLED: "it is unsettled",
+    Regime.FAILED: "it can't be followed",
+}  # fmt: skip
 
 
 def cycle(
@@ -190,9 +200,8 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
         outcome = field.simulate(values, state, 2000.0).outcome(0.0)
     except ConvergenceError as error:
         return f"{told}, which could not be followed: {error}"
-    name = outcome.regime.name.lower().replace("_", " ")
     return (
-        f"{told} after {span:g} time units: it is {name}"
+        f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
         + (f" at x = {outcome.rest_x:.6g}, y = {outcome.rest_y:.6g}" if np.isfinite(outcome.rest_x) else "")
         + "; give a state nearer to a cycle, or other parameters"
     )

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..dynamics.passage import Turn
+from ..dynamics.shooting import Conditions, Guess, Loop, divided, solved
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .arclength import Point, Setting
-from .passage import Turn
-from .shooting import Conditions, Guess, Loop, divided, solved
 
 #: Turns of two neighbouring points are one where they are as close as this, in shares of a period.
 ALIKE = 0.06

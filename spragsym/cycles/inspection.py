@@ -8,17 +8,21 @@ from functools import cached_property
 
 import numpy as np
 
+from ..dynamics.criteria import CRITERIA, at_minus_one, is_complex_pair
+from ..dynamics.shooting import Guess, Loop, across, divided, solved
 from ..errors import ConvergenceError
+from ..parameters import FloatArray
 from .arclength import Point, Setting, between, corrected
-from .criteria import CRITERIA, at_minus_one, is_complex_pair
 from .grazing import Touch, grazing, may_touch, paired, signature, touches
-from .shooting import Guess, Loop, across, divided, solved
 
 #: What test functions tell, a grazing apart.
-KINDS = tuple(CRITERIA)
+KINDS = (*CRITERIA, "crossing")
 
 #: Halvings of a step that looks as if something were hidden in it.
 DEEPEST = 9
+
+#: Where the parameter changes less than this along the arc, a multiplier that passes 1 belongs to a fold.
+FLAT = 1e-6
 
 #: An event is located to this, in units of the arc.
 LOCATED = 1e-11
@@ -43,18 +47,26 @@ class Seen:
 
 
 def criterion(kind: str, point: Point) -> float:
-    """A test function along a branch: at a fold the parameter itself turns back."""
-    return float(point.tangent[-1]) if kind == "fold" else CRITERIA[kind](point.loop)
+    """A test function along a branch: at a fold the parameter itself turns back; where another branch crosses, it does not."""
+    if kind == "fold":
+        return float(point.tangent[-1])
+    if kind == "crossing":
+        return CRITERIA["fold"](point.loop) * float(np.sign(point.tangent[-1]))
+    return CRITERIA[kind](point.loop)
 
 
 @dataclass(frozen=True)
 class Finding:
-    """Something that happens on a branch: what, the orbit there, how well its place is known, and which border it touches."""
+    """Something that happens on a branch: what, the orbit there, and how well its place is known.
+
+    ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one crosses it.
+    """
 
     kind: str
     loop: Loop
     error: float
     border: int = -1
+    crossed: FloatArray | None = None
 
 
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
@@ -68,7 +80,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     hidden = (
         kinks != len(through)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in KINDS if kind not in changed))
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind not in changed))
         or len(changed) + len(through) > 1
     )
     if hidden and depth < DEEPEST:
@@ -146,6 +158,8 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
     point = known[root] if root in known else corrected(setting, one.point, root)
     if kind == "torus" and not is_complex_pair(point.loop):
         return
+    if kind == "crossing" and abs(point.tangent[-1]) * setting.spans[0] < FLAT:
+        return  # the fold itself, by rounding
     merged = halved(setting, point.loop) if kind == "fold" else None
     if merged is not None:
         yield Finding("merging", merged, 1e-11)
@@ -153,6 +167,9 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
     near = min((abs(arc - root), arc) for arc in known if arc != root)[1]
     index = setting.free[0]
     error = abs(known[near].loop.guess.values[index] - point.loop.guess.values[index])
+    if kind == "crossing":
+        yield Finding("fold", point.loop, max(error, 1e-11), crossed=point.tangent)
+        return
     yield Finding(kind, point.loop, min(error, abs(point.tangent[-1]) * 1e-9 + 1e-11))
 
 

@@ -107,27 +107,3 @@ def _quotient(numerator: Callable[[int], Any], divisor: Jet) -> Jet:
 
     quotient._following = following
     return quotient
-
-
-class Functions:
-    """The namespace that generated functions take, for numbers and series that have these as methods."""
-
-    @staticmethod
-    def sqrt(value: Any) -> Any:
-        """Square root."""
-        return value.sqrt()
-
-    @staticmethod
-    def exp(value: Any) -> Any:
-        """Exponential."""
-        return value.exp()
-
-    @staticmethod
-    def cos(value: Any) -> Any:
-        """Cosine."""
-        return value.cos()
-
-    @staticmethod
-    def sin(value: Any) -> Any:
-        """Sine."""
-        return value.sin()

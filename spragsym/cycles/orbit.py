@@ -13,32 +13,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
+from ..dynamics.flows import flow
 from ..dynamics.lobatto import PiecewisePolynomial
+from ..dynamics.passage import Fly
 from ..dynamics.problem import Event
-from ..dynamics.trajectory import Events
-from ..errors import ConvergenceError
-from ..files import storage
-from ..parameters import FloatArray
-from .criteria import multipliers
-from .flows import flow
-from .passage import Fly
-from .shooting import (
+from ..dynamics.shooting import (
     LARGEST_GROWTH,
     MOST_STRETCHES,
     Guess,
     Loop,
     at_rest_along,
-    divided,
     growth,
     looped,
+    once_round,
+    recut,
     solved,
 )
+from ..dynamics.trajectory import Events
+from ..errors import ConvergenceError
+from ..files import storage
+from ..parameters import FloatArray
 
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
 
-#: Largest x that differ by less than this are one: the state highest above the belt is chosen.
+#: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
 SAME = 1e-9
 
 
@@ -174,18 +175,16 @@ def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
 def refined(loop: Loop, fly: Fly) -> Loop:
     """The same orbit from where its first coordinate is largest, in as many stretches as its growth asks for."""
     field, size = loop.field, loop.field.size
-    top = _top(loop)
-    guess = Guess(top[None], loop.guess.period, loop.guess.values)
-    pieces = len(loop.guess.states)
+    begin, pieces, known = _top(loop), len(loop.guess.states), loop
     while True:
-        cut = divided(field, fly, guess, pieces)
+        cut = recut(known, fly, pieces, begin)
         try:
             found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=7, precision=1e-15)
         except ConvergenceError:
             found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:
             return found
-        pieces *= 2
+        pieces, known, begin = 2 * pieces, found, 0.0
 
 
 def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
@@ -204,37 +203,17 @@ def _least_steps(field: Field, fly: Fly, guess: Guess) -> Loop:
     return loop
 
 
-def once_round(loop: Loop, fly: Fly) -> Loop:
-    """The same orbit over its least period."""
-    period, turns = loop.guess.period, [turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
-    if not turns:
-        return loop
-    scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
-    first = turns[0]
-    for other in turns[1:]:
-        share = period / (other.t - first.t)
-        if np.abs((other.state - first.state) / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
-            guess = Guess(first.state[None], period / round(share), loop.guess.values)
-            try:
-                shorter = solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
-            except ConvergenceError:
-                continue
-            return shorter
-    return loop
-
-
-def _top(loop: Loop) -> FloatArray:
-    """The state where the first coordinate is largest, and among several the one farthest along the second."""
+def _top(loop: Loop) -> float:
+    """When the first coordinate is largest, and among several such times the one at which the second is."""
     n, first = len(loop.field.coordinates), loop.guess.states[0]
-    highest = [turn.state for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    highest = [(turn.state, turn.t) for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
     if abs(first[n]) < SAME:  # an orbit that begins there may be counted at its end, or not at all
-        highest.append(first)
-    most = max(float(state[0]) for state in highest)
-    state = max(
-        (state for state in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda state: float(state[1])
-    ).copy()
-    state[n] = 0.0
-    return state
+        highest.append((first, 0.0))
+    most = max(float(state[0]) for state, _ in highest)
+    _, begin = max(
+        ((state, t) for state, t in highest if state[0] >= most - SAME * (1 + abs(most))), key=lambda pair: float(pair[0][1])
+    )
+    return begin
 
 
 def _events(loop: Loop) -> Events:

@@ -13,9 +13,9 @@ import mpmath
 import numpy as np
 
 from ..display import Result
+from ..dynamics.shooting import rate
 from ..errors import ConvergenceError, MissingExtraError, ParameterError
 from .orbit import Cycle
-from .shooting import rate
 
 #: Seconds after which a proof is given up, unless asked otherwise.
 PATIENCE = 1800.0
@@ -93,14 +93,20 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
         raise MissingExtraError("spragsym.precise.prove_cycle", "flint", "certify")
     if isinstance(digits, bool) or not isinstance(digits, int) or not 10 <= digits <= 200:
         raise ParameterError(f"digits = {digits!r} is not an integer in [10, 200]")
+    if not cycle.field.again:
+        return _unproved(cycle, "the field of this cycle can't be made again in the process that proves")
     found = _run(claim_of(cycle, digits), patience)
     if not found["proved"]:
-        return CycleProof(False, found["reason"], float("nan"), float("nan"), (), mpmath.nan, (), None, cycle.values)
+        return _unproved(cycle, found["reason"])
     with mpmath.workdps(60):
         state = tuple(mpmath.mpf(value) for value in found["state"])
         multipliers = tuple((mpmath.mpc(real, imaginary), radius) for real, imaginary, radius in found["multipliers"])
         period = mpmath.mpf(found["period"])
     return CycleProof(True, "", 10.0**-digits, found["error"], state, period, multipliers, found["stable"], cycle.values)
+
+
+def _unproved(cycle: Cycle, reason: str) -> CycleProof:
+    return CycleProof(False, reason, float("nan"), float("nan"), (), mpmath.nan, (), None, cycle.values)
 
 
 def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
@@ -110,7 +116,7 @@ def claim_of(cycle: Cycle, digits: int) -> dict[str, Any]:
     flow = rate(cycle.field, cycle.state, cycle.loop.constants)
     slopes = np.column_stack([(cycle.loop.monodromy - np.eye(m))[:, moved], flow])
     return {
-        "field": cycle.field.name, "values": list(cycle.values), "state": cycle.state.tolist(), "period": cycle.period,
+        "field": cycle.field.again, "values": list(cycle.values), "state": cycle.state.tolist(), "period": cycle.period,
         "digits": digits, "slopes": slopes.tolist(),
         "crossings": [[crossing.t, crossing.border] for crossing in cycle.loop.crossings()],
     }  # fmt: skip

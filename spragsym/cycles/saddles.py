@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..dynamics.field import Field
+from ..dynamics.passage import Fly
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .passage import Fly
 
 #: A real part beyond this, against the largest rate, is growth that decides a motion's fate.
 GROWS = 1e-2

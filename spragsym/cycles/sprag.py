@@ -7,11 +7,9 @@ from dataclasses import replace
 from typing import Any
 
 from ..dynamics import forces, simulate, sprag
+from ..dynamics.field import Field
 from ..dynamics.problem import BELT_SPEED, CREEP, constants_of
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_number
-
-#: d |V − x'| beyond which the exponential of (10) is far below rounding, and left out.
-REACH = 42.0
 
 _RANGES = {**RANGES, "V": BELT_SPEED, "d": CREEP}
 
@@ -42,6 +40,11 @@ def _contact_force(states: FloatArray, _: Sequence[float]) -> FloatArray:
 
 #: The field that integrators have, with what the search for cycles needs besides.
 SPRAG = replace(
-    sprag.field(REACH), constants=_constants, check=_check, simulate=_simulate, exact=lambda mode: (mode[0], mode[1], 1),
-    forces=(("spring_force", _spring_force), ("contact_force", _contact_force)),
+    sprag.field(sprag.REACH), constants=_constants, check=_check, simulate=_simulate, exact=lambda mode: (mode[0], mode[1], 1),
+    forces=(("spring_force", _spring_force), ("contact_force", _contact_force)), again=(__name__, "the_field"),
 )  # fmt: skip
+
+
+def the_field() -> Field:
+    """The field above, for another process."""
+    return SPRAG

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..dynamics.flows import carrier
+from ..dynamics.shooting import Guess, Loop, divided, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
-from .arclength import Setting, phase_row
-from .flows import carrier
+from .arclength import Setting, corrected, phase_row, point_of
 from .orbit import Cycle, cycle_of
-from .shooting import Guess, Loop, divided, looped, rate, solved
 
 if TYPE_CHECKING:
     from .branch import CycleBranch, CycleEvent
@@ -22,25 +22,58 @@ STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12)
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
     """As :meth:`CycleBranch.switch` says."""
-    if event.kind not in ("period_doubling", "fold", "torus"):
-        raise ParameterError(f"no other branch of cycles begins at a {event.kind}; give a period doubling")
-    if event.kind != "period_doubling" or event.loop is None:
-        raise ParameterError(f"a {event.kind} starts no branch of cycles that this function follows; give a period doubling")
+    from .branch import MERGES
+
     cycle = event.cycle
+    if event.loop is None or not (event.kind in ("period_doubling", "fold") or event.how == MERGES):
+        raise ParameterError(
+            f"no other branch of cycles begins at a {event.kind}{f' where {event.how}' if event.how else ''}; give a period "
+            "doubling, a fold, or an end where two branches meet"
+        )
+    if event.how == MERGES:
+        return cycle  # the event holds the cycle of half the period
     fly, backend = carrier(cycle.field, cycle.backend)
     index = cycle.field.parameters.index(branch.vary)
     setting = Setting(cycle.field, fly, (index,), cycle.period, ((branch.to[1] - branch.to[0]) / 2,))
-    doubled, direction = _doubled(setting, cycle.loop)
+    if event.kind == "fold" and event.crossed is None:
+        return _beyond(branch, setting, event.loop, step, backend)
+    twice = event.kind == "period_doubling"
+    guess, direction = _doubled(setting, cycle.loop) if twice else _across(setting, event)
     for size in (step, *STEPS):
         for sign in (1.0, -1.0):
             try:
-                loop = _off(setting, doubled, sign * size * direction, size)
+                loop = _off(setting, guess, sign * size * direction, size)
             except ConvergenceError:
                 continue
             found = cycle_of(loop, fly, backend)
-            if found.period > 1.5 * cycle.period:
+            if not twice or found.period > 1.5 * cycle.period:
                 return found
-    raise ConvergenceError(f"no doubled cycle was found near {branch.vary} = {event.value:.10g}")
+    raise ConvergenceError(f"no cycle of the other branch was found near {branch.vary} = {event.value:.10g}")
+
+
+def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
+    """Where two branches cross there are two directions: the one across that of the branch, of unit size in the first state."""
+    assert event.loop is not None
+    loop = looped(setting.field, setting.fly, event.loop.guess, setting.free)
+    weights = setting.weights(len(loop.guess.states))
+    matrix = np.vstack([loop.slopes(1), phase_row(setting, loop)]) / weights
+    _, _, vectors = np.linalg.svd(matrix)
+    along = np.asarray(event.crossed) * weights
+    along = along / np.linalg.norm(along)
+    plane = vectors[-2:] - np.outer(vectors[-2:] @ along, along)
+    direction = max(plane, key=lambda vector: float(np.linalg.norm(vector))) / weights
+    return loop.guess, direction / np.linalg.norm(direction[: setting.field.size])
+
+
+def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float, backend: str) -> Cycle:
+    """The cycle a step from a fold, on the side that comes later on the branch."""
+    point = point_of(setting, loop)
+    sides = [cycle_of(corrected(setting, point, sign * step).loop, setting.fly, backend) for sign in (1.0, -1.0)]
+
+    def place(cycle: Cycle) -> int:
+        return int(np.argmin([np.abs(cycle.state - other.state).max() for other in branch.cycles]))
+
+    return max(sides, key=place)
 
 
 def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:

@@ -8,15 +8,15 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..display import Result
+from ..dynamics.criteria import CRITERIA, is_complex_pair
+from ..dynamics.flows import carrier
+from ..dynamics.shooting import Loop, looped, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
 from .arclength import Setting, phase_row
 from .branch import CycleEvent
-from .criteria import CRITERIA, is_complex_pair
-from .flows import carrier
 from .grazing import touching
 from .orbit import Cycle, cycle_of
-from .shooting import Loop, looped, solved
 
 #: Lengths of a step, in states, shares of the period and spans of the parameters.
 FIRST, LONGEST, SHORTEST = 0.01, 0.1, 1e-6

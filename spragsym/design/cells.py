@@ -16,7 +16,7 @@ from ..parameters import NAMES, FloatArray
 _CELLS, _ALWAYS, _HALVINGS = 4, 4, 40
 #: Open cells with which a box is given up.
 _OPEN = 64
-#: A box is given up where the direction contributes less than this share of what the box's own sides do to an open quantity.
+#: A box is given up where the spread of an open quantity comes from its own sides: the direction adds less than this share.
 _SHARE = 0.25
 
 
@@ -92,14 +92,14 @@ def over(boxes: Boxes, low: Line, high: Line, begin: FloatArray, end: FloatArray
 
 
 class Verdict(NamedTuple):
-    """Which cells need no further look, and the quantities whose terms say which side of a box to cut if one does."""
+    """Which cells are decided, and the quantities whose terms say which side of a box to cut where one is not."""
 
     done: NDArray[np.bool_]
     decisive: tuple[Affine, ...]
 
 
 def covered(boxes: Boxes, low: Line, high: Line, test: Callable[[Ground], Verdict]) -> tuple[NDArray[np.bool_], FloatArray]:
-    """Of which boxes all directions between two pass a test, and how much each side matters where they don't."""
+    """The boxes for which all directions between two pass a test, and how much each side matters for the others."""
     size = boxes.share.size
     weight = np.zeros((len(NAMES), size))
     box = np.tile(np.arange(size), _CELLS)

@@ -24,8 +24,8 @@ _in_differences = inspect.unwrap(_catastrophe.f_in_differences)
 _MU0 = NAMES.index("mu0")
 #: A little more than π, beyond which no direction is in contact.
 _ALL = math.pi + 1e-15
-#: What a direction is off the state that it stands for, over what that moves within the box: wide for what is of second order in
-#: the box, and narrow where a fold is near.
+#: How far a trial direction lies from the state it stands for, in units of how far that state moves within the box: the wide one
+#: leaves room for terms of second order, the narrow one is for boxes near a fold.
 _MARGINS = (0.7, 0.25)
 
 
@@ -57,7 +57,7 @@ def _not_in_contact(ground: Ground, others: list[Affine]) -> NDArray[np.bool_]:
 
 
 def _one_equilibrium(boxes: Boxes) -> tuple[NDArray[np.bool_], FloatArray]:
-    """Every equilibrium has f′ > 0, and of three the middle one, or of two that meet both, has not: so there is one."""
+    """Every equilibrium has f′ > 0. Of three the middle one has not, and of two that meet neither has: so there is one."""
 
     def test(ground: Ground) -> Verdict:
         others = ground.others()

@@ -17,9 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..catastrophe import fold_arrays
+from ..catastrophe.fold_digits import sharpened
 from ..catastrophe.fold_points import turns
 from ..catastrophe.paths import quasi_static_path
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
+from ..exact.polynomials import Undecided
 from ..parameters import NAMES, RANGES, FloatArray, Parameters
 from ..statics.solver import Equilibria, Stability, equilibria
 
@@ -90,7 +92,7 @@ def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> fl
 
 
 def told(found: FirstJumps) -> FirstJumps:
-    """Itself; an error for a single point of which nothing is known, and a warning for some of many."""
+    """The values themselves; an error if nothing is known of a single point, a warning if nothing is known of some of many."""
     for reason in found.reasons.values():
         if not found.value.shape:
             raise ConvergenceError(reason)
@@ -135,7 +137,11 @@ def _block(given: Mapping[str, FloatArray], vary: str, forward: int) -> tuple[Fl
     others = {name: column for name, column in given.items() if name != vary}
     found = fold_arrays.folds(vary, others, size)
     undecided = found.undecided | eq.undecided | eq.fold
-    value, theta = _walk(found, start, forward, small(eq), eq.count, undecided)
+    value, theta, coarse = _walk(found, start, forward, small(eq), eq.count, undecided)
+    if vary != "theta0":
+        _with_more_digits(vary, given, found, coarse, value)
+        coarse = coarse[np.isnan(value[found.row[coarse]])]
+    undecided[found.row[coarse]] = True
     reasons = {}
     for i in np.flatnonzero(undecided):
         point = Parameters(**{name: float(column[i]) for name, column in given.items()})
@@ -157,8 +163,11 @@ def small(eq: Equilibria) -> NDArray[np.intp]:
 def _walk(
     found: fold_arrays.FoldArrays, start: FloatArray, forward: int, rank: NDArray[np.intp], count: NDArray[np.int8],
     undecided: NDArray[np.bool_],
-) -> tuple[FloatArray, FloatArray]:  # fmt: skip
-    """Carry ranks over the folds in their order; points whose order is not certain are added to ``undecided``."""
+) -> tuple[FloatArray, FloatArray, NDArray[np.intp]]:  # fmt: skip
+    """Carry ranks over the folds in their order; points whose order is not certain are added to ``undecided``.
+
+    Gives the value and θ of each jump, and which folds among those jumped at are known to too few digits.
+    """
     ahead = forward * (found.value.value - start[found.row])
     near = np.abs(ahead) <= found.value.error * 1.01 + 1e-300
     undecided[found.row[near]] = True
@@ -174,18 +183,34 @@ def _walk(
     at = 2 * np.arctan(found.t.value[keep])
     opens, upper = forward * found.side[keep], found.upper[keep]
     done = np.zeros(start.size, dtype=np.bool_)
+    wide = ~(best.error <= _LARGEST_ERROR * np.maximum(np.abs(best.value), 1.0))
+    coarse = np.zeros(row.size, dtype=np.bool_)
     for k in range(int(place.max(initial=-1)) + 1):
         now = np.flatnonzero(place == k)
         points, grows = row[now], opens[now] > 0
         undecided[points[count[points] != np.where(grows, 1, 3)]] = True  # can't be: both are proved
         jumps = ~grows & ~done[points] & np.where(upper[now], rank[points] >= 1, rank[points] <= 1)
         result[points[jumps]], theta[points[jumps]] = best.value[now[jumps]], at[now[jumps]]
-        coarse = best.error[now] > _LARGEST_ERROR * np.maximum(np.abs(best.value[now]), 1.0)
-        undecided[points[jumps & coarse]] = True
+        coarse[now[jumps]] = wide[now[jumps]]
         done[points[jumps]] = True
         rank[points] = np.where(grows & ~upper[now], 2, 0)
         count[points] = np.where(grows, 3, 1)
-    return result, theta
+    return result, theta, keep[coarse & ~undecided[row]]
+
+
+def _with_more_digits(
+    vary: str, given: Mapping[str, FloatArray], found: fold_arrays.FoldArrays, coarse: NDArray[np.intp], value: FloatArray
+) -> None:
+    """Put the values of some folds in place to the digits that are wanted, NaN where that fails."""
+    for k in coarse:
+        row = found.row[k]
+        point = {name: float(column[row]) for name, column in given.items() if name != vary}
+        t, old = ((float(one.value[k]), float(one.error[k])) for one in (found.t, found.value))
+        try:
+            new, error = sharpened(vary, point, t, old)
+        except Undecided:
+            new, error = math.nan, math.inf
+        value[row] = new if error <= _LARGEST_ERROR * max(abs(new), 1.0) else math.nan
 
 
 def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..errors import ParameterError
 from ..parameters import NAMES, FloatArray, Parameters, PhysicalParameters
 from .borders import on_fold
 from .cells import Boxes
@@ -18,7 +19,7 @@ from .jump_values import first_jumps
 from .nearest import nearest, shortened
 from .spaces import Space, space
 
-#: Shares of the distance of which it is asked whether nothing jumps within them, and how many boxes each may take.
+#: Shares of the distance within which a proof that nothing jumps is tried, and the boxes that each may take.
 _SHARES, _BOXES = (0.95, 0.8, 0.5, 0.2), 3_000
 
 
@@ -63,7 +64,7 @@ def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], 
     Raises
     ------
     ParameterError
-        For quantities that ``p`` does not have, and tolerances that are not positive.
+        For quantities that ``p`` does not have, tolerances that are not positive, and a proof with physical quantities.
 
     Notes
     -----
@@ -79,6 +80,8 @@ def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], 
     (1.6845, {'theta0': 0.0114, 'mu0': 0.0776})
     """
     designs = space(p, scale, None)
+    if prove and not isinstance(p, Parameters):
+        raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
     found = nearest(lambda z: jumping(designs, z), designs.limits())
     if found is None:
         return JumpMargin(np.inf, _proved(designs, 2.0) if prove else np.nan, {}, None)
@@ -113,8 +116,6 @@ def polished(designs: Space, z: FloatArray) -> FloatArray:
 
 def _proved(designs: Space, distance: float) -> float:
     """The largest share of the distance within which nothing jumps, proved; 0 if none of those tried can be."""
-    if not isinstance(designs.base, Parameters):
-        return np.nan
     for share in _SHARES:
         radius = share * distance
         if _nothing_jumps_within(designs, radius):

@@ -7,6 +7,7 @@ total by Jansen (1999). Of a chunk only sums are kept.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -95,6 +96,9 @@ def estimate(records: Sequence[Sequence[float]], replicate: Sequence[int], confi
     half = quantile * float(means.std(ddof=1)) / number**0.5
     low, high = mean - half, mean + half
     if indicator:
+        # Replicates of one variable differ by one hit at most and may all agree: what a count without an event leaves possible.
+        half = math.hypot(half, math.log(2 / (1 - confidence)) / n)
+        low, high = mean - half, mean + half
         hits, missing = float(total.sum()), float(unknown.sum())
         if min(hits, n - hits) < _FEW:
             low, high = _exact(hits, n, confidence)

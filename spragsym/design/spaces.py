@@ -80,7 +80,8 @@ def space(
     names = tuple(tolerances if change is None else ([change] if isinstance(change, str) else change))
     for name in (*names, *tolerances):
         if name not in known:
-            raise ParameterError(f"{name!r} in {what} or change is not a quantity here; the quantities are {', '.join(known)}")
+            place = "scale" if name in tolerances else what
+            raise ParameterError(f"{name!r} in {place} is not a quantity here; the quantities are {', '.join(known)}")
     if not names:
         raise ParameterError(f"{what} names no quantity that may change; name at least one of {', '.join(known)}")
     given = _given(base)

@@ -5,7 +5,7 @@
  * All arguments are buffers of doubles. constants: the nine of the field. mode: contact, side, near, reach, width, gap.
  * limits: rtol, atol, the end, when samples begin, most steps. tables: the method's A, B, C, E3, E5, A_EXTRA, C_EXTRA, D, one after the
  * other. unit: points in [0, 1] at which steps are sampled. state and clock (time, length of the next step) are moved on. times
- * and states have room for so many steps. The outcome is one of those below; the border is the one that was passed. */
+ * and states have room for that many steps. The outcome is one of those below; the border is the one that was passed. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 

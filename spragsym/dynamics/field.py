@@ -76,6 +76,8 @@ class Field:
         ``exact(mode)``: the mode without what is left out below rounding, for proofs.
     forces : tuple of (str, callable)
         Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
+    again : tuple of str
+        Module, function and arguments that make the field once more in another process; empty where none do.
     """
 
     name: str
@@ -92,6 +94,7 @@ class Field:
     simulate: Callable[..., Any]
     exact: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
+    again: tuple[str, ...] = ()
 
     @property
     def size(self) -> int:
@@ -100,4 +103,4 @@ class Field:
 
     def is_inside(self, state: Any, constants: Any, mode: Mode) -> bool:
         """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
-        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders if border.kink)
+        return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)

@@ -1,69 +1,106 @@
-"""Lift-off for good: in a well of the energy above the belt, which nothing changes without contact."""
+"""Lift-off for good: in a well of the energy above the belt, which nothing changes without contact.
+
+Without contact nothing changes the energy U + kinetic. About a stable equilibrium in lift-off the region of less energy than any
+higher stationary value of U, its brim, has no way out and does not reach the belt: such values are at the other equilibria in
+lift-off, along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and brings the mass back.
+"""
 
 from __future__ import annotations
 
-from typing import Any
+import inspect
+import math
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from ..generated import motion
-from ..parameters import FloatArray
+from ..parameters import NAMES, FloatArray, Parameters
 from .course import Course
 from .problem import Constants, Event, Problem
+
+#: A well: x and y of its bottom, and the energy of its brim.
+Well: TypeAlias = tuple[float, float, float]
+
+#: Energy of numbers without checks.
+_energy: Any = inspect.unwrap(motion.energy)
+
+#: Points between which the energy is bounded on the straight way to a well's bottom.
+POINTS = 200
+
+
+def wells(p: Parameters) -> list[tuple[Well, ...]]:
+    """The wells above the belt of every point, in order."""
+    from ..statics.solver import Stability, equilibria
+
+    given = {name: np.ravel(values) for name, values in zip(NAMES, p.broadcast(*NAMES), strict=True)}
+    found = equilibria(Parameters(**given), contact=False)
+    cos0, sin0 = np.cos(given["theta0"]), np.sin(given["theta0"])
+    rest = [cos0, sin0, *(given[name] for name in ("kappa", "alpha", "sigma", "beta"))]
+    columns = [values[:, None] for values in rest]
+    bottoms = _potential(found.x, found.y, *columns)
+    surface = _stationary_on_the_surface(*rest)
+    levels = [
+        bottoms, _potential(surface, np.zeros_like(surface), *columns), _potential(cos0[:, None], sin0[:, None], *columns),
+    ]  # fmt: skip
+    values = np.concatenate(levels, axis=1)[:, None, :]
+    brims = np.where(values > bottoms[..., None] + 1e-12, values, np.inf).min(axis=-1)
+    told: list[list[Well]] = [[] for _ in cos0]
+    for point, slot in np.argwhere(found.stability == Stability.STABLE).tolist():
+        told[point].append((float(found.x[point, slot]), float(found.y[point, slot]), float(brims[point, slot])))
+    return [tuple(each) for each in told]
 
 
 def lifted_for_good(course: Course, problem: Problem) -> bool:
     """Whether the mass is in a well of the energy above the belt that it has too little energy to leave.
 
-    Without contact nothing changes the energy U + kinetic. About a stable equilibrium in lift-off the region of less energy
-    than any higher stationary value of U has no way out and does not reach the belt: such values are at the other equilibria in
-    lift-off, along the belt's surface y = 0, and at the spring's anchor. Weak preload has no such well, and brings the mass back.
     All of these are known for the article's model; of others it is not told.
     """
     if not isinstance(problem.constants, Constants):
         return False
     if course.last[1] <= 0 or course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any():
         return False
-    from ..statics.solver import Stability, equilibria
-
-    found = equilibria(problem.parameters, contact=False)
-    there = np.isfinite(found.x)
-    x, y = found.x[there], found.y[there]
-    surface = _stationary_on_the_surface(problem)
-    anchor = np.array([problem.constants.cos0]), np.array([problem.constants.sin0])
-    levels = [_potential(problem, *places) for places in ((x, y), (surface, np.zeros_like(surface)), anchor)]
-    values = np.concatenate(levels)
-    energy = float(_potential(problem, *course.last[:2]) + (course.last[2:] ** 2).sum() / 2)
-    for row in np.flatnonzero(found.stability[there] == Stability.STABLE):
-        brim = float(values[values > values[row] + 1e-12].min())
-        if energy < brim and _highest_between(problem, course.last[:2], np.array([x[row], y[row]])) < brim:
-            return True
+    known = wells(problem.parameters)[0] if problem.wells is None else problem.wells
+    c = problem.constants
+    constants = (c.cos0, c.sin0, c.kappa, c.alpha, c.sigma, c.beta)
+    x, y, vx, vy = course.last.tolist()
+    kinetic = (vx * vx + vy * vy) / 2
+    for bottom_x, bottom_y, brim in known:
+        if _potential(x, y, *constants, xp=math) + kinetic < brim:
+            way = np.linspace([x, y], [bottom_x, bottom_y], POINTS + 1).T
+            if _highest_on(way, constants) < brim:
+                return True
     return False
 
 
-def _potential(problem: Problem, x: Any, y: Any) -> Any:
+def _potential(x: Any, y: Any, *constants: Any, xp: Any = np) -> Any:
     """Energy at rest, without contact."""
-    c, still = problem.constants, np.zeros_like(x)
-    return motion.energy(x, y, still, still, c.cos0, c.sin0, c.kappa, c.alpha, c.sigma, c.beta, 0)
+    return _energy(x, y, 0.0, 0.0, *constants, 0, xp=xp)
 
 
-def _stationary_on_the_surface(problem: Problem) -> FloatArray:
-    """All x where the potential energy at y = 0 is stationary.
+def _stationary_on_the_surface(
+    cos0: FloatArray, sin0: FloatArray, _: FloatArray, alpha: FloatArray, sigma: FloatArray, *__: FloatArray
+) -> FloatArray:
+    """All x where the potential energy at y = 0 is stationary, shape (points, 5).
 
     With u = cos θ₀ − x its slope is 0 where (α cos θ₀ − (α + σ) u) L = −σ u; squared, a quartic in u. A value too many only
     lowers the brim, so that complex roots, which may be double ones, stay by their real parts.
     """
-    c = problem.constants
-    a, b, s2 = c.alpha * c.cos0, c.alpha + c.sigma, c.sin0**2
-    roots = np.roots([b * b, -2 * a * b, a * a + b * b * s2 - c.sigma**2, -2 * a * b * s2, a * a * s2])
-    stationary: FloatArray = c.cos0 - np.append(roots.real, 0.0)
+    a, b, s2 = alpha * cos0, alpha + sigma, sin0**2
+    leading = np.where(b == 0, 1.0, b * b)
+    lower = np.array([-2 * a * b, a * a + b * b * s2 - sigma**2, -2 * a * b * s2, a * a * s2]) / leading
+    companion = np.zeros((len(cos0), 4, 4))
+    companion[:, 0, :] = -lower.T
+    companion[:, [1, 2, 3], [0, 1, 2]] = 1.0
+    roots = np.linalg.eigvals(companion).real
+    stationary: FloatArray = cos0[:, None] - np.concatenate([roots, np.zeros((len(cos0), 1))], axis=1)
     return stationary
 
 
-def _highest_between(problem: Problem, begin: FloatArray, end: FloatArray) -> float:
-    """A bound on the potential energy along the straight way: values on it, and the steepest slope between them."""
-    c, n = problem.constants, 200
-    (x, y), length = np.linspace(begin, end, n + 1).T, float(np.hypot(*(end - begin)))
-    stretch = np.abs(np.hypot(c.cos0 - x[[0, -1]], c.sin0 - y[[0, -1]]) - 1).max()
-    slope = c.alpha * np.abs(x).max() + c.beta * np.abs(y).max() + c.kappa + c.sigma * max(1.0, stretch)
-    return float(_potential(problem, x, y).max() + slope * length / (2 * n))
+def _highest_on(way: FloatArray, constants: tuple[float, ...]) -> float:
+    """A bound on the potential energy along a straight way: values on it, and the steepest slope between them."""
+    cos0, sin0, kappa, alpha, sigma, beta = constants
+    x, y = way
+    length = float(np.hypot(*(way[:, -1] - way[:, 0])))
+    stretch = np.abs(np.hypot(cos0 - x[[0, -1]], sin0 - y[[0, -1]]) - 1).max()
+    slope = alpha * np.abs(x).max() + beta * np.abs(y).max() + kappa + sigma * max(1.0, stretch)
+    return float(_potential(x, y, *constants).max() + slope * length / (2 * POINTS))

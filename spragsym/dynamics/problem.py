@@ -22,7 +22,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, Range, as_number
+from ..parameters import FINITE, NAMES, POSITIVE, Parameters, Range, as_number
 from . import sprag
 from .field import GAP, Border, Field, Mode
 from .sprag import WIDTH, acceleration, jacobian
@@ -77,6 +77,8 @@ class Problem:
     max_steps: int = MAX_STEPS
     #: The field, for a given reach of the exponentials of the friction law.
     field_of: Callable[[float], Field] = sprag.field
+    #: Wells of the energy above the belt (:mod:`.lift_off`), where they are known.
+    wells: tuple[tuple[float, float, float], ...] | None = None
 
     @property
     def reach(self) -> float:
@@ -168,9 +170,3 @@ def event_at(border: Border, upward: bool) -> Event | None:
     """What a user calls crossing a border towards positive or negative levels, if anything."""
     name = border.crossings[0 if upward else 1]
     return Event[name.upper()] if name else None
-
-
-def is_inside(problem: Problem, mode: Mode, state: FloatArray) -> bool:
-    """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
-    values = state[: problem.field.size].tolist()
-    return all(border.sign(mode) * border.level(values, problem.constants, mode) >= -2 * GAP for border in problem.field.borders)

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from ..display import Result
 from ..errors import ParameterError
 from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, as_numbers
-from . import integrators
+from . import flows
 from .classify import classify
 from .course import Course, course_of
 from .events import Events
@@ -116,14 +116,14 @@ class Recorded(Result):
     def outcome(self, transient: float | None = None, *, tol: float = SETTLED) -> Outcome:
         """What the motion settles to or approaches, how fast, and what is left, judged by what follows ``transient``.
 
-        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on its return map, which
-        integrates a few periods more.
+        The same as a :class:`~spragsym.Sweep` tells of it. A cycle is found by Newton's method on the flow and its
+        derivatives, which integrates a few periods more.
         """
         late = self.after(transient)
         start, length = tuple(late.state[:, 0].tolist()), float(late.t[-1] - late.t[0])
         problem = self._problem(start, length)
-        flow = integrators.flow(problem, self.backend)
-        return self._identified(classify(late.course(), problem, flow, as_number("tol", tol, POSITIVE)))
+        onward = flows.onward(problem, self.backend)
+        return self._identified(classify(late.course(), problem, onward, as_number("tol", tol, POSITIVE)))
 
     def period(self, transient: float | None = None, *, tol: float = SETTLED) -> float:
         """Period of the cycle that the motion after ``transient`` has settled to; NaN if it has not, and at rest.

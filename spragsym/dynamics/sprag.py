@@ -18,6 +18,9 @@ from .field import GAP, Border, Field, Mode
 #: Between leaving out the exponential of (10) and taking it in again, in units of its exponent.
 WIDTH = 5.0
 
+#: d |V − x'| beyond which the search for cycles leaves the exponential out: far below rounding.
+REACH = 42.0
+
 #: Accelerations and their derivatives in one mode, continued beyond its borders: for scalars, without checks.
 acceleration: Any = inspect.unwrap(motion.regime_rhs)
 jacobian: Any = inspect.unwrap(motion.regime_jacobian)

@@ -15,7 +15,7 @@ from .lobatto import unit_points
 from .problem import GAP, WIDTH, Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
-#: Steps of a call: Python hears Ctrl-C only between two, and samples of so many are kept until they are used up.
+#: Steps of a call: Python hears Ctrl-C only between two, and samples of that many steps are kept until they are used up.
 CHUNK = 20_000
 ENDED, PASSED, FULL, TOO_SMALL, TOO_MANY = range(5)
 

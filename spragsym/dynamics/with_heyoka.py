@@ -12,9 +12,9 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .course import Course
-from .field import GAP, Border, Field
+from .field import GAP, Border, Field, Mode
 from .lobatto import unit_points
-from .problem import Event, Problem, event_at, initial_mode, is_inside, out_of_range, too_many_steps
+from .problem import Event, Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
@@ -42,6 +42,8 @@ class Compiled:
         mode = [hy.par[i] for i in range(self.modes.start, self.modes.stop)]
         accelerations = field.acceleration(state, known, mode, SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
         self.log: list[Crossing] = []
+        self.kinds = {(row, up): event_at(border, upward=up) for row, border in enumerate(field.borders) for up in (False, True)}
+        self.mode: Mode = field.modes[0]
         self.stray: float | None = None
         self.turns: list[tuple[float, ...]] = []
         system, turns = list(zip(state, [*state[n:], *accelerations], strict=True)), []
@@ -55,10 +57,13 @@ class Compiled:
         self.solver = hy.taylor_adaptive(
             system, [0.0] * len(system), pars=[0.0] * (self.modes.stop + 2 * watch), tol=rtol, nt_events=turns,
             t_events=[
-                hy.t_event(watched(border, state, known, mode), callback=partial(self._cross, border), cooldown=0.0)
-                for border in field.borders
+                hy.t_event(watched(border, state, known, mode), callback=partial(self._cross, row), cooldown=0.0)
+                for row, border in enumerate(field.borders)
             ],
         )  # fmt: skip
+        # Views of what the integrator holds: each look at an attribute makes one anew.
+        self.state, self.pars, self.reset = self.solver.state, self.solver.pars, self.solver.reset_cooldowns
+        self.rest = len(self.state) - 2 * self.n
 
     def __deepcopy__(self, _: object) -> Compiled:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
@@ -68,30 +73,32 @@ class Compiled:
         solver.update_d_output(t)
         self.turns.append((direction, t, *solver.d_output))
 
-    def _cross(self, border: Border, solver: Any, direction: int) -> bool:
+    def _cross(self, row: int, solver: Any, direction: int) -> bool:
         """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
-        mode = tuple(int(value) for value in solver.pars[self.modes])
+        border, mode = self.field.borders[row], self.mode
         if border.sign(mode) != -direction:
             self.stray = solver.time
             return False
-        solver.pars[self.modes] = border.beyond(mode)
-        kind = event_at(border, upward=direction > 0)
+        self.mode = border.beyond(mode)
+        self.pars[self.modes] = self.mode
+        kind = self.kinds[row, direction > 0]
         if kind is not None:
-            self.log.append(Crossing(solver.time, tuple(solver.state[: 2 * self.n]), kind))
+            self.log.append(Crossing(solver.time, tuple(self.state[: 2 * self.n].tolist()), kind))
         return True
 
     def begin(self, problem: Problem) -> None:
         """Stand at the start of a motion."""
-        self.place(0.0, problem.start, (*problem.constants, *initial_mode(problem)))
+        self.place(0.0, problem.start, problem.constants, initial_mode(problem))
 
-    def place(self, t: float, state: Any, pars: Any) -> None:
-        """Start from any time and state, with no events recorded."""
-        solver = self.solver
-        self.log, self.turns, self.stray = [], [], None
-        solver.time = t
-        solver.state[:] = (*state, *[0.0] * (len(solver.state) - 2 * self.n))
-        solver.pars[: self.modes.stop] = pars
-        solver.reset_cooldowns()
+    def place(self, t: float, state: Any, constants: Any, mode: Any) -> None:
+        """Start from any time and state in a mode, with no events recorded."""
+        self.log, self.turns, self.stray, self.mode = [], [], None, mode
+        self.solver.time = t
+        self.state[: 2 * self.n] = state
+        if self.rest:
+            self.state[2 * self.n :] = 0.0
+        self.pars[: self.modes.stop] = (*constants, *mode)
+        self.reset()
 
     def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
         """Go on to ``t`` from step number ``steps``; the number reached, and the samples of every chunk if asked for."""
@@ -109,11 +116,11 @@ class Compiled:
                 pieces.append(_sampled(result[4]))
             if self.stray is not None:
                 raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
-        if outcome == hy.taylor_outcome.err_nf_state:
-            raise out_of_range()
         if outcome != hy.taylor_outcome.time_limit:
+            if outcome == hy.taylor_outcome.err_nf_state:
+                raise out_of_range()
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
-        if not is_inside(problem, tuple(int(value) for value in solver.pars[self.modes]), solver.state):
+        if not problem.field.is_inside(self.state[: 2 * self.n].tolist(), problem.constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
 
@@ -165,18 +172,20 @@ def watch(problem: Problem) -> Course:
         plain = compiled_for(problem, watch=False)
         plain.begin(problem)
         steps, _ = plain.go(problem, problem.t_record)
-        watching.place(problem.t_record, plain.solver.state, plain.solver.pars)
+        watching.place(problem.t_record, plain.state, problem.constants, plain.mode)
     else:
         watching.begin(problem)
-    solver, size = watching.solver, problem.field.size
-    first = solver.state[:size].copy()
+    size = problem.field.size
+    first = watching.state[:size].copy()
     scale = 1e-3 / (problem.t_end - problem.t_record)
-    solver.pars[watching.modes.stop :] = first[0], scale
+    watching.pars[watching.modes.stop :] = first[0], scale
     watching.go(problem, problem.t_end, steps)
-    turns = np.array(watching.turns).reshape(-1, 2 + len(solver.state))
+    turns = np.array(watching.turns).reshape(-1, 2 + len(watching.state))
     maxima, minima = turns[turns[:, 0] < 0], turns[turns[:, 0] > 0]
-    last = solver.state.copy()
-    events = np.bincount([crossing.kind for crossing in watching.log], minlength=len(Event))
+    last = watching.state.copy()
+    events = np.array([0] * len(Event))
+    for crossing in watching.log:
+        events[crossing.kind] += 1
     return Course(
         problem.t_record, problem.t_end, first, last[:size], maxima[:, 1], maxima[:, 2 : 2 + size],
         np.vstack([maxima[:, 2 + size :], last[size:]]) / scale, minima[:, 2 : 2 + size], events,

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .interval_arrays import FUNCTION_ULPS
+from .methods import repeated_product
 from .rounded import UNIT
 
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320
@@ -74,11 +75,7 @@ class Affine:
     def __rtruediv__(self, other: Any) -> Affine:
         return self.reciprocal().__mul__(other)
 
-    def __pow__(self, power: int) -> Affine:
-        result = self
-        for _ in range(power - 1):
-            result = result * self
-        return result
+    __pow__ = repeated_product
 
     def reciprocal(self) -> Affine:
         """1/x: 1/m − (x − m)/m² and (x − m)²/(m² x) beyond that; an infinite error where 0 may be in x."""
@@ -117,7 +114,7 @@ def sides(low: NDArray[np.float64], high: NDArray[np.float64]) -> list[Affine]:
 
 
 def cosine_and_sine(angle: Affine) -> tuple[Affine, Affine]:
-    """Of an angle: to first order in what it depends on."""
+    """Cosine and sine of an angle, to first order in what the angle depends on."""
     cosine, sine = np.cos(angle.value), np.sin(angle.value)
     reach = angle.radius()
     beyond = (0.5 * reach * reach + angle.error + 4 * FUNCTION_ULPS * UNIT * (1 + reach)) * _SLACK

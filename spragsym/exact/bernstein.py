@@ -1,9 +1,9 @@
 """The positive roots of many polynomials of one degree, isolated with proof in float64: Descartes' rule in Bernstein's basis.
 
 With t = τ w/(1 − w) the half line t > 0 is 0 < w < 1, and the coefficients of a polynomial in t over the binomials are those of
-Bernstein's basis in w. On any part of it they are averages of these (de Casteljau), and no root or exactly one is known by the
-signs of them (Descartes, Vincent). Each coefficient carries a bound on its error; where one leaves a sign open that is needed,
-the row is given back as undecided.
+Bernstein's basis in w. On a part of that interval the coefficients are averages of those on the whole (de Casteljau), and their
+signs tell whether the part holds no root or exactly one (Descartes, Vincent). Each coefficient carries a bound on its error; a
+polynomial is given back as undecided where that bound leaves open a sign that is needed.
 """
 
 from __future__ import annotations
@@ -108,11 +108,11 @@ def _signs(parts: Parts) -> NDArray[np.int8]:
 
 
 def _descartes(parts: Parts) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Where no root is in a part, and where exactly one is, a simple one. One open sign between two that differ is no matter."""
+    """Where a part holds no root, and where exactly one, a simple one. An open sign between two that differ changes nothing."""
     signs = _signs(parts)
     unknown = signs == 0
     number = unknown.sum(axis=0, dtype=np.int8)
-    # Of an open sign the one before it, so that it is no change; at the first place it stays 0 and counts as one.
+    # An open sign repeats the one before it, so that it is no change; the first one has none before it and counts as a change.
     filled = signs.copy()
     filled[1:][unknown[1:]] = signs[:-1][unknown[1:]]
     changes = (filled[1:] != filled[:-1]).sum(axis=0, dtype=np.int8)

@@ -59,7 +59,7 @@ class System(Protocol):
 
 
 class Plain:
-    """What a system does that knows nothing beside its residuals and their slopes."""
+    """Defaults of a system that knows only its residuals and their slopes."""
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """F, which every system has."""
@@ -190,7 +190,7 @@ class _Search:
         self.looks += len(pairs)
         np.add.at(self.work, pairs.nodes, 1)
         given, pairs, parameters = self._contracted(pairs)
-        # Widened boxes, of which a root on the border of the box is well inside.
+        # Widened, so that a root on the border of a box lies well inside.
         wide = np.minimum(pairs.ends + MARGIN * Intervals(pairs.ends).width, self.limits)
         middle = Intervals(pairs.ends).middle
         at_middle = self.system.at_points(middle, parameters)
@@ -239,7 +239,7 @@ class _Search:
 
 
 def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -> FloatArray:
-    """A box narrowed not to the last digit: a component that closes in before the others needs room to be proved with them."""
+    """A box narrowed, but not to the last digit: a component that converges before the others keeps room until all are proved."""
     narrowed: FloatArray = np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
     return narrowed
 

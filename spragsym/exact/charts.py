@@ -1,4 +1,4 @@
-"""Real roots on the whole line, or of its positive half: those up to about 1 in size, and beyond as reciprocals."""
+"""Real roots on the whole line, or on its positive half: those up to about 1 in size, and larger ones as reciprocals."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def roots_on_the_line(
 ) -> list[Root]:
     """All real roots of a polynomial without multiple ones, or the positive ones only; arguments as of ``real_roots``.
 
-    Of exact coefficients the positive ones only: an end of a chart may be a root there, where intervals are undecided.
+    Exact coefficients go with ``positive`` only: an end of a chart may be a root of theirs, where intervals are undecided.
     """
     while positive and polynomial and polynomial[0] == 0:
         polynomial = polynomial[1:]  # the root 0

@@ -44,7 +44,7 @@ def decided(arith: Arithmetic, value: Interval, what: str) -> int:
 
 
 def sign_or_zero(arith: Arithmetic, value: Interval, what: str, vanishes: Callable[[], bool]) -> int:
-    """The sign of an interval; 0 only where ``vanishes``, asked for one that holds 0, says that the number in it is 0 exactly."""
+    """The sign of an interval; 0 only where it holds 0 and ``vanishes()`` says that the number in it is exactly 0."""
     result = sign(arith, value)
     if result == 0 and not vanishes():
         raise Undecided(what)

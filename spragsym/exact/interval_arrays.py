@@ -6,7 +6,7 @@ one call serves both.
 Rounding. NumPy's + − × ÷ and √ round to nearest: for a result r the exact value lies below the float after r. That is at most
 r + 2⁻⁵² |r| for normal r, since the distance to the next float is at most 2⁻⁵² |r|; the sum is rounded to nearest, and rounding
 keeps the order of numbers, so that it does not fall below that float. :data:`TINY` is added for r that is 0 or subnormal, where
-2⁻⁵² |r| may be 0. Nothing is exact by this but negation, absolute value, sign and union.
+2⁻⁵² |r| may be 0. Only negation, absolute value, sign and union are exact.
 
 An end that is NaN bounds nothing, nor does an infinite one: every comparison with NaN is false, so that code which concludes from
 comparisons that hold concludes nothing from it. NaN comes from ∞ − ∞, 0 · ∞, and division by an interval that holds 0.
@@ -32,7 +32,7 @@ FUNCTION_ULPS = 8
 
 
 def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
-    """Numbers not below those of which ``ends`` are off by at most ``ulps`` units of 2⁻⁵² relative, or rounded once."""
+    """Upper bounds of the numbers from which ``ends`` differ by at most ``ulps`` units of 2⁻⁵² relative, or by one rounding."""
     out = np.abs(ends)
     out *= ulps * EPS
     out += TINY
@@ -225,7 +225,7 @@ class Intervals:
 
 
 def exactly(number: float) -> float:
-    """An integer or float as a float; ValueError for an integer that is none."""
+    """An integer or float as a float; ValueError for an integer that no float equals."""
     value = float(number)
     if value != number:
         raise ValueError(f"{number!r} is no float; give an interval around it")

@@ -1,8 +1,6 @@
-"""Functions of arrays of intervals beside those that are methods of theirs, and the namespace ``xp`` of generated functions."""
+"""Functions of arrays of intervals beside those that are methods of theirs."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import numpy as np
 
@@ -65,33 +63,5 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
 
 
 def ratio_bounded(values: FloatArray) -> FloatArray:
-    """NaN as infinity: widths and ratios to be compared, of which one that is unknown is large."""
+    """Widths or ratios to be compared, with infinity for NaN: what is unknown counts as large."""
     return np.nan_to_num(values, nan=np.inf, posinf=np.inf, neginf=np.inf)
-
-
-class Functions:
-    """``xp`` for generated functions: asks the number itself, an array of intervals or a jet of them."""
-
-    @staticmethod
-    def sqrt(value: Any) -> Any:
-        """Square root."""
-        return value.sqrt()
-
-    @staticmethod
-    def exp(value: Any) -> Any:
-        """Exponential."""
-        return value.exp()
-
-    @staticmethod
-    def sign(value: Any) -> Any:
-        """−1, 0, 1."""
-        return value.sign()
-
-    @staticmethod
-    def abs(value: Any) -> Any:
-        """Absolute value."""
-        return abs(value)
-
-
-#: The one that is needed.
-XP = Functions()

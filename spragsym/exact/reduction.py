@@ -47,8 +47,7 @@ PARTS = 400
 
 @dataclass(frozen=True)
 class Reduced:
-    """Boxes with pairs of fractions for each unknown: of each root, of what it is alone in, and pieces that nothing is known
-    of."""
+    """Boxes, as pairs of fractions for each unknown: around each root, those in which it is alone, and those still open."""
 
     roots: list[Box]
     alone: list[Box]
@@ -104,7 +103,7 @@ class _Task:
         return last
 
     def search(self, box: list[tuple[Fraction, Fraction]], found: Reduced) -> None:
-        """All roots of a box: of the whole, or of its halves in u, and so on."""
+        """All roots of a box: of the whole if it can be settled, else of its halves in u, and of theirs."""
         waiting = deque([(box, DEPTH)])
         for _ in range(PARTS):
             if not waiting:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .interval_arrays import FUNCTION_ULPS
+from .methods import repeated_product
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53
@@ -68,11 +69,7 @@ class Rounded:
     def __rtruediv__(self, other: Any) -> Rounded:
         return Rounded(other) / self
 
-    def __pow__(self, power: int) -> Rounded:
-        result = self
-        for _ in range(power - 1):
-            result = result * self
-        return result
+    __pow__ = repeated_product
 
     def sqrt(self) -> Rounded:
         """Square roots; an infinite error where negative numbers may be among them."""
@@ -103,6 +100,6 @@ class Rounded:
 
 
 def cosine_and_sine(angle: Any) -> tuple[Rounded, Rounded]:
-    """Of angles given exactly, with the error that is taken for functions of NumPy."""
+    """Cosine and sine of angles that are exact, with the error that NumPy's functions are taken to have."""
     cosine, sine = (Rounded(value, 2 * FUNCTION_ULPS * UNIT * np.abs(value) + _TINY) for value in (np.cos(angle), np.sin(angle)))
     return cosine, sine

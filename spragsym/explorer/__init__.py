@@ -1,6 +1,8 @@
-"""The explorer: one page that computes the article's model in the browser, by the exported JavaScript."""
+"""The explorer: pages that compute in the browser, by exported JavaScript: the article's model, and any other."""
 
-from .page import explorer_page
+from .article import explorer_page
+from .models import Derived, model_page, model_preset
 from .presets import Preset, article_presets
+from .units import Units
 
-__all__ = ["Preset", "article_presets", "explorer_page"]
+__all__ = ["Derived", "Preset", "Units", "article_presets", "explorer_page", "model_page", "model_preset"]

@@ -1,63 +1,82 @@
-"""The page's text: template, bundled libraries and drawings, the exported module, and what it starts from."""
+"""The frame of every page: template, bundled libraries and drawings, an exported module, and what the page starts from."""
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from importlib import resources
+from typing import Any
 
 from .._version import __version__
-from ..assumed import D, V
-from ..parameters import NAMES
-from .presets import Preset, article_presets
+from .presets import Preset
+from .units import Units
 
-#: What the template has in place of each part, and the file that the part is in.
-_FILES = {"STYLE": "style.css", "EXPLORER": "explorer.js", "WORKER": "worker.js"}
+_ASSETS = resources.files("spragsym.explorer") / "assets"
 
 
-def explorer_page(presets: Sequence[Preset] = (), *, V: float = V, d: float = D) -> str:
-    """The explorer as one HTML page that needs no network.
+def asset(name: str) -> str:
+    """The text of a file of the bundle, or of a template."""
+    return (_ASSETS / name).read_text(encoding="utf-8")
 
-    Parameters
-    ----------
-    presets : sequence of Preset
-        Points of the user's own. The page begins at the first of them; the article's follow.
-    V, d : float
-        Belt speed and steepness of the friction law that the motion begins with.
 
-    Returns
-    -------
-    str
-        The page. Same arguments, same text.
-
-    Examples
-    --------
-    >>> page = explorer_page()
-    >>> page.startswith("<!DOCTYPE html>"), len(page.encode()) < 2_000_000
-    (True, True)
-    """
-    assets = resources.files("spragsym.explorer") / "assets"
-    module = resources.files("spragsym.generated") / "javascript" / "spragsym.mjs"
-    parts = {key: _in_a_script((assets / name).read_text(encoding="utf-8")) for key, name in _FILES.items()}
-    parts["MODULE"] = _in_a_script(module.read_text(encoding="utf-8"))
-    parts["DATA"] = _data((*presets, *article_presets()), V, d)
-    parts["LICENCES"] = _escaped((assets / "licences.txt").read_text(encoding="utf-8"))
-    parts["VERSION"] = _escaped(__version__)
-    template = (assets / "page.html").read_text(encoding="utf-8")
+def filled(template: str, parts: Mapping[str, str]) -> str:
+    """A template with its parts in the places of ``@NAME@``; what stands in a part is not looked at again."""
     return re.sub(r"@([A-Z]+)@", lambda found: parts[found[1]], template)
 
 
-def _in_a_script(text: str) -> str:
+def page(title: str, source: str, body: str, bundle: str, module: str, start: str, data: Any, worker: str = "") -> str:
+    """A whole page.
+
+    Parameters
+    ----------
+    title, source : str
+        Title, and where the model is from, as plain text.
+    body : str
+        The page's own HTML, without the footer.
+    bundle, worker : str
+        Names of the bundled scripts, the second one for pages that draw in a worker.
+    module, start : str
+        Text of the exported module, and the statement that starts the page behind it.
+    data : object
+        What the page's script finds in the element ``data``, in JSON.
+    """
+    code = f'<script type="text/plain" id="worker">{in_a_script(asset(worker))}</script>\n' if worker else ""
+    return filled(
+        asset("page.html"),
+        {
+            "TITLE": escaped(title),
+            "STYLE": in_a_script(asset("style.css")),
+            "BODY": body.strip(),
+            "VERSION": escaped(__version__),
+            "SOURCE": escaped(source),
+            "LICENCES": escaped(asset("licences.txt")),
+            "DATA": json.dumps(data, ensure_ascii=False).replace("<", "\\u003c"),
+            "WORKER": code,
+            "BUNDLE": in_a_script(asset(bundle)),
+            "MODULE": in_a_script(module),
+            "START": start,
+        },
+    )
+
+
+def in_a_script(text: str) -> str:
     """Text that ends no element early: in JavaScript and JSON ``<\\/`` means the same as ``</``."""
     return re.sub(r"</(?=script|style)", r"<\\/", text, flags=re.IGNORECASE).replace("<!--", r"<\!--").strip()
 
 
-def _escaped(text: str) -> str:
+def escaped(text: str) -> str:
+    """Plain text as HTML."""
     return text.strip().replace("&", "&amp;").replace("<", "&lt;")
 
 
-def _data(presets: Sequence[Preset], V: float, d: float) -> str:
-    points = [{"name": preset.name, "point": {name: preset.point[name] for name in NAMES}} for preset in presets]
-    text = json.dumps({"drive": {"V": V, "d": d}, "presets": points}, ensure_ascii=False)
-    return text.replace("<", "\\u003c")
+def points(presets: Sequence[Preset]) -> list[dict[str, Any]]:
+    """Presets as the page takes them."""
+    return [{"name": preset.name, "point": dict(preset.point)} for preset in presets]
+
+
+def about_units(units: Units | None) -> str:
+    """A paragraph on the units of the reader's own, if there are any."""
+    if units is None:
+        return ""
+    return f'<p class="note" id="units">Beside the dimensionless numbers: {escaped(units.source)}</p>'

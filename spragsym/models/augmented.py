@@ -24,10 +24,10 @@ class Condition(Protocol):
     order: int
 
     def equations(self, at: State) -> Sequence[Any]:
-        """Values that vanish, as many as parameters are unknowns; from jets of ``order`` more than is asked of the values."""
+        """The values that must vanish, one for each unknown parameter; jets carry ``order`` derivatives more than these."""
 
     def hopeless(self, at: State) -> NDArray[np.bool_]:
-        """Boxes in which an inequality can't hold that is asked for, too."""
+        """Boxes in which an inequality that the condition asks for can't hold."""
 
 
 class State:

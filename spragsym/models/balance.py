@@ -215,7 +215,7 @@ class Balance:
         return matrix(self.call("forces_jacobian", list(unknowns), far, values), shape)
 
     def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
-        """Whether a length stands in the forces, as of torsion springs: then they are unknown where it is. Asked once."""
+        """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""
         if self._lengths is None and unknowns.shape[1]:
             one = np.zeros(1, dtype=np.int64)
             unknown = Intervals(np.full((2, 1), np.nan))

@@ -14,6 +14,7 @@ from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented
 from .balance import Balance, Model
+from .columns import Columns
 from .conditions import Fold
 from .cusps import cusps
 from .points import ModelPoints, given_column, ranges, search
@@ -25,17 +26,10 @@ BUDGET = 20_000
 
 
 @dataclass(frozen=True, eq=False)
-class ModelCurve(Result):
+class ModelCurve(Columns, held_in="values"):
     """Folds in order along a curve; parameters that vary and coordinates are attributes under their own names."""
 
     values: Mapping[str, FloatArray] = field(repr=False)
-
-    def __getattr__(self, name: str) -> FloatArray:
-        values = self.__dict__.get("values", {})
-        if name in values:
-            column: FloatArray = values[name]
-            return column
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {', '.join(values)}")
 
 
 @dataclass(frozen=True, eq=False)

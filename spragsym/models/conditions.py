@@ -114,7 +114,7 @@ class FrictionHopf(Plain):
 
 
 class NoSlope(Plain):
-    """The slope of the friction law at steady sliding is 0: where nothing else damps, nothing does there."""
+    """The slope of the friction law at steady sliding is 0: if nothing else damps, nothing damps there."""
 
     order = 0
 

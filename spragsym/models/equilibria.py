@@ -16,6 +16,7 @@ from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
+from .columns import Columns
 from .precise import settled
 from .regions import region
 
@@ -25,7 +26,7 @@ NARROW = 2.0**-16
 
 @dataclass(frozen=True)
 class Undecided(Result):
-    """A box of one point of which it is not known what it holds: no equilibrium, one, or several."""
+    """A box at one point that may hold no equilibrium, one, or several: this is not known."""
 
     index: tuple[int, ...]  #: of the point in the shape of the parameters
     low: tuple[float, ...]  #: lower ends, by coordinate
@@ -33,7 +34,7 @@ class Undecided(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class ModelEquilibria(Result):
+class ModelEquilibria(Columns, held_in="coordinates"):
     """Every equilibrium of every parameter point of a model.
 
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
@@ -78,13 +79,6 @@ class ModelEquilibria(Result):
     def complete(self) -> bool:
         """Whether every box of every point is decided: then there is no other equilibrium in the region."""
         return bool(self.decided.all())
-
-    def __getattr__(self, name: str) -> FloatArray:
-        coordinates = self.__dict__.get("coordinates", {})
-        if name in coordinates:
-            values: FloatArray = coordinates[name]
-            return values
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its coordinates are {', '.join(coordinates)}")
 
 
 def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:

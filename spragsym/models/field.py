@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import inspect
 import itertools
+import math
 from collections.abc import Callable, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any
@@ -15,7 +16,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..dynamics.field import GAP, Border, Field, Mode
-from ..dynamics.sprag import WIDTH
+from ..dynamics.sprag import REACH, WIDTH
+from ..errors import ParameterError
 
 if TYPE_CHECKING:
     from .model import Model
@@ -45,7 +47,19 @@ def field_of(model: Model, reach: float) -> Field:
         tuple(itertools.product((1, 0), (1, -1), *((1, 0) for _ in range(layers)))),
         _check(model),
         _simulate(model),
+        lambda mode: (*mode[:2], *(1 for _ in range(layers))),
+        again=(__name__, "exact_field", model.where),
     )
+
+
+def exact_field(where: str) -> Field:
+    """The field of a model by the name that loads it, for proofs: its contact law has to be a polynomial."""
+    from .load import load
+
+    model = load(where)
+    if not model.about["contact"]["polynomial"]:
+        raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
+    return field_of(model, REACH)
 
 
 def _in_mode(model: Model, name: str) -> Callable[..., Any]:
@@ -142,10 +156,13 @@ def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
     return mode
 
 
-def _constants(model: Model) -> Callable[[Sequence[float]], tuple[float, ...]]:
-    def constants(values: Sequence[float]) -> tuple[float, ...]:
-        p = model.Parameters(**dict(zip(model.parameters, values, strict=True)))
-        return tuple(float(value) for value in model.arguments(p, "motion"))
+def _constants(model: Model) -> Callable[..., tuple[Any, ...]]:
+    angles = {name: (angle, part) for angle, pair in model.about["angles"].items() for part, name in enumerate(pair)}
+
+    def constants(values: Sequence[Any], xp: Any = math) -> tuple[Any, ...]:
+        known = dict(zip(model.parameters, values, strict=True))
+        known |= {name: (xp.cos, xp.sin)[part](known[angle]) for name, (angle, part) in angles.items()}
+        return tuple(known[name] for name in model.about["arguments"]["motion"])
 
     return constants
 

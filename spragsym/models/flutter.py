@@ -92,7 +92,7 @@ def flutter_onsets(
 
 
 def _is_damped(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
-    """Whether C is not 0 at a state that is nothing special."""
+    """Whether C is not 0 at a generic state."""
     point = np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given)
     state = -np.linspace(0.11, 0.23, balance.n)[:, None]
     return bool(np.any(stability.linearization(balance, state, point)[1]))

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..exact.interval_arrays import Intervals
-from ..exact.interval_functions import Functions
 from ..exact.jets import Jet
+from ..exact.methods import Functions
 
 
 class LawFunctions(Functions):

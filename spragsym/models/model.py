@@ -13,7 +13,7 @@ from . import parameters as _parameters
 from .describe import described
 
 if TYPE_CHECKING:
-    from ..cycles import Cycle
+    from ..cycles import BasinBoundary, Cycle, CycleBranch, FateBoundary, Lyapunov
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
     from .equilibria import ModelEquilibria
@@ -126,11 +126,36 @@ class Model:
 
     def cycle(self, p: ParameterSet, near: Any = None, **options: Any) -> Cycle:
         """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
-        from ..cycles.finding import cycle_near
-        from ..cycles.sprag import REACH
-        from .field import field_of
+        from .oscillation import cycle
 
-        return cycle_near(field_of(self, REACH), p.scalars(*self.parameters), near, **options)
+        return cycle(self, p, near, **options)
+
+    def cycle_branch(self, cycle: Cycle, vary: str, to: tuple[float, float], **options: Any) -> CycleBranch:
+        """A cycle followed as one of the model's parameters varies: see :func:`spragsym.cycle_branch`, which is the same."""
+        from ..cycles import cycle_branch
+
+        return cycle_branch(cycle, vary, to, **options)
+
+    def lyapunov(self, p: ParameterSet, **options: Any) -> Lyapunov:
+        """Lyapunov exponents of the motion from ``start``: see :func:`spragsym.lyapunov`."""
+        from .oscillation import lyapunov
+
+        return lyapunov(self, p, **options)
+
+    def fate_boundary(self, p: ParameterSet, **options: Any) -> FateBoundary:
+        """The value of ``vary`` in ``bracket`` at which ``start`` changes its fate: see :func:`spragsym.fate_boundary`."""
+        from .oscillation import fate_boundary
+
+        return fate_boundary(self, p, **options)
+
+    def basin_boundary(self, p: ParameterSet, **options: Any) -> BasinBoundary:
+        """The stable manifold of a saddle in a plane of starts: see :func:`spragsym.basin_boundary`.
+
+        ``plane`` names two of the coordinates and rates; ``saddle`` is a place near the saddle, where there are several.
+        """
+        from .oscillation import basin_boundary
+
+        return basin_boundary(self, p, **options)
 
     def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
         """Integrate the motion from an initial state, restarted at every kink of the model's laws.

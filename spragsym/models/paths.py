@@ -23,6 +23,7 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from ..parameters import Range, as_numbers
 from ..statics.solver import Stability
 from .balance import Balance, Model
+from .columns import Columns
 from .conditions import Touch
 from .equilibria import ModelEquilibria, columns, equilibria
 from .folds import folds
@@ -55,7 +56,7 @@ class ModelJump(Result):
 
 
 @dataclass(frozen=True, eq=False)
-class ModelPath(Result):
+class ModelPath(Columns, held_in="coordinates"):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them."""
 
     vary: str
@@ -63,13 +64,6 @@ class ModelPath(Result):
     stability: NDArray[np.int8]
     jumps: tuple[ModelJump, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
-
-    def __getattr__(self, name: str) -> FloatArray:
-        coordinates = self.__dict__.get("coordinates", {})
-        if name in coordinates:
-            column: FloatArray = coordinates[name]
-            return column
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its coordinates are {', '.join(coordinates)}")
 
 
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
@@ -204,7 +198,7 @@ class _Way:
         return stops[order], wanted[order]
 
     def _links(self) -> list[dict[int, int]]:
-        """For each step the slot at its end of each slot at its beginning, where they lie on one branch."""
+        """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one."""
         states = {float(value): self._states(self.eq, stop) for stop, value in enumerate(self.stops)}
         steps = list(itertools.pairwise(map(float, self.stops)))
         proved: dict[Step, dict[int, int]] = {}

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
+from .columns import Columns
 from .regions import region
 
 #: Boxes looked at for one search of up to three unknowns, and of more.
@@ -25,7 +25,7 @@ FAR = 10.0
 
 
 @dataclass(frozen=True, eq=False)
-class ModelPoints(Result):
+class ModelPoints(Columns, held_in="values"):
     """Points at which equilibria change, sorted by the first parameter that varies.
 
     Every parameter and coordinate is an attribute under its own name, one number a point.
@@ -59,13 +59,6 @@ class ModelPoints(Result):
 
     def __len__(self) -> int:
         return int(self.error.size)
-
-    def __getattr__(self, name: str) -> FloatArray:
-        values = self.__dict__.get("values", {})
-        if name in values:
-            column: FloatArray = values[name]
-            return column
-        raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; its columns are {', '.join(values)}")
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from .balance import Balance
 
 #: The plane, as far as it is looked at.
 FAR = 1e60
-#: Region where no bound can be shown, over the scale of length.
+#: Half-width of the region where no bound can be shown, in units of the scale of length.
 NEAR = 10.0
 #: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
 ROUNDS = 12

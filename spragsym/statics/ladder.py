@@ -92,7 +92,7 @@ def _settle(
     fold = discriminant == 0
     if fold and not last:
         raise Undecided("the discriminant holds 0")
-    roots = _fold_roots(arith, trig, bits) if fold else _enclosed_roots(arith, trig, 4 if discriminant < 0 else 2, bits)
+    roots = _fold_roots(arith, trig, bits) if fold else _enclosed_roots(arith, trig, bits, all_real=discriminant < 0)
     states = [state for root in roots for state in _state(arith, root, trig, values, digits, fold)]
     if contact and len(states) % 2 == 0:
         raise Undecided("an even number of equilibria in contact")
@@ -142,7 +142,7 @@ def _power_above(arith: Arithmetic, P: Interval, Q: Interval) -> int:
     if not arith.sign(Q):
         return 1 + (p + 1) // 2
     if not arith.sign(P):
-        return 1 + (q + 2) // 3
+        return (q + 3) // 3
     if arith.sign(P) < 0:
         return 1 + max((p + 1) // 2, (q + 2) // 3)
     return min((q + 3) // 3, q - p + 1)
@@ -159,10 +159,10 @@ def _real_parts(arith: Arithmetic, p: Interval, q: Interval) -> tuple[Interval, 
     return large, arith.middle(q / large), root
 
 
-def _enclosed_roots(arith: Arithmetic, trig: tuple[Interval, ...], number: int, bits: int) -> list[Interval]:
-    """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots, so one root in each."""
+def _enclosed_roots(arith: Arithmetic, trig: tuple[Interval, ...], bits: int, *, all_real: bool) -> list[Interval]:
+    """Disjoint intervals in t, each with a change of sign of f: as many as there are real roots, four or two, so one in each."""
     p1, q1, p2, q2 = _split(arith, trig, bits)
-    factors = ((p1, q1), (p2, q2)) if number == 4 else ((p1, q1),)
+    factors = ((p1, q1), (p2, q2)) if all_real else ((p1, q1),)
     quartic = kernel.t_quartic(*trig)
     found = [_enclose(arith, quartic, root, bits) for p, q in factors for root in _real_parts(arith, p, q)[:2]]
     for (low, high), (other_low, other_high) in itertools.combinations(found, 2):
@@ -232,7 +232,7 @@ def _stability(
     slope = arith.sign(kernel.f_slope(c, s, *trig))
     if flutter < 0:
         return 3
-    if flutter == 0 or (slope == 0 and not fold) or (slope > 0 and trace == 0):
+    if flutter == 0 or (slope == 0 and not fold) or (slope >= 0 and trace == 0):
         raise Undecided("a stability boundary")
     # On a fold one λ is 0; the others decide, as they do on the stable side.
     return 2 if slope < 0 or trace < 0 else 1

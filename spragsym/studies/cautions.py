@@ -5,35 +5,60 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from .states import State
+from .states import NEUTRAL, State
 from .study import Study
 
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
 DEEP = 0.05
-#: Share of μ₀ below which friction at the speed of the belt is worth a word.
+#: Displacement over the length of the spring beyond which a state is none of small deformation.
+FAR = 0.5
+#: Share of μ₀ below which the friction at the speed of the belt is worth a warning.
 FULL = 0.95
-#: Speeds in m/s that no belt has: mm/s, as it seems.
+#: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
+POOR = 0.1
+#: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
 FLAT = 3.15
-#: Damping ratio below which a state is neither damped nor driven to speak of.
-NEUTRAL = 1e-3
 
 
-def cautions(study: Study, found: Sequence[State]) -> tuple[str, ...]:
-    """All warnings for a study and the states that were found."""
-    return (*_contact(study, found), *_stiffness(study), *_friction(study), *_units(study), *_damping(study, found))
+def cautions(study: Study, found: Sequence[State], jumped: bool) -> tuple[str, ...]:
+    """All warnings for a study, the states that were found, and whether the one that the brake is in is behind a jump."""
+    far = () if jumped else tuple(_far(study, found))
+    return (
+        *_contact(study, found),
+        *far,
+        *_stiffness(study),
+        *_friction(study),
+        *_units(study),
+        *_damping(study, found),
+    )
 
 
 def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
     length = 1e3 * study.values["L_0"]
-    deepest = max((-state.y_mm for state in found), default=0.0)
-    if deepest > DEEP * length:
-        yield (
-            f"the contact is {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
-            f"nothing there; check F_L = {study.shown('F_L', study.values['F_L'])} "
-            f"and k_c = {study.shown('k_c', study.values['k_c'])}"
-        )
+    for which, states in (
+        ("the contact is", [state for state in found if state.current]),
+        ("in another state of sliding the contact is", [state for state in found if not state.current]),
+    ):
+        deepest = max((-state.y_mm for state in states), default=0.0)
+        if deepest > DEEP * length:
+            yield (
+                f"{which} {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
+                f"nothing there; check F_L = {study.shown('F_L', study.values['F_L'])} "
+                f"and k_c = {study.shown('k_c', study.values['k_c'])}"
+            )
+
+
+def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
+    length = 1e3 * study.values["L_0"]
+    for state in found:
+        if state.current and abs(state.x_mm) > FAR * length:
+            yield (
+                "the state that is reached as friction rises from 0 has not jumped, and its mass is displaced by "
+                f"{state.x_mm:.3g} mm all the same, {abs(state.x_mm) / length:.2g} of the length of the spring: "
+                "that is no small deformation"
+            )
 
 
 def _stiffness(study: Study) -> Iterator[str]:
@@ -53,7 +78,19 @@ def _stiffness(study: Study) -> Iterator[str]:
 
 
 def _friction(study: Study) -> Iterator[str]:
-    mu0 = study.values["mu0"]
+    mu0, fit = study.values["mu0"], study.fit
+    missing = [name for name in ("V", "d") if name not in study.quantities]
+    if missing:
+        yield (
+            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the "
+            "friction law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
+            'V = "1.2 m/s", d = "10 s/m"'
+        )
+    if fit is not None and fit.rms > POOR * fit.mu0:
+        yield (
+            f"the law mu0 (1 - exp(-d v)) is {100 * fit.rms / fit.mu0:.0f} % off the measured friction on average: it rises with "
+            "speed and levels off; if what was measured falls with speed, the model kang_nam has no such law"
+        )
     if study.fraction < FULL:
         yield (
             f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
@@ -83,8 +120,8 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
         if study.moves and state.current and state.statics == "stable":
             least = min(state.damping_ratio, default=0.0)
             if abs(least) < NEUTRAL:
-                side = "damps" if least > 0 else "drives"
+                what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
                 yield (
-                    f"the friction law alone {side} the sliding, with a damping ratio of {least:.1g}: next to nothing; the "
-                    "damping of the real brake, which the model leaves out, decides whether it settles"
+                    f"the only damping here is the friction law's, with a damping ratio of {least:.1g}, {what}; that is next to "
+                    "nothing, and the damping of the real brake, which the model leaves out, decides"
                 )

@@ -174,7 +174,7 @@ class Study:
         redesign : bool
             Also what to change.
         oscillation : bool
-            Also follow the motion, if V and d are known, to a cycle or for as long as it takes: a second, as a rule.
+            Also follow the motion to its cycle, if V and d are known; that takes about a second.
         safety : float
             What is changed keeps the jump at this many times the largest friction.
         n : int

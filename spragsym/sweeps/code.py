@@ -10,7 +10,7 @@ from importlib.resources.abc import Traversable
 
 #: What a motion's record is made by: rooms, and single modules. ``tests/test_sweeps.py`` compares them with what is imported.
 DECIDING = (
-    "dynamics", "exact", "generated", "statics", "parameters.py", "sweeps/measure.py", "sweeps/result.py", "sweeps/code.py",
+    "dynamics", "exact", "generated", "statics", "parameters", "sweeps/measure.py", "sweeps/result.py", "sweeps/code.py",
 )  # fmt: skip
 
 

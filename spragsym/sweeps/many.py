@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,9 +17,9 @@ from ..dynamics.problem import BELT_SPEED, CREEP, MAX_STEPS, RELATIVE_TOLERANCE,
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record, clear, journal
-from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers
+from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, common_shape
 from . import workers as processes
-from .measure import INPUTS, ProblemOf, Settings, article_problem, measured
+from .measure import INPUTS, ProblemOf, Settings, article_problem, article_wells, measured
 from .result import Results, Sweep
 from .workers import Workers
 
@@ -103,7 +104,11 @@ def rms_sweep(
     given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
     inputs = {name: given[name] for name in INPUTS}
     settings = settings_of(t_end, transient, rtol, backend, max_steps)
-    return carried_out(Plan(inputs, settings, article_problem, Results()), workers, progress, store)
+    return carried_out(Plan(inputs, settings, article_problem, Results(), article_wells), workers, progress, store)
+
+
+def _nothing(points: list[tuple[float, ...]]) -> list[tuple[Any, ...]]:
+    return [()] * len(points)
 
 
 @dataclass(frozen=True)
@@ -114,12 +119,14 @@ class Plan:
     settings: Settings
     problem_of: ProblemOf
     result: Results
+    #: What is told to every motion besides its inputs, found for many points at once.
+    further: Callable[[list[tuple[float, ...]]], list[tuple[Any, ...]]] = _nothing
 
 
 def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.PathLike[str] | None) -> Sweep:
     """Run a sweep, or go on with one, or load it, if its file is there."""
     inputs, settings, result = plan.inputs, plan.settings, plan.result
-    shape = _common_shape(inputs)
+    shape = common_shape({name: values.shape for name, values in inputs.items()})
     points = _points(inputs, shape)
     if not callable(workers):
         processes.count(workers)  # before there is a journal
@@ -156,14 +163,6 @@ def settings_of(
     return Settings(t_end, transient, tolerance, integrators.choose(backend, offered), steps)
 
 
-def _common_shape(inputs: dict[str, FloatArray]) -> tuple[int, ...]:
-    try:
-        return np.broadcast_shapes(*(values.shape for values in inputs.values()))
-    except ValueError as error:
-        listed = ", ".join(f"{name} {values.shape}" for name, values in inputs.items() if values.shape)
-        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
-
-
 def _points(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> list[tuple[float, ...]]:
     columns = [np.broadcast_to(values, shape).ravel().tolist() for values in inputs.values()]
     return list(zip(*columns, strict=True))
@@ -179,7 +178,9 @@ def _records(
 ) -> list[Record]:
     """Every record: those that are done, and the others, stored as they are computed."""
     keep = done.__setitem__ if keep is None else keep
-    missing = {i: point for i, point in enumerate(points) if i not in done}
+    left = [i for i in range(len(points)) if i not in done]
+    further = plan.further([points[i] for i in left])
+    missing = {i: (*points[i], *known) for i, known in zip(left, further, strict=True)}
     found = processes.results(workers, partial(measured, plan.problem_of, plan.settings), missing, partial(_told, plan))
     with advance(progress, len(points), len(done)) as step, closing(found):
         for i, record in found:
@@ -188,8 +189,8 @@ def _records(
     return [done[i] for i in range(len(points))]
 
 
-def _told(plan: Plan, point: tuple[float, ...]) -> str:
-    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, point, strict=True))
+def _told(plan: Plan, point: tuple[Any, ...]) -> str:
+    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, point, strict=False))
 
 
 @contextmanager

@@ -5,17 +5,18 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..dynamics import integrators
+from ..dynamics import flows, integrators
 from ..dynamics.classify import classify
 from ..dynamics.course import Course
+from ..dynamics.lift_off import wells
 from ..dynamics.problem import MAX_STEPS, Problem, check_start, constants_of, out_of_range
 from ..errors import ConvergenceError, ParameterError
 from ..files.journal import Record
-from ..parameters import NAMES
+from ..parameters import NAMES, Parameters
 
 #: What is measured of every motion after its transient.
 AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
@@ -44,10 +45,10 @@ class Settings:
 
 
 #: The motion of a point whose values were validated with the whole sweep's; to be sent to other processes.
-ProblemOf: TypeAlias = Callable[[Settings, tuple[float, ...]], Problem]
+ProblemOf: TypeAlias = Callable[[Settings, tuple[Any, ...]], Problem]
 
 
-def measured(problem_of: ProblemOf, settings: Settings, point: tuple[float, ...]) -> Record:
+def measured(problem_of: ProblemOf, settings: Settings, point: tuple[Any, ...]) -> Record:
     """One record. What the motion itself makes impossible is its reason; whatever else goes wrong is raised."""
     try:
         problem = problem_of(settings, point)
@@ -70,18 +71,29 @@ def _no_result(error: Exception) -> Record:
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def article_problem(settings: Settings, point: tuple[float, ...]) -> Problem:
-    """The motion of a point of the article's model."""
-    *parameters, V, d, x0, y0, vx0, vy0 = point
+def article_problem(settings: Settings, point: tuple[Any, ...]) -> Problem:
+    """The motion of a point of the article's model: its inputs, and its wells above the belt where they are known."""
+    *parameters, V, d, x0, y0, vx0, vy0 = point[: len(INPUTS)]
     check_start(parameters[0], x0, y0)
-    constants = constants_of(tuple(parameters), V, d)
-    return Problem(constants, (x0, y0, vx0, vy0), settings.t_end, settings.transient, settings.rtol, settings.max_steps)
+    constants, known = constants_of(tuple(parameters), V, d), point[len(INPUTS) :]
+    return Problem(
+        constants, (x0, y0, vx0, vy0), settings.t_end, settings.transient, settings.rtol, settings.max_steps,
+        wells=known[0] if known else None,
+    )  # fmt: skip
+
+
+def article_wells(points: list[tuple[float, ...]]) -> list[tuple[Any, ...]]:
+    """What points of the article's model are told besides their inputs: all wells at once."""
+    if not points:
+        return []
+    values = np.array(points).T
+    return [(known,) for known in wells(Parameters(**dict(zip(NAMES, values, strict=False))))]
 
 
 def _values(problem: Problem, backend: str) -> list[float]:
     """The measured values of a motion, in the order of MEASURED."""
     course = integrators.measure(problem, backend)
-    outcome = classify(course, problem, integrators.flow(problem, backend))
+    outcome = classify(course, problem, flows.onward(problem, backend))
     return [*_averages(course), *(float(getattr(outcome, name)) for name in MEASURED[len(AVERAGES) :])]
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 import functools
 import gc
-import hashlib
 import importlib
 import inspect
 import json
@@ -25,23 +24,31 @@ from typing import Any
 import pytest
 
 from .operators import Mutant, mutants
+from .verdicts import Definitions, Journal, report, stamp
 
 #: Memory that a mutant may take, and the processor time for one test, in seconds and in multiples of what it takes.
 MEMORY, SECONDS, TIMES = 3 << 30, 0.7, 5.0
 #: How a fork ends.
 SURVIVED, KILLED, BROKEN = 0, 1, 3
+#: What kills a mutant that can't even be loaded.
+_LOADING = "loading"
 
 
 class Runner:
     """A pytest plugin that puts its own loop over mutants in the place of the run of the tests."""
 
-    def __init__(self, subject: dict[str, Any], results: Path, jobs: int, only: list[str], again: bool, last: set[str]) -> None:
-        self.module, self.results, self.jobs, self.only = importlib.import_module(subject["module"]), results, jobs, set(only)
-        self.last = last  #: keys that are run last: what probably survives takes longest
-        self.functions, self.prepare, self.again = subject.get("functions", []), subject.get("prepare", []), again
+    def __init__(
+        self, name: str, subject: dict[str, Any], results: Path, jobs: int, only: set[str], listed: set[str], quick: bool
+    ) -> None:
+        self.name, self.jobs, self.only, self.listed, self.quick = name, jobs, only, listed, quick
+        self.module, self.prepare = importlib.import_module(subject["module"]), subject.get("prepare", [])
+        self.journal = Journal(results / f"{name}.jsonl")
         self.tree = _parsed(str(self.module.__file__))
+        functions = subject.get("functions", [])
+        self.mutants = [mutant for mutant in mutants(self.tree) if not functions or mutant.scope in functions]
         self.failed = ""
         self.killers: dict[str, list[str]] = {}
+        self.unexplained = 0
 
     def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
         """Remember a failure."""
@@ -50,65 +57,97 @@ class Runner:
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session: pytest.Session) -> bool:
-        """All mutants that have no result yet."""
-        items = session.items
-        sources = [self.tree, *map(_parsed, sorted({str(item.path) for item in items}))]
-        text = " ".join([*map(ast.unparse, sources), *(item.nodeid for item in items)])  # layout changes nothing
-        digest = hashlib.sha256(text.encode()).hexdigest()[:16]
+        """All mutants without a verdict that holds."""
         if self.prepare:
             module, function = self.prepare
             getattr(sys.modules[module], function)()
-        took, reached = self._baseline(items)
-        items = sorted(items, key=lambda item: took[item.nodeid])
-        known = self._known(digest)
-        every = [mutant for mutant in mutants(self.tree) if not self.functions or mutant.scope in self.functions]
-        waiting = [mutant for mutant in every if mutant.key not in known]
-        waiting = [mutant for mutant in waiting if not self.only or mutant.key in self.only]
-        waiting.sort(key=lambda mutant: mutant.key in self.last)
+        took, reached = self._baseline(session.items)
+        items = sorted(session.items, key=lambda item: took[item.nodeid])
+        stamps = self._stamps(items, reached)
+        plans = {mutant.key: self._plan(mutant, items, reached, stamps) for mutant in self.mutants}
+        waiting = [mutant for mutant in self.mutants if (mutant.key in self.only if self.only else plans[mutant.key])]
+        waiting = [mutant for mutant in waiting if not (self.quick and mutant.key in self.listed)]
+        waiting.sort(key=lambda mutant: mutant.key in self.listed)  # what survives takes longest
         gc.collect()
         gc.freeze()  # forks then share what is loaded
         gc.disable()
-        running: dict[int, tuple[Mutant, float, int]] = {}
-        with self.results.open("a", encoding="utf-8") as out:
+        try:
+            self._run_all(waiting, plans, took, stamps)
+        finally:
+            self._report(plans, stamps)
+        return True
+
+    def _stamps(self, items: list[pytest.Item], reached: dict[str, set[str]]) -> dict[str, str]:
+        """The hash of each test, with what it names and what it reaches; and of a module that doesn't load."""
+        own = Definitions(str(self.module.__file__))
+        files = {str(item.path): Definitions(str(item.path)) for item in items}
+        stamps = {_LOADING: stamp(ast.unparse(self.tree))}
+        for item in items:
+            test = files[str(item.path)].text([getattr(item, "originalname", item.name)])
+            stamps[item.nodeid] = stamp(item.nodeid, test, own.text({name.split(".")[0] for name in reached[item.nodeid]}))
+        return stamps
+
+    def _plan(
+        self, mutant: Mutant, items: list[pytest.Item], reached: dict[str, set[str]], stamps: dict[str, str]
+    ) -> list[pytest.Item]:
+        """The tests that a mutant has to meet still: none if its verdict holds."""
+        if self.journal.killed(mutant.key, stamps) and mutant.key not in self.only:
+            return []
+        met = set() if mutant.key in self.only else self.journal.survived(mutant.key)
+        some = [item for item in items if not mutant.scope or mutant.scope in reached[item.nodeid]]
+        if not some and not met:  # reached by no test: it survives, by a test that tells nothing of it
+            some = items[:1]
+        return [item for item in some if stamps[item.nodeid] not in met]
+
+    def _run_all(
+        self, waiting: list[Mutant], plans: dict[str, list[pytest.Item]], took: dict[str, float], stamps: dict[str, str]
+    ) -> None:
+        running: dict[int, tuple[Mutant, list[pytest.Item], float, int]] = {}
+        try:
             while waiting or running:
                 while waiting and len(running) < self.jobs:
                     mutant = waiting.pop(0)
+                    some = sorted(plans[mutant.key], key=lambda item: self._rank(mutant, item.nodeid))
                     read, write = os.pipe()
                     pid = os.fork()
                     if pid == 0:
                         try:
-                            some = [item for item in items if not mutant.scope or mutant.scope in reached[item.nodeid]]
-                            some.sort(key=lambda item: self._rank(mutant.scope, item.nodeid))
                             self._run(mutant, some, [SECONDS + TIMES * took[item.nodeid] for item in some], write)
                         finally:
                             os._exit(BROKEN)
                     os.close(write)
-                    running[pid] = mutant, time.monotonic(), read
+                    running[pid] = mutant, some, time.monotonic(), read
                 pid, status = os.wait()
-                mutant, begun, read = running.pop(pid)
-                by = os.read(read, 1000).decode() or ("time" if os.WIFSIGNALED(status) else "")
+                mutant, some, begun, read = running.pop(pid)
+                told = os.read(read, 1 << 16).decode()
                 os.close(read)
+                if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGINT:
+                    raise KeyboardInterrupt
                 if os.WIFEXITED(status) and os.WEXITSTATUS(status) not in (SURVIVED, KILLED):
                     pytest.exit(f"the tool itself failed on {mutant.key}", 1)
-                seconds = round(time.monotonic() - begun, 2)
-                self.killers.setdefault(mutant.scope, []).insert(0, by)
-                row = dict(key=mutant.key, line=mutant.line, killed=status != 0, by=by, seconds=seconds, digest=digest)
-                out.write(json.dumps(row, ensure_ascii=False) + "\n")
-                out.flush()
-        return True
+                by = "" if not status else some[told.count("\n") - 1].nodeid if told else _LOADING
+                if by:
+                    self.killers.setdefault(mutant.scope, []).insert(0, by)
+                met = {stamps[item.nodeid] for item in some} | self.journal.survived(mutant.key)
+                self.journal.add(mutant.key, by, {stamps[by]} if by else met, time.monotonic() - begun)
+        finally:
+            for pid in running:
+                os.kill(pid, signal.SIGKILL)
+                os.waitpid(pid, 0)
 
-    def _rank(self, scope: str, test: str) -> int:
-        """How many mutants of a function ago a test killed one: what noticed a fault there notices the next one soon."""
-        killers = self.killers.get(scope, [])
+    def _report(self, plans: dict[str, list[pytest.Item]], stamps: dict[str, str]) -> None:
+        lines = {mutant.key: mutant.line for mutant in self.mutants}
+        killed = {key for key in lines if self.journal.killed(key, stamps)}
+        met = {key: self.journal.survived(key) for key in lines}
+        run = {key for key in lines if met[key] and all(stamps[item.nodeid] in met[key] for item in plans[key])} | killed
+        self.unexplained = report(self.name, lines, killed, run, self.listed)
+
+    def _rank(self, mutant: Mutant, test: str) -> int:
+        """What killed this mutant before; then, how many mutants of its function ago a test killed one: it may do so again."""
+        killers = self.killers.get(mutant.scope, [])
+        if test == self.journal.killer(mutant.key):
+            return -1
         return killers.index(test) if test in killers else len(killers)
-
-    def _known(self, digest: str) -> set[str]:
-        """Mutants with a result for the module and the tests as they are, or killed by earlier ones; other results go."""
-        rows = [json.loads(line) for line in self.results.read_text("utf-8").splitlines()] if self.results.exists() else []
-        rows = [row | {"digest": digest} for row in rows if row["digest"] == digest or (self.again and row["killed"])]
-        rows = [row for row in rows if row["key"] not in self.only and (row["killed"] or not self.again)]
-        self.results.write_text("".join(json.dumps(row, ensure_ascii=False) + "\n" for row in rows), encoding="utf-8")
-        return {row["key"] for row in rows}
 
     def _baseline(self, items: list[pytest.Item]) -> tuple[dict[str, float], dict[str, set[str]]]:
         """Processor time of each test on the sound module, and the functions that it reaches; in a fork of its own."""
@@ -145,19 +184,19 @@ class Runner:
         os.dup2(quiet, 2)
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
         try:
             signal.setitimer(signal.ITIMER_PROF, SECONDS)
             mutant.apply()
             install(self.module, self.tree, mutant.scope)
             for item, following, limit in zip(items, [*items[1:], None], limits, strict=True):
                 signal.setitimer(signal.ITIMER_PROF, limit)
+                os.write(write, b"\n")  # a byte for each test that was begun
                 item.ihook.pytest_runtest_protocol(item=item, nextitem=following)
                 if self.failed:
                     break
         except BaseException as error:
             self.failed = repr(error)
-        if self.failed:
-            os.write(write, self.failed.encode()[:1000])
         os._exit(KILLED if self.failed else SURVIVED)
 
 

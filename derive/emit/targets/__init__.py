@@ -22,7 +22,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 from ..function import Function, Module
-from ..language import NOTHING, Source
+from ..language import NOTHING, Source, joined
 from ..quantities import Quantity
 
 
@@ -44,12 +44,18 @@ class Material:
     summary: str = ""  #: one sentence: what the library computes
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
-    arithmetic: Source = NOTHING  #: double-double numbers, on which the kernel is printed a second time
+    arithmetic: Source = NOTHING  #: double-double numbers
+    widened: Source = NOTHING  #: the kernel a second time, on these
 
     @property
     def algebra(self) -> dict[str, Function]:
         """Generated functions by name."""
         return {function.name: function for module in self.modules for function in module.functions}
+
+    @property
+    def both_kernels(self) -> Source:
+        """The kernel on doubles, then on double-doubles, with their arithmetic: for languages that have numbers of one type."""
+        return joined(self.arithmetic, self.kernel, self.widened)
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,11 @@ import re
 import textwrap
 from collections.abc import Mapping
 
+from ...expressions import hands_back, printed
 from ...function import Function
 from ...language import Kinds, Routine, Source
 from .. import Material, Target, runtime
-from . import algebra, cost, kernel, wide
+from . import algebra, cost, kernel
 from .layout import plain
 
 
@@ -29,7 +30,7 @@ def render(material: Material) -> dict[str, str]:
     parts = {
         "algebra": "\n".join(item.text for item in statics),
         "primitives": runtime(__file__, "kernel.c") if material.kernel.routines else "",
-        "kernel": _kernel(material, known),
+        "kernel": _kernel(material) if material.kernel.routines else "",
         "declarations": own.get("declarations.h", ""),
         "definitions": "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE),
         "wrappers": "\n".join(algebra.wrapper(function, library) for function in public),
@@ -82,19 +83,11 @@ def _called(material: Material, known: Mapping[str, Function]) -> set[str]:
     return {name for it in material.kernel.routines.values() for name in kinds.calls(it) if name in known}
 
 
-def _kernel(material: Material, known: Mapping[str, Function]) -> str:
-    source = material.kernel
+def _kernel(material: Material) -> str:
+    """Constants, records and functions."""
+    source = material.both_kernels
     numbers = {item.name: (item.value, item.comment) for item in source.constants}
     numbers |= {name: (value, "") for name, value in material.counts.items()}
-    once = _printed(source, numbers)
-    if not material.arithmetic.routines:
-        return once
-    numbers = {item.name: (item.value, item.comment) for item in material.arithmetic.constants}
-    return "\n".join([once, _printed(material.arithmetic, numbers), wide.render(material)])
-
-
-def _printed(source: Source, numbers: Mapping[str, tuple[float, str]]) -> str:
-    """Constants, records and functions."""
     return "\n".join([
         kernel.constants(numbers),
         *(kernel.structure(record) for record in source.records.values()),
@@ -111,12 +104,12 @@ def _in_order(source: Source) -> list[Routine]:
         if name in ordered:
             return
         for called in kinds.calls(source.routines[name]):
-            if called in source.routines:
+            if called in source.routines and not hands_back(source.routines[called]):
                 place(called)
         ordered[name] = source.routines[name]
 
-    for name in source.routines:
-        place(name)
+    for routine in printed(source):
+        place(routine.name)
     return list(ordered.values())
 
 

@@ -6,22 +6,23 @@ import re
 import textwrap
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import ClassVar
 
 import sympy as sp
 
-from ...function import Function
+from ...function import SPELLED, Function
 from ...quantities import Quantity
 from ...statements import flatten, straight_line
 from ..python.algebra import AlgebraPrinter
 from .layout import broken, comment, plain
 
-#: Names that mean something else in C.
-_NAMES = {"cos": "cos_theta", "sin": "sin_theta"}
 _LARGEST_EXACT = 2**53
 
 
 class CPrinter(AlgebraPrinter):
     """The statements of the Python printer in C, operation for operation."""
+
+    functions: ClassVar[Mapping[str, str]] = {"sqrt": "sqrt", "exp": "exp", "abs": "fabs", "sign": "sign"}
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
         return c_name(str(expression.name))
@@ -50,16 +51,7 @@ class CPrinter(AlgebraPrinter):
             return f"square({self._print(expression.base)})"
         if expression.exp == -2:
             return f"1.0/square({self._print(expression.base)})"
-        return re.sub(r"^1/", "1.0/", super()._print_Pow(expression, rational=rational)).replace("xp.", "")
-
-    def _print_exp(self, expression: sp.exp) -> str:
-        return f"exp({self._print(expression.args[0])})"
-
-    def _print_Abs(self, expression: sp.Abs) -> str:
-        return f"fabs({self._print(expression.args[0])})"
-
-    def _print_sign(self, expression: sp.sign) -> str:
-        return f"sign({self._print(expression.args[0])})"
+        return re.sub(r"^1/", "1.0/", super()._print_Pow(expression, rational=rational))
 
 
 _PRINTER = CPrinter({"order": None})
@@ -76,7 +68,7 @@ class Emitted:
 
 def c_name(name: str) -> str:
     """A name of the algebra as C has it."""
-    return _NAMES.get(name, name)
+    return SPELLED.get(name, name)
 
 
 def _name(symbol: sp.Symbol) -> str:

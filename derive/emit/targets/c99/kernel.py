@@ -17,8 +17,13 @@ PRIMITIVES = {"maximum": "larger", "minimum": "smaller", "absolute": "fabs", "sq
 
 def structure(record: Record) -> str:
     """A record's definition."""
-    fields = "".join(f"    {'int' if kind == FLAG else 'double'} {name};\n" for name, kind in record.fields)
+    fields = "".join(f"    {declared(kind)} {name};\n" for name, kind in record.fields)
     return f"{comment(record.summary)}typedef struct {{\n{fields}}} {record.name};\n"
+
+
+def declared(kind: str) -> str:
+    """The type of a kind."""
+    return {REAL: "double", FLAG: "int"}.get(kind) or kind
 
 
 def routine(it: Routine, kinds: Kinds, prefix: str) -> str:
@@ -47,14 +52,11 @@ class _Printer:
         }
 
     def definition(self) -> str:
-        arguments = ", ".join(f"{self.type(kind)} {name}" for name, kind in self.it.arguments)
-        head = f"INLINE {self.type(self.it.returns)} {self.it.name}({arguments}) {{"
+        arguments = ", ".join(f"{declared(kind)} {name}" for name, kind in self.it.arguments)
+        head = f"INLINE {declared(self.it.returns)} {self.it.name}({arguments}) {{"
         unused = "".join(f"    (void){name};\n" for name, _ in self.it.arguments if name not in self.used)
         body = "".join(self.explained(statement, "    ") for statement in self.it.body)
         return f"{comment(self.it.summary)}{broken(head)}\n{unused}{body}}}\n"
-
-    def type(self, kind: str) -> str:
-        return {REAL: "double", FLAG: "int"}.get(kind) or kind
 
     def explained(self, node: ast.stmt, indent: str) -> str:
         """A statement, below the comment that stands above it in the kernel."""
@@ -80,9 +82,9 @@ class _Printer:
 
     def assignment(self, name: str, value: ast.expr, indent: str) -> str:
         kind = self.kinds.of(value, self.names)
-        declared = name in self.names
+        known = name in self.names
         self.names[name] = kind
-        start = name if declared else f"{'' if self.written[name] > 1 else 'const '}{self.type(kind)} {name}"
+        start = name if known else f"{'' if self.written[name] > 1 else 'const '}{declared(kind)} {name}"
         return broken(f"{indent}{start} = {self.expressions.print(value)};") + "\n"
 
     def unpacked(self, names: list[str], called: str, args: list[ast.expr], indent: str) -> str:

@@ -4,37 +4,20 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
-
-import sympy as sp
+from typing import ClassVar
 
 from ...function import Function, Results
 from ...quantities import Quantity
 from ...statements import straight_line
-from ..python.algebra import AlgebraPrinter
+from ..python.algebra import DividingPrinter
 
 _WIDTH = 124
 
 
-class JavaScriptPrinter(AlgebraPrinter):
-    """Differs from Python in the names of functions, and in rationals: a division of two whole numbers rounds once."""
+class JavaScriptPrinter(DividingPrinter):
+    """Algebra in JavaScript."""
 
-    def _print_Rational(self, expression: sp.Rational) -> str:
-        return f"({expression.p}/{expression.q})"
-
-    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
-        if expression.exp == 2:  # of a name: straight_line() names what is squared
-            factor = self._print(expression.base)
-            return f"{factor}*{factor}"
-        return super()._print_Pow(expression, rational=rational).replace("xp.", "Math.")
-
-    def _print_exp(self, expression: sp.exp) -> str:
-        return f"Math.exp({self._print(expression.args[0])})"
-
-    def _print_Abs(self, expression: sp.Abs) -> str:
-        return f"Math.abs({self._print(expression.args[0])})"
-
-    def _print_sign(self, expression: sp.sign) -> str:
-        return f"Math.sign({self._print(expression.args[0])})"
+    functions: ClassVar[Mapping[str, str]] = {"sqrt": "Math.sqrt", "exp": "Math.exp", "abs": "Math.abs", "sign": "Math.sign"}
 
 
 _PRINTER = JavaScriptPrinter({"order": None})

@@ -7,8 +7,8 @@ import math
 import textwrap
 from collections import Counter
 
-from ...expressions import Expressions, Syntax, assigned, number, places
-from ...language import FLAG, KernelError, Kinds, Routine, passes
+from ...expressions import Expressions, Syntax, assigned, number, places, printed
+from ...language import FLAG, KernelError, Kinds, Routine, Source, passes
 from .. import Material
 
 _WIDTH = 124
@@ -27,13 +27,13 @@ _SYNTAX = Syntax(
 
 def render(material: Material) -> str:
     """Constants, then every routine."""
-    source = material.kernel
+    source = material.both_kernels
     lines = ["// Counts of roundings, derived from the statements of this file.\n"]
     lines += [f"const {name} = {number(value)};\n" for name, value in material.counts.items()]
     for it in source.constants:
         value = "Infinity" if math.isinf(it.value) else number(it.value)
         lines.append(f"{_comment(it.comment, '')}const {it.name} = {value};\n")
-    return "".join(lines) + "\n" + "\n".join(_Printer(it, material).definition() for it in source.routines.values())
+    return "".join(lines) + "\n" + "\n".join(_Printer(it, source).definition() for it in printed(source))
 
 
 def _comment(text: str, indent: str) -> str:
@@ -44,8 +44,8 @@ def _comment(text: str, indent: str) -> str:
 
 
 class _Printer:
-    def __init__(self, it: Routine, material: Material) -> None:
-        self.it, self.source = it, material.kernel
+    def __init__(self, it: Routine, source: Source) -> None:
+        self.it, self.source = it, source
         self.kinds = Kinds(self.source)
         self.expressions = Expressions(self.source, _SYNTAX)
         self.names = dict(it.arguments)

@@ -8,6 +8,7 @@ import math
 import re
 import textwrap
 
+from ...expressions import number
 from ...quantities import Quantity
 from .. import Material, Target, runtime
 from . import algebra, kernel
@@ -40,6 +41,7 @@ def _words(material: Material) -> dict[str, str]:
         "library": material.library,
         "source": material.digest[:16],
         "names": ", ".join(f"'{name}'" for name in material.parameters),
+        **{item.name: number(item.value) for item in material.kernel.constants},
         "base": ", ".join(f"'{name}', {json.dumps(value)}" for name, value in material.base_values.items()),
     }
 

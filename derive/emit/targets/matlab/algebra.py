@@ -4,34 +4,22 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
+from typing import ClassVar
 
 import sympy as sp
 
 from ...function import Function
 from ...quantities import Quantity
 from ...statements import flatten, straight_line
-from ..python.algebra import AlgebraPrinter
+from ..python.algebra import DividingPrinter
 
 WIDTH = 110
 
 
-class MatlabPrinter(AlgebraPrinter):
-    """Differs from Python in the names of functions, and in rationals: a division of two whole numbers rounds once."""
+class MatlabPrinter(DividingPrinter):
+    """Algebra in MATLAB."""
 
-    def _print_Rational(self, expression: sp.Rational) -> str:
-        return f"({expression.p}/{expression.q})"
-
-    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
-        if expression.exp == 2:  # of a name: straight_line() names what is squared
-            factor = self._print(expression.base)
-            return f"{factor}*{factor}"
-        return super()._print_Pow(expression, rational=rational).replace("xp.", "")
-
-    def _print_exp(self, expression: sp.exp) -> str:
-        return f"exp({self._print(expression.args[0])})"
-
-    def _print_sign(self, expression: sp.sign) -> str:
-        return f"sign({self._print(expression.args[0])})"
+    functions: ClassVar[Mapping[str, str]] = {"sqrt": "sqrt", "exp": "exp", "abs": "abs", "sign": "sign"}
 
 
 _PRINTER = MatlabPrinter({"order": None})
@@ -75,7 +63,10 @@ def comment(text: str, indent: str) -> list[str]:
 
 
 def wrapped(line: str) -> list[str]:
-    """A statement on as many lines as it needs."""
+    """A statement on as many lines as it needs, broken at spaces, and after brackets where these leave a line too long."""
     indent = " " * (len(line) - len(line.lstrip()) + 4)
-    broken = textwrap.wrap(line, WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    wrapper = textwrap.TextWrapper(WIDTH, subsequent_indent=indent, break_long_words=False, break_on_hyphens=False)
+    broken = wrapper.wrap(line)
+    if max(map(len, broken)) > WIDTH:
+        broken = [part.replace("(\0 ", "(").replace("(\0", "(") for part in wrapper.wrap(line.replace("(", "(\0 "))]
     return [*(f"{part} ..." for part in broken[:-1]), broken[-1]]

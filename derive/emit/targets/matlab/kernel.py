@@ -6,8 +6,8 @@ import ast
 import math
 from collections.abc import Iterator
 
-from ...expressions import Expressions, Syntax, number, places
-from ...language import KernelError, Routine, passes
+from ...expressions import Expressions, Syntax, number, places, printed
+from ...language import KernelError, Routine, Source, passes
 from .. import Material
 from .algebra import comment, wrapped
 
@@ -23,7 +23,8 @@ def file_name(name: str) -> str:
 
 def render(material: Material) -> dict[str, str]:
     """The file of every routine, by its name."""
-    return {f"{file_name(name)}.m": _Printer(it, material).definition() for name, it in material.kernel.routines.items()}
+    source = material.both_kernels
+    return {f"{file_name(it.name)}.m": _Printer(it, source, material).definition() for it in printed(source)}
 
 
 def _syntax(library: str) -> Syntax:
@@ -43,8 +44,8 @@ def _syntax(library: str) -> Syntax:
 
 
 class _Printer:
-    def __init__(self, it: Routine, material: Material) -> None:
-        self.it, self.source = it, material.kernel
+    def __init__(self, it: Routine, source: Source, material: Material) -> None:
+        self.it, self.source = it, source
         self.expressions = Expressions(self.source, _syntax(material.library))
         self.numbers = {item.name: (item.value, item.comment) for item in self.source.constants}
         self.numbers |= {name: (value, "a count of roundings") for name, value in material.counts.items()}

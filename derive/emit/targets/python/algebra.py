@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
+from typing import ClassVar
 
 import sympy as sp
 from sympy.printing.str import StrPrinter
@@ -19,6 +20,13 @@ _TIED = "\N{NO-BREAK SPACE}"
 class AlgebraPrinter(StrPrinter):
     """Python source in which a rational coefficient stays a multiplication and a division by integers."""
 
+    #: What functions are called in the language.
+    functions: ClassVar[Mapping[str, str]] = {"sqrt": "xp.sqrt", "exp": "xp.exp", "abs": "abs", "sign": "xp.sign"}
+
+    def call(self, name: str, argument: sp.Expr) -> str:
+        """A function of one argument."""
+        return f"{self.functions[name]}({self._print(argument)})"
+
     def _print_Rational(self, expression: sp.Rational) -> str:
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
         raise ArithmeticError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
@@ -28,21 +36,34 @@ class AlgebraPrinter(StrPrinter):
 
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
         if expression.exp == sp.S.Half:
-            return f"xp.sqrt({self._print(expression.base)})"
+            return self.call("sqrt", expression.base)
         if expression.exp == -sp.S.Half:
-            return f"1/xp.sqrt({self._print(expression.base)})"
+            return f"1/{self.call('sqrt', expression.base)}"
         if expression.exp != -1:
             raise ArithmeticError(f"{expression} is not a reciprocal or a square root: powers are products by now")
         return str(super()._print_Pow(expression, rational=rational))
 
     def _print_exp(self, expression: sp.exp) -> str:
-        return f"xp.exp({self._print(expression.args[0])})"
+        return self.call("exp", *expression.args)
 
     def _print_Abs(self, expression: sp.Abs) -> str:
-        return f"abs({self._print(expression.args[0])})"
+        return self.call("abs", *expression.args)
 
     def _print_sign(self, expression: sp.sign) -> str:
-        return f"xp.sign({self._print(expression.args[0])})"
+        return self.call("sign", *expression.args)
+
+
+class DividingPrinter(AlgebraPrinter):
+    """For languages without a namespace of arrays: a rational is a division of two whole numbers, which rounds once."""
+
+    def _print_Rational(self, expression: sp.Rational) -> str:
+        return f"({expression.p}/{expression.q})"
+
+    def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
+        if expression.exp == 2:  # of a name: straight_line() names what is squared
+            factor = self._print(expression.base)
+            return f"{factor}*{factor}"
+        return super()._print_Pow(expression, rational=rational)
 
 
 _PRINTER = AlgebraPrinter({"order": None})

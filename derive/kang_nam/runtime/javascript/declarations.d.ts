@@ -41,7 +41,7 @@ export interface State {
   error: number;
 }
 
-/** What double precision says about a point. */
+/** What double precision, and where that is not enough double-double arithmetic, says about a point. */
 export type Status = "ok" | "uncertain" | "out_of_range";
 
 export interface Equilibria {
@@ -61,7 +61,7 @@ export interface SurfacePoint {
   stability: Stability;
 }
 
-/** A fold or a cusp with its state. */
+/** A point of the plane of theta0 and mu0 with its state. */
 export interface Turn {
   theta0: number;
   mu0: number;
@@ -70,6 +70,9 @@ export interface Turn {
   x: number;
   y: number;
 }
+
+/** A fold along one parameter: its point with the state. */
+export interface Fold extends Parameters, Turn {}
 
 /** A curve in the plane of theta0 and mu0 with its states: points in order. */
 export interface Curve {
@@ -108,7 +111,7 @@ export declare function cusps(parameters: Fixed): Turn[];
 export declare function bifurcation_set(parameters: Fixed, options?: { n?: number }): { curves: Curve[]; cusps: Turn[] };
 /** Every curve of flutter onsets in contact with mu0 >= 0. */
 export declare function flutter_boundary(parameters: Fixed, options?: { n?: number }): Curve[];
-/** The folds along theta0 or mu0, the other one fixed. */
-export declare function folds(parameters: Fixed, options?: { vary?: "theta0" | "mu0"; n?: number }): Turn[];
+/** The folds along one of the six parameters, the others fixed; that one may be left out. */
+export declare function folds(parameters: Partial<Parameters>, options?: { vary?: keyof Parameters }): Fold[];
 /** Right-hand side, regimes and steps of the motion at given parameters. */
 export declare function motion(parameters: Parameters, drive: Drive): Motion;

@@ -10,8 +10,27 @@ const FINEST = 1e-13;
 // A step in theta0, or in mu0/(1 + mu0), over which neighbours are not joined unseen.
 const STRIDE = 0.04;
 
-// The least |alpha - (1 + beta)| over 1 + beta at which the coefficients of the cusps' polynomial leave enough digits.
-const LEAST_DIFFERENCE = 0.05;
+// Columns and curves beyond which what is found is rounding: regular sets have some thousand of the one and a handful of the other.
+const MOST_COLUMNS = 30000;
+const MOST_CURVES = 32;
+// About how many directions the curves are looked for at unless told otherwise.
+const DIRECTIONS = 512;
+
+// The least kappa, over the larger of sigma and 1 + beta, at which f and its derivatives know where contact begins.
+const LEAST_PRELOAD = 1e-12;
+
+/** The parameters of folds, checked; those in `spanned` are not used. */
+function fold_parameters(parameters, spanned) {
+  const given = parameters_of(parameters, spanned);
+  const least = LEAST_PRELOAD * larger(given.sigma, 1 + given.beta);
+  if (given.kappa < least) {
+    throw new RangeError(
+      `kappa = ${given.kappa} is too small beside sigma and 1 + beta for folds in double precision; ` +
+        `give at least ${least}, or ask the Python package`,
+    );
+  }
+  return given;
+}
 
 /** kappa, alpha, sigma and beta, in the order in which the algebra takes them. */
 function fixed_of(given) {
@@ -72,64 +91,47 @@ function state_at(c, s, c0, s0, given) {
  * @returns {object[]} theta0, mu0, theta, L, x and y of each
  */
 export function cusps(parameters) {
-  const given = parameters_of(parameters, ["theta0", "mu0"]);
-  const stiff = 1 + given.beta;
-  const found = Math.abs(given.alpha - stiff) < LEAST_DIFFERENCE * stiff ? cusps_along(given) : cusps_by_sine(given);
+  const given = fold_parameters(parameters, ["theta0", "mu0"]);
+  return cusps_on(given.alpha > 0 ? curves_of(FOLDS, directions_for(DIRECTIONS, given), given) : [], given);
+}
+
+/** The cusps on curves of folds, or without alpha, by themselves. */
+function cusps_on(curves, given) {
+  const found = given.alpha > 0 ? curves.flatMap((curve) => bends(curve, given)) : cusps_without_alpha(given);
   return found.sort((one, other) => one.mu0 - other.mu0 || one.theta0 - other.theta0);
 }
 
-function cusps_by_sine(given) {
-  const { kappa, alpha, sigma, beta } = given;
-  const polynomial = alpha > 0 ? algebra_cusp_polynomial(kappa, alpha, sigma, beta) : algebra_cusp_cubic(kappa, sigma, beta);
-  const sines = roots_between(polynomial, 0, 1).filter((s) => s > 0 && s < 1);
-  const sharper = alpha > 0 ? sines.map((s) => sharpened(s, given)) : sines;
-  const found = [];
-  for (const s of alpha > 0 ? sharper : [...sharper, 1]) {
-    const [s0, over_cosine] = algebra_cusp_sine(s, ...fixed_of(given));
-    const width = Math.sqrt((1 - s) * (1 + s));
-    for (const c of width > 0 ? [width, -width] : [0]) {
-      const away = Math.sqrt(larger((1 - s0) * (1 + s0), 0));
-      const cosines = alpha > 0 ? [algebra_cusp_point(s, ...fixed_of(given))[1] * c] : [away, -away];
-      for (const c0 of s0 > 0 && s0 <= 1 ? new Set(cosines) : []) {
-        found.push({ c, s, c0, s0, mu0: over_cosine * c + 0 });
-      }
-    }
-  }
-  return found.flatMap((at) => written(at, given));
-}
-
 /**
- * A root of the polynomial of the cusps to more digits, which its coefficients have lost: where cos^2 + sin^2 of theta0 is 1, from
- * the cosine and the sine that belong to sin theta.
+ * Where f'' changes its sign along a curve of folds. The polynomial in sin theta that cusps are roots of is no help in double
+ * precision: near alpha = 1 + beta all its roots come to have 3 sin^2 theta = 2, and with a small alpha its coefficients cancel.
  */
-function sharpened(s, given) {
-  const excess = (sine) => {
-    const [s0, over_cosine] = algebra_cusp_point(sine, ...fixed_of(given));
-    return over_cosine * over_cosine * (1 - sine) * (1 + sine) - (1 - s0) * (1 + s0);
-  };
-  // The nearer alpha is to 1 + beta, the more digits are lost.
-  for (const width of [1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3]) {
-    const [low, high] = [s * (1 - width), smaller(s * (1 + width), 1)];
-    if (excess(low) < 0 !== excess(high) < 0) {
-      return bisected(excess, low, high);
-    }
-  }
-  return s;
-}
-
-/** Close to alpha = 1 + beta, where all cusps come to have 3 sin^2 theta = 2: where f'' changes its sign along the folds. */
-function cusps_along(given) {
+function bends(curve, given) {
   const fixed = fixed_of(given);
   const bend = ({ theta, theta0, mu0 }) => {
     const [a, b, d, m] = algebra_f_coefficients(...turned(theta0), mu0, ...fixed, 1);
     return algebra_f_curvature(...turned(theta), a, b, d, m);
   };
-  return curves_of(FOLDS, directions_for(512, given), given).flatMap((curve) =>
-    changes(curve, bend, given).map((at) => {
-      const [c, s, c0, s0] = [...turned(at.theta), ...turned(at.theta0)];
-      return { theta0: at.theta0, mu0: at.mu0, theta: at.theta, ...state_at(c, s, c0, s0, given) };
-    }),
-  );
+  return changes(curve, bend, given).flatMap(({ theta, theta0, mu0 }) => {
+    const [[c, s], [c0, s0]] = [turned(theta), turned(theta0)];
+    return written({ c, s, c0, s0, mu0 }, given);
+  });
+}
+
+/** Without alpha the curves of theta0 and of pi - theta0 meet in their cusps, which a cubic in sin theta gives. */
+function cusps_without_alpha(given) {
+  const { kappa, sigma, beta } = given;
+  const found = [];
+  for (const s of [...roots_between(algebra_cusp_cubic(kappa, sigma, beta), 0, 1).filter((s) => s > 0 && s < 1), 1]) {
+    const [s0, over_cosine] = algebra_cusp_sine(s, ...fixed_of(given));
+    const width = Math.sqrt((1 - s) * (1 + s));
+    const away = Math.sqrt(larger((1 - s0) * (1 + s0), 0));
+    for (const c of width > 0 ? [width, -width] : [0]) {
+      for (const c0 of s0 > 0 && s0 <= 1 ? new Set([away, -away]) : []) {
+        found.push({ c, s, c0, s0, mu0: over_cosine * c + 0 });
+      }
+    }
+  }
+  return found.flatMap((at) => written(at, given));
 }
 
 /** A cusp as it is handed out; none where it is out of contact, or friction negative. */
@@ -206,14 +208,30 @@ function same_kind(one, other) {
   return one.points.length === other.points.length && one.ends.every((sign, i) => sign === other.ends[i]);
 }
 
-/** Columns between two, so that of each two neighbours the points go on in order, or no double is left in between. */
-function between(one, other, kind, fixed) {
+/** Why curves are not drawn. */
+function indistinct([kappa, alpha, sigma, beta]) {
+  const where = `kappa = ${kappa}, alpha = ${alpha}, sigma = ${sigma}, beta = ${beta}`;
+  return new RangeError(
+    `${where}: curves lie closer together there than double precision can tell, as with hardly any preload; ` +
+      "`folds` gives the folds along one parameter",
+  );
+}
+
+/**
+ * Columns between two, so that of each two neighbours the points go on in order, or no double is left in between; as many at most
+ * as `room` has left.
+ */
+function between(one, other, kind, fixed, room) {
   const smooth = same_kind(one, other) && one.points.every((point, i) => gap(point, other.points[i]) < STRIDE);
   if (smooth || other.theta - one.theta < FINEST) {
     return [];
   }
+  room.left -= 1;
+  if (room.left < 0) {
+    throw indistinct(fixed);
+  }
   const middle = column(0.5 * (one.theta + other.theta), kind, fixed);
-  return [...between(one, middle, kind, fixed), middle, ...between(middle, other, kind, fixed)];
+  return [...between(one, middle, kind, fixed, room), middle, ...between(middle, other, kind, fixed, room)];
 }
 
 /** Pairs [i, j] of the points of two neighbouring columns that belong together. */
@@ -325,11 +343,16 @@ function spread(low, high, steps) {
 function curves_of(kind, directions, given) {
   const fixed = fixed_of(given);
   const coarse = directions.map((theta) => column(theta, kind, fixed));
-  const columns = coarse.flatMap((one, i) => (i ? [...between(coarse[i - 1], one, kind, fixed), one] : [one]));
-  return joined(columns)
+  const room = { left: MOST_COLUMNS };
+  const columns = coarse.flatMap((one, i) => (i ? [...between(coarse[i - 1], one, kind, fixed, room), one] : [one]));
+  const curves = joined(columns)
     .flatMap((curve) => with_friction(curve, kind, fixed))
     .map((curve) => completed(curve, given))
     .filter((curve) => curve.theta.length > 1);
+  if (curves.length > MOST_CURVES) {
+    throw indistinct(fixed);
+  }
+  return curves;
 }
 
 /** The parts of a curve with mu0 >= 0, each begun and ended where mu0 = 0. */
@@ -389,9 +412,10 @@ function completed(curve, given) {
  * @returns {object} curves, each of arrays theta0, mu0, theta, L, x, y in order along it; cusps
  */
 export function bifurcation_set(parameters, options = {}) {
-  const given = parameters_of(parameters, ["theta0", "mu0"]);
-  const { n = 512 } = known("options", options, ["n"]);
-  return { curves: curves_of(FOLDS, directions_for(whole("n", n, 8), given), given), cusps: cusps(parameters) };
+  const given = fold_parameters(parameters, ["theta0", "mu0"]);
+  const { n = DIRECTIONS } = known("options", options, ["n"]);
+  const curves = curves_of(FOLDS, directions_for(whole("n", n, 8), given), given);
+  return { curves, cusps: n < DIRECTIONS ? cusps(parameters) : cusps_on(curves, given) };
 }
 
 /** About n directions at which folds are looked for. */
@@ -409,34 +433,11 @@ function directions_for(n, given) {
  */
 export function flutter_boundary(parameters, options = {}) {
   const given = parameters_of(parameters, ["theta0", "mu0"]);
-  const { n = 512 } = known("options", options, ["n"]);
+  const { n = DIRECTIONS } = known("options", options, ["n"]);
   const even = spread(0.5 * TURN, TURN, whole("n", n, 8)).slice(1, -1);
   const towards = spread(Math.log(NEAREST), Math.log(0.25 * TURN), n >> 2).map(Math.exp);
   const ends = towards.flatMap((distance) => [0.5 * TURN + distance, TURN - distance]);
   return curves_of(ONSETS, [...even, ...ends].sort((one, other) => one - other), given);
-}
-
-/**
- * The folds along theta0 or mu0 with the other one fixed: where a curve of `bifurcation_set` meets that value.
- *
- * @param {object} parameters all but the one that varies
- * @param {object} [options] vary: "theta0" or "mu0"; n: as of `bifurcation_set`
- * @returns {object[]} theta0, mu0, theta, L, x and y of each, by ascending value of what varies
- */
-export function folds(parameters, options = {}) {
-  const { vary = "theta0", n = 512 } = known("options", options, ["vary", "n"]);
-  if (vary !== "theta0" && vary !== "mu0") {
-    throw new RangeError(`vary = ${shown(vary)} is not among "theta0" and "mu0"`);
-  }
-  const given = parameters_of(parameters, [vary]);
-  const held = vary === "theta0" ? "mu0" : "theta0";
-  const curves = curves_of(FOLDS, directions_for(whole("n", n, 8), given), given);
-  const found = curves.flatMap((curve) => changes(curve, (at) => at[held] - given[held], given));
-  const states = found.flatMap(({ theta, theta0, mu0 }) => {
-    const at = state_at(...turned(theta), ...turned(theta0), given);
-    return at ? [{ theta0, mu0, theta, ...at, [held]: given[held] }] : [];
-  });
-  return states.sort((one, other) => one[vary] - other[vary]);
 }
 
 /** The points of a curve of folds at which a function of them is zero or changes its sign. */

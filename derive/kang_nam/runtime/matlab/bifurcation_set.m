@@ -7,7 +7,7 @@ function found = bifurcation_set(p, n)
   if nargin < 2
     n = 512;
   end
-  given = spragsym.one_set(p, {'theta0', 'mu0'});
+  given = spragsym.fold_set(p, {'theta0', 'mu0'});
   directions = linspace(1e-9, pi - 1e-9, spragsym.input.whole('n', n, 8) + 1);
   found.curves = spragsym.curves('folds', unique([directions, hidden(directions, given)]), given);
   found.cusps = spragsym.cusps(p);

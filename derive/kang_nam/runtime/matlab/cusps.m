@@ -3,12 +3,11 @@ function found = cusps(p)
 %  found = spragsym.cusps(p) with kappa, alpha, sigma and beta, one number each; theta0 and mu0 of p are not used
 %
 %  The result has the columns theta0, mu0, theta, L, x and y. In double precision and without proof; the Python package proves.
-  given = spragsym.one_set(p, {'theta0', 'mu0'});
-  % Closer to alpha = 1 + beta the coefficients of the polynomial leave too few digits.
-  if abs(given.alpha - (1 + given.beta)) < 0.05 * (1 + given.beta)
+  given = spragsym.fold_set(p, {'theta0', 'mu0'});
+  if given.alpha > 0
     rows = along_folds(given);
   else
-    rows = by_sine(given);
+    rows = without_alpha(given);
   end
   % cos theta, sin theta, cos theta0, sin theta0, mu0
   rows = rows(rows(:, 4) > 0 & rows(:, 5) >= 0, :);
@@ -19,64 +18,29 @@ function found = cusps(p)
                  'y', table(:, 6));
 end
 
-function rows = by_sine(given)
-% From the roots of a polynomial in sin theta.
-  coefficients = cell(1, 10);
-  if given.alpha > 0
-    [coefficients{:}] = spragsym.algebra.cusp_polynomial(given.fixed{:});
-  else
-    coefficients = cell(1, 4);
-    [coefficients{:}] = spragsym.algebra.cusp_cubic(given.kappa, given.sigma, given.beta);
-  end
+function rows = without_alpha(given)
+% The curves of theta0 and of pi - theta0 meet in their cusps, which a cubic in sin theta gives.
+  coefficients = cell(1, 4);
+  [coefficients{:}] = spragsym.algebra.cusp_cubic(given.kappa, given.sigma, given.beta);
   sines = spragsym.positive_roots([coefficients{:}]);
-  sines = sines(sines < 1);
-  if given.alpha == 0
-    sines(end + 1) = 1;
-  end
   rows = zeros(0, 5);
-  for k = 1:numel(sines)
-    s = sines(k);
-    if given.alpha > 0
-      s = sharpened(s, given);
-    end
+  for s = [sines(sines < 1), 1]
     [s0, friction] = spragsym.algebra.cusp_sine(s, given.fixed{:});
     width = sqrt((1 - s) * (1 + s));
+    away = sqrt(max((1 - s0) * (1 + s0), 0));
     for c = unique([-width, width])
-      if given.alpha > 0
-        [~, over_cosine] = spragsym.algebra.cusp_point(s, given.fixed{:});
-        cosines = over_cosine * c;
-      elseif abs(s0) <= 1
-        away = sqrt((1 - s0) * (1 + s0));
-        cosines = unique([-away, away]);
-      else
-        cosines = [];
-      end
-      for c0 = cosines
-        rows(end + 1, :) = [c, s, c0, s0, friction * c + 0]; %#ok<AGROW>
+      for c0 = unique([-away, away])
+        if s0 <= 1
+          rows(end + 1, :) = [c, s, c0, s0, friction * c + 0]; %#ok<AGROW>
+        end
       end
     end
   end
-end
-
-function s = sharpened(s, given)
-% A root to more digits, which the polynomial's coefficients have lost: where cos^2 + sin^2 of theta0 is 1.
-  % The nearer alpha is to 1 + beta, the more are lost.
-  for width = [1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3]
-    ends = [s * (1 - width), min(s * (1 + width), 1)];
-    if excess(ends(1), given) * excess(ends(2), given) < 0
-      s = fzero(@(sine) excess(sine, given), ends);
-      return
-    end
-  end
-end
-
-function value = excess(s, given)
-  [s0, over_cosine] = spragsym.algebra.cusp_point(s, given.fixed{:});
-  value = over_cosine ^ 2 * (1 - s) * (1 + s) - (1 - s0) * (1 + s0);
 end
 
 function rows = along_folds(given)
-% Close to alpha = 1 + beta all cusps come to have 3 sin^2 theta = 2: where f'' changes its sign along the folds.
+% Where f'' changes its sign along the folds. The polynomial in sin theta that cusps are roots of is no help in double precision:
+% near alpha = 1 + beta all its roots come to have 3 sin^2 theta = 2, and with a small alpha its coefficients cancel.
   curves = spragsym.curves('folds', linspace(1e-9, pi - 1e-9, 513), given);
   rows = zeros(0, 5);
   for k = 1:numel(curves)

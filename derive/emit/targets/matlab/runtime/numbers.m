@@ -1,6 +1,6 @@
 function value = numbers(quantity, value, count, name)
 %NUMBERS  Real numbers in the range of a quantity as a column, or an error that names it.
-%  With a count that is not [], there must be so many. An error says the name, if there is one, and not the quantity.
+%  With a count other than [] there must be exactly that many. An error names NAME where it is given, else the quantity.
   [ends, text, remedy] = @library@.input.range(quantity);
   if nargin < 4
     name = quantity;

@@ -10,9 +10,9 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..dynamics.field import Field
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
+from .field import Field
 from .passage import Crossing, Fly, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.
@@ -147,12 +147,12 @@ def looped(field: Field, fly: Fly, guess: Guess, free: tuple[int, ...] = ()) -> 
 
 def solved(
     field: Field, fly: Fly, guess: Guess, conditions: Conditions, free: tuple[int, ...] = (), *, reach: float = np.inf,
-    iterations: int = 12, precision: float = 1e-13,
+    iterations: int = 12, precision: float = 1e-13, closed: float = CLOSED,
 ) -> Loop:  # fmt: skip
     """The closed loop near a guess under further conditions, as many as there are free parameters and one.
 
-    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as small as rounding, end it.
-    Raises ConvergenceError where there is none.
+    ``reach`` bounds how far the states may move from the guess; steps below ``precision``, or as small as rounding, end it;
+    ``closed`` is by how much the loop may stay open. Raises ConvergenceError where there is none.
     """
     start, size, before = guess, guess.states.size, np.inf
     loop = looped(field, fly, guess, free)
@@ -163,7 +163,7 @@ def solved(
         width = float(np.abs(step).max())
         scale = 1 + float(np.abs(loop.guess.vector).max())
         small = width <= precision * scale or (width <= 1e-8 * scale and width > 0.2 * before)
-        if small and float(np.abs(residual).max()) <= CLOSED * (1 + float(np.abs(loop.guess.states).max())):
+        if small and float(np.abs(residual).max()) <= closed * (1 + float(np.abs(loop.guess.states).max())):
             return loop
         if iteration and width > 1e3 * before:
             break
@@ -216,6 +216,41 @@ def divided(field: Field, fly: Fly, guess: Guess, pieces: int) -> Guess:
     for _ in range(pieces - 1):
         states.append(fly(states[-1], constants, guess.period / pieces, none).state)
     return Guess(np.array(states), guess.period, guess.values)
+
+
+def recut(loop: Loop, fly: Fly, pieces: int, begin: float = 0.0) -> Guess:
+    """A closed loop in ``pieces`` equal stretches from the time ``begin`` on: each state from the nearest one before it.
+
+    Carried once around from one state, the error of a strongly unstable orbit would grow beyond Newton's reach.
+    """
+    guess, none, states = loop.guess, np.zeros((2, len(loop.field.parameters))), []
+    stretch = guess.period / len(guess.states)
+    for i in range(pieces):
+        t = (begin + i * guess.period / pieces) % guess.period
+        which = min(int(t / stretch), len(guess.states) - 1)
+        left = t - which * stretch
+        start = guess.states[which]
+        states.append(fly(start, loop.constants, left, none).state if left > 1e-14 * stretch else start)
+    return Guess(np.array(states), guess.period, guess.values)
+
+
+def once_round(loop: Loop, fly: Fly) -> Loop:
+    """The same orbit over its least period."""
+    period, turns = loop.guess.period, [turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
+    if not turns:
+        return loop
+    scale = np.ptp([turn.state for turn in loop.turns()], axis=0) + 1e-3
+    first = turns[0]
+    for other in turns[1:]:
+        share = period / (other.t - first.t)
+        if np.abs((other.state - first.state) / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
+            guess = Guess(first.state[None], period / round(share), loop.guess.values)
+            try:
+                shorter = solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
+            except ConvergenceError:
+                continue
+            return shorter
+    return loop
 
 
 def extent(loop: Loop) -> float:

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from ..dynamics.field import Field, Mode
-from ..dynamics.lobatto import unit_points
-from ..dynamics.with_heyoka import watched
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
+from .field import Field, Mode
+from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
+from .with_heyoka import watched
 
 #: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.
 TOLERANCE = 1e-17

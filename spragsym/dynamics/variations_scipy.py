@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from ..dynamics.field import GAP, Field, Mode
-from ..dynamics.lobatto import unit_points
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
+from .field import GAP, Field, Mode
+from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
 
 #: As tight as DOP853 goes.

@@ -1,0 +1,160 @@
+"""The search for cycles behind docs/oscillation.md: from many starts, along the inclination, and from period doublings.
+
+``python -m benchmarks.search_cycles FOLDER [STARTS [POINTS]]`` (16 starts and 150 points a branch each way unless given):
+
+1. motions from rest and from random starts at each of 22 inclinations, judged at τ = 6000 by the cycle that they approach;
+2. every distinct cycle of these, unless it lies on a branch that is known, is followed over the inclination;
+3. the doubled cycles at the branch's period doublings are followed as well, and theirs, twice at most.
+
+It shows its progress, may be interrupted, and goes on where it was when it is called again: motions stand in ``motions.nc`` and
+branches, one a line, in ``branches.jsonl`` of the folder. What it prints is the table of branches: where each is stable, and its events.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import spragsym as ss
+from spragsym.sweeps import Regime, rms_sweep
+
+BELT = {"V": 0.5, "d": 10.0}
+
+#: Degrees.
+INCLINATIONS = (5, 10, 20, 30, 38, 42, 43, 44, 46, 49, 52, 54, 57, 60, 66, 75, 80, 90, 105, 120, 140, 160)
+
+#: Range over which branches are followed, degrees.
+LOW, HIGH = 1.0, 179.0
+
+#: Doublings of doublings.
+DEEPEST = 2
+
+
+def motions(folder: Path, starts: int) -> ss.Sweep:
+    """All motions; resumed from their store."""
+    rng = np.random.default_rng(15)
+    wide = rng.uniform([-1.0, -0.5, -0.5, -0.5], [3.0, 3.0, 0.5, 0.5], (starts, 4))
+    wide[0] = 0.0
+    x0, y0, vx0, vy0 = wide.T
+    p = ss.Parameters.article(theta0=np.radians(np.array(INCLINATIONS, dtype=float))[:, None])
+    return rms_sweep(
+        p, **BELT, x0=x0, y0=y0, vx0=vx0, vy0=vy0, t_end=6000.0, transient=5000.0, progress=True, store=folder / "motions.nc"
+    )
+
+
+def cycles_of(sweep: ss.Sweep) -> Iterator[tuple[float, list[float]]]:
+    """Inclination in degrees and state of every distinct cycle that a motion came to."""
+    seen: set[tuple[float, float, float]] = set()
+    for row, col in np.argwhere(np.isin(sweep.regime, (Regime.LIMIT_CYCLE, Regime.APPROACHES_CYCLE))):
+        key = (float(row), round(float(sweep.period[row, col]), 4), round(float(sweep.cycle_x[row, col]), 4))
+        if key not in seen:
+            seen.add(key)
+            state = [float(getattr(sweep, name)[row, col]) for name in ("cycle_x", "cycle_y", "cycle_vy")]
+            yield float(INCLINATIONS[row]), [state[0], state[1], 0.0, state[2]]
+
+
+def told(branch: ss.CycleBranch, name: str) -> dict[str, Any]:
+    """A branch as a line of the journal holds it."""
+    return {
+        "name": name,
+        "theta0": branch.values.tolist(), "period": branch.periods.tolist(), "stable": branch.stable.tolist(),
+        "states": [cycle.state.tolist() for cycle in branch.cycles],
+        "events": [[event.kind, event.value, event.cycle.period, event.how] for event in branch.events],
+    }  # fmt: skip
+
+
+def known_at(lines: list[dict[str, Any]], cycle: ss.Cycle) -> bool:
+    """Whether a cycle lies on a branch that is known: Newton's method from the branch's nearest cycle leads to it."""
+    theta0 = cycle.values[0]
+    for line in lines:
+        values, periods = np.array(line["theta0"]), np.array(line["period"])
+        for i in np.flatnonzero((values[:-1] - theta0) * (values[1:] - theta0) <= 0):
+            share = (theta0 - values[i]) / (values[i + 1] - values[i] or 1.0)
+            period = periods[i] + share * (periods[i + 1] - periods[i])
+            state = np.array(line["states"][i]) + share * (np.array(line["states"][i + 1]) - np.array(line["states"][i]))
+            if abs(period / cycle.period - 1) < 0.01 and np.abs(state - cycle.state).max() < 0.1:
+                return True
+    return False
+
+
+def journal(path: Path) -> list[dict[str, Any]]:
+    """The finished branches; a line that was cut short is dropped."""
+    if not path.is_file():
+        return []
+    whole = [line for line in path.read_text().splitlines(keepends=True) if line.endswith("\n")]
+    path.write_text("".join(whole))
+    return [json.loads(line) for line in whole]
+
+
+def follow(path: Path, lines: list[dict[str, Any]], cycle: ss.Cycle, name: str, points: int, depth: int = 0) -> None:
+    """Follow a branch and those of its doublings, each unless it is done."""
+    if any(line["name"] == name for line in lines) or known_at(lines, cycle):
+        return
+    print(
+        f"following {name}: period {cycle.period:.4f} at {math.degrees(cycle.values[0]):.4f} degrees", file=sys.stderr, flush=True
+    )
+    branch = ss.cycle_branch(cycle, "theta0", (math.radians(LOW), math.radians(HIGH)), points=points)
+    doubled = []
+    for event in branch.of("period_doubling") if depth < DEEPEST else ():
+        try:
+            doubled.append(branch.switch(event))
+        except ss.ConvergenceError as error:
+            print(f"  {error}", file=sys.stderr, flush=True)
+    for number, other in enumerate(doubled):
+        follow(path, lines, other, f"{name}, doubled {number + 1}", points, depth + 1)
+    lines.append(told(branch, name))  # last, so that an interruption repeats the branch with what begins on it
+    with path.open("a") as file:
+        file.write(json.dumps(lines[-1]) + "\n")
+
+
+def stretches(line: dict[str, Any]) -> str:
+    """Where a branch is stable, in degrees."""
+    degrees, found, begin = np.degrees(line["theta0"]), [], None
+    for i, stable in enumerate([*line["stable"], False]):
+        if stable and begin is None:
+            begin = i
+        elif not stable and begin is not None:
+            found.append(f"{degrees[begin]:.2f}…{degrees[i - 1]:.2f}")
+            begin = None
+    return ", ".join(found) or "nowhere"
+
+
+def main() -> None:
+    """Search, and print what was found."""
+    if not 2 <= len(sys.argv) <= 4:
+        sys.exit(__doc__)
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    starts, points = (int(text) for text in (*sys.argv[2:], *("16", "150")[len(sys.argv) - 2 :]))
+    sweep = motions(folder, starts)
+    path = folder / "branches.jsonl"
+    lines = journal(path)
+    for degrees, state in cycles_of(sweep):
+        try:
+            cycle = ss.cycle(ss.Parameters.article(theta0=math.radians(degrees)), **BELT, near=state, patient=False)
+        except ss.ConvergenceError as error:
+            print(f"{degrees:g} degrees, {state}: {error}", file=sys.stderr)
+            continue
+        follow(path, lines, cycle, f"period {cycle.period:.2f} at {degrees:g}", points)
+    counts = np.bincount(sweep.regime.ravel(), minlength=len(Regime))
+    print("Motions: " + ", ".join(f"{n} {Regime(i).name.lower()}" for i, n in enumerate(counts.tolist()) if n) + "\n")
+    print("| branch | inclinations | periods | stable | events |\n|---|---|---|---|---|")
+    for line in lines:
+        degrees = np.degrees(line["theta0"])
+        events = "; ".join(
+            f"{kind} {math.degrees(value):.4f}" + (f" ({how})" if kind in ("end", "homoclinic") else "")
+            for kind, value, _, how in line["events"]
+            if kind != "grazing"
+        )
+        periods = f"{min(line['period']):.2f}…{max(line['period']):.2f}"
+        print(f"| {line['name']} | {degrees.min():.2f}…{degrees.max():.2f} | {periods} | {stretches(line)} | {events} |")
+
+
+if __name__ == "__main__":
+    main()

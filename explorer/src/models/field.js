@@ -1,0 +1,88 @@
+// The motion of a model in time, by its exported field: in each smooth regime by the classical Runge-Kutta method, and cut where
+// the regime ends, at the contact's border or where mass and belt have the same speed.
+
+const HALVINGS = 40;
+/** Kinks in one step; beyond them the step ends in the regime that it is in, at the error of a kink. */
+const PIECES = 6;
+/** Where a motion that begins at rest on the border goes, by half the square of a short time. */
+const AHEAD = 1e-6;
+
+/** What a panel runs: `regime(state)`, `step(state, h)` and `pieces(state, longest)` at one point. A state is coordinates, then rates. */
+export function fieldOf(algebra, about, balance) {
+  const n = about.coordinates.length;
+  const near = Array(about.layers).fill(1);
+  const lifts = about.unilateral && about.gap !== null;
+
+  function rate(state, { contact, side }) {
+    const rates = state.slice(n);
+    // A law with a root has no value beyond the border, where it has come down to 0.
+    const pushing = contact && (about.polynomial || balance.gap(state.slice(0, n)) <= 0) ? 1 : 0;
+    return [...rates, ...algebra.regime_rhs(...state, ...balance.motion, pushing, side, ...near)];
+  }
+
+  const borders = (state) => algebra.borders(...state, ...balance.motion);
+
+  /** By the state, and on a border by where it is headed. */
+  function regime(state) {
+    const [gap, slip] = borders(state);
+    const guess = { contact: !lifts || gap < 0, side: slip >= 0 ? 1 : -1 };
+    if (gap !== 0 && slip !== 0) {
+      return guess;
+    }
+    const accelerations = rate(state, guess).slice(n);
+    const headed = algebra.border_rates(...state, ...accelerations, ...balance.motion);
+    const bent = headed[0] || balance.gap(state.slice(0, n).map((value, i) => value + AHEAD * accelerations[i]));
+    return { contact: !lifts || gap < 0 || (gap === 0 && bent < 0), side: slip > 0 || (slip === 0 && headed[1] >= 0) ? 1 : -1 };
+  }
+
+  function rungeKutta(state, h, mode) {
+    const along = (k, share) => state.map((value, i) => value + share * h * k[i]);
+    const k1 = rate(state, mode);
+    const k2 = rate(along(k1, 0.5), mode);
+    const k3 = rate(along(k2, 0.5), mode);
+    const k4 = rate(along(k3, 1), mode);
+    return state.map((value, i) => value + (h / 6) * (k1[i] + 2 * (k2[i] + k3[i]) + k4[i]));
+  }
+
+  /** Which borders lie behind a state that was in a regime. */
+  function beyond(state, { contact, side }) {
+    const [gap, slip] = borders(state);
+    return { contact: lifts && (contact ? gap > 0 : gap < 0), side: side * slip < 0 };
+  }
+
+  const crossed = (found) => found.contact || found.side;
+
+  function step(state, h) {
+    let [at, left, mode] = [state, h, regime(state)];
+    for (let piece = 0; piece < PIECES && left > 0; piece++) {
+      let next = rungeKutta(at, left, mode);
+      if (!crossed(beyond(next, mode)) || piece === PIECES - 1) {
+        at = next;
+        break;
+      }
+      let [low, high] = [0, left];
+      for (let i = 0; i < HALVINGS; i++) {
+        const middle = (low + high) / 2;
+        [low, high] = crossed(beyond(rungeKutta(at, middle, mode), mode)) ? [low, middle] : [middle, high];
+      }
+      next = rungeKutta(at, high, mode);
+      const past = beyond(next, mode);
+      mode = { contact: mode.contact !== past.contact, side: past.side ? -mode.side : mode.side };
+      [at, left] = [next, left - high];
+    }
+    if (!at.every(Number.isFinite)) {
+      throw new RangeError("The motion leaves what double precision can hold, or a spring has no length.");
+    }
+    return at;
+  }
+
+  /** In how many steps a time is cut, by the largest rates of the linearized field. */
+  function pieces(state, time, longest) {
+    const q = state.slice(0, n);
+    const size = (rows) => Math.max(...rows.map((row) => row.reduce((sum, entry) => sum + Math.abs(entry), 0)));
+    const fastest = Math.max(1, Math.sqrt(size(balance.stiffness(q, true))) + size(balance.damping(q, true)));
+    return Math.min(1000, Math.ceil((time / longest) * (Number.isFinite(fastest) ? fastest : 1)));
+  }
+
+  return { regime, step, pieces };
+}

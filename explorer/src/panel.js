@@ -1,0 +1,157 @@
+// The panel of the motion: where it starts, its buttons, its charts. It knows no model.
+
+import { createCharts } from "./charts.js";
+import { wrong } from "./inputs.js";
+import { createMotion } from "./motion.js";
+import { parsed, typed } from "./numbers.js";
+
+const $ = (id) => document.getElementById(id);
+/** Pictures between two drawings of the charts, and of the spectrum among them. */
+const [EVERY, SPECTRUM] = [2, 16];
+const STOPPED = "The motion can't go on from here: a spring has no length, or the numbers leave double precision. Choose another start.";
+
+/**
+ * `names` are the coordinates, `further` more numbers that a motion begins with, each `{ id, symbol, meaning, range }`, `units` as
+ * of the charts. `on.field(numbers)` gives the field at the page's point, `on.state()` the state that can be pushed,
+ * `on.frame(t, state, regime)` draws, `on.rest()` is called when the mass is back at rest, `on.begun()` when a motion begins;
+ * `on.beside(id, value)`, if there is one, is a text that follows a number.
+ */
+export function createPanel(names, further, units, on) {
+  const charts = createCharts({ trace: $("trace"), phase: $("phase"), spectrum: $("spectrum") }, names, units);
+  const starts = [
+    ...names.map((name) => ({ id: `${name}0`, symbol: name, meaning: `${name} at the start`, value: 0 })),
+    ...names.map((name) => ({ id: `v${name}0`, symbol: `${name}′`, meaning: `rate of ${name} at the start`, value: 0 })),
+  ];
+  const asides = [];
+  let [moving, frames, begun] = [false, 0, false];
+  const motion = createMotion({ sample: charts.add, frame: moved, stop: () => { $("motion_says").textContent = STOPPED; buttons(); } });
+  [...starts, ...further].forEach(({ id, symbol, meaning, value }) => {
+    const label = document.createElement("label");
+    label.innerHTML = `${symbol} <input id="${id}" type="text" inputmode="decimal" autocomplete="off" aria-label="${meaning}">`;
+    const box = label.firstElementChild;
+    box.value = typed(value);
+    $("starts").append(label);
+    if (on.beside) {
+      label.append(document.createElement("i"));
+      asides.push(() => (label.lastElementChild.textContent = on.beside(id, parsed(box.value))));
+      box.addEventListener("input", asides.at(-1));
+    }
+  });
+
+  function moved(t, state, regime) {
+    frames += 1;
+    const [off, ahead] = [!regime.contact, regime.side < 0];
+    on.frame(t, state, regime);
+    $("motion_says").textContent = `${off ? "off the belt" : "on the belt"}, ${ahead ? "faster than the belt" : "slower than the belt"}`;
+    if (frames % EVERY === 0) {
+      charts.draw(frames % SPECTRUM === 0);
+    }
+  }
+
+  function buttons() {
+    $("play").textContent = motion.running() ? "Pause" : "Run";
+    $("play").setAttribute("aria-pressed", String(motion.running()));
+    $("still").disabled = !moving;
+  }
+
+  /** What the fields say, or null with the reason shown. */
+  function numbersOf(fields) {
+    const found = {};
+    for (const { id, symbol, range } of fields) {
+      const box = $(id);
+      const value = parsed(box.value);
+      const problem = wrong({ symbol }, value, box.value, range);
+      box.setAttribute("aria-invalid", String(Boolean(problem)));
+      if (problem) {
+        $("motion_says").textContent = problem;
+        return null;
+      }
+      found[id] = value;
+    }
+    return found;
+  }
+
+  function launch(from, numbers) {
+    motion.set(on.field(numbers));
+    charts.clear();
+    [moving, begun] = [true, true];
+    $("motion_says").textContent = "";
+    try {
+      motion.start(from);
+      motion.play();
+    } catch {
+      $("motion_says").textContent = STOPPED;
+    }
+    on.begun(numbers);
+    buttons();
+  }
+
+  function begin() {
+    const [from, numbers] = [numbersOf(starts), numbersOf(further)];
+    if (from && numbers) {
+      launch(Object.values(from), numbers);
+    }
+  }
+
+  function show(state) {
+    starts.forEach(({ id }, i) => ($(id).value = typed(state[i], 8)));
+    asides.forEach((renew) => renew());
+  }
+
+  /** The mass is held at a place, or let go there. */
+  function hold(q, let_go) {
+    motion.pause();
+    moving = true;
+    show([...q, ...q.map(() => 0)]);
+    if (let_go) {
+      begin();
+    }
+    buttons();
+  }
+
+  function still() {
+    motion.pause();
+    [moving, begun] = [false, false];
+    $("motion_says").textContent = "";
+    on.rest();
+    buttons();
+  }
+
+  $("play").onclick = () => {
+    if (motion.running()) {
+      motion.pause();
+    } else if (moving && begun) {
+      motion.play();
+    } else {
+      begin();
+    }
+    buttons();
+  };
+  $("restart").onclick = begin;
+  $("still").onclick = still;
+  $("from_state").onclick = () => {
+    const q = on.state();
+    if (q) {
+      show([q[0] + 0.01, ...q.slice(1), ...q.map(() => 0)]);
+      begin();
+    }
+  };
+  $("pace").oninput = () => { motion.pace(Number($("pace").value)); $("pace_says").textContent = `${$("pace").value} units of τ a second`; };
+  $("pace").oninput();
+  buttons();
+
+  return {
+    hold, still, numbersOf: () => numbersOf(further),
+    moving: () => moving,
+    /** The page's point has changed: a running motion goes on under the new forces. */
+    changed: () => {
+      const numbers = moving ? numbersOf(further) : null;
+      if (numbers) {
+        motion.set(on.field(numbers));
+      }
+    },
+    put: (numbers) => { Object.entries(numbers).forEach(([name, value]) => ($(name).value = typed(value))); asides.forEach((renew) => renew()); },
+    resize: charts.resize,
+    recolour: charts.recolour,
+  };
+}

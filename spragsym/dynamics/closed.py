@@ -1,0 +1,90 @@
+"""The closed orbit near a motion, with the derivative of its return map: by Newton's method on the flow and its derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
+from .course import Flow
+from .field import Field
+from .passage import Fly, Passage, Turn
+from .shooting import Guess, at_rest_along, once_round, rate, solved
+
+#: Differences of a flow are taken over this, where an integrator carries no derivatives.
+STEP = 1e-5
+
+#: Forward differences over this find an orbit to so much.
+COARSE, ROUGH = 1e-5, 1e-4
+
+#: By how much an orbit that is found with such differences may stay open.
+OPEN = 1e-9
+
+
+@dataclass(frozen=True)
+class Closed:
+    """A closed orbit.
+
+    Attributes
+    ----------
+    state : ndarray, shape (2 n,)
+        Where x is extremal: x' = 0.
+    period : float
+        The least one.
+    slope : ndarray, shape (2 n − 1, 2 n − 1)
+        Derivative of the return to x' = 0, in the numbers of a state but x'. Its eigenvalues are the multipliers.
+    """
+
+    state: FloatArray
+    period: float
+    slope: FloatArray
+
+
+def section(states: FloatArray) -> FloatArray:
+    """States where x' = 0 without that rate: x, y, y' for two coordinates."""
+    kept: FloatArray = np.delete(states, states.shape[-1] // 2, axis=-1)
+    return kept
+
+
+def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach: float, closed: float) -> Closed:
+    """The closed orbit of about a period near a state with x' = 0; ConvergenceError where there is none within ``reach``."""
+    condition = at_rest_along(field, field.size + 1)
+    try:
+        loop = solved(field, fly, Guess(state[None], period, ()), condition, reach=reach, precision=closed, closed=closed)
+    except (OverflowError, ValueError) as error:
+        raise ConvergenceError("Newton's method left the range of numbers") from error
+    loop = once_round(loop, fly)
+    place, n = loop.guess.states[0], len(field.coordinates)
+    flow = rate(field, place, loop.constants)
+    if flow[n] == 0:
+        raise ConvergenceError("the orbit does not turn where it should")
+    back = np.eye(field.size)
+    back[:, n] -= flow / flow[n]  # along the flow to where x' = 0 again
+    slope = section(section(back @ loop.monodromy).T).T
+    return Closed(place, loop.guess.period, slope)
+
+
+def roughly_closed(field: Field, flow: Flow, state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float]:
+    """State and period to some digits, by the plain flow and its forward differences: where that fails, it fails cheaply."""
+    fly, condition = by_differences(field, flow, COARSE, central=False), at_rest_along(field, field.size + 1)
+    loop = solved(field, fly, Guess(state[None], period, ()), condition, reach=reach, iterations=9, precision=ROUGH, closed=ROUGH)
+    return loop.guess.states[0], loop.guess.period
+
+
+def by_differences(field: Field, flow: Flow, step: float = STEP, *, central: bool = True) -> Fly:
+    """``fly`` of a flow that carries no derivatives: by central differences, or forward ones; crossings are not told."""
+    m = field.size
+    unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
+
+    def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        course, width = flow(np.asarray(state), duration), step * (1 + central)
+        columns = [
+            (flow(state + off, duration).last - (flow(state - off, duration) if central else course).last) / width
+            for off in step * np.eye(m)
+        ]
+        turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
+        return Passage(course.last, np.array(columns).T, np.zeros((m, 2)), (), tuple(turns))
+
+    return fly

@@ -1,0 +1,66 @@
+"""How a motion goes on, with derivatives of its flow: which integrator carries them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any
+
+from ..parameters import FloatArray
+from . import integrators, variations_heyoka, variations_scipy
+from .closed import OPEN, Closed, by_differences, closed_orbit, roughly_closed
+from .course import Flow
+from .field import Field
+from .passage import Fly
+from .problem import Problem
+from .shooting import CLOSED
+from .sprag import REACH
+
+#: Tolerance of flows whose differences are taken.
+FINE = 1e-12
+
+
+def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
+    """An integrator of a field: it has ``fly`` and ``sample``."""
+    return variations_heyoka.compiled(field, derivatives) if backend == "heyoka" else variations_scipy.flight(field, derivatives)
+
+
+def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
+    """``fly`` of an integrator, and the integrator's name."""
+    name = integrators.choose(backend, integrators.OF_ANY_MODEL)
+    fly: Fly = flow(field, name).fly
+    return fly, name
+
+
+@dataclass(frozen=True)
+class Onward:
+    """How a motion goes on from any state.
+
+    Attributes
+    ----------
+    course : callable
+        ``course(state, duration)``: what is measured on the way.
+    closed : callable
+        ``closed(state, period, reach)``: the closed orbit near a state where x' = 0.
+    """
+
+    course: Flow
+    closed: Callable[[FloatArray, float, float], Closed]
+
+
+def onward(problem: Problem, backend: str) -> Onward:
+    """How the motion of a problem goes on, by the integrator that carries it."""
+
+    plain = integrators.flow(problem, backend)
+
+    def closed(state: FloatArray, period: float, reach: float) -> Closed:
+        field = replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
+        state, period = roughly_closed(field, plain, state, period, reach)
+        if backend == "heyoka":
+            return closed_orbit(field, variations_heyoka.compiled(field).fly, state, period, reach, CLOSED)
+        if backend == "scipy":
+            return closed_orbit(field, variations_scipy.Flight(field).fly, state, period, reach, CLOSED)
+        fine = integrators.flow(replace(problem, rtol=min(problem.rtol, FINE)), backend)
+        return closed_orbit(field, by_differences(field, fine), state, period, reach, OPEN)
+
+    return Onward(plain, closed)

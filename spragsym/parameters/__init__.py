@@ -1,0 +1,29 @@
+"""Parameters of the model, dimensionless and in newtons, metres and seconds, validated once."""
+
+from .dimensionless import ARTICLE, NAMES, RANGES, Parameters
+from .physical import PhysicalParameters, Scales, physical_ranges
+from .ranges import FINITE, NOT_NEGATIVE, POSITIVE, FloatArray, Range, as_number, as_numbers, degrees, range_of, shown
+from .sets import ParameterSet, common_shape, named
+
+__all__ = [
+    "ARTICLE",
+    "FINITE",
+    "NAMES",
+    "NOT_NEGATIVE",
+    "POSITIVE",
+    "RANGES",
+    "FloatArray",
+    "ParameterSet",
+    "Parameters",
+    "PhysicalParameters",
+    "Range",
+    "Scales",
+    "as_number",
+    "as_numbers",
+    "common_shape",
+    "degrees",
+    "named",
+    "physical_ranges",
+    "range_of",
+    "shown",
+]

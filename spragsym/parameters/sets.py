@@ -1,0 +1,125 @@
+"""What sets of parameters have in common: one shape, equality, and errors that suggest the name that was meant."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any, ClassVar, Self, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import names
+from ..display import Shown
+from ..errors import ParameterError, ParameterTypeError
+from .ranges import FloatArray, Range, as_number, as_numbers
+
+_C = TypeVar("_C")
+
+
+def named(cls: type[_C]) -> type[_C]:
+    """Make a dataclass suggest the name that was meant when it is given one that it does not have."""
+    made: Callable[..., None] = cls.__init__
+    known = [field.name for field in fields(cls)]  # type: ignore[arg-type]  # a dataclass, as said
+
+    @functools.wraps(made)
+    def __init__(self: Any, *args: Any, **values: Any) -> None:
+        check_names(values, known)
+        made(self, *args, **values)
+
+    cls.__init__ = __init__  # type: ignore[method-assign]  # the same arguments
+    return cls
+
+
+def check_names(given: Iterable[str], known: Iterable[str]) -> None:
+    """Raise for a name that is not known, with the one that was meant."""
+    known = list(known)
+    for name in given:
+        if name not in known:
+            elsewhere = "; it is an argument of the functions of motion, such as simulate" if name in ("V", "d") else ""
+            remark = elsewhere or names.hint(name, known) or f"; the parameters are {', '.join(known)}"
+            raise ParameterTypeError(f"{name} is not a parameter{remark}")
+
+
+def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The shape that named shapes broadcast to, or an error that lists them."""
+    try:
+        return np.broadcast_shapes(*given.values())
+    except ValueError as error:
+        listed = ", ".join(f"{name} {shape}" for name, shape in given.items() if shape)
+        raise ParameterError(f"the shapes do not broadcast together: {listed}; give equal shapes, or shapes with ones") from error
+
+
+@dataclass(frozen=True, eq=False)
+class Values(Shown):
+    """Fields that are numbers, arrays that broadcast together, or None."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Common shape of all fields."""
+        return common_shape({field.name: np.shape(getattr(self, field.name)) for field in fields(self)})
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(_equal(getattr(self, field.name), getattr(other, field.name)) for field in fields(self))
+
+    def __hash__(self) -> int:
+        return hash(tuple(getattr(self, field.name) for field in fields(self)))  # arrays do not hash
+
+
+@dataclass(frozen=True, eq=False)
+class ParameterSet(Values):
+    """Dimensionless parameters of a model, scalars or arrays that broadcast together; a subclass has a field for each."""
+
+    #: Allowed values of each parameter, in the order in which functions take them.
+    ranges: ClassVar[Mapping[str, Range]] = {}
+    #: Parameters that may be left out, for functions that span them.
+    spanned: ClassVar[frozenset[str]] = frozenset()
+    #: Where a set with values for all of them comes from.
+    origin: ClassVar[str] = ""
+
+    def __post_init__(self) -> None:
+        for name, allowed in self.ranges.items():
+            value = getattr(self, name)
+            if value is None:
+                if name not in self.spanned:
+                    raise ParameterError(f"{name} is missing; give it, or start from {self.origin}")
+                continue
+            object.__setattr__(self, name, as_numbers(name, value, allowed))
+        self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
+
+    def replace(self, **changes: ArrayLike | None) -> Self:
+        """A copy with other values."""
+        return replace(self, **changes)
+
+    def require(self, *names: str) -> None:
+        """Raise unless the named parameters are given."""
+        for name in names:
+            if getattr(self, name) is None:
+                raise ParameterError(f"{name} is missing from the parameters, and is needed here; use p.replace({name}=...)")
+
+    def scalars(self, *names: str) -> tuple[float, ...]:
+        """The named parameters as floats; an error if one is missing or an array."""
+        self.require(*names)
+        return tuple(as_number(name, getattr(self, name)) for name in names)
+
+    def broadcast(self, *names: str) -> tuple[FloatArray, ...]:
+        """The named parameters, read-only, each of the common shape."""
+        self.require(*names)
+        return tuple(np.broadcast_to(getattr(self, name), self.shape) for name in names)
+
+    def __repr__(self) -> str:
+        given = ((name, getattr(self, name)) for name in self.ranges)
+        return f"{type(self).__name__}({', '.join(f'{name}={_plain(value)}' for name, value in given if value is not None)})"
+
+
+def _plain(value: FloatArray) -> str:
+    return repr(value.item()) if value.ndim == 0 else f"array{value.shape}"
+
+
+def _equal(one: FloatArray | None, other: FloatArray | None) -> bool:
+    if one is None or other is None:
+        return one is other
+    return bool(np.array_equal(one, other))

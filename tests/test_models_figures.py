@@ -75,9 +75,9 @@ def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys):
     command = ["bifurcation", "--model", "kang_nam", "--plot", str(file)]
     assert status(command) == 0
     assert file.read_text(encoding="utf-8").startswith("<?xml")
-    assert status(command) == 1
+    assert status(command) != 0
     assert "--force" in capsys.readouterr().err
-    assert status([*command[:-1], str(tmp_path / "set.gif")]) == 1
+    assert status([*command[:-1], str(tmp_path / "set.gif")]) != 0
 
 
 def status(command):

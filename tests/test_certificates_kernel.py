@@ -1162,6 +1162,22 @@ def test_margins_cover_discriminant_and_trace(name: str, nbar: float) -> None:
         assert not kernel.stability(Direction(1.0, 1.0), L, 1.0, border * (1 + 1e-9), point).certain
 
 
+@pytest.mark.parametrize("ratio", [3.0, 100.0, 1e6])
+def test_a_margin_covers_friction_where_flutter_alone_decides(ratio: float) -> None:
+    """The terms of the discriminant, where friction is so many times σ/L, and cos θ = −1, sin θ = 1 make it negative."""
+    pull, alpha, sigma, beta, nbar = 1e4, 0.0, 1.0, 0.0, 1.0
+    mu0 = ratio * pull
+    (K11, K12), (K21, K22) = kernel.stiffness(-1.0, 1.0, sigma / pull, mu0, alpha, sigma, beta, nbar)
+    _, _, flutter = kernel.invariants(K11, K12, K21, K22)
+    assert flutter < 0
+    terms = (alpha + beta + nbar + 2 * sigma + 2 * pull) ** 2 + 4 * pull * (mu0 * nbar + pull)
+    border = -flutter / (kernel.COUNT_K * terms)
+    point = Point(0.0, 1.0, mu0, 1.0, alpha, sigma, beta, nbar)
+    at = Direction(-1.0, 1.0)
+    assert kernel.stability(at, sigma / pull, 1.0, border * (1 + 1e-9), point) == (3.0, False)
+    assert kernel.stability(at, sigma / pull, 1.0, border / 1.3, point) == (3.0, True)
+
+
 @pytest.mark.parametrize("name", STIFFNESSES)
 def test_margins_are_not_much_wider_than_they_must_be(name: str) -> None:
     mu0, alpha, sigma, beta, L = STIFFNESSES[name]

@@ -40,6 +40,8 @@ BATCH = 4096
 VECTORS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 #: For a shared object.
 SHARED = ("-shared", "-fPIC")
+#: One compiler is for every change, the others are for all checks.
+EACH_COMPILER = [COMPILERS[0], *(pytest.param(name, marks=pytest.mark.thorough) for name in COMPILERS[1:])] if COMPILERS else []
 #: Builds the driver: ``built(compiler, *flags)``.
 Build: TypeAlias = Callable[..., Path]
 BASE = (math.radians(49.0), 0.5, 0.007, 0.007, 0.1, 0.0)
@@ -303,7 +305,7 @@ def nonsense() -> Any:
 # ------------------------------------------------------------------------------------------------------ tests
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", EACH_COMPILER)
 @pytest.mark.parametrize("level", [("-O0",), VECTORS], ids=["-O0", "-O3"])
 def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> None:
     """Without and with optimization, which sees more: every build has the flags of STRICT."""
@@ -417,7 +419,7 @@ def _values(found: Any) -> Any:
 
 
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", EACH_COMPILER)
 def test_batch_is_the_single_call_bit_for_bit(compiler: str, regime: int, built: Build) -> None:
     """In vector instructions and in none, on hard points, refused ones and those that double can't carry."""
     points = np.concatenate([*adversarial().values(), nonsense()])

@@ -719,6 +719,17 @@ def test_what_underflow_may_touch_is_not_sound() -> None:
         assert kernel.sound(FINE._replace(**{name: 1.01e-250}))
 
 
+def test_what_double_double_arithmetic_may_be_asked_for() -> None:
+    """Each parameter apart from both limits, or 0; the sine never 0."""
+    assert kernel.moderate(FINE)
+    for name in ("sin0", "mu0", "kappa", "alpha", "sigma", "beta"):
+        for value in (0.99e-50, 1e-50) if name == "sin0" else (0.99e-50, 1e-50, 1e50, 1.01e50):
+            assert not kernel.moderate(FINE._replace(**{name: value}))
+        for value in (1.01e-50, 0.5) if name == "sin0" else (1.01e-50, 0.99e50):
+            assert kernel.moderate(FINE._replace(**{name: value}))
+        assert bool(kernel.moderate(FINE._replace(**{name: 0.0}))) == (name != "sin0")
+
+
 def test_what_can_be_divided_out() -> None:
     line = Balance(0.1, -0.5, 0.1, 1.0, 0.1, 0.1, 1.0)
     assert kernel.representable(line)

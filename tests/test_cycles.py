@@ -15,7 +15,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import validate_cycles
+from benchmarks import bench_auto, validate_cycles
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import exponents, finding
 from spragsym.cycles.jets import Jet
@@ -267,6 +267,19 @@ def test_the_textbook_period_of_stick_slip() -> None:
         off.append(found.period - exact)
     assert abs(off[1]) < 0.05
     assert 0 < off[1] < off[0] / 3  # it goes with the width of the layer, but for a logarithm
+
+
+@pytest.mark.thorough
+@pytest.mark.skipif(not bench_auto.installed(), reason="AUTO-07p, a continuation code by collocation, is not installed")
+def test_a_hopf_point_and_a_branch_of_cycles_by_auto() -> None:
+    hopf, theirs = bench_auto.by_auto(intervals=30)
+    end, own = bench_auto.ours()
+    exact = bench_auto.hopf_exactly()
+    assert hopf == pytest.approx(exact, abs=1e-9)
+    assert end == pytest.approx(exact, abs=1e-6)
+    for speed, (period, top) in own.items():
+        assert theirs[speed][0] == pytest.approx(period, rel=1e-7)
+        assert theirs[speed][1] == pytest.approx(top, rel=1e-4)  # AUTO's is the largest on its mesh
 
 
 # ------------------------------------------------------------------------------------------------------ branches

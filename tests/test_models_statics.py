@@ -291,6 +291,73 @@ def test_the_mirror_turns_the_forces(name):
         assert not np.allclose(there, here, atol=1e-3)
 
 
+def growth_beside(name, p, vary, found, row, off=1e-5):
+    """Growth of the state at an onset, a little before and behind it."""
+    value = getattr(found, vary)[row]
+    sides = model(name).equilibria(p.replace(**{vary: value * np.array([1 - off, 1 + off])}))
+    assert sides.complete
+    slots = np.abs(sides.x - found.x[row]).argmin(axis=-1)
+    return sides.growth[[0, 1], slots]
+
+
+@pytest.mark.parametrize(
+    ("name", "vary", "number"),
+    [("kang_nam", "mu0", 3), ("kang_nam", "kappa", 0), ("kang_nam", "d", 0), ("two_springs", "theta0", 3), ("trolley", "mu0", 7)],
+)
+def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, number):
+    # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes for all states.
+    p = model(name).Parameters(theta0=0.8, d=1.0) if vary != "d" else model(name).Parameters(theta0=0.8)
+    found = model(name).flutter_onsets(p, vary)
+    assert found.complete
+    assert len(found) == number
+    crossed = [growth_beside(name, p, vary, found, row) for row in range(number) if getattr(found, vary)[row] > 1e-3]
+    # One of the pairs crosses; where another grows already, the largest growth says nothing.
+    assert number == 0 or any(before * behind < 0 for before, behind in crossed)
+
+
+def test_where_the_friction_law_turns_every_mode_crosses():
+    p = model("stribeck").Parameters(theta0=0.8)
+    found = model("stribeck").flutter_onsets(p, "mu_k")
+    assert found.complete
+    assert len(found) == 2
+    assert found.mu_k[0] == found.mu_k[1]
+    # dμ/dV = 0 there: by differences of the law itself.
+    law, names = model("stribeck").statics.friction_at_rest, model("stribeck").about["arguments"]["motion"]
+    angle = {"cos0": np.cos(0.8), "sin0": np.sin(0.8)}
+    ends = []
+    for V in (float(p.V) - 1e-5, float(p.V) + 1e-5):
+        values = {**angle, **{key: float(getattr(p, key)) for key in names if key not in angle}, "V": V, "mu_k": found.mu_k[0]}
+        ends.append(law(*(values[key] for key in names)))
+    assert abs(ends[1] - ends[0]) / 2e-5 < 1e-8
+    at = model("stribeck").equilibria(p.replace(mu_k=found.mu_k[0]))
+    assert np.allclose(np.sort(np.abs(at.eigenvalues[0].imag))[1::2], found.omega, atol=1e-9)
+
+
+def test_without_friction_no_pair_crosses():
+    found = model("stribeck").flutter_onsets(model("stribeck").Parameters(theta0=0.8, mu_s=0.0, mu_k=0.0), "theta0")
+    assert found.complete
+    assert len(found) == 0
+
+
+def test_no_points_give_an_empty_result():
+    eq = model("kang_nam").equilibria(model("kang_nam").Parameters(theta0=np.ones((0, 3))))
+    assert eq.count.shape == (0, 3)
+    assert eq.complete
+
+
+def test_a_range_that_ends_where_a_parameter_divides():
+    found = model("stribeck").folds(model("stribeck").Parameters(theta0=0.8), "v_s")
+    assert found.complete
+    assert len(found) == 1
+
+
+def test_lift_off_of_a_law_that_is_no_polynomial_in_many_digits():
+    eq = model("hertz_contact").equilibria(model("hertz_contact").Parameters(theta0=0.8, alpha=0.0), contact=False)
+    known = ss.equilibria(ss.Parameters.article(theta0=0.8, alpha=0.0), contact=False)
+    assert eq.complete
+    assert int(eq.count) == int(known.count)
+
+
 def test_what_does_not_vary_is_refused():
     p = model("kang_nam").Parameters(theta0=1.0)
     with pytest.raises(ss.ParameterError, match="is not a parameter of this model"):

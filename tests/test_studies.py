@@ -105,6 +105,30 @@ def test_changes_keep_the_target_as_they_are_printed(study: ss.Study, report: ss
         assert math.isnan(jump) or jump >= report.target
 
 
+def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, report: ss.Report) -> None:
+    """Random brakes about each new design, every tolerance the same share of the new value: none jumps in the friction's range."""
+    rng = np.random.default_rng(11)
+    off = {name: rng.uniform(-0.15, 0.15, 4000) for name in ("k", "k_x", "k_c")}
+    for change in report.redesign:
+        values: dict[str, object] = {**study.values, **change.after}
+        values |= {name: float(values[name]) * (1 + share) for name, share in off.items()}  # type: ignore[arg-type]  # numbers
+        values["theta0"] = float(values["theta0"]) + rng.uniform(-1, 1, 4000) * math.pi / 180  # type: ignore[arg-type]  # a number
+        jump = np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless()))  # type: ignore[arg-type]  # arrays
+        assert not (jump < 0.6).any()
+        assert change.probability == 0
+
+
+def test_a_design_that_sprags_within_its_tolerances_only_is_called_so_and_gets_changes() -> None:
+    found = ss.Study(brake(mu0=0.34), tolerance={"k": "15 %", "k_c": "15 %", "theta0": "2 deg"}).report(n=1024, oscillation=False)
+    assert found.mu_jump > 0.34
+    assert found.verdict.startswith("As drawn it does not sprag")
+    assert "but within the tolerances" in found.verdict
+    assert found.redesign
+    with pytest.raises(ss.ParameterError, match="nothing slides"):
+        ss.Study(brake(V=0.0)).report(probability=False, redesign=False, oscillation=False)
+    assert "inf" not in ss.Study(brake(mu0=0.0)).report(redesign=False, oscillation=False).verdict
+
+
 def test_a_certificate_is_proved_where_the_jump_is_far_and_refuted_by_a_brake_that_jumps(report: ss.Report) -> None:
     from spragsym.studies.tolerances import certificate
 
@@ -235,6 +259,54 @@ def test_commands_take_the_file(path: Path, capsys: pytest.CaptureFixture[str]) 
     assert answer("equilibria")["equilibria"][0]["x_mm"] == pytest.approx(38 * eq.x[0], rel=1e-9)
     points = answer("equilibria", "--mu0", "0.1:0.5:3")["points"]
     assert [len([row for row in one["equilibria"] if row["state"] == "contact"]) for one in points] == [3, 3, 1]
+
+
+def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    def printed(*arguments: str, code: int = 0) -> str:
+        with pytest.raises(SystemExit) as stop:
+            main([*arguments])
+        assert stop.value.code == code
+        found = capsys.readouterr()
+        return found.err if code else found.out
+
+    p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
+    set_ = json.loads(printed("bifurcation", "--data", str(path), "--json"))
+    assert [row["x_mm"] for row in set_["folds"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
+    assert set_["mu_cusp"] == pytest.approx(ss.critical_friction(p), rel=1e-12)
+    arguments = ("--data", str(path), "--json", "--vary", "k_x", "--from", "5", "--to", "20", "--points", "2")
+    points = json.loads(printed("equilibria", *arguments))["points"]
+    for point, k_x in zip(points, (5.0, 20.0), strict=True):
+        assert point["parameters"]["k_x_N/mm"] == pytest.approx(k_x, rel=1e-12)
+        eq = ss.equilibria(p.replace(alpha=k_x / 1500))
+        there = [row["x_mm"] for row in point["equilibria"] if row["state"] == "contact"]
+        assert there == pytest.approx((38 * eq.x[: eq.count]).tolist(), rel=1e-9)
+    target = tmp_path / "rms.csv"
+    told = printed("sweep", "--data", str(path), "--theta0", "45", "--t-end", "40", "-q", "-o", str(target))
+    assert "lengths are in units of 38 mm, times in 0.000483046 s" in told
+    half = json.loads(printed("simulate", "--data", str(path), "--json", "--t-end", "0.02", "--x0", "3.8"))
+    tr = ss.simulate(brake(mu0=0.45).dimensionless(), **brake().belt(), t_end=0.02 / 0.000483045891, x0=0.1)
+    assert half["rms_mm"] == pytest.approx(38 * tr.rms(0.75 * tr.t[-1]), rel=1e-6)
+    still = tmp_path / "still.toml"
+    still.write_text("".join(line + "\n" for line in BRAKE.splitlines() if line[0] not in "Vd"), encoding="utf-8")
+    assert "add V" in printed("simulate", "--data", str(still), code=2)
+
+
+def test_a_cycle_in_seconds_millimetres_and_newtons(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The article's values with V = 0.5, d = 10, in scales of 0.5 s, 500 mm and 2 N."""
+    file = tmp_path / "brake.toml"
+    rows = {
+        "m": "1 kg", "k": "0.4 N/m", "L_0": "500 mm", "theta0": "42 deg", "k_x": "0.028 N/m", "k_y": "0 N/m", "k_c": "4 N/m",
+        "F_L": "0.014 N", "mu0": "0.5", "V": "0.5 m/s", "d": "10 s/m",
+    }  # fmt: skip
+    file.write_text("[brake]\n" + "".join(f'{name} = "{value}"\n' for name, value in rows.items()), encoding="utf-8")
+    with pytest.raises(SystemExit) as stop:
+        main(["cycles", "--data", str(file), "--json"])
+    assert stop.value.code == 0
+    found = json.loads(capsys.readouterr().out)
+    cycle = ss.cycle(ss.Parameters.article(theta0=math.radians(42)), V=0.5, d=10.0)
+    assert found["period_s"] == pytest.approx(0.5 * cycle.period, rel=1e-9)
+    assert found["amplitude_mm"] == pytest.approx(500 * cycle.amplitude, rel=1e-9)
+    assert found["contact_force_N"] == pytest.approx([2 * force for force in cycle.contact_force], rel=1e-9)
 
 
 def test_another_model_in_the_units_of_the_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -10,6 +10,7 @@ import click
 
 from ..errors import ParameterError
 from ..parameters import shown
+from .data import data, length
 from .options import as_json, build, parameters
 from .tables import print_json, print_table
 from .targets import force, refuse
@@ -24,6 +25,7 @@ from .with_model import ForModels, made_for, model_option
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the bifurcation set (pdf, png, svg)."
 )
 @force
+@data
 def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: float) -> None:
     """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
 
@@ -35,6 +37,7 @@ def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: flo
       spragsym bifurcation
       spragsym bifurcation --alpha 0.7 --json
       spragsym bifurcation --plot folds.pdf
+      spragsym bifurcation --data brake.toml
       spragsym bifurcation --model two_springs
 
     \b
@@ -55,10 +58,11 @@ def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: flo
     if json_output:
         print_json(summary)
         return
+    place = tuple(name + length()[1] for name in ("x", "y"))
     for title, name, header in (
-        ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", "x", "y")),
-        (f"Folds at mu0 = {shown(values['mu0'])}", "folds", ("theta0_deg", "theta_deg", "x", "y")),
-        (f"Flutter onsets at mu0 = {shown(values['mu0'])}", "flutter", ("theta0_deg", "theta_deg", "x", "y", "branch", "side")),
+        ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", *place)),
+        (f"Folds at mu0 = {shown(values['mu0'])}", "folds", ("theta0_deg", "theta_deg", *place)),
+        (f"Flutter onsets at mu0 = {shown(values['mu0'])}", "flutter", ("theta0_deg", "theta_deg", *place, "branch", "side")),
     ):
         print_table(title, header, [[row[column] for column in header] for row in summary[name]])
     print_table("Critical frictions", ("", "mu"), [
@@ -83,12 +87,15 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
     with np.errstate(all="ignore"):  # stiffnesses of very different size
         linear = float(catastrophe.linear_critical_friction(p))
 
+    size, end = length()
+    units = {name: (math.degrees(1.0), "_deg") for name in ("theta0", "theta")} | dict.fromkeys(("L", "x", "y"), (size, end))
+
     def rows(points: Any, names: tuple[str, ...]) -> list[dict[str, float]]:
         return [
             {
-                (f"{name}_deg" if name.startswith("theta") else name): (
-                    math.degrees(getattr(points, name)[i]) if name.startswith("theta") else getattr(points, name)[i].item()
-                )
+                name + units.get(name, (1.0, ""))[1]: getattr(points, name)[i].item() * units[name][0]
+                if name in units
+                else getattr(points, name)[i].item()
                 for name in names
             }
             for i in range(points.theta0.size)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +9,7 @@ import click
 
 from ..errors import ParameterError
 from ..parameters import ARTICLE
+from .data import PHYSICAL, data, in_units, varied
 from .options import DEGREES, Number, as_json, belt, build, parameters, sentence
 from .tables import print_json, print_table
 from .targets import force, refuse
@@ -26,13 +26,14 @@ VARIED = ("theta0", *ARTICLE, "V", "d")
 @parameters
 @belt
 @click.option("--near", metavar="X,Y,VX,VY", help="A state near the cycle. Default: the motion from rest at x = y = 0.")
-@click.option("--vary", type=click.Choice(VARIED), help="Follow the cycle as this varies.")
+@click.option("--vary", type=click.Choice((*VARIED, *PHYSICAL)), help="Follow the cycle as this varies.")
 @click.option("--from", "low", type=Number(), help="Where the range begins, degrees for theta0.")
 @click.option("--to", "high", type=Number(), help="Where it ends.")
 @click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
 @click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
 @click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
 @force
+@data
 @as_json
 def cycles(
     theta0_deg: float | None, V: float, d: float, near: str | None, vary: str | None, low: float | None, high: float | None,
@@ -46,6 +47,7 @@ def cycles(
     \b
     Examples:
       spragsym cycles --theta0 42
+      spragsym cycles --data brake.toml
       spragsym cycles --theta0 42 --vary theta0 --from 38 --to 60 --plot branch.pdf
 
     \b
@@ -63,7 +65,7 @@ def cycles(
     from ..cycles import cycle, cycle_branch
 
     found = cycle(build(theta0_deg, **values), V=V, d=d, near=_state(near))
-    summary = _summary(found)
+    summary = in_units(_summary(found))
     if prove:
         from .. import precise
 
@@ -71,9 +73,9 @@ def cycles(
         summary["proved"] = proof.proved
         summary |= {"error_proved": proof.error, "stable_proved": proof.stable} if proof.proved else {"reason": proof.reason}
     if vary is not None and low is not None and high is not None:
-        ends = (math.radians(low), math.radians(high)) if vary == "theta0" else (low, high)
-        branch = cycle_branch(found, vary, ends, points=points)
-        summary |= _branch(branch)
+        name, unit, title = varied(vary)
+        branch = cycle_branch(found, name, (low / unit, high / unit), points=points)
+        summary |= _branch(branch, unit, title)
         if plot is not None:
             _draw(branch, plot)
             click.echo(f"drew {plot}", err=True)
@@ -84,7 +86,7 @@ def cycles(
     print_table("", ("", ""), [(name, _shown(value)) for name, value in summary.items()])
     if rows is not None:
         print_table("Branch", tuple(rows[0]), [list(row.values()) for row in rows])
-        print_table("Events", ("kind", *list(rows[0])[:1], "error", "period", "how"), [list(row.values()) for row in events])
+        print_table("Events", ("kind", title, "error", *in_units({"period": 0.0}), "how"), [list(row.values()) for row in events])
 
 
 def _state(text: str | None) -> list[float] | None:
@@ -109,15 +111,15 @@ def _summary(found: Cycle) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _branch(branch: CycleBranch) -> dict[str, Any]:
-    name = f"{branch.vary}_deg" if branch.vary == "theta0" else branch.vary
-    unit = math.degrees(1.0) if branch.vary == "theta0" else 1.0
+def _branch(branch: CycleBranch, unit: float, name: str) -> dict[str, Any]:
     columns = zip(branch.values.tolist(), branch.periods.tolist(), branch.rms.tolist(), branch.stable.tolist(), strict=True)
     return {
-        "branch": [{name: unit * v, "period": period, "rms": rms, "stable": stable} for v, period, rms, stable in columns],
+        "branch": [
+            {name: unit * v, **in_units({"period": period, "rms": rms, "stable": stable})} for v, period, rms, stable in columns
+        ],
         "branch_events": [
-            {"kind": event.kind, name: unit * event.value, "error": unit * event.error, "period": event.cycle.period,
-             "how": event.how}
+            {"kind": event.kind, name: unit * event.value, "error": unit * event.error,
+             **in_units({"period": event.cycle.period}), "how": event.how}
             for event in branch.events
         ],
     }  # fmt: skip

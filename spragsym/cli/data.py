@@ -37,6 +37,10 @@ def _load(ctx: click.Context, _: click.Parameter, value: str | None) -> None:
     p = study.dimensionless
     if not any(option.name == "V" for option in ctx.command.params):  # statics: the friction that works at the belt's speed
         p = p.replace(mu0=study.friction[1])
+    elif not study.moves:
+        raise ParameterError(
+            f'--data {value}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
+        )
     defaults: dict[str, Any] = dict(zip(NAMES, p.scalars(*NAMES), strict=True))
     defaults["theta0_deg"] = degrees(defaults["theta0"])
     if study.moves:
@@ -70,9 +74,12 @@ def varied(name: str) -> tuple[str, float, str]:
     """The dimensionless parameter that varies, what one of it is in the unit of the answer, and the name of that."""
     if name == "theta0":
         return name, math.degrees(1.0), "theta0_deg"
+    study = current()
+    if name in ("V", "d") and study is not None:
+        speed = study.scales.length / study.scales.time
+        return name, study.in_file(name, speed if name == "V" else 1 / speed), f"{name}_{study.quantities[name].unit}"
     if name not in PHYSICAL:
         return name, 1.0, name
-    study = current()
     if study is None:
         raise ParameterError(f"--vary {name}: without --data the parameters have no units; give --vary {PHYSICAL[name]}")
     stiffness = study.values["k_c"]
@@ -80,13 +87,41 @@ def varied(name: str) -> tuple[str, float, str]:
     return PHYSICAL[name], study.in_file(name, unit), f"{name}_{study.quantities[name].unit}"
 
 
+def own_units(times: dict[str, Any], start: dict[str, Any]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Times and an initial state as the command takes them: seconds and the file's units with ``--data``, if they were typed."""
+    study, context = current(), click.get_current_context()
+    if study is None:
+        return times, start
+
+    def typed(name: str) -> bool:
+        return context.get_parameter_source(name) == click.core.ParameterSource.COMMANDLINE
+
+    scales = study.scales
+    speed = study.in_file("V", scales.length / scales.time)
+    units = dict.fromkeys(times, scales.time) | {"x0": length()[0], "y0": length()[0], "vx0": speed, "vy0": speed}
+    found = {name: value / units[name] if typed(name) else value for name, value in {**times, **start}.items()}
+    if not typed("transient"):
+        found["transient"] = 0.75 * found["t_end"]
+    if found["transient"] >= found["t_end"]:
+        raise ParameterError(
+            f"--transient = {found['transient'] * scales.time:.6g} s is not below --t-end = "
+            f"{found['t_end'] * scales.time:.6g} s; nothing would be left to measure"
+        )
+    return {name: found[name] for name in times}, {name: found[name] for name in start}
+
+
 def in_units(summary: dict[str, Any]) -> dict[str, Any]:
-    """What is measured of a motion in the units of the file: lengths, and the period in seconds."""
+    """What is measured of a motion in the units of the file: lengths, forces, and the period in seconds."""
     study = current()
     if study is None:
         return summary
     size, end = length()
-    lengths = {"rms", "rms_about_mean", "mean", "amplitude", "error"}
-    found = {name + end * (name in lengths): value * size if name in lengths else value for name, value in summary.items()}
-    return {("period_s" if name == "period" else name): value * study.scales.time if name == "period" else value
-            for name, value in found.items()}  # fmt: skip
+    forces = study.in_file("F_L", study.scales.force), f"_{study.quantities['F_L'].unit}"
+    units = dict.fromkeys(("rms", "rms_about_mean", "mean", "amplitude", "error"), (size, end))
+    units |= dict.fromkeys(("spring_force", "contact_force"), forces) | {"period": (study.scales.time, "_s")}
+    found = {}
+    for name, value in summary.items():
+        unit, ending = units.get(name, (1.0, ""))
+        scaled = [unit * one for one in value] if isinstance(value, list) and ending else value * unit if ending else value
+        found[name + ending] = scaled
+    return found

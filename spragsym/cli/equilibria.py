@@ -9,8 +9,10 @@ from typing import Any
 
 import click
 
-from .data import data, length
-from .options import as_json, build, ranges
+from ..errors import ParameterError
+from ..parameters import NAMES, RANGES, FloatArray
+from .data import PHYSICAL, data, length, varied
+from .options import DEGREES, Number, as_json, build, ranges
 from .tables import print_json, print_table
 from .with_model import ForModels, made_for, model_option
 
@@ -18,9 +20,15 @@ from .with_model import ForModels, made_for, model_option
 @click.command(cls=ForModels)
 @model_option
 @ranges
+@click.option("--vary", type=click.Choice([*NAMES, *PHYSICAL]), help="What varies; with --data, a quantity of the file too.")
+@click.option("--from", "low", type=Number(), help="First value, degrees for theta0.")
+@click.option("--to", "high", type=Number(), help="Last value.")
+@click.option("--points", type=click.IntRange(2, 100_000), default=11, show_default=True, help="Values, the ends included.")
 @data
 @as_json
-def equilibria(json_output: bool, **values: Any) -> None:
+def equilibria(
+    json_output: bool, vary: str | None, low: float | None, high: float | None, points: int, **values: Any
+) -> None:  # fmt: skip
     """All equilibria at one point, in contact and in lift-off, stable and unstable; or at many.
 
     Every parameter may be a number, numbers a,b,c, or start:stop:count; of several, all combinations.
@@ -30,33 +38,59 @@ def equilibria(json_output: bool, **values: Any) -> None:
       spragsym equilibria --theta0 49
       spragsym equilibria --theta0 30 --mu0 0.7 --json
       spragsym equilibria --theta0 49 --mu0 0:1:11
-      spragsym equilibria --data brake.toml
+      spragsym equilibria --data brake.toml --vary k_x --from 5 --to 20
       spragsym equilibria --model cubic_contact --theta0 49
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     size, end = length()
-    names = [name for name, value in values.items() if not isinstance(value, float)]
-    points: list[dict[str, Any]] = []
+    named: dict[str, tuple[str, float]] = {}
+    if (vary is None) != (low is None) or (low is None) != (high is None):
+        raise click.UsageError("--vary, --from and --to belong together")
+    if vary is not None and low is not None and high is not None:
+        option, title, unit = _axis(vary)
+        values[option], named[option] = _between(option, low / unit, high / unit, points), (title, unit)
+    names = [named.get(name, (name, 1.0))[0] for name, value in values.items() if not isinstance(value, float)]
+    found: list[dict[str, Any]] = []
     for point in _points(values):
         rows, reasons = _rows(point)
         lengths = {"L", "x", "y"}
         scaled = [{name + end * (name in lengths): value * size if name in lengths else value for name, value in row.items()}
                   for row in rows]  # fmt: skip
-        points.append({"parameters": point, "equilibria": scaled, "undecided": reasons})
+        told = {named[name][0] if name in named else name: value * named.get(name, ("", 1.0))[1] for name, value in point.items()}
+        found.append({"parameters": told, "equilibria": scaled, "undecided": reasons})
     if json_output:
-        print_json({"points": points} if names else points[0])
+        print_json({"points": found} if names else found[0])
         return
     columns = ("theta_deg", *(name + end for name in ("L", "x", "y")))
     print_table("", (*names, "state", "stability", *columns, "error"), [
         (*(point["parameters"][name] for name in names), row["state"], row["stability"], *(row[name] for name in columns),
          f"{row['error']:.1e}")
-        for point in points for row in point["equilibria"]
+        for point in found for row in point["equilibria"]
     ])  # fmt: skip
-    for one in points:
+    for one in found:
         for state, reason in one["undecided"].items():
             click.echo(f"{state}, undecided: {reason}")
+
+
+def _axis(vary: str) -> tuple[str, str, float]:
+    """The option that varies, its name in the answer, and what one of it is there."""
+    name, unit, title = varied(vary)
+    return ("theta0_deg", title, 1.0) if name == "theta0" else (name, title, unit)
+
+
+def _between(option: str, low: float, high: float, points: int) -> FloatArray:
+    """Values from one end to the other, both of which are in range."""
+    import numpy as np
+
+    allowed = DEGREES if option == "theta0_deg" else RANGES[option]
+    for flag, end in (("--from", low), ("--to", high)):
+        if not allowed.contains(end):
+            raise ParameterError(
+                f"{flag}: {option} = {end:g} is not in {allowed}{'; ' + allowed.remedy if allowed.remedy else ''}"
+            )
+    return np.linspace(low, high, points)
 
 
 def _points(values: dict[str, Any]) -> Iterator[dict[str, float]]:

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..errors import ParameterError, TargetError
 from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
-from .data import data, in_units
+from .data import current, data, in_units, own_units
 from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
 from .tables import print_json
 from .targets import force, refuse, set_aside
@@ -69,11 +69,12 @@ def simulate(
     """Integrate the motion from an initial state, by default from rest at x = y = 0.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
-    assumption.
+    assumption. With --data, --t-end and --transient are in seconds, and the initial state in the file's units.
 
     \b
     Examples:
       spragsym simulate --theta0 49
+      spragsym simulate --data brake.toml --t-end 0.5
       spragsym simulate --theta0 49 -V 0.2 --error -o run.nc
       spragsym simulate --model trolley --theta0 49
 
@@ -84,6 +85,8 @@ def simulate(
     from ..files import storage
 
     p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})
+    times, values = own_units({"t_end": t_end, "transient": transient}, values)
+    t_end, transient = times["t_end"], times["transient"]
     if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
         raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
     refuse([one for one in (output, plot) if one is not None], force)
@@ -159,6 +162,7 @@ def _axes(function: Any) -> Any:
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
 @force
+@data
 def sweep(
     V: FloatArray, d: FloatArray, t_end: float, transient: float, rtol: float, backend: str | None,
     workers: int, quiet: bool, output: Path, force: bool, **values: Any,
@@ -173,6 +177,7 @@ def sweep(
     Examples:
       spragsym sweep --theta0 30:60:61 -o rms.nc
       spragsym sweep --theta0 30:60:61 -V 0.2,0.5,1 -j 2 -o rms.csv
+      spragsym sweep --data brake.toml --theta0 40:60:21 -o rms.nc
       spragsym sweep --model stribeck --theta0 30:60:61 -o rms.nc
 
     \b
@@ -182,11 +187,16 @@ def sweep(
     from ..sweeps import rms_sweep
 
     start = {name: values.pop(name) for name in ("x0", "y0", "vx0", "vy0")}
+    times, start = own_units({"t_end": t_end, "transient": transient}, start)
     axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}
     grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})
-    settings: dict[str, Any] = {"t_end": t_end, "transient": transient, "rtol": rtol, "backend": backend, "workers": workers}
+    settings: dict[str, Any] = {"rtol": rtol, "backend": backend, "workers": workers, **times}
     run_sweep(lambda: rms_sweep(p, grid["V"], grid["d"], **start, **settings, progress=not quiet, store=output), output, force)
+    study = current()
+    if study is not None:
+        scales = study.scales
+        click.echo(f"{output}: lengths are in units of {study.shown('L_0', scales.length)}, times in {scales.time:.6g} s")
 
 
 def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:

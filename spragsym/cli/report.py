@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -57,6 +58,8 @@ def report(
     if study.model != "kang_nam":
         _print(study.model_report(), json_output)
         return
+    if sys.stderr.isatty():
+        click.echo("computing states, tolerances, changes and the oscillation (--no-oscillation leaves that out)", err=True)
     found = study.report(oscillation=oscillation, safety=safety)
     if html is not None:
         found.to_html(html)

@@ -1,46 +1,41 @@
-"""Figures of any model: where the number of its equilibria changes, its equilibria along a parameter, where oscillation begins.
-
-``python -m spragsym.figures.models docs/images/models`` draws the pictures of the gallery anew.
-"""
+"""Figures of any model: where the number of its equilibria changes, equilibria along a parameter, where oscillation begins."""
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 
-from ..models import Model, load
+from ..models import Model
 from ..models.bifurcation import ModelBifurcationSet
-from ..models.load import shipped
 from ..statics.solver import Stability
-from .files import FORMATS
-from .style import BLACK, BLUE, GREEN, SINGLE, VERMILION, Sheet, house_style, own_axes, panels, styled
+from .style import BLACK, BLUE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled
 
 #: Range of a parameter, by its name.
 Between = Mapping[str, tuple[float, float]]
+#: Names that are letters.
+GREEK = {
+    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
+}  # fmt: skip
 #: Colours of equilibria, which lie too densely for dashes.
 COLOURS: Mapping[Stability, str] = {
     Stability.STABLE: BLACK,
     Stability.DIVERGENT: VERMILION,
     Stability.FLUTTER: BLUE,
 }
-#: What the gallery shows of a model: the plane and its ranges; ("hopf", …) and ("flutter", …) are onsets along the second one.
-GALLERY: Mapping[str, tuple[str, str, str, Between]] = {
-    "stribeck": ("folds", "theta0", "mu_s", {"mu_s": (0.0, 1.5)}),
-    "mode_coupling": ("flutter", "sigma", "mu0", {"sigma": (0.05, 2.0), "mu0": (0.0, 2.0)}),
-    "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),
-}
 
 
 def label(model: Model, name: str) -> str:
-    """A parameter or coordinate as an axis names it."""
-    entries = {entry["name"]: entry for entry in (*model.about["parameters"], *model.about["coordinates"])}
-    symbol = entries[name].get("symbol") or name
-    symbol = symbol if symbol.startswith("\\") or "_" not in symbol else symbol.replace("_", r"_{\rm ", 1) + "}"
+    """A parameter or coordinate as an axis names it; the page's own symbol is that of a quantity with its unit."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    if name in entries and entries[name]["quantity"] == name:
+        symbol = entries[name]["symbol"]
+    else:
+        base, _, index = name.partition("_")
+        symbol = rf"\{base}" if base in GREEK else base
+        symbol += rf"_{{\rm {index}}}" if index else ""
     return f"${symbol}$ (deg)" if name in model.about["angles"] else f"${symbol}$"
 
 
@@ -163,28 +158,3 @@ def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between 
         f"""Bifurcation set of {model.name}: two equilibria in contact meet on the lines; dots are cusps.{open_boxes}""",
         a={"curve": number, **columns},
     )
-
-
-@styled
-def gallery_figure(model: Model, n: int = 60) -> Sheet:
-    """What the gallery shows of a shipped model."""
-    kind, *vary, between = GALLERY.get(model.name, ("folds", "theta0", "mu0", {"mu0": (0.0, 1.0)}))
-    p = model.Parameters(**dict.fromkeys(set(vary) & {"theta0"}, 1.0))
-    if kind == "folds":
-        return model_figure(model, p, vary, between=between, n=n)
-    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    draw_onsets_of(model, p, vary, ax, damping=kind == "hopf", between=between, n=n)
-    return figure.describe(f"Onsets of flutter of {model.name}.")
-
-
-def main() -> None:
-    """All pictures of the gallery, or of the models that are named."""
-    folder, *names = sys.argv[1:]
-    for name in names or shipped():
-        with house_style():
-            gallery_figure(load(name)).savefig(Path(folder) / f"{name}_set.svg", format="svg", metadata=FORMATS["svg"])
-        print(name, flush=True)
-
-
-if __name__ == "__main__":
-    main()

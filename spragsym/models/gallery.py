@@ -17,6 +17,14 @@ loaded by their names, `model = ss.load("two_springs")`, and take the same funct
 equations n̄ is 1 where the mass touches the belt and 0 elsewhere, and a dot is the rate in the model's unit of time.
 """
 
+#: Below the pictures that ``python -m spragsym.figures.gallery docs/images/models`` draws.
+_SET = "Two equilibria in contact meet on the lines; the dot is the cusp."
+_CAPTIONS = {
+    "stribeck": "Two equilibria in contact meet on the lines.",
+    "mode_coupling": "Flutter without damping begins on the dots: at the friction that the closed form above gives.",
+    "stick_slip": "Sliding gets unstable on the dots, a Hopf bifurcation: below them it is.",
+}
+
 
 def page(names: tuple[str, ...] | None = None, points: bool = True) -> str:
     """The page as Markdown; without ``points``, nothing is computed."""
@@ -44,6 +52,12 @@ def _section(model: Model, points: bool) -> str:
         "",
     ]
     lines += ["$$", rf"\begin{{aligned}} {formulas} \end{{aligned}}", "$$", "", *_table(model)]
+    lines += [
+        "",
+        f"![Where the equilibria of {model.name} change](images/models/{model.name}_set.svg)",
+        "",
+        _CAPTIONS.get(model.name, _SET),
+    ]
     if points:
         lines += ["", *_points(model)]
     return "\n".join(lines) + "\n"

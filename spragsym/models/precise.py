@@ -64,21 +64,40 @@ def ball(value: float, bits: int) -> Ball:
     return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
 
 
-def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
-    """Searched again with many digits: what float64 left open, or knows to few digits only."""
+def unsettled(found: Roots) -> NDArray[np.int64]:
+    """Points with boxes that are left, or with roots that are known to few digits only."""
     poor = ~(found.error <= TOLERANCE)
-    points = np.unique(np.concatenate([found.left_point, found.point[poor]]))
+    out: NDArray[np.int64] = np.unique(np.concatenate([found.left_point, found.point[poor]]))
+    return out
+
+
+def replaced(found: Roots, points: NDArray[np.int64], again: Roots) -> Roots:
+    """Roots and boxes of all points, those of the given ones by what a search among these has found."""
+    old, left = ~np.isin(found.point, points), ~np.isin(found.left_point, points)
+    return Roots(
+        np.concatenate([found.ends[:, :, old], again.ends], axis=2),
+        np.concatenate([found.alone[:, :, old], again.alone], axis=2),
+        np.concatenate([found.point[old], points[again.point]]),
+        np.concatenate([found.left[:, :, left], again.left], axis=2),
+        np.concatenate([found.left_point[left], points[again.left_point]]),
+    )
+
+
+def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+    """What is unsettled after double-double, looked at again with many digits."""
+    points = unsettled(found)
     if not points.size:
         return found
     parts = [_of_point(balance, given[:, at], around[:, :, at % around.shape[2]], found, int(at)) for at in points]
-    old = ~np.isin(found.point, points)
-    return Roots(
-        np.concatenate([found.ends[:, :, old], *(part.ends for part in parts)], axis=2),
-        np.concatenate([found.alone[:, :, old], *(part.alone for part in parts)], axis=2),
-        np.concatenate([found.point[old], *(part.point for part in parts)]),
+    sizes, left_sizes = ([getattr(part, name).size for part in parts] for name in ("point", "left_point"))
+    again = Roots(
+        np.concatenate([part.ends for part in parts], axis=2),
+        np.concatenate([part.alone for part in parts], axis=2),
+        np.repeat(np.arange(points.size), sizes),
         np.concatenate([part.left for part in parts], axis=2),
-        np.concatenate([part.left_point for part in parts]),
+        np.repeat(np.arange(points.size), left_sizes),
     )
+    return replaced(found, points, again)
 
 
 def _of_point(balance: Balance, given: FloatArray, region: FloatArray, found: Roots, point: int) -> Roots:

@@ -205,9 +205,6 @@ static Py_ssize_t solve_all(buffers *all, double nbar, Py_ssize_t points) {
         const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
         load_columns(all->given, nbar, start, length, &p, refused);
         guess_columns(&p);
-        for (int i = 0; i < BLOCK; i++) {
-            refused[i] = refused[i] || !p.representable[i];
-        }
         solve_columns(nbar, length, refused, &p, groups);
         used = unload_columns(all, nbar, start, length, refused, &p, groups, used);
     }

@@ -110,7 +110,7 @@ def _table(text: str, lines: _Lines) -> dict[str, Any]:
         other = next(iter(content), None)
         where = lines.path if other is None else lines.table(other) if isinstance(content[other], dict) else lines.of(other)
         remark = f"{where}: the key {other!r} stands outside of it" if other is not None else f"{lines.path} is empty"
-        raise ParameterError(f"{remark}; the table [brake] is missing: begin with a line [brake]")
+        raise ParameterError(f"{remark}; the table [brake] is missing: begin with a line [brake]{hint(str(other), ['brake'])}")
     table = content["brake"]
     if not isinstance(table, dict):
         raise ParameterError(f"{lines.of('brake')}: brake = {table!r} is no table; begin with a line [brake]")
@@ -160,6 +160,8 @@ def _check_names(table: Mapping[str, Any], units: Mapping[str, str], lines: _Lin
 
 def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:
     where = lines.of(key)
+    if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
+        given = f"[{given[0]!r}, {given[1]!r}]"
     if isinstance(given, bool) or not isinstance(given, str | int | float):
         raise ParameterError(
             f'{where}: {key} = {given!r} is neither text nor a number; write {key} = "{EXAMPLES.get(unit, "1 " + unit)}"'
@@ -188,11 +190,17 @@ def _check_range(key: str, found: Measured, given: Any, where: str, unit: str) -
             word = "is not" if what else "must be"
             text = f"{key} = {given!r}{what} {word} {limits}"
             remedy = "" if unit == "rad" else allowed.remedy or _remedy(key)
-            if what and found.value >= allowed.low and not remedy:
-                remedy = f'give the two ends, as in {key} = "[0, {shown(found.high / factor(found.unit, unit))}] {found.unit}"'
+            if what and allowed.contains(found.value) and not remedy:
+                remedy = f'give the two ends, as in {key} = "{_ends(found, unit, allowed.open_low)}"'
             raise ParameterError(
                 f"{where}: {text}; " + (remedy or f'write for instance {key} = "{EXAMPLES.get(unit, "1 " + unit)}"')
             )
+
+
+def _ends(found: Measured, si: str, open_low: bool) -> str:
+    """A range that a quantity may have, about the one that was given."""
+    low, high = (shown(round(end / factor(found.unit, si), 12)) for end in (found.value / 2 if open_low else 0.0, found.high))
+    return f"[{low}, {high}] {found.unit}".strip()
 
 
 def _remedy(key: str) -> str:

@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from .states import State
+from .states import NEUTRAL, State
 from .study import Study
 
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
 DEEP = 0.05
+#: Displacement over the length of the spring beyond which a state is none of small deformation.
+FAR = 0.5
 #: Share of μ₀ below which the friction at the speed of the belt is worth a warning.
 FULL = 0.95
 #: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
@@ -18,13 +20,19 @@ POOR = 0.1
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
 FLAT = 3.15
-#: Damping ratio below which a state is neither damped nor driven to speak of.
-NEUTRAL = 1e-3
 
 
-def cautions(study: Study, found: Sequence[State]) -> tuple[str, ...]:
-    """All warnings for a study and the states that were found."""
-    return (*_contact(study, found), *_stiffness(study), *_friction(study), *_units(study), *_damping(study, found))
+def cautions(study: Study, found: Sequence[State], jumped: bool) -> tuple[str, ...]:
+    """All warnings for a study, the states that were found, and whether the one that the brake is in is behind a jump."""
+    far = () if jumped else tuple(_far(study, found))
+    return (
+        *_contact(study, found),
+        *far,
+        *_stiffness(study),
+        *_friction(study),
+        *_units(study),
+        *_damping(study, found),
+    )
 
 
 def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
@@ -39,6 +47,16 @@ def _contact(study: Study, found: Sequence[State]) -> Iterator[str]:
                 f"{which} {deepest:.3g} mm deep, {deepest / length:.2g} of the length of the spring: a linear contact means "
                 f"nothing there; check F_L = {study.shown('F_L', study.values['F_L'])} "
                 f"and k_c = {study.shown('k_c', study.values['k_c'])}"
+            )
+
+
+def _far(study: Study, found: Sequence[State]) -> Iterator[str]:
+    length = 1e3 * study.values["L_0"]
+    for state in found:
+        if state.current and abs(state.x_mm) > FAR * length:
+            yield (
+                "the state that is reached as friction rises from 0 has not jumped, and its mass is displaced by "
+                f"{state.x_mm:.3g} mm all the same, {abs(state.x_mm) / length:.2g} of the length of the spring: that is no small deformation"
             )
 
 
@@ -63,8 +81,8 @@ def _friction(study: Study) -> Iterator[str]:
     missing = [name for name in ("V", "d") if name not in study.quantities]
     if missing:
         yield (
-            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, "
-            "the friction law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
+            f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not given: friction is taken at full slip, the "
+            "friction law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
             'V = "1.2 m/s", d = "10 s/m"'
         )
     if fit is not None and fit.rms > POOR * fit.mu0:
@@ -101,8 +119,8 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
         if study.moves and state.current and state.statics == "stable":
             least = min(state.damping_ratio, default=0.0)
             if abs(least) < NEUTRAL:
-                side = "damps" if least > 0 else "drives"
+                what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
                 yield (
-                    f"the friction law alone {side} the sliding, with a damping ratio of {least:.1g}: next to nothing; the "
-                    "damping of the real brake, which the model leaves out, decides whether it settles"
+                    f"the only damping here is the friction law's, with a damping ratio of {least:.1g}, {what}; that is next to "
+                    "nothing, and the damping of the real brake, which the model leaves out, decides"
                 )

@@ -21,7 +21,9 @@ h1{font-size:1.5rem;margin-bottom:.3rem}h2{font-size:1.1rem;margin:2rem 0 .4rem;
 .verdict{font-size:1.2rem;padding:.8rem 1rem;border-left:6px solid #0072B2;background:#f3f7fa}
 .verdict.sprags{border-color:#D55E00;background:#fdf4ee}
 .warning{padding:.4rem 1rem;border-left:6px solid #E69F00;background:#fffaf0}
-table{border-collapse:collapse}td{padding:.15rem 1.2rem .15rem 0;vertical-align:top}td:first-child{color:#555;white-space:nowrap}
+table{border-collapse:collapse}
+td{padding:.15rem 1.2rem .15rem 0;vertical-align:top}
+td:first-child{color:#555;min-width:9rem;max-width:26rem}
 figure{margin:1rem 0;display:inline-block;vertical-align:top;max-width:100%}
 figcaption{font-size:.85rem;color:#444;max-width:27rem}
 svg{max-width:100%;height:auto}@media print{body{margin:0;max-width:none;font-size:11pt}figure{break-inside:avoid}}

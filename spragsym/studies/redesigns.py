@@ -8,10 +8,12 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.stats import qmc
 
 from ..design import redesign
 from ..design.jump_values import first_jumps
@@ -28,22 +30,32 @@ SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
 #: A single quantity is changed by up to this factor either way, at this many values, then between the two that decide.
 _FACTOR, _VALUES, _BETWEEN, _ROUNDS = 20.0, 160, 32, 2
+#: Quantities of whose tolerances all corners are looked at; of more, as many as that.
+_CORNERS = 5
+#: How much further than the least joint change it may go.
+_STRETCHES = (1.0, 1.1, 1.25, 1.5, 2.0, 3.0)
 #: Digits of a new value.
 _DIGITS = 3
 
 
 @dataclass(frozen=True)
 class Change(Result):
-    """A new design: the quantities that change, in SI, before and after; where it jumps; and how far it is, in tolerances."""
+    """A new design: the quantities that change, in SI, before and after; where it jumps; and how far it is, in tolerances.
+
+    ``probability`` is the share of brakes within the tolerances about the new design that jump; NaN where nothing has one.
+    """
 
     before: Mapping[str, float]
     after: Mapping[str, float]
     mu_jump: float
     distance: float
+    probability: float
 
 
 def changes(study: Study, target: float) -> tuple[Change, ...]:
-    """Changes that keep the jump at or beyond a friction: of single quantities, nearest first, and last the least joint one.
+    """Changes that keep the jump at or beyond a friction, and at every corner of the tolerances beyond the largest one given.
+
+    Single quantities, nearest first, and last the least joint change.
 
     Parameters
     ----------
@@ -54,7 +66,9 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
     Notes
     -----
     Source: :func:`spragsym.jump_value` over values of one quantity, and :func:`spragsym.redesign` for several. That a change
-    keeps the target is verified at the value as it is printed; that there is none nearer is not proved.
+    keeps the target is verified at the value as it is printed, at the corners of the tolerances about it and at Sobol' points
+    within them; that there is none nearer is not proved. A changed quantity keeps its tolerance as a share of its value, an
+    inclination as it is.
     """
     scale = {name: _scale(study, name) for name in SINGLE}
     single = [_single(study, name, target, scale) for name in SINGLE]
@@ -75,15 +89,64 @@ def _jump(study: Study, changed: Mapping[str, Any]) -> tuple[FloatArray, NDArray
     """Where designs jump, and for which of them that is known."""
     shape = np.shape(next(iter(changed.values())))
     values = {name: np.broadcast_to(changed.get(name, study.values[name]), shape) for name in PHYSICAL}
-    found = first_jumps(Parameters(**dimensionless(values)), "mu0")
+    parameters = {name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()}
+    found = first_jumps(Parameters(**parameters), "mu0")
     known = np.ones(math.prod(shape), dtype=np.bool_)
     known[list(found.reasons)] = False
-    return found.value, known.reshape(shape)
+    return found.value.reshape(shape), known.reshape(shape)
 
 
 def _kept(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
+    """Which designs jump at the target at the earliest, and at the corners of their tolerances beyond the largest friction."""
     jump, known = _jump(study, changed)
-    return known & ~(jump < target)
+    kept = known & ~(jump < target)
+    left = np.flatnonzero(kept)
+    corners = _shares(study, corners=True)
+    if left.size and len(corners):
+        some = {name: np.asarray(value)[left] for name, value in changed.items()}
+        jump, known = _jump(study, _about(study, some, corners))
+        kept[left] = (known & ~(jump <= study.friction[2])).all(axis=0)
+    return kept
+
+
+def _wide(study: Study) -> list[str]:
+    return [name for name in SINGLE if name in study.tolerances]
+
+
+def _shares(study: Study, corners: bool) -> FloatArray:
+    """Corners of the unit cube of all tolerances but the friction's, or points within it; a sample where the corners are many."""
+    wide = _wide(study)
+    if not wide:
+        return np.empty((0, 0))
+    if corners and len(wide) <= _CORNERS:
+        return np.array(list(product((0.0, 1.0), repeat=len(wide))))
+    points = qmc.Sobol(len(wide) + (not corners), rng=1).random(1 << (_CORNERS if corners else 10))
+    return np.round(points) if corners else np.asarray(points)
+
+
+def _about(study: Study, changed: Mapping[str, Any], shares: FloatArray) -> dict[str, FloatArray]:
+    """Designs at shares of the tolerances about others, of shape (shares, designs)."""
+    found: dict[str, FloatArray] = {}
+    for name in _wide(study):
+        one, size = study.quantities[name], np.shape(next(iter(changed.values())))
+        centre = np.broadcast_to(changed.get(name, one.value), size)
+        scale = centre / one.value if name != "theta0" and one.value else np.ones(size)
+        off = one.low - one.value + shares[:, _wide(study).index(name), None] * (one.high - one.low)
+        found[name] = centre + off * scale
+    others = {name: np.broadcast_to(value, (len(shares), *np.shape(value))) for name, value in changed.items()}
+    low, high = math.radians(1e-6), math.pi - math.radians(1e-6)
+    return others | {name: np.clip(value, low, high) if name == "theta0" else value for name, value in found.items()}
+
+
+def _probability(study: Study, changed: Mapping[str, float]) -> float:
+    """The share of Sobol' points within the tolerances about a design that jump at their friction."""
+    shares = _shares(study, corners=False)
+    low, _, high = study.friction
+    if not len(shares):
+        return math.nan
+    jump, known = _jump(study, _about(study, {name: np.array([value]) for name, value in changed.items()}, shares))
+    friction = low + shares[:, -1, None] * (high - low)
+    return float((~known | (jump <= friction)).mean())
 
 
 def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:
@@ -127,7 +190,15 @@ def _joint(study: Study, target: float, scale: Mapping[str, float]) -> Change | 
         return None
     if not np.isfinite(found.distance) or not isinstance(found.parameters, PhysicalParameters):
         return None
-    return _verified(study, {name: float(getattr(found.parameters, name)) for name in names}, target, scale)
+    after = {name: float(getattr(found.parameters, name)) for name in names}
+    # The least change has its jump on the target: as much further as its own tolerances ask for.
+    for stretch in _STRETCHES:
+        longer = {name: study.values[name] + stretch * (value - study.values[name]) for name, value in after.items()}
+        allowed = all(value > 0 or (name in ("k_x", "k_y") and value == 0) for name, value in longer.items())
+        change = _verified(study, longer, target, scale) if allowed and longer.get("theta0", 1.0) < math.pi else None
+        if change is not None:
+            return change
+    return None
 
 
 def _verified(study: Study, after: Mapping[str, float], target: float, scale: Mapping[str, float]) -> Change | None:
@@ -139,7 +210,7 @@ def _verified(study: Study, after: Mapping[str, float], target: float, scale: Ma
             jump = float(_jump(study, {name: np.array([value]) for name, value in rounded.items()})[0][0])
             moved = {name: value for name, value in rounded.items() if value != before[name]}
             size = math.hypot(*((value - before[name]) / scale[name] for name, value in moved.items()))
-            return Change({name: before[name] for name in moved}, moved, jump, size)
+            return Change({name: before[name] for name in moved}, moved, jump, size, _probability(study, moved))
     return None
 
 

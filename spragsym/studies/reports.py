@@ -11,6 +11,7 @@ from ..catastrophe import critical_friction, folds
 from ..catastrophe.fold_points import Folds
 from ..design import jump_margin, jump_value
 from ..display import Result
+from ..errors import ParameterError
 from .cautions import cautions
 from .oscillations import Oscillation, oscillation_of
 from .redesigns import Change, changes
@@ -96,6 +97,11 @@ class Report(Result):
 def report(study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int) -> Report:
     """The report of a study; see :meth:`Study.report`."""
     low, working, high = study.friction
+    if high == 0 and study.quantities["mu0"].high > 0:
+        raise ParameterError(
+            f"V = {study.shown('V', study.values['V'])}: nothing slides at that speed, and the friction law has no friction "
+            "there; give the speed of the belt, or leave V and d out for friction at full slip"
+        )
     p = study.dimensionless
     mu_jump = float(jump_value(p, "mu0"))
     theta0_jump = float(jump_value(p.replace(mu0=working), "theta0"))
@@ -105,13 +111,14 @@ def report(study: Study, *, probability: bool, redesign: bool, oscillation: bool
     target = safety * high
     reached = certificate(study) if probability else None
     lives = oscillation_of(study) if oscillation and study.moves else None
-    needed = redesign and target > 0 and mu_jump < target
+    odds = chance(study, n) if probability else None
+    needed = redesign and target > 0 and (mu_jump < target or (odds is not None and odds.probability > 0))
     turns = {"mu0": folds(p, "mu0"), "theta0": folds(p.replace(mu0=working), "theta0")}
     parts: dict[str, Any] = dict(
         mu_jump=mu_jump, theta0_jump_deg=math.degrees(theta0_jump), mu_cusp=mu_cusp, mu_effective=working, margin_percent=margin,
         distance=_distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
-        probability=chance(study, n) if probability else None, redesign=changes(study, target) if needed else (), target=target,
-        warnings=cautions(study, found), study=study,
+        probability=odds, redesign=changes(study, target) if needed else (), target=target,
+        warnings=cautions(study, found, mu_jump <= working), study=study,
     )  # fmt: skip
     from .texts import verdict
 

@@ -15,6 +15,9 @@ from ..parameters import NAMES, FloatArray, Parameters
 from ..statics.solver import Stability, equilibria
 from .study import Study
 
+#: Damping ratio below which a state is neither damped nor driven to speak of.
+NEUTRAL = 1e-3
+
 
 @dataclass(frozen=True)
 class State(Result):

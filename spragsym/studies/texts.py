@@ -21,14 +21,15 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     jump, cusp = parts["mu_jump"], parts["mu_cusp"]
     angle = study.shown("theta0", study.values["theta0"])
     friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
-    if math.isnan(jump):
-        why = "has no jump at any friction" if math.isinf(cusp) else "has no jump at this angle"
-        return f"It does not sprag: at {angle} the state of small deformation {why}{_within(parts)}."
-    if jump > high:
-        return (
-            f"It does not sprag: at {angle} the state of small deformation jumps at a friction of {jump:.4g}, "
-            f"{parts['margin_percent']:.0f} % above the largest that you have, {high:.3g}{_within(parts)}."
-        )
+    if not jump <= high:
+        odds = parts["probability"]
+        begin = "As drawn it does not sprag" if odds is not None and odds.probability > 0 else "It does not sprag"
+        if math.isnan(jump):
+            what = "has no jump at any friction" if math.isinf(cusp) else "has no jump at this angle"
+        else:
+            above = f", {parts['margin_percent']:.0f} % above the largest that you have, {high:.3g}" if high > 0 else ""
+            what = f"jumps at a friction of {jump:.4g}{above}"
+        return f"{begin}: at {angle} the state of small deformation {what}{_within(parts, jumps=False)}."
     where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
     return (
         f"It sprags: at {angle} the state of small deformation jumps at a friction of {jump:.4g}, {where} friction {friction}"
@@ -36,7 +37,7 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     )
 
 
-def _within(parts: Mapping[str, Any]) -> str:
+def _within(parts: Mapping[str, Any], jumps: bool = True) -> str:
     """What follows within the tolerances."""
     reached, odds = parts["certificate"], parts["probability"]
     if reached is None:
@@ -45,9 +46,9 @@ def _within(parts: Mapping[str, Any]) -> str:
         return "; proved for everything within the tolerances"
     if odds is None:
         return ""
-    if reached.outcome == "refuted":
-        return f"; within the tolerances {_percent(odds.probability)} of all brakes do"
-    return f"; within the tolerances {_percent(odds.probability)} of all brakes do, and a proof for all of them was not found"
+    but = "; within" if jumps or not odds.probability else "; but within"
+    share = f"{but} the tolerances {_percent(odds.probability)} of all brakes do"
+    return share if reached.outcome == "refuted" else f"{share}, and a proof for all of them was not found"
 
 
 def _percent(share: float) -> str:
@@ -73,7 +74,7 @@ def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     for title, rows in (
         ("Jump", _jump(report)), ("State", _state(report)), ("Folds", _folds(report)), ("Tolerances", _tolerances(report)),
-        ("Oscillation", _oscillation(report)), (f"To keep the jump at {report.target:.3g}, change", _changes(report)),
+        ("Oscillation", _oscillation(report)), (_aim(report), _changes(report)),
     ):  # fmt: skip
         yield title, list(rows)
 
@@ -81,7 +82,7 @@ def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
 def _jump(report: Report) -> Iterator[tuple[str, str]]:
     study = report.study
     low, working, high = study.friction
-    yield ("friction that works", f"{working:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""))
+    yield ("friction at the belt's speed", f"{working:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""))
     yield ("jump at this angle", "never" if math.isnan(report.mu_jump) else f"at friction {report.mu_jump:.6g}")
     if not math.isnan(report.mu_jump) and high > 0:
         yield ("margin to the largest friction", f"{report.margin_percent:+.1f} %")
@@ -90,10 +91,10 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
     cusp = "there is none" if math.isinf(report.mu_cusp) else f"{report.mu_cusp:.6g}, below which it jumps at no angle"
     yield ("friction of the cusp", cusp)
     if not math.isnan(report.distance):
-        where = "it has jumped already" if report.distance == 0 else "none found" if math.isinf(report.distance) else (
-            f"{report.distance:.3g} tolerances away"
+        where = "0, it has jumped already" if report.distance == 0 else "none found" if math.isinf(report.distance) else (
+            f"{report.distance:.3g}, as the root of the sum of squares"
         )  # fmt: skip
-        yield ("nearest jump", where)
+        yield ("tolerances to the nearest jump", where)
 
 
 def _state(report: Report) -> Iterator[tuple[str, str]]:
@@ -161,7 +162,8 @@ def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
         yield ("probability of a jump", f"{_percent(odds.probability)}, {ends}")
         for name, (first, total, _) in odds.sobol.items():
             if not math.isnan(total):
-                yield (f"share that goes with {name}", f"{100 * first:.0f} % alone, {100 * total:.0f} % with others")
+                shares = f"{100 * first:.0f} % by itself, {100 * total:.0f} % with what it does together with others"
+                yield (f"how much {name} decides", shares)
 
 
 def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
@@ -169,7 +171,10 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
     if found is None:
         return
     word = {"cycle": "a cycle", "motion": "a motion that has not repeated itself", "none": "none: it comes to rest"}[found.kind]
-    yield ("from rest or from far out", word + ("" if found.kind != "cycle" else ", stable" if found.stable else ", unstable"))
+    if found.start != "rest":
+        yield ("from rest", "no cycle was reached in the time that was looked at")
+    beginning = "from rest" if found.start == "rest" else "from far out"
+    yield (beginning, word + ("" if found.kind != "cycle" else ", stable" if found.stable else ", unstable"))
     if found.kind == "none":
         return
     if found.kind == "cycle":
@@ -178,7 +183,13 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
     for name, ends in (("force of the spring", found.spring_force_N), ("force of the contact", found.contact_force_N)):
         yield (name, f"{ends[0]:.5g} N to {ends[1]:.5g} N")
     yield ("lifts off the belt", "yes" if found.lifts_off else "no")
-    yield ("can live although sliding is stable", "yes" if found.coexists else "not shown")
+    yield ("lives beside sliding that is stable", "yes" if found.coexists else "not shown")
+
+
+def _aim(report: Report) -> str:
+    largest = report.study.friction[2]
+    factor = f" = {report.target / largest:.3g} x {largest:.3g}" if largest > 0 else ""
+    return f"To keep the jump at {report.target:.3g}{factor}, and all within the tolerances from jumping, change"
 
 
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
@@ -187,7 +198,8 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
             f"{name} from {report.study.shown(name, one.before[name])} to {report.study.shown(name, one.after[name])}"
             for name in one.after
         )
-        yield values, "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
+        then = "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
+        yield values, then + ("" if math.isnan(one.probability) else f"; within the tolerances {_percent(one.probability)} do")
 
 
 # ------------------------------------------------------------------------------------------------------------------ JSON
@@ -212,7 +224,8 @@ def as_json(report: Report) -> dict[str, Any]:
         },
         "oscillation": None if lives is None else {
             "kind": lives.kind, "stable": lives.stable, "frequency_hz": lives.frequency_hz, "amplitude_mm": lives.amplitude_mm,
-            "lifts_off": lives.lifts_off, "coexists_with_stable_sliding": lives.coexists, "remark": lives.remark,
+            "start": lives.start, "lifts_off": lives.lifts_off, "coexists_with_stable_sliding": lives.coexists,
+            "remark": lives.remark,
         },
         "certificate": _certificate_json(report),
         "probability": None if odds is None else {
@@ -255,5 +268,5 @@ def _certificate_json(report: Report) -> dict[str, Any] | None:
 def _change_json(report: Report, one: Change) -> dict[str, Any]:
     return {
         "from": _in_file(report.study, one.before), "to": _in_file(report.study, one.after), "mu_jump": one.mu_jump,
-        "target": report.target, "distance": one.distance,
+        "target": report.target, "distance": one.distance, "probability": one.probability,
     }  # fmt: skip

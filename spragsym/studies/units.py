@@ -20,6 +20,11 @@ EXAMPLES: Mapping[str, str] = {
     "1": "0.45",
 }  # fmt: skip
 
+#: The same for ranges.
+RANGE_EXAMPLES: Mapping[str, str] = {
+    "kg": "[0.3, 0.4] kg", "N/m": "[150, 210] N/mm", "m": "[37, 39] mm", "rad": "[51, 53] deg", "N": "[400, 440] N",
+    "m/s": "[1, 1.4] m/s", "s/m": "[8, 12] s/m", "1": "[0.3, 0.6]",
+}  # fmt: skip
 _NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 _SIGN = r"(?:±|\+/-|\+-)"
 _UNIT = r"(?:1\s*/\s*)?[^\d\s±\[\],+.][^±\[\],]*?"
@@ -90,23 +95,28 @@ def parsed(unit: str) -> pint.Unit:
     """A unit from its text."""
     if not _LETTERS.fullmatch(unit) or any(len(digits) > 2 for digits in re.findall(r"\d+", unit)):
         raise ParameterError(f"the unit {unit!r} can't be read")
-    try:
-        found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
-        registry().get_base_units(found)
-    except Exception as error:  # pint raises many kinds, of the tokenizer too
-        remark = f"; did you mean {unit.lower()}?" if unit.lower() != unit and _is_known(unit.lower()) else ""
-        raise ParameterError(f"the unit {unit!r} is not known{remark}") from error
+    found = _by_pint(unit)
+    if found is None:
+        remark = next((f"; did you mean {other}?" for other in _alike(unit) if other != unit and _by_pint(other)), "")
+        raise ParameterError(f"the unit {unit!r} is not known{remark}")
     if registry().Quantity(0.0, found).to_base_units().magnitude != 0:
         raise ParameterError(f"the unit {unit!r} has a zero point of its own")
     return found
 
 
-def _is_known(unit: str) -> bool:
+def _alike(unit: str) -> tuple[str, ...]:
+    """What may have been meant: small letters, the newton as N, and powers with their sign."""
+    newton = re.sub(r"(?<![A-Za-z])n(?![A-Za-z])", "N", unit)
+    return unit.lower(), newton, re.sub(r"([A-Za-z])(\d)", r"\1^\2", newton)
+
+
+def _by_pint(unit: str) -> pint.Unit | None:
     try:
-        parsed(unit)
-    except ParameterError:
-        return False
-    return True
+        found = registry().parse_units(unit.replace("·", "*").replace("⋅", "*"))
+        registry().get_base_units(found)
+    except Exception:  # pint raises many kinds, of the tokenizer too
+        return None
+    return found
 
 
 def dimension(unit: pint.Unit) -> tuple[Any, ...]:
@@ -163,7 +173,7 @@ def read(text: str, si: str) -> Measured:
     both = _BRACKETED.fullmatch(plain)
     found = _PLAIN.fullmatch(both.expand(r"\g<value> \g<unit> \g<sign> \g<off> \g<unit>") if both else plain)
     if not found:
-        raise ParameterError(f"{text!r} can't be read{_why(text)}; write {_example(si)}")
+        raise ParameterError(f"{text!r} can't be read{_why(text, si)}; write {_example(si)}")
     number, unit = float(found["value"]), (found["unit"] or "").strip()
     off, of = found["off"], _PERCENT.get((found["of"] or "").strip(), (found["of"] or "").strip())
     if not unit and si != "1" and of and "%" not in of:
@@ -206,7 +216,9 @@ def _scale(unit: str, si: str, text: str) -> float:
     try:
         return factor(unit, si)
     except ParameterError as error:
-        raise ParameterError(f"{text!r}: {_two_numbers(text) or error}; write {_example(si)}") from error
+        raise ParameterError(
+            f"{text!r}: {_two_numbers(text, si) or _without_sign(text) or error}; write {_example(si)}"
+        ) from error
 
 
 def _finite(number: float, scale: float, text: str) -> float:
@@ -223,17 +235,19 @@ def _example(si: str) -> str:
     return f'for instance "{EXAMPLES.get(si, "1 " + si)}"'
 
 
-def _why(text: str) -> str:
+def _why(text: str, si: str) -> str:
     if not text.strip():
         return ": it is empty"
     if re.match(r"\s*[+-]?\d+,\d", text):
         return ": a comma is no decimal point"
-    if ends := _two_numbers(text):
-        return f": {ends}"
+    if remark := _two_numbers(text, si) or _without_sign(text):
+        return f": {remark}"
     if re.match(r"\s*[+-]?\d+\s+\d", text):
         return ": there is a blank inside of the number"
     if "[" in text or "]" in text:
-        return ": a range is two numbers in brackets, as in [150, 210] N/mm"
+        return f": a range is two numbers in brackets, as in {RANGE_EXAMPLES.get(si, '[150, 210] N/mm')}"
+    if re.search(rf",\s*{_SIGN}", text):
+        return ": leave out the comma before ±"
     if not re.match(rf"\s*{_NUMBER}", text):
         return ": it does not begin with a number"
     if re.search(_SIGN, text):
@@ -241,12 +255,19 @@ def _why(text: str) -> str:
     return ""
 
 
-def _two_numbers(text: str) -> str:
+def _without_sign(text: str) -> str:
+    """What to say of a second number without ± before it."""
+    found = re.fullmatch(rf"\s*(?P<first>{_NUMBER}\s*{_UNIT})\s+(?P<off>{_NUMBER}\s*(?:%|{_UNIT}))\s*", text)
+    return f"± is missing before {found['off']}: {found['first']} ± {found['off']}" if found else ""
+
+
+def _two_numbers(text: str, si: str) -> str:
     """What to say of two ends that are not in brackets."""
+    example = RANGE_EXAMPLES.get(si, "[150, 210] N/mm")
     if re.match(rf"\s*{_NUMBER}\s*(?:\.\.+|…|-|–|to)\s*\d", text):
-        return "a range is two numbers in brackets, as in [150, 210] N/mm"
+        return f"a range is two numbers in brackets, as in {example}"
     if re.search(rf"\+\s*{_NUMBER}.*[^eE]-\s*{_NUMBER}", text):
-        return "for different tolerances up and down give the two ends in brackets, as in [150, 210] N/mm"
+        return f"for different tolerances up and down give the two ends in brackets, as in {example}"
     return ""
 
 

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import ctypes
 import importlib.util
-import mmap
 import shutil
 import subprocess
 import sys
@@ -20,7 +18,7 @@ from spragsym import statics
 from spragsym.statics import compiled
 from spragsym.statics.slots import COLUMNS, Slots
 
-from .c99 import FLAGS, SOURCE, Judge
+from .c99 import FLAGS, LARGE, SOURCE, Judge, at_the_end
 
 #: What is no parameter: place in the row, and value.
 REFUSED = ((0, 4.0), (0, np.nan), (1, -1.0), (2, 0.0), (3, np.inf), (4, -0.1), (5, -1e-9))
@@ -50,6 +48,10 @@ class Extension(Judge):
             _stays_inside(module, [column[:size] for column in columns], counts[:size])
         return answered + int((counts > 0).sum())
 
+    def trespasses(self, text: str) -> str:
+        """Nothing more: its buffers end where memory does."""
+        return ""
+
     def _solved(self, columns: list[Any], contact: bool, rows: Any) -> int:
         """How many of the points, which are these rows, are settled, all of them as they must be."""
         out = Slots(len(rows), 3 if contact else 4)
@@ -73,7 +75,16 @@ class Extension(Judge):
         out = Slots(len(self.rows), 3)
         left = compiled.solve(changed, True, out, 0, len(self.rows))
         assert np.isin(bad, left).all(), "no parameter"
+        for row, values in zip((1, 2), LARGE, strict=True):
+            for column, value in zip(changed, values, strict=True):
+                column[row] = value
+        out = Slots(len(self.rows), 3)
+        left = compiled.solve(changed, True, out, 0, len(self.rows))
+        assert np.isin([*bad, 1, 2], left).all(), "beyond double precision"
+        assert not out.count[[*bad, 1, 2]].any(), "count of what is refused"
         again = compiled.count(changed, len(self.rows))
+        assert not again[[1, 2]].any(), "number beyond double precision"
+        again[[1, 2]] = counts[[1, 2]]
         assert not again[bad].any(), "number of no parameter"
         assert (np.delete(again, bad) == np.delete(counts, bad)).all(), "neighbours"
 
@@ -133,26 +144,13 @@ def _lengths(module: ModuleType) -> None:
 def _stays_inside(module: ModuleType, columns: list[Any], counts: Any) -> None:
     """Every buffer ends where memory that may be touched does."""
     size, kinds = len(counts), [*[np.float64] * 5, np.int8]
-    given = [_at_the_end(column) for column in columns]
+    given = [at_the_end(column) for column in columns]
     for contact in (0, 1):
         room = size * (2 if contact else 3)
-        settled, number = (_at_the_end(np.zeros(size, dtype=np.int8)) for _ in range(2))
-        first = tuple(_at_the_end(np.zeros(size, dtype=kind)) for kind in kinds)
-        further = tuple(_at_the_end(np.zeros(room, dtype=kind)) for kind in kinds)
-        module.solve(*given, contact, settled, number, first, (_at_the_end(np.zeros(size, dtype=np.int64)), *further))
-    found = _at_the_end(np.zeros(size, dtype=np.int8))
+        settled, number = (at_the_end(np.zeros(size, dtype=np.int8)) for _ in range(2))
+        first = tuple(at_the_end(np.zeros(size, dtype=kind)) for kind in kinds)
+        further = tuple(at_the_end(np.zeros(room, dtype=kind)) for kind in kinds)
+        module.solve(*given, contact, settled, number, first, (at_the_end(np.zeros(size, dtype=np.int64)), *further))
+    found = at_the_end(np.zeros(size, dtype=np.int8))
     module.count(*given, found)
     assert (found == counts).all(), "numbers of a few"
-
-
-def _at_the_end(values: Any) -> Any:
-    """A copy that ends at the border of a page that may not be touched."""
-    page = mmap.PAGESIZE
-    pages = -(-values.nbytes // page)
-    memory = mmap.mmap(-1, (pages + 1) * page)
-    start = ctypes.addressof(ctypes.c_char.from_buffer(memory))
-    if ctypes.CDLL(None).mprotect(ctypes.c_void_p(start + pages * page), ctypes.c_size_t(page), 0):
-        raise OSError("mprotect")
-    copy = np.frombuffer(memory, dtype=values.dtype, count=values.size, offset=pages * page - values.nbytes)
-    copy[:] = values
-    return copy

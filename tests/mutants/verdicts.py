@@ -13,7 +13,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import Any, TextIO
+from typing import Any
 
 
 def stamp(*parts: str) -> str:
@@ -78,13 +78,12 @@ class Journal:
         whole = file.with_suffix(".new")
         whole.write_text("".join(map(_line, self.rows.values())), encoding="utf-8")
         whole.replace(file)
-        self._out: TextIO = file.open("a", encoding="utf-8")
 
     def add(self, key: str, by: str, stamps: Iterable[str], seconds: float) -> None:
         """A mutant was killed by a test, of this stamp; or by none, of these."""
         self.rows[key] = {"key": key, "by": by, "stamps": sorted(stamps), "seconds": round(seconds, 2)}
-        self._out.write(_line(self.rows[key]))
-        self._out.flush()
+        with self.file.open("a", encoding="utf-8") as out:
+            out.write(_line(self.rows[key]))
 
     def killer(self, key: str) -> str:
         """The test that killed a mutant when it was last run, whether or not that holds still."""

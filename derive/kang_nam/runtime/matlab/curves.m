@@ -5,8 +5,8 @@ function found = curves(kind, directions, given)
 %  In a direction theta friction is eliminated; all points there are the positive roots of a polynomial in tan(theta0/2).
 %  Between neighbouring directions with the same number of roots the k-th belongs to the k-th. Where their number changes, more
 %  directions are put in between until the place is known to rounding; two roots that are born or vanish together are joined
-%  there. In double precision and without proof: what two curves that all but touch do, rounding may decide. Where far more columns
-%  or curves come up than regular sets have, all is rounding, and an error says so.
+%  there. In double precision and without proof: what two curves that all but touch do, rounding may decide. Where far more
+%  columns or curves come up than regular sets have, all is rounding, and an error says so.
   columns = refined(kind, columns_at(directions(:)', kind, given), given);
   parts = joined(columns);
   found = struct('theta0', {}, 'mu0', {}, 'theta', {}, 'L', {}, 'x', {}, 'y', {});
@@ -25,8 +25,8 @@ function found = curves(kind, directions, given)
 end
 
 function indistinct(given)
-  error('spragsym:range', ['kappa = %s, alpha = %s, sigma = %s, beta = %s: curves lie closer together there than double precision ' ...
-        'can tell, as with hardly any preload; spragsym.folds gives the folds along one parameter'], ...
+  error('spragsym:range', ['kappa = %s, alpha = %s, sigma = %s, beta = %s: curves lie closer together there than double ' ...
+        'precision can tell, as with hardly any preload; spragsym.folds gives the folds along one parameter'], ...
         spragsym.input.shown(given.kappa), spragsym.input.shown(given.alpha), spragsym.input.shown(given.sigma), ...
         spragsym.input.shown(given.beta));
 end

@@ -6,10 +6,10 @@ function found = equilibria(p, contact)
 %  p is a structure with theta0 in (0, pi), mu0 >= 0, kappa > 0, alpha >= 0, sigma > 0 and beta >= 0; see spragsym.article. Each
 %  field holds one number or n of them. The result is a structure:
 %
-%  status     n x 1; 0: the number, the kinds and twelve digits are vouched for; where double precision can't, close to a fold, to a
-%             cusp or to the onset of flutter, double-double arithmetic decides; 1: that can't either, closer still, with hardly
-%             any preload, or far from the scale of the article: the best guess is given, which may be none at all; 3: double
-%             can't carry the problem, nothing is given
+%  status     n x 1; 0: the number, the kinds and twelve digits are vouched for; where double precision can't, close to a fold, to
+%             a cusp or to the onset of flutter, double-double arithmetic decides; 1: that can't either, closer still, with
+%             hardly any preload, or far from the scale of the article: the best guess is given, which may be none at all;
+%             3: double can't carry the problem, nothing is given
 %  count      n x 1, how many equilibria
 %  theta, L, x, y   n x 3 in contact, n x 4 in lift-off: a column for each equilibrium, by ascending theta, NaN beyond count
 %  stability  of the same size: 0 none, 1 stable, 2 divergent, 3 flutter

@@ -2,8 +2,8 @@ function found = folds(p, vary)
 %FOLDS  The folds in contact along one parameter with the others fixed: f = f' = 0.
 %  found = spragsym.folds(p) along theta0, or spragsym.folds(p, vary) with the name of one of the six parameters
 %
-%  p holds one number each; the one that varies may be left out. The result has the columns theta0, mu0, kappa, alpha, sigma, beta,
-%  theta, L, x and y, by ascending value of what varies. In double precision and without proof; the Python package proves.
+%  p holds one number each; the one that varies may be left out. The result has the columns theta0, mu0, kappa, alpha, sigma,
+%  beta, theta, L, x and y, by ascending value of what varies. In double precision and without proof; the Python package proves.
 %
 %  f is linear in every parameter but theta0, so that f = f' = 0 leaves a polynomial in tan(theta/2) alone.
   names = {@names@};

@@ -1,0 +1,196 @@
+"""Arrays of balls with double-double middles: about 31 digits at some ten times the cost of floats, thousands at a time.
+
+A number is a middle, the exact sum of two floats, and a radius. Every operation widens the radius by a bound on its own rounding,
+as :mod:`spragsym.generated.double_double` states it. NaN is a ball of which nothing is known.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..generated import double_double as dd
+from ..generated.double_double import Wide
+from .interval_arrays import FloatArray, Intervals, exactly, raised
+
+#: Unit of relative errors of double-double operations.
+UNIT = 2.0**-106
+#: Errors in units: of a sum, a product, a quotient, with room for terms of second order.
+SUM, PRODUCT, QUOTIENT = 4.0, 8.0, 16.0
+#: More than what underflow takes away.
+TINY = 1e-290
+#: What sums and products of a few floats may have lost by rounding, relatively.
+ROOM = 1 + 2.0**-48
+#: Absolute error of cosine and sine.
+TURN = 2.0**-100
+#: Halvings of the argument of an exponential, and terms of its series then.
+HALVINGS, TERMS = 10, 14
+
+
+class WideBalls:
+    """Balls of any shape.
+
+    Examples
+    --------
+    >>> third = WideBalls.exact(np.array([1.0])) / 3
+    >>> bool((third * 3 - 1).radius[0] < 1e-30)
+    True
+    """
+
+    __slots__ = ("middle", "radius")
+    __array_ufunc__ = None
+
+    def __init__(self, middle: Wide, radius: FloatArray) -> None:
+        self.middle, self.radius = middle, radius
+
+    @classmethod
+    def exact(cls, values: FloatArray) -> WideBalls:
+        """Floats, without width."""
+        return cls(Wide(values, np.zeros_like(values)), np.zeros_like(values))
+
+    @classmethod
+    def around(cls, intervals: Intervals) -> WideBalls:
+        """Balls that hold intervals."""
+        middle = intervals.middle
+        radius = raised(np.maximum(*raised(intervals.ends + np.stack([middle, -middle]))))
+        return cls(Wide(middle, np.zeros_like(middle)), radius)
+
+    def intervals(self) -> Intervals:
+        """Intervals that hold the balls."""
+        off = raised(self.radius + np.abs(self.middle.low))
+        return Intervals(raised(np.stack([off - self.middle.high, off + self.middle.high])))
+
+    @property
+    def size(self) -> FloatArray:
+        """Not less than |x|."""
+        out: FloatArray = (np.abs(self.middle.high) * ROOM + self.radius) * ROOM
+        return out
+
+    def __neg__(self) -> WideBalls:
+        return WideBalls(dd.dd_negative(self.middle), self.radius)
+
+    def __pos__(self) -> WideBalls:
+        return self
+
+    def __add__(self, other: Any) -> WideBalls:
+        if isinstance(other, int | float) and other == 0:
+            return self
+        two = _ball(other, self)
+        middle = dd.dd_add(self.middle, two.middle)
+        return _rounded(middle, self.radius + two.radius, SUM)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: Any) -> WideBalls:
+        return self.__add__(-other)
+
+    def __rsub__(self, other: Any) -> WideBalls:
+        return (-self).__add__(other)
+
+    def __mul__(self, other: Any) -> WideBalls:
+        if isinstance(other, int | float):
+            if other in (1, -1):
+                return self if other == 1 else -self
+            return _rounded(dd.dd_multiply_double(self.middle, exactly(other)), self.radius * abs(other), PRODUCT)
+        two = _ball(other, self)
+        radius = np.abs(self.middle.high) * ROOM * two.radius + two.size * self.radius
+        return _rounded(dd.dd_multiply(self.middle, two.middle), radius, PRODUCT)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: Any) -> WideBalls:
+        two = _ball(other, self)
+        least = np.abs(two.middle.high) / ROOM - two.radius
+        middle = dd.dd_divide(self.middle, two.middle)
+        radius = (self.radius + np.abs(middle.high) * ROOM * two.radius) / np.where(least > 0, least, np.nan)
+        return _rounded(middle, radius, QUOTIENT)
+
+    def __rtruediv__(self, other: Any) -> WideBalls:
+        return _ball(other, self) / self
+
+    def __pow__(self, power: int) -> WideBalls:
+        if power < 0:
+            return 1 / self**-power
+        out = WideBalls.exact(np.ones_like(self.radius)) if power == 0 else self
+        for _ in range(power - 1):
+            out = out * self
+        return out
+
+    def __abs__(self) -> WideBalls:
+        return self * self.sign()
+
+    def sign(self) -> WideBalls:
+        """−1 or 1; NaN where a ball holds 0 and other numbers."""
+        sign = np.sign(self.middle.high)
+        known = (np.abs(self.middle.high) > ROOM * self.radius) | (self.size == 0)
+        return WideBalls.exact(np.where(known, sign, np.nan))
+
+    def sqrt(self) -> WideBalls:
+        """Square root; NaN where a ball holds negative numbers. The error is that of its square over twice the root."""
+        root = dd.dd_sqrt(self.middle)
+        off = self - WideBalls(root, np.zeros_like(root.high)) ** 2
+        radius = np.where(root.high > 0, off.size / (root.high / ROOM), np.where(self.size == 0, 0.0, np.nan))
+        negative = self.middle.high / ROOM < self.radius
+        return WideBalls(root, np.where(negative & (self.size > 0), np.nan, radius * ROOM))
+
+    def exp(self) -> WideBalls:
+        """Exponential, by Taylor's series of a part of the argument, and squares."""
+        small = self * 2.0**-HALVINGS
+        total = term = WideBalls.exact(np.ones_like(self.radius))
+        for order in range(1, TERMS + 1):
+            term = term * small / order
+            total = total + term
+        # What is left out is less than the last term, where the argument is less than 1 over the halvings.
+        known = self.size < 2.0 ** (HALVINGS - 3)
+        total = WideBalls(total.middle, np.where(known, total.radius + term.size, np.nan))
+        for _ in range(HALVINGS):
+            total = total * total
+        return total
+
+
+def cosine_and_sine(angles: FloatArray) -> tuple[WideBalls, WideBalls]:
+    """Of floats between 0 and π, both exclusive; NaN beyond."""
+    found = dd.dd_cosine_and_sine(angles)
+    radius = np.where((angles > 0) & (angles < np.pi), TURN, np.nan)
+    return WideBalls(Wide(*found[:2]), radius), WideBalls(Wide(*found[2:]), radius)
+
+
+def _ball(value: Any, like: WideBalls) -> WideBalls:
+    if isinstance(value, WideBalls):
+        return value
+    return WideBalls.exact(np.broadcast_to(np.asarray(value, dtype=float), like.radius.shape))
+
+
+def _rounded(middle: Wide, radius: NDArray[np.float64], units: float) -> WideBalls:
+    """With the rounding of one operation; overflow makes NaN of the middle, and so of all that follows."""
+    return WideBalls(middle, (radius + np.abs(middle.high) * (units * UNIT)) * ROOM + TINY)
+
+
+class Functions:
+    """``xp`` of generated functions for these balls."""
+
+    @staticmethod
+    def sqrt(value: Any) -> Any:
+        """Square root."""
+        return value.sqrt() if isinstance(value, WideBalls) else np.sqrt(value)
+
+    @staticmethod
+    def exp(value: Any) -> Any:
+        """Exponential."""
+        return value.exp() if isinstance(value, WideBalls) else np.exp(value)
+
+    @staticmethod
+    def sign(value: Any) -> Any:
+        """−1 or 1."""
+        return value.sign() if isinstance(value, WideBalls) else np.sign(value)
+
+    @staticmethod
+    def abs(value: Any) -> Any:
+        """Absolute value."""
+        return abs(value)
+
+
+#: The one that is needed.
+XP = Functions()

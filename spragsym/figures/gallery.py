@@ -1,0 +1,49 @@
+"""Pictures of the documentation's gallery: of each shipped model where its equilibria change, or where oscillation begins.
+
+``python -m spragsym.figures.gallery docs/images/models`` draws them anew.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Mapping
+from pathlib import Path
+
+from ..models import Model, load
+from ..models.load import shipped
+from .files import FORMATS
+from .models import Between, draw_onsets_of, model_figure
+from .style import SINGLE, Sheet, house_style, panels, styled
+
+#: What the gallery shows of a model: the plane and its ranges; ("hopf", …) and ("flutter", …) are onsets along the second one.
+GALLERY: Mapping[str, tuple[str, str, str, Between]] = {
+    "stribeck": ("folds", "theta0", "mu_s", {"mu_s": (0.0, 1.5)}),
+    "mode_coupling": ("flutter", "sigma", "mu0", {"sigma": (0.05, 2.0), "mu0": (0.0, 2.0)}),
+    "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),
+}
+
+
+@styled
+def gallery_figure(model: Model) -> Sheet:
+    """What the gallery shows of a shipped model: on fewer lines where a line takes seconds."""
+    n = 60 if len(model.coordinates) < 3 else 10
+    kind, *vary, between = GALLERY.get(model.name, ("folds", "theta0", "mu0", {"mu0": (0.0, 1.0)}))
+    p = model.Parameters(**dict.fromkeys(set(vary) & {"theta0"}, 1.0))
+    if kind == "folds":
+        return model_figure(model, p, vary, between=between, n=n)
+    figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
+    draw_onsets_of(model, p, vary, ax, damping=kind == "hopf", between=between, n=n)
+    return figure.describe(f"Onsets of flutter of {model.name}.")
+
+
+def main() -> None:
+    """All pictures of the gallery, or of the models that are named."""
+    folder, *names = sys.argv[1:]
+    for name in names or shipped():
+        with house_style():
+            gallery_figure(load(name)).savefig(Path(folder) / f"{name}_set.svg", format="svg", metadata=FORMATS["svg"])
+        print(name, flush=True)
+
+
+if __name__ == "__main__":
+    main()

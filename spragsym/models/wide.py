@@ -1,0 +1,54 @@
+"""The balance of forces with double-double residuals: near folds, where floats know the equilibria to few digits.
+
+Boxes and slopes stay floats. What limits interval Newton near a fold is the rounding in the forces at the middle of a box, which
+is divided by a stiffness that is nearly singular: of these alone more digits are needed.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ..exact.interval_arrays import FloatArray, Intervals, stacked
+from ..exact.wide_balls import XP, WideBalls, cosine_and_sine
+from ..generated.double_double import Wide
+from .balance import Balance, undecorated
+
+
+class WideBalance(Balance):
+    """Forces at floats with some thirty digits, for points of parameters; over boxes of parameters as :class:`Balance`."""
+
+    def prepared(self, bounds: Intervals) -> Intervals:
+        """As for the balance, and behind it high parts, low parts and radii of the arguments of single points; NaN for others."""
+        parts = []
+        single = bounds.low == bounds.high
+        for place, name in enumerate(self.parameters):
+            value = np.where(single[place], bounds.low[place], np.nan)
+            parts += list(cosine_and_sine(value)) if name in self.angles else [WideBalls.exact(value)]
+        columns = [part for ball in parts for part in (ball.middle.high, ball.middle.low, ball.radius)]
+        return Intervals(np.concatenate([super().prepared(bounds).ends, Intervals.point(np.array(columns)).ends], axis=1))
+
+    def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
+        """Forces at floats; those of the balance where more digits are not known."""
+        known = super().at_points(middles, parameters)
+        rows = parameters.ends[1, len(self.codes) :].reshape(len(self.codes), 3, -1)
+        values: dict[str, Any] = {
+            code: WideBalls(Wide(high, low), radius) for code, (high, low, radius) in zip(self.codes, rows, strict=True)
+        }
+        wide = stacked([_as_intervals(row, middles.shape[1]) for row in self._wide_forces(middles, values)], middles.shape[1:])
+        better = wide.ends[0] + wide.ends[1] < known.ends[0] + known.ends[1]
+        return Intervals(np.where(better, wide.ends, known.ends))
+
+    def _wide_forces(self, middles: FloatArray, values: dict[str, Any]) -> Any:
+        statics, q = self.model.statics, [WideBalls.exact(row) for row in middles]
+        given = [values[name] for name in self.model.about["arguments"]["statics"]]
+        directions: list[Any] = []
+        for dx, dy, _ in undecorated(statics.geometry)(*q, *given, xp=XP):
+            length = XP.sqrt(dx**2 + dy**2)
+            directions += [dx / length, dy / length, length]
+        return self.call("forces", q, directions, values, XP)
+
+
+def _as_intervals(row: Any, count: int) -> Intervals:
+    return row.intervals() if isinstance(row, WideBalls) else Intervals.point(np.full(count, float(row)))

@@ -106,7 +106,7 @@ def test_changes_keep_the_target_as_they_are_printed(study: ss.Study, report: ss
 
 
 def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, report: ss.Report) -> None:
-    """Random brakes about each new design, every tolerance the same share of the new value: none jumps in the friction's range."""
+    """Random brakes about each new design, tolerances the same share of the new value: none jumps in its range."""
     rng = np.random.default_rng(11)
     off = {name: rng.uniform(-0.15, 0.15, 4000) for name in ("k", "k_x", "k_c")}
     for change in report.redesign:

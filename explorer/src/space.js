@@ -11,6 +11,9 @@ import { createOverlay } from "./overlay.js";
 const [WIDTH, HEIGHT, DEPTH] = [2.6, 1.7, 1.8];
 /** Friction is drawn no further outside than this many times the drawing's. */
 const FAR = 30;
+/** Pixels of the drawing for one of the page, and the smallest share of them while it turns; a picture is late after so long, ms. */
+const FULL = Math.min(2, devicePixelRatio);
+const [COARSEST, LATE] = [0.25, 34];
 
 /** Null where the browser has no WebGL. */
 export function createSpace(box, store) {
@@ -21,7 +24,7 @@ export function createSpace(box, store) {
     return null;
   }
   const renderer = new WebGLRenderer({ canvas, context });
-  renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  renderer.setPixelRatio(FULL);
   renderer.localClippingEnabled = true;
   box.append(renderer.domElement);
   const glass = createOverlay(box);
@@ -40,6 +43,7 @@ export function createSpace(box, store) {
   const clip = [new Plane(new Vector3(0, 0, -1), DEPTH / 2 + 1e-3), new Plane(new Vector3(0, 0, 1), DEPTH / 2 + 1e-3)];
 
   let [top, colour, surface, sets, pending] = [1, colours(), null, null, false];
+  let [turning, last_turn, share] = [false, 0, 1];
   const put = (theta0, mu0, theta) => new Vector3(
     WIDTH * (theta0 / Math.PI - 0.5), HEIGHT * (theta / Math.PI - 0.5), DEPTH * (0.5 - mu0 / top),
   );
@@ -162,9 +166,28 @@ export function createSpace(box, store) {
   function draw_soon() {
     if (!pending) {
       pending = true;
-      requestAnimationFrame(() => { pending = false; renderer.render(scene, camera); draw(); });
+      requestAnimationFrame((now) => { pending = false; pace(now); renderer.render(scene, camera); draw(); });
     }
   }
+
+  /** While the surface turns and pictures come late, as without a graphics card, it is drawn in fewer pixels; at rest in all. */
+  function pace(now) {
+    const late = turning && last_turn && now - last_turn > LATE;
+    last_turn = turning ? now : 0;
+    if (late && share > COARSEST) {
+      sharp(share / 2);
+    }
+  }
+
+  function sharp(wanted) {
+    if (wanted !== share) {
+      share = wanted;
+      renderer.setPixelRatio(share * FULL);
+    }
+  }
+
+  controls.addEventListener("start", () => { turning = true; });
+  controls.addEventListener("end", () => { [turning, last_turn] = [false, 0]; sharp(1); draw_soon(); });
 
   /**
    * The path, whole where the state followed and dashed where it jumped, and the state: over the surface, on glass. So while the

@@ -48,6 +48,8 @@ def _section(model: Model, points: bool) -> str:
         "",
         f"![The mechanism of {model.name}](images/models/{model.name}.svg)",
         "",
+        f'<a href="explorer_{model.name}.html">Let it move, and walk through its states, in the browser.</a>',
+        "",
         _words(words),
         "",
     ]

@@ -40,6 +40,8 @@ BATCH = 4096
 VECTORS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 #: For a shared object.
 SHARED = ("-shared", "-fPIC")
+#: One compiler is for every change, the others are for all checks.
+EACH_COMPILER = [COMPILERS[0], *(pytest.param(name, marks=pytest.mark.thorough) for name in COMPILERS[1:])] if COMPILERS else []
 #: Builds the driver: ``built(compiler, *flags)``.
 Build: TypeAlias = Callable[..., Path]
 BASE = (math.radians(49.0), 0.5, 0.007, 0.007, 0.1, 0.0)
@@ -122,12 +124,45 @@ def library(built: Build) -> ctypes.CDLL:
     return ctypes.CDLL(str(built(COMPILERS[0], "-O2", "-ffp-contract=off", *SHARED)))
 
 
-def compile_inside(folder: Path, text: str) -> Any:
-    """The function ``run`` of ``text``, which sees the static functions of the source."""
-    (folder / "inside.c").write_text(f'#include "spragsym.c"\n{text}', encoding="utf-8")
+def shown_example() -> str:
+    """The function that the page on C shows for many points."""
+    page = (SOURCES.parents[1] / "docs" / "howto_c.md").read_text(encoding="utf-8")
+    return next(block for block in re.findall(r"```c\n(.*?)```", page, re.DOTALL) if "count_all" in block)
+
+
+#: Functions that see the static ones of the source.
+INSIDE = """
+int run_example(size_t points, const spragsym_parameters *given, size_t *numbers);
+int run_example(size_t points, const spragsym_parameters *given, size_t *numbers) {
+    return count_all(points, given, numbers, numbers + 5);
+}
+
+int are_two(double first, double second, double reach);
+int are_two(double first, double second, double reach) {
+    const Root at = {1.0, 0.0, -1.0, reach, 0.0, 1, 0, 1.0, 1};
+    tally sum = nothing_yet(1.0, 1);
+    see(first, &at, &sum);
+    see(second, &at, &sum);
+    return sum.certain;
+}
+
+void run_cosine_and_sine(double x, double *out);
+void run_cosine_and_sine(double x, double *out) {
+    const Direction at = cosine_and_sine(x);
+    out[0] = at.cosine;
+    out[1] = at.sine;
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def inside(tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
+    """The source with the page's example and :data:`INSIDE` behind it."""
+    folder = tmp_path_factory.mktemp("inside")
+    (folder / "inside.c").write_text(f'#include "spragsym.c"\n#include <stdlib.h>\n{shown_example()}{INSIDE}', encoding="utf-8")
     command: list[str | Path] = [COMPILERS[0], "-std=c99", "-O0", *SHARED, f"-I{SOURCES}"]
     subprocess.run([*command, "-o", folder / "inside.so", folder / "inside.c", "-lm"], check=True, timeout=60)
-    return ctypes.CDLL(str(folder / "inside.so")).run
+    return ctypes.CDLL(str(folder / "inside.so"))
 
 
 def _pointer(array: Any) -> Any:
@@ -303,7 +338,7 @@ def nonsense() -> Any:
 # ------------------------------------------------------------------------------------------------------ tests
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", EACH_COMPILER)
 @pytest.mark.parametrize("level", [("-O0",), VECTORS], ids=["-O0", "-O3"])
 def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> None:
     """Without and with optimization, which sees more: every build has the flags of STRICT."""
@@ -319,23 +354,12 @@ def test_flags_that_break_the_bounds_are_refused(compiler: str, flag: str, tmp_p
     assert "break the error bounds" in done.stderr
 
 
-def test_example_of_the_page(tmp_path: Path) -> None:
+def test_example_of_the_page(inside: ctypes.CDLL) -> None:
     """The function that the page on C shows for many points: it compiles, and counts what Python counts."""
-    page = (SOURCES.parents[1] / "docs" / "howto_c.md").read_text(encoding="utf-8")
-    shown = next(block for block in re.findall(r"```c\n(.*?)```", page, re.DOTALL) if "count_all" in block)
-    text = f"""
-#include <stdlib.h>
-{shown}
-int run(size_t points, const spragsym_parameters *given, size_t *numbers);
-int run(size_t points, const spragsym_parameters *given, size_t *numbers) {{
-    return count_all(points, given, numbers, numbers + 5);
-}}
-"""
-    run = compile_inside(tmp_path, text)
     rng = np.random.default_rng(10)
     points = np.ascontiguousarray(_random(rng, 10_000, mu0=rng.uniform(0.0, 1.5, 10_000)))
     numbers = np.zeros(6, dtype=np.uintp)
-    assert run(ctypes.c_size_t(len(points)), _pointer(points), _pointer(numbers)) == 0
+    assert inside.run_example(ctypes.c_size_t(len(points)), _pointer(points), _pointer(numbers)) == 0
     theirs = np.bincount(ss.equilibria(ss.Parameters(*points.T)).count, minlength=5)
     assert numbers[:5].sum() == len(points)
     assert abs(numbers[:5].astype(int) - theirs).max() <= numbers[5] < 10
@@ -417,7 +441,7 @@ def _values(found: Any) -> Any:
 
 
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", EACH_COMPILER)
 def test_batch_is_the_single_call_bit_for_bit(compiler: str, regime: int, built: Build) -> None:
     """In vector instructions and in none, on hard points, refused ones and those that double can't carry."""
     points = np.concatenate([*adversarial().values(), nonsense()])
@@ -458,19 +482,9 @@ def test_batch_returns_the_largest_status(library: ctypes.CDLL) -> None:
     assert (np.delete(counts, 3) == 1).all()
 
 
-def test_roots_that_may_be_one_are_not_vouched_for(tmp_path: Path) -> None:
+def test_roots_that_may_be_one_are_not_vouched_for(inside: ctypes.CDLL) -> None:
     """Two roots count as two only if what is proved of each leaves them apart."""
-    text = """
-int run(double first, double second, double reach);
-int run(double first, double second, double reach) {
-    const Root at = {1.0, 0.0, -1.0, reach, 0.0, 1, 0, 1.0, 1};
-    tally sum = nothing_yet(1.0, 1);
-    see(first, &at, &sum);
-    see(second, &at, &sum);
-    return sum.certain;
-}
-"""
-    run = compile_inside(tmp_path, text)
+    run = inside.are_two
     numbers = [ctypes.c_double(value) for value in (0.5, 0.6, 0.07, 0.08)]
     assert run(numbers[0], numbers[1], numbers[2])
     assert not run(numbers[0], numbers[1], numbers[3])
@@ -492,18 +506,12 @@ def test_batch_refuses(library: ctypes.CDLL) -> None:
     assert (counts[0], status[0]) == (-5, -5)
 
 
-def test_cosine_and_sine_are_those_of_python(tmp_path: Path) -> None:
+def test_cosine_and_sine_are_those_of_python(inside: ctypes.CDLL) -> None:
     """Bit for bit those of the compiled solver, whose accuracy is tested there."""
     rng = np.random.default_rng(11)
-    run = compile_inside(
-        tmp_path,
-        "void run(double x, double *out);\nvoid run(double x, double *out) {\n"
-        "    const Direction at = cosine_and_sine(x);\n"
-        "    out[0] = at.cosine;\n    out[1] = at.sine;\n}\n",
-    )
     found = np.empty(2)
     for angle in [*rng.uniform(0.0, math.pi, 2000), *_decades(rng, -300, 0, 100), *(math.pi - _decades(rng, -15, 0, 100))]:
-        run(ctypes.c_double(angle), _pointer(found))
+        inside.run_cosine_and_sine(ctypes.c_double(angle), _pointer(found))
         assert tuple(found) == kernel.cosine_and_sine(angle)
 
 
@@ -706,13 +714,13 @@ def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
     out = tmp_path / "sprag"
     arguments = ["export", "--language", "c", "--out", str(out)]
     assert CliRunner().invoke(cli, arguments).exit_code == 0
-    subprocess.run(["make", "-C", out, f"CC={COMPILERS[0]}"], check=True, capture_output=True, timeout=60)
+    build = ["make", "-C", str(out), f"CC={COMPILERS[0]}"]
+    subprocess.run([*build, "ARCH=-O0"], check=True, capture_output=True, timeout=60)  # -O3 takes seconds each time
     printed = subprocess.run([out / "example"], check=True, capture_output=True, text=True, timeout=60).stdout
     assert "contact: 1\n  theta 2.203367573653" in printed
     assert "theta0 from 44 to 45 degrees: 3 to 1 equilibria\ntheta0 from 155 to 156 degrees: 1 to 3 equilibria\n" in printed
-    for flags, again in (("", False), ("ARCH=-O1", True), ("ARCH=-O1", False)):
-        command = ["make", "-C", str(out), f"CC={COMPILERS[0]}", *filter(None, [flags])]
-        built = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
+    for flags, again in (("ARCH=-O0", False), ("ARCH=-Og", True), ("ARCH=-Og", False)):
+        built = subprocess.run([*build, flags], capture_output=True, text=True, check=True, timeout=60)
         assert ("spragsym.o" in built.stdout) == again  # other flags make anew
     assert CliRunner().invoke(cli, arguments).exit_code == 0  # nothing differs
     (out / "main.c").write_text("mine\n", encoding="utf-8")

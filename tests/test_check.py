@@ -264,7 +264,7 @@ def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 #: Those that take longest; what the others show is the same, by the same code.
-LARGE = ("A1-c0", "A2", "A3", "A4", "A6", "A7", "eq-1", "eq-6", "eq-12", "eq-28")
+LARGE = ("A1-c0", "A1-d0", "A2", "A3", "A4", "A6", "A7", "eq-1", "eq-6", "eq-12", "eq-28")
 
 
 def large_are_thorough(ids: Iterable[str]) -> list[Any]:

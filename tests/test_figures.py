@@ -294,7 +294,7 @@ def _crosses_a_sheet(p: ss.Parameters, ax: Any, place: np.ndarray[Any, Any]) -> 
     return bool(turned.size)
 
 
-@pytest.mark.parametrize("draw", [figure_11, figure_14])
+@pytest.mark.parametrize("draw", [figure_11, pytest.param(figure_14, marks=pytest.mark.thorough)])
 def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
     """Against the surface itself, along the line of sight from each piece to the eye: no mesh takes part in it."""
     ax = draw().axes[0]
@@ -386,6 +386,7 @@ def test_the_map_is_finest_where_it_steps(sheets: dict[str, Sheet]) -> None:
         assert shown[at] == table["rms_x"][row]
 
 
+@pytest.mark.thorough
 def test_what_the_caption_says_of_the_second_region(sheets: dict[str, Sheet]) -> None:
     """By SciPy: a stable equilibrium alone, a large cycle beside it, and a start from rest that bounces into it."""
 

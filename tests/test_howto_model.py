@@ -14,6 +14,7 @@ pytest.importorskip("sympy")
 PAGE = ROOT / "docs/howto_model.md"
 
 
+@pytest.mark.thorough
 def test_the_page_does_what_it_says(tmp_path: Path) -> None:
     text = PAGE.read_text(encoding="utf-8")
     files = re.findall(r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)

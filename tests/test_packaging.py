@@ -371,6 +371,7 @@ def make_installs(copy: Path, out: Path) -> Path:
     return wheel
 
 
+@pytest.mark.thorough
 def test_a_script_beside_the_clone_finds_the_package(tmp_path: Path) -> None:
     """The clone's own folder is named as the package is, and Python looks beside the script first."""
     folder = tmp_path / "work"

@@ -399,6 +399,7 @@ def test_progress_goes_to_stderr_only_when_asked(capsys: pytest.CaptureFixture[s
     assert "6/6" in err
 
 
+@pytest.mark.thorough
 def test_the_page_on_clusters_runs(capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("distributed")
     page = (Path(__file__).parents[1] / "docs" / "howto_cluster.md").read_text(encoding="utf-8")

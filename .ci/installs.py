@@ -1,8 +1,8 @@
 """Whether every extra resolves from wheels alone on the machines that users have, as pip would install them there.
 
-``python .ci/installs.py [MACHINE ...]``: all machines, or those whose names begin so. Prints a line for each, once with the newest
-versions and once with those of ``constraints.txt``; the number of those that fail is the exit code. Where no registry can be reached
-it says that it is skipped. What a registry says is kept by uv, so that a second call is quick.
+``python .ci/installs.py [MACHINE ...]``: all machines, or those whose names begin so. Prints a line for each, once with the
+newest versions and once with those of ``constraints.txt``; the number of those that fail is the exit code. Where no registry can
+be reached it says that it is skipped. What a registry says is kept by uv, so that a second call is quick.
 """
 
 from __future__ import annotations

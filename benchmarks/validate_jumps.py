@@ -1,7 +1,7 @@
 """Jump values against paths of states, certificates against samples, probabilities against plain samples and their own truth.
 
 Run ``python -m benchmarks.validate_jumps [what] [number] [seed] [store] [seconds]``, with ``what`` one of values, boxes,
-probability, coverage, speed. Finished parts go to the file ``store``, and a second call goes on from there.
+probability, coverage, cluster, speed. Finished parts go to the file ``store``, and a second call goes on from there.
 """
 
 from __future__ import annotations
@@ -171,11 +171,24 @@ def validate_coverage(studies: int, seed: int = 5, store: str = "", seconds: flo
     return int(held < 0.88 * len(found))
 
 
+def validate_cluster(number: int, seed: int = 4, **_: Any) -> int:
+    """Whether a dask cluster of two local processes, chunk by chunk, gives the bits of one process."""
+    from dask.distributed import Client, LocalCluster
+
+    alone = ss.jump_probability(TOLERANCES, n=number, rng=seed)
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, Client(cluster) as client:
+        there = ss.jump_probability(TOLERANCES, n=number, rng=seed, workers=client.map)
+    same = repr(alone) == repr(there)
+    print(f"{number} points on a cluster: {'the same bits' if same else f'{there} for {alone}'}")
+    return int(not same)
+
+
 CHECKS: dict[str, tuple[Callable[..., int], int]] = {
     "values": (validate_values, 100_000),
     "boxes": (validate_boxes, 200),
     "probability": (validate_probability, 100_000_000),
     "coverage": (validate_coverage, 100),
+    "cluster": (validate_cluster, 1 << 13),
 }
 
 

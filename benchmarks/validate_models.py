@@ -1,14 +1,17 @@
 """Models from pages against closed forms and other formulations, at many points.
 
-``python -m benchmarks.validate_models [POINTS] [SEED]``: POINTS of each family for the article's model (10⁵ in all with 10 000), and
-POINTS // 500 random points of each other page in 50 digits.
+``python -m benchmarks.validate_models [POINTS] [SEED] [FILE]``: POINTS of each family for the article's model (10⁵ in all with 10 000),
+and POINTS // 500 random points of each other page in 50 digits. With FILE the families alone, in parts that are kept in that file: what
+was interrupted goes on where it was.
 """
 
 from __future__ import annotations
 
+import json
 import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import mpmath as mp
@@ -19,34 +22,58 @@ import spragsym as ss
 from . import model_references as references
 from .families import FAMILIES
 
+#: Points looked at together.
+PART = 1000
 NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
 
-def article(points: int, seed: int) -> None:
-    """Counts and states of the article's model through the general way, family by family."""
-    model = ss.load("kang_nam")
+def article(points: int, seed: int, store: Path | None = None) -> None:
+    """Counts and states of the article's model through the general way, family by family, in parts; done ones are kept in a file."""
+    done = {} if store is None or not store.exists() else dict(map(_entry, store.read_text(encoding="utf-8").splitlines()))
     print(f"{'family':24}{'points':>8}{'undecided':>11}{'other count':>13}{'largest error':>15}{'bound':>10}{'ms/point':>10}")
-    for name, family in FAMILIES.items():
-        p = family(np.random.default_rng(seed), points)
-        begin = time.process_time()
-        eq = model.equilibria(model.Parameters(**{key: getattr(p, key) for key in NAMES}))
-        spent = time.process_time() - begin
-        known = ss.equilibria(p)
-        settled = eq.decided & ~known.undecided & ~known.fold
-        other = settled & (eq.count != known.count)
-        same = settled & ~other
-        slots = min(eq.x.shape[-1], known.x.shape[-1])
-        order = np.argsort(known.x, axis=-1)
-        errors = [
-            np.abs(getattr(eq, key)[same][:, :slots] - want) / np.maximum(1, np.abs(want))
-            for key in ("x", "y")
-            for want in [np.take_along_axis(getattr(known, key), order, axis=-1)[same][:, :slots]]
-        ]
+    for name in FAMILIES:
+        rows = []
+        for number in range(-(-points // PART)):
+            key = f"{name} {seed} {number} {min(PART, points - number * PART)}"
+            if key not in done:
+                done[key] = _part(name, [seed, number], min(PART, points - number * PART))
+                if store is not None:
+                    with store.open("a", encoding="utf-8") as file:
+                        file.write(json.dumps([key, done[key]]) + "\n")
+            rows.append(done[key])
+        size, undecided, other, error, bound, spent = (list(column) for column in zip(*rows, strict=True))
         print(
-            f"{name:24}{eq.count.size:8}{int((~eq.decided).sum()):11}{int(other.sum()):13}{np.nanmax(errors):15.1e}"
-            f"{np.nanmax(eq.error):10.1e}{1e3 * spent / eq.count.size:10.3f}",
+            f"{name:24}{sum(size):8.0f}{sum(undecided):11.0f}{sum(other):13.0f}{max(error):15.1e}{max(bound):10.1e}"
+            f"{1e3 * sum(spent) / sum(size):10.3f}",
             flush=True,
         )
+
+
+def _entry(line: str) -> tuple[str, list[float]]:
+    key, row = json.loads(line)
+    return key, row
+
+
+def _part(name: str, seed: list[int], points: int) -> list[float]:
+    """Points, undecided ones, other counts, largest error and bound, seconds."""
+    model = ss.load("kang_nam")
+    p = FAMILIES[name](np.random.default_rng(seed), points)
+    begin = time.process_time()
+    eq = model.equilibria(model.Parameters(**{key: getattr(p, key) for key in NAMES}))
+    spent = time.process_time() - begin
+    known = ss.equilibria(p)
+    settled = eq.decided & ~known.undecided & ~known.fold
+    other = settled & (eq.count != known.count)
+    same = settled & ~other
+    slots = min(eq.x.shape[-1], known.x.shape[-1])
+    order = np.argsort(known.x, axis=-1)
+    errors = [
+        np.abs(getattr(eq, key)[same][:, :slots] - want) / np.maximum(1, np.abs(want))
+        for key in ("x", "y")
+        for want in [np.take_along_axis(getattr(known, key), order, axis=-1)[same][:, :slots]]
+    ]
+    undecided = float((~eq.decided).sum())
+    return [float(eq.count.size), undecided, float(other.sum()), float(np.nanmax(errors)), float(np.nanmax(eq.error)), spent]
 
 
 def folds_and_cusps(points: int, seed: int) -> None:
@@ -120,9 +147,11 @@ def pages(points: int, seed: int) -> None:
 def main() -> None:
     """All of them."""
     points, seed = (int(sys.argv[i]) if len(sys.argv) > i else default for i, default in ((1, 10_000), (2, 1)))
-    pages(max(1, points // 500), seed)
-    folds_and_cusps(max(1, points // 200), seed)
-    article(points, seed)
+    store = Path(sys.argv[3]) if len(sys.argv) > 3 else None
+    if store is None:
+        pages(max(1, points // 500), seed)
+        folds_and_cusps(max(1, points // 200), seed)
+    article(points, seed, store)
 
 
 if __name__ == "__main__":

@@ -132,6 +132,15 @@ def test_bifurcation_set_ends_where_it_must_and_is_smooth() -> None:
             assert min(gaps) < 1e-2
 
 
+@pytest.mark.parametrize("kappa", [1e-6, 1e-7, 1e-20, 1e-300])
+def test_curves_that_float64_cannot_tell_are_refused(kappa: float) -> None:
+    """With hardly any preload curves were lost, unsaid; the folds at one friction are proved all the same."""
+    p = ss.Parameters.article(kappa=kappa, mu0=1.0)
+    with pytest.raises(ss.ConvergenceError, match="is too small beside sigma and 1 \\+ beta for curves of folds"):
+        ss.bifurcation_set(p)
+    assert ss.folds(p).theta0 == pytest.approx([0.8663554, 2.7971377], abs=1e-2)  # the limit without preload
+
+
 def test_bifurcation_points_are_folds() -> None:
     for p in (BASE, ss.Parameters.article(alpha=0.0), random_fixed(np.random.default_rng(13))):
         values = list(map(float, p.scalars("kappa", "alpha", "sigma", "beta")))

@@ -387,6 +387,20 @@ def test_events_that_share_a_cell_are_told_apart(
             assert strand.theta[[0, -1]].tolist() == [0.9, 0.9]
 
 
+@pytest.mark.parametrize("leaves", [0.5, 0.55])
+def test_a_root_that_leaves_at_an_angle_of_the_grid_leaves_at_its_end(monkeypatch: pytest.MonkeyPatch, leaves: float) -> None:
+    """At v = 0, below another one that stays."""
+    roots = lambda theta, _=None: _padded([[0.1 * (leaves - t), 3.0] if t < leaves else [3.0] for t in theta])  # noqa: E731
+    monkeypatch.setattr(fold_curves, "positive_roots", roots)
+    monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (leaves - theta, 1 + 0 * theta, math.inf))
+    monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: np.ones_like(theta))
+    theta = np.array([0.3, 0.4, 0.5, 0.6])
+    first, second = sorted(fold_curves._trace(theta, FAMILY), key=lambda strand: strand.theta0.max())
+    np.testing.assert_allclose(np.tan(first.theta0 / 2), 0.1 * (leaves - first.theta), atol=1e-12)
+    assert first.theta[-1] == pytest.approx(leaves, abs=1e-12)
+    assert second.theta.tolist() == theta.tolist()
+
+
 def test_a_root_that_comes_in_unannounced_is_followed_from_there(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where rounding hides the change of sign of the end values, numbers of roots decide."""
     roots = lambda theta, _=None: _padded([[0.1 * (angle - ENTERS)] if angle > ENTERS else [] for angle in theta])  # noqa: E731

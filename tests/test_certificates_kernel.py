@@ -936,6 +936,93 @@ def test_theta_has_its_own_roundings_and_the_radius() -> None:
     assert root.error >= 1e-5 + kernel.COUNT_THETA * u or root.error >= kernel.COUNT_STATE * u
 
 
+def test_theta_is_off_by_its_radius_and_its_own_roundings() -> None:
+    """A length of a hundredth leaves those alone: together they are above all that the state's numbers may be off by."""
+    t, line = _forced(math.pi / 2, 5e-4)
+    root = kernel.at_root(t, FINE._replace(cos0=0.0, sin0=0.01, kappa=1e-9, sigma=1e-9, beta=0.01), line, 1e-4)
+    assert 5e-4 + kernel.COUNT_THETA * 1e-4 <= root.error <= 5.1e-4 + kernel.COUNT_THETA * 1e-4
+
+
+@pytest.mark.parametrize("theta", [math.pi / 2, -math.pi / 2])
+@pytest.mark.parametrize(("radius", "u"), [(5e-4, 1e-5), (1e-9, 1e-5)])
+def test_stability_is_told_how_far_cosine_sine_and_length_may_be_off(
+    monkeypatch: pytest.MonkeyPatch, theta: float, radius: float, u: float
+) -> None:
+    """For their sizes: the radius where cos θ is 0, or the roundings of L, whatever its size and sign; and 8 u."""
+    told = []
+    plain = kernel.stability
+    monkeypatch.setattr(kernel, "stability", lambda *given: told.append(given[3]) or plain(*given))
+    t, line = _forced(theta, radius)
+    root = kernel.at_root(t, FINE._replace(cos0=0.0, sin0=1.0, kappa=30.0), line, u)
+    assert abs(root.L) > 8
+    L_size = (1.0 + 2.0 * 1.0 + 30.0) / 3.0
+    assert told == [pytest.approx(max(radius, kernel.COUNT_STATE * u * L_size / abs(root.L)) + 8 * u, rel=2e-3)]
+
+
+# -------------------------------------------------------------------------------------------------- one or three
+
+
+@pytest.mark.parametrize("u", [1e-3, 1e-2, 0.0])
+def test_f_and_the_side_between_two_roots_are_told_apart_from_rounding(u: float) -> None:
+    """f and y at the angle whose half's tangent is the geometric mean, with 40 digits, against counts of their own sizes."""
+    rng, told = np.random.default_rng(91), set()
+    with mpmath.workdps(40):
+        for _ in range(600):
+            one, other = 10.0 ** rng.uniform(-2, 2, 2)
+            a, b, d, m = rng.choice([-1.0, 1.0], 4) * rng.uniform(0.1, 1.0, 4)
+            line = Balance(a, b, d, m, abs(a) * rng.uniform(1, 2), abs(d) * rng.uniform(1, 2), 1.0)
+            kappa, sigma, sin0 = rng.uniform(0.01, 2.0), rng.uniform(0.1, 2.0), rng.uniform(0.01, 1.0)
+            found = kernel.separation(one, other, FINE._replace(sin0=sin0, kappa=kappa, sigma=sigma), line, u)
+            angle = 2 * mpmath.atan(mpmath.sqrt(mpmath.mpf(one) * other))
+            c, s = mpmath.cos(angle), mpmath.sin(angle)
+            value = a * s * c + b * c + d * s - m * s * s
+            error = kernel.COUNT_F * u * (line.a_size * s * abs(c) + abs(b * c) + line.d_size * s + abs(m) * s * s)
+            depth, margin = sigma * (s - sin0) + kappa, kernel.COUNT_STATE * u * (sigma * (s + sin0) + kappa)
+            assert abs(found.t - mpmath.tan(angle / 2)) < 1e-15 * found.t
+            if min(abs(abs(value) - error), abs(abs(depth) - margin)) > 1e-12:
+                wanted = (value > error, value < -error, depth > margin, depth < -margin)
+                assert (found.positive, found.negative, found.inside, found.outside) == wanted
+                told.add(wanted)
+    assert len(told) >= (6 if u else 4)
+
+
+def test_what_is_exactly_0_between_two_roots_is_neither() -> None:
+    found = kernel.separation(1.0, 1.0, FINE._replace(sin0=1.0, kappa=0.0), Balance(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), 0.0)
+    assert not any((found.positive, found.negative, found.inside, found.outside))
+
+
+def test_one_or_three_by_what_stands_between_the_roots(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every combination of signs, sides and places, written out as the docstring has it."""
+    line = Balance(0.1, -0.5, 0.1, 1.0, 0.1, 0.1, 1.0)
+    kinds = [(f, side) for f in ("+", "-", "") for side in ("in", "out", "")]
+    places = [(0.8, 1.2), (1.0, 1.0), (1.2, 1.4), (0.6, 0.8), (1.4, 0.7), (0.8, 1.0), (1.0, 1.2)]
+    monkeypatch.setattr(kernel, "balance", lambda _: line)
+    for (low, high), lower, upper in itertools.product(places, kinds, kinds):
+        given = {(1.0, 2.0): (low, lower), (2.0, 3.0): (high, upper)}
+
+        def between(one: float, other: float, *_: Any, given: dict[Any, Any] = given) -> kernel.Separation:
+            t, (f, side) = given[one, other]
+            return kernel.Separation(t, f == "+", f == "-", side == "in", side == "out")
+
+        monkeypatch.setattr(kernel, "separation", between)
+        alone = (lower == ("+", "out") and low < 1) or (upper == ("-", "out") and high > 1)
+        three = lower == ("+", "in") and upper == ("-", "in") and low < high
+        cases = [(count, True, FINE) for count in (1.0, 1.5, 2.0, 2.5, 3.0)]
+        for count, certain, point in (*cases, (3.0, False, FINE), (3.0, True, FINE._replace(kappa=0.0))):
+            wanted = (1.0 if alone or count < 2 else 3.0 if three else 0.0) if certain and point is FINE else 0.0
+            guesses = kernel.Guesses(1.0, 2.0, 3.0, 4.0, count, certain)
+            assert kernel.one_or_three(guesses, point, 1e-16) == wanted
+    monkeypatch.setattr(kernel, "balance", lambda _: line._replace(scale=1e201))
+    assert kernel.one_or_three(kernel.Guesses(1.0, 2.0, 3.0, 4.0, 1.0, True), FINE, 1e-16) == 0
+
+
+def test_guesses_are_one_or_three_in_contact_and_two_or_four_else() -> None:
+    rows = _random(np.random.default_rng(92), 4000)
+    for nbar, numbers in ((1, {1.0, 3.0}), (0, {2.0, 4.0})):
+        point = _point(rows, nbar, np.float64)
+        assert set(kernel.guesses(point, kernel.balance(point), 2.0**-53).count.tolist()) == numbers
+
+
 # ----------------------------------------------------------------------------------------- Newton and Kantorovich
 
 
@@ -1073,6 +1160,22 @@ def test_margins_cover_discriminant_and_trace(name: str, nbar: float) -> None:
     if trace.value and flutter.value > 0:
         border = abs(trace.value) / (kernel.COUNT_K * trace.size)
         assert not kernel.stability(Direction(1.0, 1.0), L, 1.0, border * (1 + 1e-9), point).certain
+
+
+@pytest.mark.parametrize("ratio", [3.0, 100.0, 1e6])
+def test_a_margin_covers_friction_where_flutter_alone_decides(ratio: float) -> None:
+    """The terms of the discriminant, where friction is so many times σ/L, and cos θ = −1, sin θ = 1 make it negative."""
+    pull, alpha, sigma, beta, nbar = 1e4, 0.0, 1.0, 0.0, 1.0
+    mu0 = ratio * pull
+    (K11, K12), (K21, K22) = kernel.stiffness(-1.0, 1.0, sigma / pull, mu0, alpha, sigma, beta, nbar)
+    _, _, flutter = kernel.invariants(K11, K12, K21, K22)
+    assert flutter < 0
+    terms = (alpha + beta + nbar + 2 * sigma + 2 * pull) ** 2 + 4 * pull * (mu0 * nbar + pull)
+    border = -flutter / (kernel.COUNT_K * terms)
+    point = Point(0.0, 1.0, mu0, 1.0, alpha, sigma, beta, nbar)
+    at = Direction(-1.0, 1.0)
+    assert kernel.stability(at, sigma / pull, 1.0, border * (1 + 1e-9), point) == (3.0, False)
+    assert kernel.stability(at, sigma / pull, 1.0, border / 1.3, point) == (3.0, True)
 
 
 @pytest.mark.parametrize("name", STIFFNESSES)

@@ -497,6 +497,26 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
     assert np.abs(found.multipliers - slow.multipliers).max() < 1e-9
 
 
+def test_a_loaded_model_has_branches_and_exponents() -> None:
+    model = ss.load("stick_slip")
+    first = model.cycle(model.Parameters(V=0.2))
+    branch = model.cycle_branch(first, "V", (0.08, 0.21), longest=0.2)
+    assert branch.of("end")[0].value == pytest.approx(bench_auto.hopf_exactly(), abs=1e-5)
+    found = model.lyapunov(model.Parameters(V=0.2), start=first.state, t_end=20 * first.period)
+    assert found.zero.tolist() == [True, False]
+    assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-4)  # volumes shrink by e^−17 a stretch
+    with pytest.raises(ss.ParameterError, match="not one of"):
+        model.fate_boundary(model.Parameters(), vary="gamma", bracket=(0.1, 0.2))
+    with pytest.raises(ss.ParameterError, match="one saddle is needed"):
+        model.basin_boundary(model.Parameters(), plane=("x", "vx"))
+
+
+def test_a_loaded_model_has_fates() -> None:
+    model = ss.load("kang_nam")
+    found = model.fate_boundary(model.Parameters(), vary="theta0", bracket=(0.7209, 0.7211))
+    assert found.value == pytest.approx(FATE, abs=1e-12)
+
+
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
     flint = pytest.importorskip("flint")
     from spragsym.cycles import ball_flow, ball_proof

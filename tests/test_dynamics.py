@@ -172,7 +172,7 @@ def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
         phase = 4 * np.pi * t
         return np.array([0 * t, 0.3 * np.sin(phase) - 0.2, 0 * t, 1.2 * np.pi * np.cos(phase)])
 
-    time, row = with_scipy.first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
+    time, row = with_scipy.first_crossing(problem.field, problem.constants, (1, 1, 1), dense, 0.0, 1.0)
     border = problem.field.borders[row]
     assert (border.beyond((1, 1, 1)), event_at(border, upward=True)) == ((0, 1, 1), Event.CONTACT_LOST)
     assert time == pytest.approx(np.arcsin(2 / 3) / (4 * np.pi), abs=1e-9)
@@ -184,7 +184,7 @@ def test_a_flight_between_two_points_of_the_search_is_found() -> None:
     def dense(t: np.ndarray) -> np.ndarray:  # above the belt for 0.02, a sixth of the distance of the points
         return np.array([0 * t, 1e-4 - (t - 0.56) ** 2, 0 * t, -2 * (t - 0.56)])
 
-    time, _ = with_scipy.first_crossing(problem, (1, 1, 1), dense, 0.0, 1.0)
+    time, _ = with_scipy.first_crossing(problem.field, problem.constants, (1, 1, 1), dense, 0.0, 1.0)
     assert time == pytest.approx(0.55, abs=1e-9)
 
 

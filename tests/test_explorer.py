@@ -399,6 +399,36 @@ def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
     assert page.is_disabled("#still")
 
 
+def test_anchor_and_mass_are_dragged(explorer: Explorer) -> None:
+    """The anchor by 20° on its circle, taken beside its middle; the mass to a place, from which it moves on when let go."""
+    page = explorer.page
+    explorer.open("theta0_deg=30&mu0=0.3")
+
+    def taken(name: str) -> tuple[float, float]:
+        box = page.locator(name).bounding_box()
+        return box["x"] + box["width"] / 2 + 3, box["y"] + box["height"] / 2 + 2
+
+    page.locator("#mechanism").scroll_into_view_if_needed()
+    scale = page.evaluate("document.querySelector('#mechanism svg').getScreenCTM().a") * 150
+    turn = [scale * (f(math.radians(50)) - f(math.radians(30))) for f in (math.cos, math.sin)]
+    for name, way in (("#anchor", turn), ("#mass", (0.4 * scale, 0.3 * scale))):
+        x, y = taken(name)
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + way[0], y - way[1], steps=4)
+        explorer.settle()
+        if name == "#anchor":
+            page.mouse.up()
+            assert explorer.point()["theta0_deg"] == pytest.approx(50, abs=0.5)
+            at = [float(page.locator("#states tr[aria-current] td").nth(k).inner_text().replace("−", "-")) for k in (4, 5)]
+    assert float(page.input_value("#x0")) == pytest.approx(at[0] + 0.4, abs=0.02)
+    assert float(page.input_value("#y0")) == pytest.approx(at[1] + 0.3, abs=0.02)
+    page.mouse.up()
+    assert page.inner_text("#play") == "Pause"
+    page.wait_for_function("document.querySelector('#motion_says').textContent.startsWith('off the belt')")
+    page.click("#still")
+
+
 def test_the_surface_is_drawn(browser: Any, url: str) -> None:
     explorer = Explorer(browser.new_page(viewport={"width": 1000, "height": 800}), url)
     explorer.open()

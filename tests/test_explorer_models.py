@@ -114,6 +114,27 @@ def test_a_state_is_carried_over_a_fold_and_back(opened: tuple[Explorer, Any]) -
     assert explorer.page.inner_text("#proof").startswith("spragsym equilibria --model trolley --theta0 30 ")
 
 
+def test_numbers_far_from_one_keep_the_page_going(opened: tuple[Explorer, Any]) -> None:
+    """mu0 = alpha = 0 first, then numbers at which the search can't tell states apart, and says so; then back."""
+    page = opened[0].page
+    before = page.inner_text("#states tbody")
+    for name, typed in (
+        ("mu0", "0"),
+        ("alpha", "0"),
+        ("theta0_deg", "90"),
+        ("mu0", "1e6"),
+        ("kappa", "1e300"),
+        ("kappa", "1e-20"),
+    ):
+        page.fill(f"#{name}", typed)
+        assert page.inner_text(f"#{name}_error") == ""
+    assert page.inner_text("#count") == "undecided"
+    assert "Undecided here" in opened[0].says()
+    page.evaluate("document.querySelector('#preset').dispatchEvent(new Event('change'))")
+    opened[0].settle()
+    assert page.inner_text("#states tbody") == before
+
+
 def test_the_motion_is_drawn_and_stopped(opened: tuple[Explorer, Any]) -> None:
     page = opened[0].page
     page.click("#from_state")

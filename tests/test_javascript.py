@@ -168,6 +168,9 @@ def test_flutter_curves_are_joined_where_two_are_born_or_vanish() -> None:
 def test_folds_are_those_that_python_proves(vary: str) -> None:
     """Along each parameter: alpha = 0, all but 0 and close to 1 + beta; without friction, pitchforks too."""
     sets = languages.fold_sets(24)
+    # The polynomial for theta0 has lost these two: with less alpha folds all but coincide with those of the mirror image.
+    sets.append({"theta0": 1.0, "mu0": 0.0, "kappa": 0.0069, "alpha": 1e-8, "sigma": 7.66, "beta": 0.45})
+    sets.append({"theta0": 0.4, "mu0": 1e-4, "kappa": 1.6e-4, "alpha": 4.7e-9, "sigma": 3.3, "beta": 0.06})
     total = 0
     for given, found in zip(sets, values([("folds", given, {"vary": vary}) for given in sets]), strict=True):
         theirs = ss.folds(ss.Parameters(**given), vary)

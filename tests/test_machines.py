@@ -74,7 +74,7 @@ def test_arithmetic_of_another_kind_is_refused(compiler: str, flags: tuple[str, 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252"])
 def test_the_derivation_speaks_on_any_console(encoding: str) -> None:
-    code = "from derive import __main__; __main__.readable(); print('θ_o', '(1)–(11)')"
+    code = "from derive import __main__; __main__.readable(); print('\\u03b8_o', '(1)\\u2013(11)')"
     call = [sys.executable, "-c", code]
     done = subprocess.run(call, cwd=ROOT, env={**os.environ, "PYTHONIOENCODING": encoding}, capture_output=True, timeout=60)
     assert done.returncode == 0, done.stderr

@@ -217,3 +217,17 @@ def test_commands_name_what_is_wrong_with_a_model(capsys: pytest.CaptureFixture[
     assert "did you mean --alpha_a" in capsys.readouterr().err
     assert command("simulate", "--model", "trolley") == 2
     assert "--theta0" in capsys.readouterr().err
+
+
+def test_a_sweep_tells_which_equilibrium_a_motion_comes_to():
+    model = ss.load("damped")
+    more = {"mu0": 0.7, "zeta_x": 0.5, "zeta_y": 0.5}
+    sweep = model.rms_sweep(model.Parameters(theta0=np.radians([30.0, 60.0]), **more), x0=[[0.0], [1.5]], t_end=200.0, rtol=1e-8)
+    # At the friction μ(V), which the motion feels.
+    friction = 0.7 * (1 - np.exp(-model.base["V"] * model.base["d"]))
+    eq = model.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0]), **{**more, "mu0": friction}))
+    rest = np.isin(sweep.regime, (ss.sweeps.Regime.EQUILIBRIUM, ss.sweeps.Regime.APPROACHES_EQUILIBRIUM))
+    assert rest.any()
+    assert ((sweep.equilibrium >= 0) == rest).all()
+    for index in zip(*np.nonzero(rest), strict=True):
+        assert abs(eq.x[index[1], sweep.equilibrium[index]] - sweep.mean[index]) < 1e-3

@@ -37,7 +37,10 @@ def functions_of_parameters() -> dict[str, Callable[..., Any]]:
     for name in modules:
         module = importlib.import_module(name)
         for public in getattr(module, "__all__", ()):
-            function = getattr(module, public)
+            try:
+                function = getattr(module, public)
+            except ImportError:  # of an extra that is not installed
+                continue
             if inspect.isfunction(function) and "Parameters" in [str(v) for v in inspect.get_annotations(function).values()]:
                 found[f"{name}.{public}"] = function
     return found

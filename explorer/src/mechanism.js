@@ -10,7 +10,10 @@ const ARROWS = [["spring", "S"], ["preload", "κ"], ["normal", "n"], ["friction"
 
 /** The drawing's size, and how much of it is above and below the floor. */
 const [BROAD, TALL, TOP] = [640, 300, 20];
-const at = (x, y) => [LEFT + SCALE * x, FLOOR - SCALE * y];
+/** What lies further away is drawn so far away. */
+const FAR = 1e3;
+const near = (value) => Math.max(-FAR, Math.min(FAR, value || 0));
+const at = (x, y) => [LEFT + SCALE * near(x), FLOOR - SCALE * near(y)];
 
 function part(parent, name, attributes = {}) {
   const element = document.createElementNS(SVG, name);

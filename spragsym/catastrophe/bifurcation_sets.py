@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..errors import ParameterError
+from ..errors import ConvergenceError, ParameterError
 from ..exact.half_angle import on_circle
 from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray, Parameters
@@ -17,7 +17,15 @@ from ..statics import kernel
 from . import fold_curves
 from .cusp_points import Cusps, cusps
 from .fixed import FIXED, Fixed
+from .fold_points import folds
 from .landings import landing
+
+#: Below this κ over the larger of σ and 1 + β float64 may lose curves, whose folds lie in pairs: proved ones are compared.
+_LIGHT = 1e-4
+#: And below this it does.
+_TOO_LIGHT = 1e-8
+#: Frictions at which they are.
+_SAMPLED = (0.11, 1.3, 7.1)
 
 
 @dataclass(frozen=True)
@@ -70,6 +78,11 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
     BifurcationSet
         Curves with their ends at θ₀ = 0 or π, at μ₀ = 0, or closed; cusps of the same region.
 
+    Raises
+    ------
+    ConvergenceError
+        With hardly any preload, κ some 10⁻⁶ of σ or of 1 + β, where float64 can't tell the folds of a direction apart.
+
     Notes
     -----
     Source: f = f′ = 0; see :mod:`spragsym.catastrophe.fold_curves`. Points satisfy it to rounding.
@@ -83,6 +96,9 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
         raise ParameterError(f"n = {n!r} is not a number of points; give an integer of 2 or more")
     fixed = Fixed(*p.scalars(*FIXED))
+    preload = fixed.kappa / max(fixed.sigma, 1 + fixed.beta)
+    if preload < _TOO_LIGHT:
+        raise _indistinct(fixed.kappa, "they all but coincide")
     curves = []
     for strand in fold_curves.strands(fixed, int(n)):
         c, s = np.cos(strand.theta), np.sin(strand.theta)
@@ -90,11 +106,29 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
         # Equilibria never cross y = 0 for 0 < θ₀ < π (derive/kang_nam/theorem.py), so one point tells for the whole curve.
         if y[y.size // 2] < 0:
             curves.append(_curve(strand, x, y, fixed))
+    if preload < _LIGHT:
+        _compare(curves, p)
     found = cusps(p)
     ahead = (found.theta0 > 0) & (found.theta0 < math.pi) & ((found.mu0 >= 0) | negative_friction)
     if negative_friction:
         curves += [_mirrored(curve) for curve in list(curves)]
     return BifurcationSet(tuple(curves), found.select(ahead))
+
+
+def _compare(curves: list[FoldCurve], p: Parameters) -> None:
+    """Refuse curves that do not cross some frictions as often as folds are proved to be there."""
+    for mu0 in _SAMPLED:
+        crossings = sum(int(np.count_nonzero(np.diff(curve.mu0 > mu0))) for curve in curves)
+        proved = folds(p.replace(mu0=mu0)).theta0.size
+        if crossings != proved:
+            raise _indistinct(float(p.kappa), f"at mu0 = {mu0} they have {crossings} where {proved} are proved")
+
+
+def _indistinct(kappa: float, reason: str) -> ConvergenceError:
+    return ConvergenceError(
+        f"kappa = {kappa:g} is too small beside sigma and 1 + beta for curves of folds in float64: {reason}; "
+        "folds(p) proves those at one friction"
+    )
 
 
 def _curve(strand: fold_curves.Strand, x: FloatArray, y: FloatArray, fixed: Fixed) -> FoldCurve:

@@ -56,7 +56,7 @@ def report(
     if study.model != "kang_nam" and html is not None:
         raise ParameterError(f"--html {html}: there are pictures for model = 'kang_nam' only, and this is {study.model!r}")
     if study.model != "kang_nam":
-        _print(study.model_report(), json_output)
+        _print(study.model_report(oscillation=oscillation), json_output)
         return
     if sys.stderr.isatty():
         click.echo("computing states, tolerances, changes and the oscillation (--no-oscillation leaves that out)", err=True)

@@ -92,6 +92,8 @@ class Balls:
             rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, Functions)]
             return [abs(acb(rate)).abs_upper() for rate in rates]
 
+        if not all(value.rad() < 1e-2 for value in box):
+            raise NotProved("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
         # The square root in L is analytic there: a disc about a positive number that meets its cut holds 0, and 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
         for length in TIMES:

@@ -57,7 +57,7 @@ def lifted_for_good(course: Course, problem: Problem) -> bool:
     """
     if not isinstance(problem.constants, Constants):
         return False
-    if course.last[1] <= 0 or course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any():
+    if course.last[1] <= 0 or course.events[Event.CONTACT_LOST] or course.events[Event.CONTACT_REGAINED]:
         return False
     known = wells(problem.parameters)[0] if problem.wells is None else problem.wells
     c = problem.constants

@@ -99,9 +99,7 @@ def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDA
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
     still = abs(course.last[0] - course.first[0]) <= 4 * tol and np.ptp(course.x_extrema) <= 4 * tol
-    # On a belt that stands still the law of friction is smooth where x' changes its sign.
-    kinks = course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
-    decaying = len(course.maxima) >= FEW and not kinks.any()
+    decaying = len(course.maxima) >= FEW and not _kinks(course, problem)
     if not (still or decaying):
         return None
     n = len(course.last) // 2
@@ -119,6 +117,12 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
         regime = Regime.EQUILIBRIUM if distance <= tol else Regime.APPROACHES_EQUILIBRIUM
         return Outcome(regime, rest_x=x, rest_y=y, rate=-growth, distance=distance)
     return None
+
+
+def _kinks(course: Course, problem: Problem) -> bool:
+    """Whether the motion passed a kink: on a belt that stands still the law of friction is smooth where x' changes its sign."""
+    felt = course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
+    return bool(felt.any())
 
 
 def _decays(course: Course, rest: Rest) -> bool:

@@ -13,9 +13,10 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import GAP, Field, Mode
+from .field import Field, Mode
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
+from .with_scipy import first_crossing
 
 #: As tight as DOP853 goes.
 RTOL, ATOL = 2.3e-14, 1e-15
@@ -92,7 +93,7 @@ class Flight:
                 if solver.status == "failed" or steps > MAX_STEPS:
                     raise ConvergenceError(f"SciPy's DOP853 stopped at t = {clock + solver.t:.6g}: {message or 'too many steps'}")
                 dense, begin, end = solver.dense_output(), solver.t_old, solver.t
-                found = self._leaves(constants, mode, dense, begin, end)
+                found = first_crossing(self.field, constants, mode, partial(_part, dense, m), begin, end)
                 if found is None:
                     yield _Piece(clock + begin, clock + end, solver.y.copy(), _shifted(dense, clock), mode, None, mode)
             whole = solver.y.copy()
@@ -122,39 +123,6 @@ class Flight:
             return np.concatenate([own, columns[n:].ravel(), lower.ravel()])
 
         return rates
-
-    def _clearance(self, border: int, state: Any, constants: tuple[float, ...], mode: Mode) -> tuple[float, float]:
-        """Distance from a border, negative beyond it, and its rate."""
-        numbers, that = state.tolist(), self.field.borders[border]
-        sign = that.sign(mode)
-        accelerations = self.field.acceleration(numbers, constants, mode, _FLOATS)
-        level = sign * that.level(numbers, constants, mode) + GAP * that.kink
-        return level, sign * that.rate(numbers, accelerations, constants, mode)
-
-    def _leaves(
-        self, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
-    ) -> tuple[float, int] | None:
-        """When, within a step, the motion first leaves its mode, and through which border."""
-        m, grid = self.field.size, begin + _SEARCH * (end - begin)
-        states = dense(grid)[:m].T
-        found: list[tuple[float, int]] = []
-        for border in range(len(self.field.borders)):
-            values = [self._clearance(border, state, constants, mode) for state in states]
-
-            def at(t: float, part: int, border: int = border) -> float:
-                return self._clearance(border, dense(t)[:m], constants, mode)[part]
-
-            for i in range(len(grid) - 1):
-                high = float(grid[i + 1])
-                if values[i + 1][0] >= 0:
-                    if not values[i][1] < 0 < values[i + 1][1]:
-                        continue
-                    high = _zero(partial(at, part=1), float(grid[i]), high)
-                    if at(high, 0) >= 0:
-                        continue
-                found.append((_zero(partial(at, part=0), float(grid[i]), high), border))
-                break
-        return min(found, default=None)
 
     def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
         """Zeros of the rates within a step."""
@@ -194,6 +162,10 @@ class _Piece:
     mode: Mode
     border: int | None
     after: Mode
+
+
+def _part(dense: Callable[[Any], FloatArray], size: int, t: Any) -> FloatArray:
+    return dense(t)[:size]
 
 
 def _shifted(dense: Callable[[Any], FloatArray], clock: float) -> Callable[[Any], FloatArray]:

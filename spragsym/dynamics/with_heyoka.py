@@ -45,7 +45,9 @@ class Compiled:
         self.kinds = {(row, up): event_at(border, upward=up) for row, border in enumerate(field.borders) for up in (False, True)}
         self.mode: Mode = field.modes[0]
         self.stray: float | None = None
-        self.turns: list[tuple[float, ...]] = []
+        #: Times and values of all that is carried, where the first coordinate is largest, and where it is least.
+        self.tops: list[tuple[float, ...]] = []
+        self.lows: list[tuple[float, ...]] = []
         system, turns = list(zip(state, [*state[n:], *accelerations], strict=True)), []
         if watch:
             shift, scale = state[0] - hy.par[self.modes.stop], hy.par[self.modes.stop + 1]
@@ -71,7 +73,7 @@ class Compiled:
 
     def _turn(self, solver: Any, t: float, direction: int) -> None:
         solver.update_d_output(t)
-        self.turns.append((direction, t, *solver.d_output))
+        (self.tops if direction < 0 else self.lows).append((t, *solver.d_output.tolist()))
 
     def _cross(self, row: int, solver: Any, direction: int) -> bool:
         """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
@@ -92,7 +94,7 @@ class Compiled:
 
     def place(self, t: float, state: Any, constants: Any, mode: Any) -> None:
         """Start from any time and state in a mode, with no events recorded."""
-        self.log, self.turns, self.stray, self.mode = [], [], None, mode
+        self.log, self.tops, self.lows, self.stray, self.mode = [], [], [], None, mode
         self.solver.time = t
         self.state[: 2 * self.n] = state
         if self.rest:
@@ -180,13 +182,13 @@ def watch(problem: Problem) -> Course:
     scale = 1e-3 / (problem.t_end - problem.t_record)
     watching.pars[watching.modes.stop :] = first[0], scale
     watching.go(problem, problem.t_end, steps)
-    turns = np.array(watching.turns).reshape(-1, 2 + len(watching.state))
-    maxima, minima = turns[turns[:, 0] < 0], turns[turns[:, 0] > 0]
-    last = watching.state.copy()
+    last = watching.state.tolist()
+    tops = np.array([*watching.tops, (problem.t_end, *last)])
+    lows = np.array([row[1 : 1 + size] for row in watching.lows]).reshape(-1, size)
     events = np.array([0] * len(Event))
     for crossing in watching.log:
         events[crossing.kind] += 1
     return Course(
-        problem.t_record, problem.t_end, first, last[:size], maxima[:, 1], maxima[:, 2 : 2 + size],
-        np.vstack([maxima[:, 2 + size :], last[size:]]) / scale, minima[:, 2 : 2 + size], events,
+        problem.t_record, problem.t_end, first, tops[-1, 1 : 1 + size], tops[:-1, 0], tops[:-1, 1 : 1 + size],
+        tops[:, 1 + size :] / scale, lows, events,
     )  # fmt: skip

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import GAP, Mode
+from .field import GAP, Field, Mode
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, too_many_steps
 from .solution import Crossing, Solution, assembled
@@ -61,7 +61,7 @@ def integrate(problem: Problem) -> Solution:
             if steps > problem.max_steps:
                 raise too_many_steps(problem, clock + solver.t)
             dense, begin, end = solver.dense_output(), solver.t_old, solver.t
-            crossing = first_crossing(problem, mode, dense, begin, end)
+            crossing = first_crossing(problem.field, problem.constants, mode, dense, begin, end)
             keep(begin, end if crossing is None else crossing[0], dense)
         if crossing is None:
             break
@@ -94,9 +94,8 @@ def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], tuple[
     return field
 
 
-def _clearances(problem: Problem, mode: Mode, states: FloatArray) -> FloatArray:
+def _clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
     """Distance from the borders of a mode, negative beyond them, and its rate: shape (borders, 2, …)."""
-    constants, field = problem.constants, problem.field
     accelerations = field.acceleration(states, constants, mode, _ARRAYS)
     rows = []
     for border in field.borders:
@@ -107,18 +106,18 @@ def _clearances(problem: Problem, mode: Mode, states: FloatArray) -> FloatArray:
 
 
 def first_crossing(
-    problem: Problem, mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
+    field: Field, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
 ) -> tuple[float, int] | None:
     """When, within a step, the motion first leaves its mode, and through which border."""
 
     def border(row: int, t: Any) -> FloatArray:
         """Distance from one of the borders, and its rate."""
-        distance_and_rate: FloatArray = _clearances(problem, mode, dense(np.asarray(t)))[row]
+        distance_and_rate: FloatArray = _clearances(field, constants, mode, dense(np.asarray(t)))[row]
         return distance_and_rate
 
     grid = begin + _SEARCH * (end - begin)
     found = []
-    for row, (distance, rate) in enumerate(_clearances(problem, mode, dense(grid))):
+    for row, (distance, rate) in enumerate(_clearances(field, constants, mode, dense(grid))):
         at = partial(border, row)
         bracket = _bracket(grid, distance, rate, at)
         if bracket is not None:

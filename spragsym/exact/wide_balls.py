@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ..generated import double_double as dd
 from ..generated.double_double import Wide
 from .interval_arrays import FloatArray, Intervals, exactly, raised
+from .jets import Jet
 
 #: Unit of relative errors of double-double operations.
 UNIT = 2.0**-106
@@ -62,6 +63,38 @@ class WideBalls:
         off = raised(self.radius + np.abs(self.middle.low))
         return Intervals(raised(np.stack([off - self.middle.high, off + self.middle.high])))
 
+    @classmethod
+    def where(cls, chosen: NDArray[np.bool_], one: WideBalls, other: WideBalls) -> WideBalls:
+        """Balls of the one where the flag is set, of the other elsewhere."""
+        return cls(dd.dd_where(chosen, one.middle, other.middle), np.where(chosen, one.radius, other.radius))
+
+    def taken(self, rows: NDArray[Any]) -> WideBalls:
+        """Some of the balls."""
+        return WideBalls(Wide(self.middle.high[rows], self.middle.low[rows]), self.radius[rows])
+
+    def centre(self) -> WideBalls:
+        """The middles, without width."""
+        return WideBalls(self.middle, np.zeros_like(self.radius))
+
+    def widened(self, factor: float) -> WideBalls:
+        """The same middles with larger radii."""
+        return WideBalls(self.middle, self.radius * factor)
+
+    def union(self, other: WideBalls) -> WideBalls:
+        """Balls around this one's middles that hold both."""
+        off = (other - self.centre()).size
+        return WideBalls(self.middle, np.fmax(self.radius, off))
+
+    def inside(self, other: WideBalls) -> NDArray[np.bool_]:
+        """Whether each lies in the interior of another."""
+        out: NDArray[np.bool_] = (self - other.centre()).size < other.radius
+        return out
+
+    def signs(self) -> NDArray[np.int64]:
+        """−1 or 1, and 0 where a ball holds 0 or nothing is known."""
+        known = np.abs(self.middle.high) > ROOM * self.radius
+        return np.where(known, np.sign(self.middle.high), 0.0).astype(np.int64)
+
     @property
     def size(self) -> FloatArray:
         """Not less than |x|."""
@@ -75,6 +108,8 @@ class WideBalls:
         return self
 
     def __add__(self, other: Any) -> WideBalls:
+        if isinstance(other, Jet):
+            return NotImplemented
         if isinstance(other, int | float) and other == 0:
             return self
         two = _ball(other, self)
@@ -90,6 +125,8 @@ class WideBalls:
         return (-self).__add__(other)
 
     def __mul__(self, other: Any) -> WideBalls:
+        if isinstance(other, Jet):
+            return NotImplemented
         if isinstance(other, int | float):
             if other in (1, -1):
                 return self if other == 1 else -self
@@ -101,6 +138,8 @@ class WideBalls:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> WideBalls:
+        if isinstance(other, Jet):
+            return NotImplemented
         two = _ball(other, self)
         least = np.abs(two.middle.high) / ROOM - two.radius
         middle = dd.dd_divide(self.middle, two.middle)
@@ -174,12 +213,12 @@ class Functions:
     @staticmethod
     def sqrt(value: Any) -> Any:
         """Square root."""
-        return value.sqrt() if isinstance(value, WideBalls) else np.sqrt(value)
+        return value.sqrt() if isinstance(value, WideBalls | Jet) else np.sqrt(value)
 
     @staticmethod
     def exp(value: Any) -> Any:
         """Exponential."""
-        return value.exp() if isinstance(value, WideBalls) else np.exp(value)
+        return value.exp() if isinstance(value, WideBalls | Jet) else np.exp(value)
 
     @staticmethod
     def sign(value: Any) -> Any:

@@ -17,14 +17,11 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
 from .columns import Columns
-from .precise import replaced, settled, unsettled
+from .precise import settled
 from .regions import region
-from .wide import WideBalance
 
 #: Relative width of boxes that are left to many digits.
 NARROW = 2.0**-16
-#: Boxes of one point, and their relative width, after which many digits take over from double-double.
-WIDE_BUDGET, WIDE_NARROW = 1000, 2.0**-32
 
 
 @dataclass(frozen=True)
@@ -151,25 +148,7 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
         return Roots(none, none, nowhere, none, nowhere), around, whole
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
-    found = _with_more_digits(balance, given, around, found)
     return settled(balance, given, around, found), around, whole
-
-
-def _with_more_digits(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
-    """What floats have left, or know to few digits only, searched again with double-double residuals."""
-    points = unsettled(found)
-    if not points.size:
-        return found
-    wide = WideBalance(balance.model, balance.contact, balance.law)
-    mine, there = given[:, points], np.broadcast_to(around, (*around.shape[:2], given.shape[1]))[:, :, points]
-    outcome = boxes.search(wide, there, mine, mine, limits=balance.limits, budget=WIDE_BUDGET, narrow=WIDE_NARROW)
-    again = certified_roots.roots(wide, outcome, there, mine, mine)
-    # Of others the few large boxes that floats have left serve many digits better than many small ones.
-    done = np.setdiff1d(np.arange(points.size), unsettled(again))
-    kept = np.isin(again.point, done)
-    fewer = Roots(again.ends[:, :, kept], again.alone[:, :, kept], np.searchsorted(done, again.point[kept]),
-                  np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64))  # fmt: skip
-    return replaced(found, points[done], fewer)
 
 
 def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:

@@ -23,7 +23,7 @@ from .parameters import parameter_class
 #: What ``model.json`` says at least.
 _KEYS = frozenset((
     "name", "summary", "drawing", "source", "coordinates", "parameters", "angles", "arguments", "by_parameters", "contact",
-    "friction", "springs", "files",
+    "dampers", "friction", "mirror", "springs", "files",
 ))  # fmt: skip
 
 _LOADED: dict[str, Model] = {}

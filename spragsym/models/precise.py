@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import certified_roots, contractors
+from ..exact import certified_roots, contractors, many_reductions
 from ..exact.ball_functions import XP
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
@@ -18,9 +18,12 @@ from ..exact.intervals import Ball, Balls
 from ..exact.polynomials import Undecided
 from ..exact.reduction import Reduced, reduced_roots
 from .balance import Balance, undecorated
+from .wide import WideBalance
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
+#: Ends of roots and of boxes in which each is alone.
+Known: TypeAlias = tuple[FloatArray, FloatArray] | None
 #: Bits of the forces.
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
@@ -88,7 +91,20 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     points = unsettled(found)
     if not points.size:
         return found
-    parts = [_of_point(balance, given[:, at], around[:, :, at % around.shape[2]], found, int(at)) for at in points]
+    regions = np.broadcast_to(around, (*around.shape[:2], given.shape[1]))
+    tasks = [(int(at), cluster) for at in points for cluster in clusters(_boxes_of(found, int(at)))]
+    reduced = _by_double_double(balance, given, tasks)
+    parts = [
+        _of_point(
+            balance,
+            given[:, at],
+            regions[:, :, at],
+            found,
+            int(at),
+            [(cluster, known) for (point, cluster), known in zip(tasks, reduced, strict=True) if point == at],
+        )
+        for at in points
+    ]
     sizes, left_sizes = ([getattr(part, name).size for part in parts] for name in ("point", "left_point"))
     again = Roots(
         np.concatenate([part.ends for part in parts], axis=2),
@@ -100,14 +116,48 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     return replaced(found, points, again)
 
 
-def _of_point(balance: Balance, given: FloatArray, region: FloatArray, found: Roots, point: int) -> Roots:
+def _boxes_of(found: Roots, point: int) -> FloatArray:
+    """Boxes of a point that are left, and boxes around its roots that are known to few digits."""
+    mine = np.flatnonzero(found.point == point)
+    poor = mine[~(found.error[mine] <= TOLERANCE)]
+    return np.concatenate([found.left[:, :, found.left_point == point], found.ends[:, :, poor] + AROUND], axis=2)
+
+
+def _by_double_double(balance: Balance, given: FloatArray, tasks: Sequence[tuple[int, FloatArray]]) -> list[Known]:
+    """Ends of roots in clusters of points and of boxes in which each is alone; None where that takes more digits."""
+    wide = WideBalance(balance.model, balance.contact, balance.law)
+    points = np.array([point for point, _ in tasks], dtype=np.int64)
+    boxes = np.stack([cluster for _, cluster in tasks], axis=-1)
+    boxes = boxes + 0.25 * (boxes[0] + boxes[1]) + 1e-9
+    with np.errstate(all="ignore"):
+        parameters = wide.prepared(Intervals.point(given[:, points]))
+        slopes = wide.jacobian(Intervals.point(Intervals(boxes).middle), parameters).middle
+
+        def forces(rows: NDArray[np.int64], q: Sequence[Any]) -> Sequence[Any]:
+            out: Sequence[Any] = wide.wide_forces(q, wide.wide_values(parameters[:, rows]))
+            return out
+
+        found = many_reductions.reduced_roots(forces, boxes, slopes)
+    error = certified_roots.relative_error(found.ends, Intervals(found.ends).middle)
+    found.open[found.box[~(error <= TOLERANCE)]] = True
+    return [
+        None if found.open[k] else (found.ends[:, :, found.box == k], found.alone[:, :, found.box == k])
+        for k in range(points.size)
+    ]
+
+
+def _of_point(
+    balance: Balance, given: FloatArray, region: FloatArray, found: Roots, point: int, tasks: Sequence[tuple[FloatArray, Known]]
+) -> Roots:
     """Roots and boxes left of one point."""
     mine = np.flatnonzero(found.point == point)
-    poor = ~(found.error[mine] <= TOLERANCE)
-    good = mine[~poor]
-    boxes = np.concatenate([found.left[:, :, found.left_point == point], found.ends[:, :, mine[poor]] + AROUND], axis=2)
+    good = mine[found.error[mine] <= TOLERANCE]
     ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, balance.n, 0))]
-    for cluster in clusters(boxes):
+    for cluster, known in tasks:
+        if known is not None:
+            ends.append(known[0])
+            alone.append(known[1])
+            continue
         reduced = _reduced(balance, given, cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
         ends += [_outward(box) for box in reduced.roots]
         alone += [_outward(box) for box in reduced.alone]

@@ -18,6 +18,8 @@ FAR = 1e60
 NEAR = 10.0
 #: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
 ROUNDS = 12
+#: No more rounds where one leaves so much of all ends.
+ENOUGH = 0.999
 
 
 def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
@@ -37,8 +39,11 @@ def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
         for place in range(balance.springs):
             directions[3 * place + 2] = Intervals(np.stack([np.zeros(count), np.full(count, FAR)]))
         for _ in range(ROUNDS):
+            before = ends
             ends = balance.by_rows(Intervals(ends), values, directions)
             ends = balance.with_directions(Intervals(ends), values, directions)
+            if (ends > ENOUGH * before).all():
+                break
     proved = np.logical_and.reduce(ends < FAR * 1e-6)
     out: FloatArray = np.where(proved, ends, np.minimum(NEAR, balance.border[:, :, None]))
     return out, bool(proved.all())

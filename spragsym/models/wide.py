@@ -6,6 +6,7 @@ is divided by a stiffness that is nearly singular: of these alone more digits ar
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -32,16 +33,22 @@ class WideBalance(Balance):
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """Forces at floats; those of the balance where more digits are not known."""
         known = super().at_points(middles, parameters)
-        rows = parameters.ends[1, len(self.codes) :].reshape(len(self.codes), 3, -1)
-        values: dict[str, Any] = {
-            code: WideBalls(Wide(high, low), radius) for code, (high, low, radius) in zip(self.codes, rows, strict=True)
-        }
-        wide = stacked([_as_intervals(row, middles.shape[1]) for row in self._wide_forces(middles, values)], middles.shape[1:])
+        values = self.wide_values(parameters)
+        wide = stacked(
+            [_as_intervals(row, middles.shape[1]) for row in self.wide_forces([WideBalls.exact(row) for row in middles], values)],
+            middles.shape[1:],
+        )
         better = wide.ends[0] + wide.ends[1] < known.ends[0] + known.ends[1]
         return Intervals(np.where(better, wide.ends, known.ends))
 
-    def _wide_forces(self, middles: FloatArray, values: dict[str, Any]) -> Any:
-        statics, q = self.model.statics, [WideBalls.exact(row) for row in middles]
+    def wide_values(self, parameters: Intervals) -> dict[str, WideBalls]:
+        """Arguments of generated functions by name, from what :meth:`prepared` has made."""
+        rows = parameters.ends[1, len(self.codes) :].reshape(len(self.codes), 3, -1)
+        return {code: WideBalls(Wide(high, low), radius) for code, (high, low, radius) in zip(self.codes, rows, strict=True)}
+
+    def wide_forces(self, q: Sequence[Any], values: dict[str, WideBalls]) -> Any:
+        """Forces of balls, or of jets of balls."""
+        statics = self.model.statics
         given = [values[name] for name in self.model.about["arguments"]["statics"]]
         directions: list[Any] = []
         for dx, dy, _ in undecorated(statics.geometry)(*q, *given, xp=XP):

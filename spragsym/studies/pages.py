@@ -16,7 +16,7 @@ from .study import Study
 from .texts import sections
 
 _STYLE = """
-body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;max-width:58rem;margin:2rem auto;padding:0 1rem}
+body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:58rem;margin:2rem auto;padding:0 1rem}
 h1{font-size:1.5rem;margin-bottom:.3rem}h2{font-size:1.1rem;margin:2rem 0 .4rem;border-bottom:1px solid #ccc}
 .verdict{font-size:1.2rem;padding:.8rem 1rem;border-left:6px solid #0072B2;background:#f3f7fa}
 .verdict.sprags{border-color:#D55E00;background:#fdf4ee}
@@ -40,8 +40,9 @@ def page(study: Study, report: Report) -> str:
     sprags = " sprags" if report.verdict.startswith("It sprags") else ""
     title = f"Sprag-slip report{': ' + study.source if study.source else ''}"
     parts = [
-        "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">', f"<title>{escape(title)}</title>",
-        f"<style>{_STYLE}</style></head><body>", f"<h1>{escape(title)}</h1>",
+        "<!DOCTYPE html>", '<html lang="en"><head><meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width,initial-scale=1"><meta name="color-scheme" content="light">',
+        f"<title>{escape(title)}</title>", f"<style>{_STYLE}</style></head><body>", f"<h1>{escape(title)}</h1>",
         f'<p class="verdict{sprags}">{escape(report.verdict)}</p>',
         *(f'<p class="warning">{escape(one)}</p>' for one in report.warnings),
         *(f"<figure>{svg}<figcaption>{escape(caption)}</figcaption></figure>" for svg, caption in pictures(study, report)),

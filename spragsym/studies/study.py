@@ -187,17 +187,17 @@ class Study:
         from .reports import report
 
         if self.model != "kang_nam":
-            raise ParameterError(f"model = {self.model!r}: this report is of kang_nam; call model_report() for states and folds")
+            raise ParameterError(f"model = {self.model!r}: this report is of kang_nam; call model_report()")
         return report(
             self, probability=probability, redesign=redesign, oscillation=oscillation, n=n,
             safety=as_number("safety", safety, physical_ranges()["k"]),
         )  # fmt: skip
 
-    def model_report(self) -> ModelReport:
-        """States and folds with any model; for all that a report has, the model is ``kang_nam``."""
+    def model_report(self, oscillation: bool = True) -> ModelReport:
+        """The report with any model: jump, cusp, states, forces and the cycle; what is not answered is None, with the reason."""
         from .other_reports import model_report
 
-        return model_report(self)
+        return model_report(self, oscillation)
 
     def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""

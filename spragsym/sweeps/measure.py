@@ -100,7 +100,7 @@ def _values(problem: Problem, backend: str) -> list[float]:
 def _averages(course: Course) -> list[float]:
     """The measured values after the transient, in the order of AVERAGES."""
     mean, spread = course.moments()
-    amplitude = float(np.abs(course.x_extrema).max())
+    amplitude = max(map(abs, course.x_extrema.tolist()))
     mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin) if len(course.first) > 2 else math.nan
     lost, _, *reversals = course.events.tolist()
     return [math.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)]

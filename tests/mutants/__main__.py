@@ -38,10 +38,12 @@ def main() -> int:
         extra = [part for key in given.only for part in ("--only", key)]
         command = [sys.executable, "-m", "tests.mutants", name, "--inside", "--jobs", str(given.jobs), *extra]
         command += ["--quick"] if given.quick else []
-        try:
-            bad += subprocess.run(command, env=environment, cwd=HERE.parent.parent, check=False).returncode != 0
-        except KeyboardInterrupt:
-            return 130
+        with subprocess.Popen(command, env=environment, cwd=HERE.parent.parent) as process:
+            try:
+                bad += process.wait() != 0
+            except KeyboardInterrupt:  # which it has got as well
+                process.wait()
+                return 130
     return 1 if bad else 0
 
 

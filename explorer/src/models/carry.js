@@ -7,6 +7,9 @@ import { turning } from "./kinds.js";
 const STEPS = 200;
 const MOST = 400;
 const HALVINGS = 14;
+/** A way on which the state is lost again and again, as at numbers far from 1, is given up after so many steps or jumps. */
+const PATIENCE = 3000;
+const JUMPS = 8;
 /** No coordinate changes by more in one step. */
 const LONGEST = 0.05;
 
@@ -40,7 +43,11 @@ export function carry(at, about, from, to, state, spans) {
   const between = (share) => Object.fromEntries(Object.keys(to).map((name) => [name, share >= 1 ? to[name] : from[name] + share * (to[name] - from[name])]));
   let [share, step, jumps] = [0, longest, []];
   let now = { ...state, sign: turning(at(from).stiffness(state.q, state.contact)) };
-  while (share < 1) {
+  for (let tried = 0; share < 1; tried++) {
+    if (tried === PATIENCE || jumps.length === JUMPS) {
+      const reached = landing(search(at(to), about), now.q);
+      return { state: reached, jumps: [...jumps, { point: to, from: now.q, to: reached?.q ?? null }] };
+    }
     const end = Math.min(1, share + step);
     const point = between(end);
     const balance = at(point);

@@ -33,7 +33,7 @@ export function start({ algebra }) {
   const listeners = [];
   function set(next) {
     now = { ...next, states: search(at(next.point), about) };
-    const held = now.state && !now.states.some((one) => one.contact === now.state.contact && near(one.q, now.state.q));
+    const held = now.state && !now.states.undecided && !now.states.some((one) => one.contact === now.state.contact && near(one.q, now.state.q));
     now.states.push(...(held ? [now.state] : [])); // carried along, and not found anew
     listeners.forEach((listener) => listener());
   }
@@ -143,12 +143,13 @@ export function start({ algebra }) {
 
   function say() {
     const many = now.states.length;
-    $("count").textContent = `${many} found`;
+    const undecided = now.states.undecided;
+    $("count").textContent = undecided ? "undecided" : `${many} found`;
     $("states").tBodies[0].replaceChildren(...now.states.map(row));
     const last = now.jumps.at(-1);
     const where = (q) => `${symbolOf(names[0])} = ${written(q[0], 4)}`;
     const jump = last ? ` Its last state ended${last.to ? `, and it jumped from ${where(last.from)} to ${where(last.to)}` : ""}.` : "";
-    $("story").textContent = now.state
+    $("story").textContent = undecided ? "Undecided here: the search can't tell the states apart. The command below the table may." : now.state
       ? `${many} ${many === 1 ? "state was" : "states were"} found. The mass is at ${where(now.state.q)}, ${now.state.stability}.${jump}`
       : `No state was found that the mass could keep.${jump} See the motion below.`;
     $("proof").textContent = command();
@@ -231,8 +232,9 @@ export function start({ algebra }) {
   window.spragsym = Object.freeze({
     /** The states that the page finds at a point, searched and not proved. */
     equilibria: ({ contact = true, ...point }) => {
-      const states = search(at({ ...presets[0].point, ...point }), about).filter((state) => state.contact === contact);
-      return { status: "searched", count: states.length, states: states.map(({ q, stability }) => ({ ...Object.fromEntries(q.map((value, i) => [names[i], value])), stability })) };
+      const found = search(at({ ...presets[0].point, ...point }), about);
+      const states = found.filter((state) => state.contact === contact);
+      return { status: found.undecided ? "uncertain" : "searched", count: states.length, states: states.map(({ q, stability }) => ({ ...Object.fromEntries(q.map((value, i) => [names[i], value])), stability })) };
     },
     /** The motion at a point: `regime(state)` and `step(state, h)`. */
     motion: (point) => { const whole = { ...presets[0].point, ...point }; return fieldOf(algebra, about, at(whole)); },

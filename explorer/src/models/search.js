@@ -2,13 +2,19 @@
 
 import { kindOf, solved } from "./kinds.js";
 
-/** Directions of the springs that a search begins from, all together; coordinates that it begins from without springs. */
-const STARTS = 192;
+/** Directions of the springs that a search looks at, all together, and how close they are to a state where all begin. */
+const STARTS = 576;
+const CLOSE = 1e-3;
+/** Places about an anchor where searches begin as well. */
+const [RADII, AROUND] = [[0.05, 0.2, 0.5], 12];
+/** Coordinates that a search begins from without springs. */
 const PLAIN = [-0.5, 0, 0.5];
 const STEPS = 40;
 /** Newton's method has arrived when a step is no longer than this, relative to the coordinates; states closer than SAME are one. */
 const ARRIVED = 1e-12;
 const SAME = 1e-7;
+/** More states than this on one side are one state that is so nearly multiple that steps end all around it. */
+const MANY = 24;
 /** No step of Newton's method is longer. */
 const LONGEST = 0.5;
 
@@ -37,11 +43,29 @@ export function newton(balance, about, q, contact, along) {
   return null;
 }
 
-/** All combinations of one entry of each list. */
+/** All combinations of one entry of each list, the last entry changing fastest. */
 function products(lists) {
   return lists.reduce((found, list) => found.flatMap((head) => list.map((entry) => [...head, entry])), [[]]);
 }
 
+/** How far the springs' directions at `q` are from those that gave it: 0 at a state, at most 1 for each spring. */
+function mismatch(balance, q, held) {
+  const along = balance.directions(q);
+  return held.reduce((sum, angle, i) => sum + 0.5 * (1 - along[3 * i] * Math.cos(angle) - along[3 * i + 1] * Math.sin(angle)), 0);
+}
+
+/** Places around the springs' anchors, where directions turn faster than any grid of them. */
+function aroundAnchors(balance, rest) {
+  return balance.vectors(rest).flatMap(([dx, dy]) => RADII.flatMap((radius) => Array.from({ length: AROUND }, (_, k) => {
+    const turn = (2 * Math.PI * (k + 0.5)) / AROUND;
+    return rest.map((value, i) => value + (i === 0 ? dx + radius * Math.cos(turn) : i === 1 ? dy + radius * Math.sin(turn) : 0));
+  })));
+}
+
+/**
+ * Where Newton's method begins. With the springs' directions held the balance has one solution; over a grid of directions, those
+ * that come closest to the directions at their solution are taken.
+ */
 function starts(balance, about, contact) {
   const rest = about.coordinates.map(({ name }) => (name === about.gap ? (contact ? -0.01 : 0.01) : 0));
   const springs = balance.vectors(rest).length;
@@ -50,8 +74,16 @@ function starts(balance, about, contact) {
   }
   const each = Math.max(8, Math.round(STARTS ** (1 / springs)));
   const angles = Array.from({ length: each }, (_, k) => (2 * Math.PI * (k + 0.5)) / each - Math.PI);
-  return products(Array.from({ length: springs }, () => angles))
-    .map((held) => newton(balance, about, rest, contact, balance.held(held))).filter(Boolean);
+  const nodes = products(Array.from({ length: springs }, () => angles)).map((held) => {
+    const q = newton(balance, about, rest, contact, balance.held(held));
+    return { q, far: q ? mismatch(balance, q, held) : Infinity };
+  });
+  const neighbours = (at) => Array.from({ length: springs }, (_, i) => each ** i).flatMap((stride) => {
+    const place = Math.floor(at / stride) % each;
+    return [at + (((place + 1) % each) - place) * stride, at + (((place + each - 1) % each) - place) * stride];
+  });
+  const chosen = nodes.filter(({ q, far }, at) => q && (far < CLOSE || neighbours(at).every((other) => far <= nodes[other].far))).map(({ q }) => q);
+  return [...chosen, ...aroundAnchors(balance, rest)];
 }
 
 /** Whether a state lies on the side of the contact that it was searched on. */
@@ -69,7 +101,10 @@ export function described(balance, q, contact) {
   return { q, contact, stability: kindOf(balance.mass(q), balance.stiffness(q, contact, along)), along };
 }
 
-/** States found at a point, in contact first, by ascending first coordinate. */
+/**
+ * States found at a point, in contact first, by ascending first coordinate. Where they can't be told apart the list is empty and has
+ * `undecided`.
+ */
 export function search(balance, about) {
   const found = [];
   for (const contact of about.unilateral && about.gap !== null ? [true, false] : [true]) {
@@ -80,6 +115,9 @@ export function search(balance, about) {
       if (q && belongs(balance, about, q, contact) && !mine.some((other) => far(other) < SAME)) {
         mine.push(q);
       }
+    }
+    if (mine.length > MANY) {
+      return Object.assign([], { undecided: true });
     }
     found.push(...mine.sort((a, b) => a[0] - b[0]).map((q) => described(balance, q, contact)));
   }

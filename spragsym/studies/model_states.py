@@ -1,0 +1,87 @@
+"""The states of any model in newtons, millimetres and hertz, from its generated functions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..models.balance import Balance
+from ..models.stability import linearization, roots
+from ..parameters import FloatArray
+from ..statics.solver import Stability
+
+
+def model_states(model: Any, p: Any, scales: Mapping[str, float], current: Mapping[str, float] | None) -> list[dict[str, Any]]:
+    """Every state in contact, each with its forces; ``current`` are the coordinates of the one that the system is in."""
+    eq = model.equilibria(p)
+    units = {entry["name"]: entry["unit"] for entry in model.about["coordinates"]}
+    found = []
+    for slot in range(int(eq.count)):
+        place = {name: float(eq.coordinates[name][slot]) for name in units}
+        here = current is not None and all(abs(place[name] - current[name]) < 1e-6 for name in units)
+        kind = Stability(int(eq.stability[slot]))
+        rates = _rates(model, p, place) / scales["time"]
+        upper = sorted((rate for rate in rates if rate.imag > 1e-9 * np.abs(rates).max()), key=lambda rate: float(rate.imag))
+        growth = float(eq.growth[slot]) / scales["time"]
+        found.append({
+            "current": here, "stable": kind == Stability.STABLE and growth <= 0, "statics": kind.name.lower(),
+            **{f"{name}_{'mm' if unit == 'm' else 'deg'}": value * (1e3 * scales["length"] if unit == "m" else math.degrees(1.0))
+               for (name, unit), value in zip(units.items(), place.values(), strict=True)},
+            "spring_force_N": _spring_force(model, p, place, scales["force"]),
+            "contact_force_N": _contact_force(model, p, place, scales["force"]),
+            "frequencies_hz": [float(rate.imag) / (2 * math.pi) for rate in upper],
+            "damping_ratio": [float(-rate.real / abs(rate)) for rate in upper], "growth_per_s": growth,
+        })  # fmt: skip
+    return found
+
+
+def _values(model: Any, p: Any) -> dict[str, Any]:
+    """The arguments of the generated functions, by name."""
+    names = model.about["arguments"]["motion"]
+    values = dict(zip(names, (float(one) for one in model.arguments(p, "motion")), strict=True))
+    return values | dict(zip(model.about["arguments"]["statics"], (float(one) for one in model.arguments(p)), strict=True))
+
+
+def _directions(model: Any, place: Mapping[str, float], values: Mapping[str, Any]) -> list[float]:
+    """Cosine, sine and length of every spring."""
+    rows = model.statics.geometry(*place.values(), *(values[name] for name in model.about["arguments"]["statics"]))
+    found: list[float] = []
+    for dx, dy, _ in rows:
+        length = math.hypot(float(dx), float(dy))
+        found += [float(dx) / length, float(dy) / length, length]
+    return found
+
+
+def _rates(model: Any, p: Any, place: Mapping[str, float]) -> FloatArray:
+    """Roots of the motion linearized about a state, the damping of dampers and of the friction law included."""
+    given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
+    states = np.array([[value] for value in place.values()])
+    M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(Balance(model, True), states, given))
+    return np.asarray(roots(M, C, K)[0])
+
+
+def _contact_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
+    """The contact's share of the balance: with it less without it, and without friction."""
+    if model.about["contact"]["gap"] is None:
+        return None
+    values = _values(model, p)
+    given = [values[name] for name in model.about["arguments"]["statics"]]
+    taken = [*place.values(), *_directions(model, place, values), *given]
+    with_it, without = (np.array(model.statics.forces(*taken, 0.0, pushing), dtype=float) for pushing in (1, 0))
+    return float(np.linalg.norm(with_it - without)) * unit
+
+
+def _spring_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
+    """σ (L − 1) of the spring whose stiffness is the quantity k, in which forces are linear; negative where it pushes."""
+    spring = next((entry["name"] for entry in model.about["parameters"] if entry["quantity"] == "k"), None)
+    if spring is None or len(model.about["springs"]) != 1:
+        return None
+    values = _values(model, p)
+    directions = _directions(model, place, values)
+    given = [values[name] for name in model.about["arguments"]["statics"]]
+    rows = np.array(model.statics.forces_by_parameters(*place.values(), *directions, *given, 0.0, 1), dtype=float)
+    acting = rows[:2, model.about["by_parameters"].index(spring)]
+    return math.copysign(float(np.linalg.norm(acting)) * values[spring], directions[2] - 1.0) * unit

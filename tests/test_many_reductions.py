@@ -1,0 +1,93 @@
+"""Roots near singular Jacobians, many boxes at once: cubics whose roots are known."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from math import isqrt
+
+import numpy as np
+import pytest
+
+from spragsym.exact import many_reductions, reduction
+from spragsym.exact.intervals import Balls
+from spragsym.exact.wide_balls import WideBalls
+
+#: Distances of three roots from each other.
+GAPS = np.array([1e-3, 1e-5, 1e-7])
+
+
+def system(gaps):
+    """x³ − gap² x = y and y = x²/1024: the roots of x³ − x²/1024 − gap² x."""
+
+    def evaluate(rows, q):
+        x, y = q
+        squares = WideBalls.exact(gaps[rows]) * WideBalls.exact(gaps[rows])
+        return [x**3 - x * squares - y, y - x**2 * WideBalls.exact(np.full(rows.size, 2.0**-10))]
+
+    return evaluate
+
+
+def roots_of(gap):
+    """In Python's rationals, to 1e-20 and better."""
+    g, c = Fraction(float(gap)), Fraction(1, 1024)
+    disc = c * c + 4 * g * g
+    root = Fraction(isqrt(int(disc * 10**80)), 10**40)
+    return sorted([(c - root) / 2, Fraction(0), (c + root) / 2])
+
+
+def boxes_and_slopes(count):
+    boxes = np.repeat(np.array([[0.011, 0.0001], [0.0107, 0.00012]])[:, :, None], count, axis=2)
+    return boxes, np.repeat(np.array([[0.0, -1.0], [0.0, 1.0]])[:, :, None], count, axis=2)
+
+
+def test_three_roots_close_together_are_told_apart():
+    boxes, slopes = boxes_and_slopes(GAPS.size)
+    found = many_reductions.reduced_roots(system(GAPS), boxes, slopes)
+    assert not found.open.any()
+    for number, gap in enumerate(GAPS):
+        mine = np.flatnonzero(found.box == number)
+        ends = found.ends[:, 0, mine]
+        order = np.argsort(ends[1])
+        want = roots_of(gap)
+        assert len(order) == 3
+        for row, exact in zip(order, want, strict=True):
+            assert Fraction(-float(ends[0, row])) <= exact <= Fraction(float(ends[1, row]))
+            assert ends[0, row] + ends[1, row] < 1e-15
+
+
+def test_a_double_root_stays_open():
+    boxes, slopes = boxes_and_slopes(1)
+
+    def evaluate(rows, q):
+        x, y = q
+        return [x**2 - y, y + 0]
+
+    found = many_reductions.reduced_roots(evaluate, boxes, slopes)
+    assert found.open.all()
+
+
+def test_no_root_is_no_root():
+    boxes, slopes = boxes_and_slopes(2)
+
+    def evaluate(rows, q):
+        x, y = q
+        return [x**2 - y + WideBalls.exact(np.array([1e-20, 1e-10])[rows]), y + 0]
+
+    found = many_reductions.reduced_roots(evaluate, boxes, slopes)
+    assert not found.open.any()
+    assert found.box.size == 0
+
+
+@pytest.mark.parametrize("gap", GAPS)
+def test_many_digits_find_the_same(gap):
+    boxes, slopes = boxes_and_slopes(1)
+    found = many_reductions.reduced_roots(system(np.array([gap])), boxes, slopes)
+
+    def evaluate(q):
+        x, y = q
+        g = Balls().exact(Fraction(float(gap)))
+        return [x**3 - x * (g * g) - y, y - x**2 * Balls().exact(Fraction(1, 1024))]
+
+    with Balls().precision(200):
+        known = reduction.reduced_roots(evaluate, [(-0.011, 0.0107), (-0.0001, 0.00012)], slopes[:, :, 0], 200)
+    assert len(known.roots) == found.box.size == 3

@@ -1,4 +1,5 @@
-"""The process of :mod:`benchmarks.bench_before` for one tree: ``python before_worker.py TREE POINTS`` reads lines, answers with lines.
+"""The process of :mod:`benchmarks.bench_before` for one tree: ``python before_worker.py TREE POINTS [SOLVERS]`` reads lines, answers with
+lines.
 
 First it names the solvers that the tree has. ``time SOLVER`` answers with seconds; ``save SOLVER FILE`` writes the results. It needs
 nothing of :mod:`benchmarks`, which the other tree may have in another form, but the C target's caller beside it.
@@ -55,8 +56,8 @@ def _in_c(tree: Path, p: Any, n: int) -> dict[str, Callable[[], Any]]:
     }
 
 
-def main(tree: Path, points: Path) -> None:
-    """Answer until the input ends."""
+def main(tree: Path, points: Path, only: tuple[str, ...] = ()) -> None:
+    """Answer until the input ends; of all solvers, or of some by name."""
     import spragsym as ss
 
     assert Path(ss.__file__).resolve().is_relative_to(tree.resolve()), ss.__file__
@@ -68,8 +69,9 @@ def main(tree: Path, points: Path) -> None:
         "compiled": _in_python(ss, p, compiled, 1),
         "compiled_2_threads": _in_python(ss, p, compiled, 2),
     }
-    works |= _in_c(tree, p, columns.shape[1])
-    ready = {name: work for name, work in works.items() if work is not None}
+    if not only:
+        works |= _in_c(tree, p, columns.shape[1])
+    ready = {name: work for name, work in works.items() if work is not None and (not only or name in only)}
     print(",".join(ready), flush=True)
     for line in sys.stdin:
         order, way, *rest = line.split()
@@ -84,4 +86,4 @@ def main(tree: Path, points: Path) -> None:
 
 if __name__ == "__main__":
     with contextlib.suppress(KeyboardInterrupt):
-        main(Path(sys.argv[1]), Path(sys.argv[2]))
+        main(Path(sys.argv[1]), Path(sys.argv[2]), tuple(sys.argv[3].split(",")) if len(sys.argv) > 3 else ())

@@ -3,6 +3,7 @@
 ``python -m benchmarks.bench_before REV [--points N] [--python INTERPRETER]``: REV is checked out into a temporary folder, its
 compiled solver is built there if it has one, and a process for each tree solves the same random points in turn. A commit whose
 compiled solver needs numba takes it from the interpreter, by default the one that runs this; without it that row is left out.
+``--families`` takes N points of each family instead, cusp wedge and near folds among them, whose points leave float64.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.before_worker import COLUMNS
-from benchmarks.families import random
+from benchmarks.families import FAMILIES, random
 from spragsym.parameters import NAMES
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -30,9 +31,10 @@ ALLOWED = 0.05
 class Worker:
     """A process that solves points with the package of one tree: :mod:`benchmarks.before_worker`."""
 
-    def __init__(self, python: str, tree: Path, points: Path) -> None:
+    def __init__(self, python: str, tree: Path, points: Path, *only: str) -> None:
         environment = os.environ | {"PYTHONPATH": str(tree), "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
         command = [python, str(Path(__file__).with_name("before_worker.py")), str(tree), str(points)]
+        command += [",".join(only)] if only else []
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
         self.ways = self._answer().split(",")
 
@@ -78,12 +80,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.bench_before")
     parser.add_argument("rev", help="the commit to compare with")
     parser.add_argument("--points", type=int, default=1_000_000, help="1 000 000 by default")
+    parser.add_argument("--families", action="store_true", help="N points of each family instead of random ones")
     parser.add_argument("--rounds", type=int, default=7, help="turns of each, of which the best counts; 7 by default")
     parser.add_argument("--python", default=sys.executable, help="interpreter for the commit before, as one that has numba")
     options = parser.parse_args()
     with ExitStack() as stack:
         tree = stack.enter_context(checkout(options.rev))
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        if options.families:
+            by_family(options.python, tree, folder, options.points, options.rounds)
+            return
         columns = random(np.random.default_rng(1), options.points).broadcast(*NAMES)
         np.save(folder / "points.npy", np.stack(columns))
         workers = [Worker(options.python, tree, folder / "points.npy"), Worker(sys.executable, ROOT, folder / "points.npy")]
@@ -113,6 +119,30 @@ def speed(before: Worker, now: Worker, points: int, rounds: int) -> None:
             share = taken[now, way] / taken[before, way]
             ratio = f"{share:.2f}" + (", slower" if share > 1 + ALLOWED else "")
         print(f"| {way.replace('_', ' ')} | {cells[0]} | {cells[1]} | {ratio} |")
+
+
+def by_family(python: str, tree: Path, folder: Path, points: int, rounds: int) -> None:
+    """Microseconds a point of each family in contact, by NumPy and by the compiled solver."""
+    ways = ("numpy", "compiled")
+    print(f"{points:,} points of each family in contact, µs a point, best of {rounds}.\n")
+    print("| family | " + " | ".join(f"{way}: before | now | now / before" for way in ways) + " |")
+    print("|---|" + "---:|" * 3 * len(ways))
+    for number, (name, family) in enumerate(FAMILIES.items()):
+        file = folder / f"{number}.npy"
+        np.save(file, np.stack(family(np.random.default_rng([61, number]), points).broadcast(*NAMES)))
+        workers = [Worker(python, tree, file, *ways), Worker(sys.executable, ROOT, file, *ways)]
+        cells = []
+        for way in ways:
+            taken = [np.inf, np.inf]
+            for turn in range(rounds):
+                for which in ((0, 1), (1, 0))[turn % 2]:
+                    if way in workers[which].ways:
+                        taken[which] = min(taken[which], float(workers[which].ask("time", way)))
+            cells += [f"{1e6 * spent / points:.3g}" if np.isfinite(spent) else "not there" for spent in taken]
+            cells.append(f"{taken[1] / taken[0]:.3g}" if np.isfinite(taken).all() else "-")
+        for worker in workers:
+            worker.stop()
+        print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 
 
 def answers(before: Worker, now: Worker, folder: Path) -> None:

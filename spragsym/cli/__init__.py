@@ -42,6 +42,9 @@ EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "flint": "c
           "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 
+HELP = {"help_option_names": ["-h", "--help"]}
+
+
 class LazyGroup(click.Group):
     """A group whose commands are imported when called, so that ``spragsym --help`` is quick."""
 
@@ -54,6 +57,8 @@ class LazyGroup(click.Group):
         module = importlib.import_module(f".{COMMANDS[cmd_name][0]}", __name__)
         command = getattr(module, cmd_name)
         assert isinstance(command, click.Command)
+        # click keeps a command's help option as it is first asked for, which may be without a context that names it.
+        command.context_settings |= HELP
         return command
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:
@@ -68,7 +73,7 @@ class LazyGroup(click.Group):
             formatter.write_dl([(name, summary) for name, (_, summary) in COMMANDS.items()])
 
 
-@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=LazyGroup, context_settings=HELP)
 @click.version_option(__version__, prog_name="spragsym")
 @click.option("--debug", is_flag=True, help="Show the traceback of an error. May stand anywhere.")
 def cli(debug: bool) -> None:

@@ -6,6 +6,7 @@ as :mod:`spragsym.generated.double_double` states it. NaN is a ball of which not
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -213,6 +214,8 @@ class Functions:
     @staticmethod
     def sqrt(value: Any) -> Any:
         """Square root."""
+        if isinstance(value, Jet) and isinstance(value.value, int):  # 1, where a law of contact does not act
+            return value.sqrt(math.isqrt(value.value))
         return value.sqrt() if isinstance(value, WideBalls | Jet) else np.sqrt(value)
 
     @staticmethod

@@ -58,7 +58,7 @@ class LazyGroup(click.Group):
         command = getattr(module, cmd_name)
         assert isinstance(command, click.Command)
         # click keeps a command's help option as it is first asked for, which may be without a context that names it.
-        command.context_settings = {**command.context_settings, **HELP}
+        command.context_settings |= HELP
         return command
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:

@@ -230,6 +230,8 @@ def test_the_walks_do_what_their_buttons_say(explorer: Explorer) -> None:
     for way, (end, words) in walks.items():
         explorer.page.click(f"[data-walk={way}]")
         explorer.page.wait_for_function("([a, b]) => Math.abs(theta0_deg.value - a) + Math.abs(mu0.value - b) < 1e-6", arg=end)
+        # Back ends where home ends: only the story tells that home has been walked.
+        explorer.page.wait_for_function("words => story.innerText.includes(words)", arg=words)
         explorer.settle()
         assert words in explorer.says()
         assert "jump" in words or "jump" not in explorer.says()

@@ -18,6 +18,7 @@ import click
 from .._version import __version__
 from ..errors import MissingExtraError, ParameterError, ParameterTypeError, SpragsymError
 from ..names import closest, latin
+from .commands import HELP
 
 #: Command → (module that holds it, one line of help). Modules are loaded when their command is called.
 COMMANDS = {
@@ -42,9 +43,6 @@ EXTRAS = {"sympy": "derive", "matplotlib": "plot", "heyoka": "fast", "flint": "c
           "xarray": "sweep", "h5netcdf": "sweep", "h5py": "sweep", "dask": "sweep", "distributed": "sweep"}  # fmt: skip
 
 
-HELP = {"help_option_names": ["-h", "--help"]}
-
-
 class LazyGroup(click.Group):
     """A group whose commands are imported when called, so that ``spragsym --help`` is quick."""
 
@@ -57,8 +55,6 @@ class LazyGroup(click.Group):
         module = importlib.import_module(f".{COMMANDS[cmd_name][0]}", __name__)
         command = getattr(module, cmd_name)
         assert isinstance(command, click.Command)
-        # click keeps a command's help option as it is first asked for, which may be without a context that names it.
-        command.context_settings |= HELP
         return command
 
     def resolve_command(self, ctx: click.Context, args: list[str]) -> tuple[str | None, click.Command | None, list[str]]:

@@ -10,6 +10,7 @@ import click
 
 from ..errors import ParameterError
 from ..parameters import shown
+from .commands import command
 from .data import data, length
 from .options import as_json, build, parameters
 from .tables import print_json, print_table
@@ -17,7 +18,7 @@ from .targets import force, refuse
 from .with_model import ForModels, made_for, model_option
 
 
-@click.command(cls=ForModels)
+@command(cls=ForModels)
 @model_option
 @parameters
 @as_json

@@ -14,6 +14,7 @@ from typing import Any
 import click
 
 from ..errors import MissingExtraError, ParameterError
+from .commands import command
 from .options import as_json
 from .tables import print_json, show
 from .targets import force, holds, refuse
@@ -26,7 +27,7 @@ _CLAIM_STYLES = {
 }  # fmt: skip
 
 
-@click.command()
+@command()
 @as_json
 @click.option("--claims", is_flag=True, help="The statements of the text instead of the equations.")
 @click.option(

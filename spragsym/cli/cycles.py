@@ -9,6 +9,7 @@ import click
 
 from ..errors import ParameterError
 from ..parameters import ARTICLE
+from .commands import command
 from .data import PHYSICAL, data, in_units, varied
 from .options import DEGREES, Number, as_json, belt, build, parameters, sentence
 from .tables import print_json, print_table
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
 VARIED = ("theta0", *ARTICLE, "V", "d")
 
 
-@click.command()
+@command()
 @click.option("--theta0", "theta0_deg", type=Number(DEGREES), help=f"{sentence('theta0')[:-1]}, degrees. Default: --from.")
 @parameters
 @belt

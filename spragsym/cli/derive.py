@@ -7,10 +7,11 @@ from pathlib import Path
 import click
 
 from ..errors import MissingExtraError, ParameterError
+from .commands import command
 from .targets import force, refuse
 
 
-@click.command()
+@command()
 @click.argument("page", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="Folder to write.")
 @force

@@ -11,13 +11,14 @@ import click
 
 from ..errors import ParameterError
 from ..parameters import NAMES, RANGES, FloatArray
+from .commands import command
 from .data import PHYSICAL, data, length, varied
 from .options import DEGREES, Number, as_json, build, ranges
 from .tables import print_json, print_table
 from .with_model import ForModels, made_for, model_option
 
 
-@click.command(cls=ForModels)
+@command(cls=ForModels)
 @model_option
 @ranges
 @click.option("--vary", type=click.Choice([*NAMES, *PHYSICAL]), help="What varies; with --data, a quantity of the file too.")

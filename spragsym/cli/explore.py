@@ -13,6 +13,7 @@ import click
 from .. import assumed
 from ..errors import MissingExtraError, ParameterError
 from ..explorer import Derived, Preset, Units, explorer_page, model_page, model_preset
+from .commands import command
 from .export import of_model
 from .targets import force, holds, refuse
 from .with_model import page_of
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 ARTICLE_MODEL = "kang_nam"
 
 
-@click.command()
+@command()
 @click.option(
     "--out",
     type=click.Path(path_type=Path),

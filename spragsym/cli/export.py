@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import MissingExtraError
+from .commands import command
 from .targets import force, holds, refuse
 from .with_model import TEXT, page_of
 
@@ -29,7 +30,7 @@ def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
     return found
 
 
-@click.command()
+@command()
 @click.option("--model", "model_name", metavar="NAME|DIR", help=TEXT)
 @click.option("--language", type=click.Choice(sorted(languages())), default="c", show_default=True, help="Language to write.")
 @click.option(

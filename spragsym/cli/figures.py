@@ -15,11 +15,12 @@ import click
 from ..errors import ParameterError
 from ..names import hint
 from ..sweeps.workers import Map, pool
+from .commands import command
 from .options import workers
 from .targets import force, refuse
 
 
-@click.command()
+@command()
 @click.option(
     "--only",
     "first",

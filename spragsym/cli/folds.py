@@ -8,12 +8,13 @@ from typing import Any
 import click
 
 from ..errors import ParameterError
+from .commands import command
 from .data import data, length, varied, vary
 from .options import Number, as_json, build, parameters, theta0
 from .tables import print_json, print_table
 
 
-@click.command()
+@command()
 @theta0
 @parameters
 @vary
@@ -51,7 +52,7 @@ def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> N
         click.echo(f"no folds as {vary} varies")
 
 
-@click.command()
+@command()
 @theta0
 @parameters
 @vary
@@ -103,7 +104,7 @@ def path(
         click.echo("No jumps")
 
 
-@click.command()
+@command()
 @theta0
 @parameters
 @vary

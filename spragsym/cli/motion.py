@@ -13,6 +13,7 @@ import numpy as np
 
 from ..errors import ParameterError, TargetError
 from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
+from .commands import command
 from .data import current, data, in_units, own_units
 from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
 from .tables import print_json
@@ -42,7 +43,7 @@ def _start(function: Any) -> Any:
     return function
 
 
-@click.command(cls=ForModels)
+@command(cls=ForModels)
 @model_option
 @theta0
 @parameters
@@ -151,7 +152,7 @@ def _axes(function: Any) -> Any:
     return function
 
 
-@click.command(cls=ForModels)
+@command(cls=ForModels)
 @model_option
 @_axes
 @_start

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from ..errors import ParameterError
+from .commands import command
 from .options import as_json
 from .tables import print_json
 from .targets import force, refuse
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from ..studies.other_reports import ModelReport
 
 
-@click.command()
+@command()
 @click.argument("file", type=click.Path(path_type=Path), required=False)
 @click.option("--example", is_flag=True, help="Print a file to begin with.")
 @click.option("--html", type=click.Path(dir_okay=False, path_type=Path), metavar="PATH", help="Write one page with pictures.")

@@ -6,6 +6,7 @@ import os
 import re
 import subprocess
 import sys
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -227,10 +228,22 @@ def test_a_write_replaces_everything(target: Path) -> None:
 # ------------------------------------------------------------------------------------------------ the printer
 
 
-@pytest.mark.parametrize("expression", [nm.x + sp.Rational(1, 2), sp.Float(0.5) * nm.x, nm.x ** sp.Rational(1, 3)])
+@pytest.mark.parametrize("expression", [sp.Rational(1, 2), sp.Float(0.5) * nm.x, nm.x ** sp.Rational(1, 3)])
 def test_what_would_be_rounded_is_refused(expression: sp.Expr) -> None:
     with pytest.raises(ArithmeticError):
         python.AlgebraPrinter({"order": None}).doprint(expression)
+
+
+@pytest.mark.parametrize("number", [sp.Rational(1, 2), sp.Rational(-7, 3), sp.Integer(2)])
+def test_a_sum_with_a_fraction_stands_over_one_denominator(number: sp.Rational) -> None:
+    """In exact numbers the printed text has the value, whatever multiplies the sum."""
+    x, y = sp.symbols("x y")
+    for expression in (x**-1 / 2 - 3 * y + number, y * (x + number), (x / 4 + number) / (y - number)):
+        text = python.AlgebraPrinter({"order": None}).doprint(expression)
+        value = eval(text, {"x": Fraction(3, 7), "y": Fraction(-5, 11)})  # noqa: S307  # the text is the printer's
+        expected = expression.subs({x: sp.Rational(3, 7), y: sp.Rational(-5, 11)})
+        assert isinstance(value, Fraction)
+        assert value == Fraction(int(expected.p), int(expected.q))
 
 
 # ---------------------------------------------------------------------------------------------- missing SymPy

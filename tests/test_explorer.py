@@ -117,7 +117,7 @@ def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert out.read_text(encoding="utf-8") == "mine"
     problem = CliRunner().invoke(explore, ["--out", str(out), "--model", "nobody"]).exception
     assert isinstance(problem, ss.ParameterError)
-    assert "neither a shipped model" in str(problem)
+    assert "no shipped model" in str(problem)
     assert "explore" in cli.list_commands(None)  # type: ignore[arg-type]  # the list does not depend on the context
 
 

@@ -73,8 +73,8 @@ def load(name: str | os.PathLike[str]) -> Model:
     else:
         known = shipped()
         raise ParameterError(
-            f"{text!r} is neither a shipped model{hint(text, known) or ', one of ' + ', '.join(known)} nor a folder; "
-            "write a folder with: spragsym derive PAGE.py --out DIR"
+            f"{text!r} is no shipped model, and no folder, as spragsym derive PAGE.py --out DIR writes one"
+            f"{hint(text, known) or '; the models are ' + ', '.join(known)}"
         )
     with _LOCK:
         about = _about(folder)

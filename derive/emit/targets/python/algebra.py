@@ -31,6 +31,13 @@ class AlgebraPrinter(StrPrinter):
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
         raise ArithmeticError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
 
+    def _print_Add(self, expression: sp.Add, order: str | None = None) -> str:
+        constant, rest = expression.as_coeff_Add()
+        if constant.is_Integer:
+            return str(super()._print_Add(expression, order))
+        over = sp.Add(*(constant.q * term for term in sp.Add.make_args(rest)), constant.p)
+        return f"({super()._print_Add(over, order)})/{constant.q}"
+
     def _print_Float(self, expression: sp.Float) -> str:
         raise ArithmeticError(f"the float {expression} has no place in exact algebra")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .interval_arrays import FloatArray, Intervals, raised
+from .interval_arrays import Intervals, raised
 
 #: Bound on the absolute error of NumPy's sine and cosine, for arguments up to :data:`LARGEST_ANGLE`.
 TRIGONOMETRIC_ERROR = 2.0**-50
@@ -60,8 +60,3 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
     values = raised(ends / np.sqrt(ends * ends + other * other), 4)
     known = (np.maximum(np.abs(ends), other) > 1e-140) & (values <= 1)
     return Intervals(np.where(known, values, 1.0))
-
-
-def ratio_bounded(values: FloatArray) -> FloatArray:
-    """Widths or ratios to be compared, with infinity for NaN: what is unknown counts as large."""
-    return np.nan_to_num(values, nan=np.inf, posinf=np.inf, neginf=np.inf)

@@ -6,7 +6,6 @@ as :mod:`spragsym.generated.double_double` states it. NaN is a ball of which not
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,7 @@ from ..generated import double_double as dd
 from ..generated.double_double import Wide
 from .interval_arrays import FloatArray, Intervals, exactly, raised
 from .jets import Jet
+from .methods import repeated_product
 
 #: Unit of relative errors of double-double operations.
 UNIT = 2.0**-106
@@ -153,10 +153,7 @@ class WideBalls:
     def __pow__(self, power: int) -> WideBalls:
         if power < 0:
             return 1 / self**-power
-        out = WideBalls.exact(np.ones_like(self.radius)) if power == 0 else self
-        for _ in range(power - 1):
-            out = out * self
-        return out
+        return repeated_product(self, power) if power else WideBalls.exact(np.ones_like(self.radius))
 
     def __abs__(self) -> WideBalls:
         return self * self.sign()
@@ -214,14 +211,16 @@ class Functions:
     @staticmethod
     def sqrt(value: Any) -> Any:
         """Square root."""
-        if isinstance(value, Jet) and isinstance(value.value, int):  # 1, where a law of contact does not act
-            return value.sqrt(math.isqrt(value.value))
-        return value.sqrt() if isinstance(value, WideBalls | Jet) else np.sqrt(value)
+        if isinstance(value, Jet):
+            return value.sqrt(Functions.sqrt(value.value))
+        return value.sqrt() if isinstance(value, WideBalls) else np.sqrt(value)
 
     @staticmethod
     def exp(value: Any) -> Any:
         """Exponential."""
-        return value.exp() if isinstance(value, WideBalls | Jet) else np.exp(value)
+        if isinstance(value, Jet):
+            return value.exp(Functions.exp(value.value))
+        return value.exp() if isinstance(value, WideBalls) else np.exp(value)
 
     @staticmethod
     def sign(value: Any) -> Any:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import os
 import re
 import tomllib
@@ -12,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from ..dynamics.problem import BELT_SPEED
-from ..errors import ParameterError, ParameterTypeError, SpragsymError
+from ..errors import ParameterError, SpragsymError
 from ..generated.quantities import QUANTITIES
 from ..names import hint
 from ..parameters import RANGES, PhysicalParameters, degrees, physical_ranges, shown
@@ -246,12 +245,4 @@ def _check_complete(found: Mapping[str, Measured], units: Mapping[str, str], mod
 
 def physical(quantities: Mapping[str, Measured]) -> PhysicalParameters:
     """The values, without their tolerances."""
-    try:
-        return PhysicalParameters(**{name: one.value for name, one in quantities.items()})
-    except ParameterTypeError as error:  # pragma: no cover  # read_brake has checked the names
-        raise ParameterError(str(error)) from error
-
-
-def with_value(one: Measured, **changes: Any) -> Measured:
-    """A quantity with other numbers in the same unit."""
-    return dataclasses.replace(one, **changes)
+    return PhysicalParameters(**{name: one.value for name, one in quantities.items()})

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated.double_double import two_sum
+from .elimination import solved
 from .interval_arrays import FloatArray, Intervals, raised
 from .jets import Jet
 from .wide_balls import WideBalls
@@ -126,7 +127,7 @@ class _Group:
         """Interval Newton's operator for the other unknowns as functions of u."""
         middle = [value.centre() for value in others]
         rows, _ = self._rows(where, u, middle)
-        return [m - step for m, step in zip(middle, _solved(self._slopes(where, u, others), rows), strict=True)]
+        return [m - step for m, step in zip(middle, solved(self._slopes(where, u, others), rows), strict=True)]
 
     def _others(self, u: WideBalls, given: list[WideBalls]) -> tuple[list[WideBalls], NDArray[np.bool_]]:
         """Balls of the other unknowns that hold exactly one value each for every u, and where that is proved."""
@@ -162,7 +163,7 @@ class _Group:
         variable = Jet.variable(u, 0, highest)
         for order in range(1, highest + 1):
             rows, _ = self._rows(where, variable, jets)
-            steps = _solved(slopes, [_coefficient(row, order) for row in rows])
+            steps = solved(slopes, [_coefficient(row, order) for row in rows])
             jets = [Jet({**jet.terms, (0,) * order: -step}, highest) for jet, step in zip(jets, steps, strict=True)]
         _, last = self._rows(where, variable, jets)
         zero = WideBalls.exact(np.zeros(where.size))
@@ -209,25 +210,6 @@ def _between(low: FloatArray, high: FloatArray) -> WideBalls:
 
 def _coefficient(row: Any, order: int) -> Any:
     return row.terms.get((0,) * order, 0) if isinstance(row, Jet) else (row if order == 0 else 0)
-
-
-def _solved(matrix: Sequence[Sequence[Any]], values: Sequence[Any]) -> list[Any]:
-    """Solution of small linear systems by elimination; NaN where a pivot may be 0."""
-    rows = [[*row, value] for row, value in zip(matrix, values, strict=True)]
-    n = len(rows)
-    for k in range(n):
-        for i in range(k + 1, n):
-            if isinstance(rows[i][k], int) and rows[i][k] == 0:
-                continue
-            factor = rows[i][k] / rows[k][k]
-            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k], strict=True)]
-    solution: list[Any] = [0] * n
-    for k in reversed(range(n)):
-        rest = rows[k][n]
-        for j in range(k + 1, n):
-            rest = rest - rows[k][j] * solution[j]
-        solution[k] = rest / rows[k][k]
-    return solution
 
 
 def _taylor(c: Sequence[Any], h: WideBalls) -> WideBalls:

@@ -21,6 +21,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from .elimination import solved
 from .intervals import Ball, Balls
 from .jets import Jet
 from .polynomials import Undecided
@@ -206,7 +207,7 @@ class _Task:
         middle = [_BALLS.middle(value) for value in others]
         values = [row for number, row in enumerate(self.evaluate(self._all(u, middle))) if number != self.equation]
         slopes = self._jets(u, others)[1]
-        return [m - step for m, step in zip(middle, _solved(slopes, values), strict=True)]
+        return [m - step for m, step in zip(middle, solved(slopes, values, _largest_pivot), strict=True)]
 
     def _expansion(self, u: Ball, others: Sequence[Ball], highest: int = 3) -> list[Any]:
         """Taylor coefficients of g to the third or less, at any point of u."""
@@ -215,7 +216,7 @@ class _Task:
         variable = Jet.variable(u, 0, highest)
         for order in range(1, highest + 1):
             rows = [row for number, row in enumerate(self.evaluate(self._all(variable, jets))) if number != self.equation]
-            steps = _solved(slopes, [_coefficient(row, order) for row in rows])
+            steps = solved(slopes, [_coefficient(row, order) for row in rows], _largest_pivot)
             jets = [Jet({**jet.terms, (0,) * order: -step}, highest) for jet, step in zip(jets, steps, strict=True)]
         last = self.evaluate(self._all(variable, jets))[self.equation]
         return [_coefficient(last, order) for order in range(highest + 1)]
@@ -297,25 +298,11 @@ def _inside(one: Any, other: Ball) -> bool:
     return least < low and high < most
 
 
-def _solved(matrix: Sequence[Sequence[Any]], values: Sequence[Any]) -> list[Any]:
-    """Solution of a small linear system by elimination; Undecided where a pivot may be 0."""
-    rows = [[*row, value] for row, value in zip(matrix, values, strict=True)]
-    n = len(rows)
-    for k in range(n):
-        pivot = max(range(k, n), key=lambda i: abs(_size(rows[i][k])))
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        if not _sign(rows[k][k]):
-            raise Undecided("a pivot that may be 0")
-        for i in range(k + 1, n):
-            factor = rows[i][k] / rows[k][k]
-            rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k], strict=True)]
-    solution: list[Any] = [0] * n
-    for k in reversed(range(n)):
-        rest = rows[k][n]
-        for j in range(k + 1, n):
-            rest = rest - rows[k][j] * solution[j]
-        solution[k] = rest / rows[k][k]
-    return solution
+def _largest_pivot(rows: list[list[Any]], k: int) -> None:
+    pivot = max(range(k, len(rows)), key=lambda i: abs(_size(rows[i][k])))
+    rows[k], rows[pivot] = rows[pivot], rows[k]
+    if not _sign(rows[k][k]):
+        raise Undecided("a pivot that may be 0")
 
 
 def _size(value: Any) -> float:

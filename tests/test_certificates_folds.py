@@ -312,7 +312,10 @@ def _circles_and_lines(theta: np.ndarray, end: float) -> tuple[np.ndarray, np.nd
 def test_circles_and_lines_are_traced_whatever_the_grid(monkeypatch: pytest.MonkeyPatch, told: bool, end: float) -> None:
     monkeypatch.setattr(fold_curves, "positive_roots", lambda theta, _: _circles_and_lines(theta, end))
     monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (theta - ENTERS, LEAVES - theta, end))
-    product = lambda theta, _: np.prod([r * r - (theta - at) ** 2 for at, _, r in CIRCLES], axis=0)  # noqa: E731
+
+    def product(theta, _):
+        return np.prod([r * r - (theta - at) ** 2 for at, _, r in CIRCLES], axis=0)
+
     monkeypatch.setattr(fold_curves, "indicator", product if told else lambda theta, _: np.ones_like(theta))
     births = sorted([ENTERS, LEAVES, *(at + way * r for at, _, r in CIRCLES for way in (-1, 1))])
     scale, tried = min(1.0, end / 4), 0
@@ -390,7 +393,10 @@ def test_events_that_share_a_cell_are_told_apart(
 @pytest.mark.parametrize("leaves", [0.5, 0.55])
 def test_a_root_that_leaves_at_an_angle_of_the_grid_leaves_at_its_end(monkeypatch: pytest.MonkeyPatch, leaves: float) -> None:
     """At v = 0, below another one that stays."""
-    roots = lambda theta, _=None: _padded([[0.1 * (leaves - t), 3.0] if t < leaves else [3.0] for t in theta])  # noqa: E731
+
+    def roots(theta, _=None):
+        return _padded([[0.1 * (leaves - t), 3.0] if t < leaves else [3.0] for t in theta])
+
     monkeypatch.setattr(fold_curves, "positive_roots", roots)
     monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (leaves - theta, 1 + 0 * theta, math.inf))
     monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: np.ones_like(theta))
@@ -403,7 +409,10 @@ def test_a_root_that_leaves_at_an_angle_of_the_grid_leaves_at_its_end(monkeypatc
 
 def test_a_root_that_comes_in_unannounced_is_followed_from_there(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where rounding hides the change of sign of the end values, numbers of roots decide."""
-    roots = lambda theta, _=None: _padded([[0.1 * (angle - ENTERS)] if angle > ENTERS else [] for angle in theta])  # noqa: E731
+
+    def roots(theta, _=None):
+        return _padded([[0.1 * (angle - ENTERS)] if angle > ENTERS else [] for angle in theta])
+
     monkeypatch.setattr(fold_curves, "positive_roots", roots)
     monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (1e-9 + 0 * theta, 1e-9 + 0 * theta, math.inf))
     monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: np.ones_like(theta))
@@ -417,7 +426,10 @@ def test_a_root_that_comes_in_unannounced_is_followed_from_there(monkeypatch: py
 def test_nothing_is_joined_where_there_are_no_two_curves(monkeypatch: pytest.MonkeyPatch, below: int) -> None:
     """As where rounding took one of them before."""
     row = [0.1 * k for k in range(1, below + 1)]
-    roots = lambda theta, _=None: _padded([[*row, *([2 - (0.7 - t), 2 + (0.7 - t)] if t < 0.7 else [])] for t in theta])  # noqa: E731
+
+    def roots(theta, _=None):
+        return _padded([[*row, *([2 - (0.7 - t), 2 + (0.7 - t)] if t < 0.7 else [])] for t in theta])
+
     monkeypatch.setattr(fold_curves, "positive_roots", roots)
     monkeypatch.setattr(fold_curves, "indicator", lambda theta, _: theta - 0.7)
     for number in range(below + 2):
@@ -456,7 +468,10 @@ def test_one_curve_with_many_folds_is_traced_as_one(monkeypatch: pytest.MonkeyPa
     turns = _WAVE.deriv().roots().real
     monkeypatch.setattr(fold_curves, "positive_roots", roots)
     monkeypatch.setattr(fold_curves, "_ends", lambda theta, _: (1 + 0 * theta, 1 + 0 * theta, math.inf))
-    product = lambda theta, _: np.prod([theta - wave(turn) for turn in turns], axis=0)  # noqa: E731
+
+    def product(theta, _):
+        return np.prod([theta - wave(turn) for turn in turns], axis=0)
+
     monkeypatch.setattr(fold_curves, "indicator", product if told else lambda theta, _: np.ones_like(theta))
     for n in (9, 24, 90):
         for begin, end, pieces in ((0.02, 1.48, 1), (0.02, 0.75, None), (0.75, 1.48, None)):
@@ -493,7 +508,10 @@ def test_roots_between_neighbours_are_found(monkeypatch: pytest.MonkeyPatch, gap
     rng = np.random.default_rng(63)
     for place in (*rng.uniform(0.01, 1.56, 12), theta[1] + 1e-4, theta[-2] - 1e-4, theta[100]):
         width = abs(gap) / 2
-        curve = lambda t, _, place=place, width=width: sign * ((t - place) ** 2 - math.copysign(width**2, gap)) * (1 + t)  # noqa: E731
+
+        def curve(t, _, place=place, width=width):
+            return sign * ((t - place) ** 2 - math.copysign(width**2, gap)) * (1 + t)
+
         monkeypatch.setattr(fold_curves, "indicator", curve)
         found = fold_curves._with_hidden(theta, FAMILY)
         assert np.isin(theta, found).all()

@@ -302,7 +302,10 @@ def test_an_enclosure_is_in_order_and_a_root_without_a_change_of_sign_is_none(he
 def test_roots_that_share_an_interval_are_undecided(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
     ends = {-3: (-4, -2), 2: (1, 3), 5: (4, 6), 7: (6.5, 8)}
     roots = {1: (-3, 2, 0), 2: (5, 7, 0)}
-    exact = lambda value: held.exact(Fraction(value))  # noqa: E731
+
+    def exact(value):
+        return held.exact(Fraction(value))
+
     monkeypatch.setattr(ladder, "_split", lambda *_: (1, 1, 2, 2))
     monkeypatch.setattr(ladder, "_real_parts", lambda _, p, q: roots[p])
     monkeypatch.setattr(ladder, "_enclose", lambda _, quartic, root, bits: tuple(map(exact, ends[root])))

@@ -244,12 +244,12 @@ def test_forces_and_spectra_of_a_motion() -> None:
 
 
 def test_arrays_of_physical_parameters() -> None:
-    many = brake(k=np.array([150e3, 180e3]), theta0=np.radians([[50.0], [52.0]]))  # type: ignore[arg-type]
+    many = brake(k=np.array([150e3, 180e3]), theta0=np.radians([[50.0], [52.0]]))  # type: ignore[arg-type]  # arrays, which brake() passes on
     assert many.shape == (2, 2)
     one = brake().dimensionless()
     assert ss.jump_value(many.dimensionless())[1, 1] == pytest.approx(ss.jump_value(one), rel=1e-12)
     with pytest.raises(ss.ParameterError, match="broadcast"):
-        brake(k=np.ones(2), k_c=np.ones(3))  # type: ignore[arg-type]
+        brake(k=np.ones(2), k_c=np.ones(3))  # type: ignore[arg-type]  # arrays
 
 
 def test_commands_take_the_file(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -257,7 +257,7 @@ def test_commands_take_the_file(path: Path, capsys: pytest.CaptureFixture[str]) 
         with pytest.raises(SystemExit) as stop:
             main([*arguments, "--data", str(path), "--json"])
         assert stop.value.code == 0
-        return json.loads(capsys.readouterr().out)  # type: ignore[no-any-return]
+        return json.loads(capsys.readouterr().out)  # type: ignore[no-any-return]  # an object, as printed
 
     p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
     found = ss.folds(p, "alpha")

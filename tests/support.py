@@ -1,4 +1,4 @@
-"""What several test modules share: numbers in other forms, and generated modules by name."""
+"""What several test modules share: numbers in other forms, exact onsets, and generated modules by name."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from types import ModuleType
 import mpmath
 
 import spragsym.generated as generated_package
+from spragsym.catastrophe import flutter_proofs
+from spragsym.exact import intervals
 
 
 def as_fraction(value: mpmath.mpf) -> Fraction:
@@ -25,3 +27,16 @@ def as_mpf(value: Fraction) -> mpmath.mpf:
 def generated(name: str) -> ModuleType:
     """A module of generated algebra."""
     return importlib.import_module(f"{generated_package.__name__}.{name}")
+
+
+def exact_onsets(*values: Fraction | int) -> list[flutter_proofs.Onset]:
+    """Onsets of flutter for exact mu0, kappa, alpha, sigma, beta."""
+    arith = intervals.arithmetic()
+    with arith.precision(192):
+        return list(flutter_proofs.onsets(arith, flutter_proofs.Elimination(*map(Fraction, values)), 192))
+
+
+def middle_of(value: intervals.Interval) -> float:
+    """The middle of an interval."""
+    low, high = intervals.arithmetic().ends(value)
+    return float((low + high) / 2)

@@ -15,17 +15,7 @@ from spragsym.exact.descartes import Root
 from spragsym.exact.polynomials import Undecided
 from spragsym.generated import stability
 from spragsym.statics import ladder
-
-
-def _exact(*values: Fraction | int) -> list[flutter_proofs.Onset]:
-    arith = intervals.arithmetic()
-    with arith.precision(192):
-        return list(flutter_proofs.onsets(arith, flutter_proofs.Elimination(*map(Fraction, values)), 192))
-
-
-def _middle(value: intervals.Interval) -> float:
-    low, high = intervals.arithmetic().ends(value)
-    return float((low + high) / 2)
+from tests.support import exact_onsets, middle_of
 
 
 def _with_roots(*roots: Fraction) -> tuple[int, ...]:
@@ -90,21 +80,21 @@ def test_directions_end_before_180_degrees() -> None:
 def test_a_boundary_is_touched_at_an_even_root_of_one_length(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the discriminant's slope may be 0: else nothing is said."""
     given, arith = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0)), intervals.arithmetic()
-    assert {onset.side for onset in _exact(*given)} == {1, -1}
+    assert {onset.side for onset in exact_onsets(*given)} == {1, -1}
     with arith.precision(192):
         zero = arith.between(Fraction(-1, 2**150), Fraction(1, 2**150))
     monkeypatch.setattr(stability, "flutter_crossing", lambda *_: (zero, zero))
     for multiplicity in (2, 4):
         monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_, m=multiplicity: m)
-        assert {onset.side for onset in _exact(*given)} == {0}
+        assert {onset.side for onset in exact_onsets(*given)} == {0}
     monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_: 3)
     with pytest.raises(Undecided, match="slope"):
-        _exact(*given)
+        exact_onsets(*given)
     monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_: 2)
     plain = flutter_proofs._lengths
     monkeypatch.setattr(flutter_proofs, "_lengths", lambda *given: [*plain(*given)] * 2)
     with pytest.raises(Undecided, match="slope"):
-        _exact(*given)
+        exact_onsets(*given)
 
 
 def _held(arith: intervals.Arithmetic, *values: Fraction | int) -> list[intervals.Interval]:
@@ -140,9 +130,9 @@ def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
     for _ in range(40):
         p = random_set(rng)
         values = [Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")]
-        for onset in _exact(*values):
-            states = ladder.equilibria(Fraction(_middle(onset.theta0)), *values, arith=arith).states
-            nearest = int(np.argmin([abs(float(state.theta) - _middle(onset.theta)) for state in states]))
+        for onset in exact_onsets(*values):
+            states = ladder.equilibria(Fraction(middle_of(onset.theta0)), *values, arith=arith).states
+            nearest = int(np.argmin([abs(float(state.theta) - middle_of(onset.theta)) for state in states]))
             assert (onset.branch, onset.count) == (nearest, len(states))
             assert arith.sign(onset.y) < 0
             kinds.add((onset.branch, onset.count))
@@ -152,9 +142,9 @@ def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
 def test_a_crossing_is_one_whatever_the_multiplicity(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where the discriminant's slope is not 0 the boundary is crossed, though the polynomial has another factor there."""
     given = (Fraction(13, 10), Fraction(7, 1000), Fraction(13, 10), Fraction(32, 100), Fraction(0))
-    sides = [onset.side for onset in _exact(*given)]
+    sides = [onset.side for onset in exact_onsets(*given)]
     monkeypatch.setattr(flutter_proofs.Elimination, "multiplicity", lambda *_: 2)
-    assert [onset.side for onset in _exact(*given)] == sides
+    assert [onset.side for onset in exact_onsets(*given)] == sides
     assert set(sides) == {1, -1}
 
 

@@ -12,10 +12,10 @@ import pytest
 
 import spragsym as ss
 from benchmarks.validate_flutter import compare, random_set
-from spragsym.catastrophe import flutter_proofs
 from spragsym.exact import intervals
 from spragsym.generated import stability
 from spragsym.statics import kernel
+from tests.support import exact_onsets, middle_of
 
 #: α > 0 with an onset next to θ₀ = π/2, and α = 0: each lost an onset, or its friction, where a grid decided.
 NEXT_TO_90 = ss.Parameters.article(mu0=1.3, alpha=1.3, sigma=0.32)
@@ -150,22 +150,12 @@ def test_small_alpha_tends_to_none(alpha: float) -> None:
 # ------------------------------------------------------------------------------------------------- degenerate
 
 
-def _exact(*values: Fraction | int) -> list[flutter_proofs.Onset]:
-    arith = intervals.arithmetic()
-    with arith.precision(192):
-        return list(flutter_proofs.onsets(arith, flutter_proofs.Elimination(*map(Fraction, values)), 192))
-
-
-def _middle(value: intervals.Interval) -> float:
-    low, high = intervals.arithmetic().ends(value)
-    return float((low + high) / 2)
-
-
 def test_an_onset_at_90_degrees_of_the_spring() -> None:
     """cos θ₀ = 4/5, sin θ₀ = 3/5, θ = π/2: K₁₁ = K₂₂, α cos θ₀ + μ₀ (sin θ₀ − L) = 0 and F_y = 0 give L, μ₀ and κ by hand."""
-    (onset,) = (onset for onset in _exact(Fraction(8, 7), Fraction(17, 5), 2, 2, 0) if _middle(onset.theta) == math.pi / 2)
-    assert _middle(onset.theta0) == pytest.approx(math.atan2(3, 4), abs=1e-15)
-    assert _middle(onset.L) == 2.0
+    onsets = exact_onsets(Fraction(8, 7), Fraction(17, 5), 2, 2, 0)
+    (onset,) = (onset for onset in onsets if middle_of(onset.theta) == math.pi / 2)
+    assert middle_of(onset.theta0) == pytest.approx(math.atan2(3, 4), abs=1e-15)
+    assert middle_of(onset.L) == 2.0
     assert onset.side in (-1, 1)
 
 
@@ -179,22 +169,22 @@ def test_an_onset_at_exactly_0_or_180_degrees_is_outside(cosine: int, L: Fractio
     assert alpha > 0
     assert kappa > 0
     values = mu0, kappa, alpha, 1, alpha - difference - 1
-    near = sorted(len(_exact(values[0], values[1] * (1 + way * Fraction(1, 10**9)), *values[2:])) for way in (-1, 1))
+    near = sorted(len(exact_onsets(values[0], values[1] * (1 + way * Fraction(1, 10**9)), *values[2:])) for way in (-1, 1))
     assert near[1] == near[0] + 1
-    assert len(_exact(*values)) == near[0]
+    assert len(exact_onsets(*values)) == near[0]
 
 
 def test_without_alpha_an_onset_at_exactly_90_degrees_is_a_touch() -> None:
     """cos θ = −12/13, L = 25/9 and sin θ₀ = 1, found by a search over rationals; θ₀ and π − θ₀ have the same states."""
     values = Fraction(33800, 5277), Fraction(464648, 1852227), 0, Fraction(4225, 15831), 0
-    at_90 = [onset for onset in _exact(*values) if abs(_middle(onset.theta0) - math.pi / 2) < 1e-9]
+    at_90 = [onset for onset in exact_onsets(*values) if abs(middle_of(onset.theta0) - math.pi / 2) < 1e-9]
     assert len(at_90) == 1
-    assert _middle(at_90[0].theta0) == math.pi / 2
-    assert _middle(at_90[0].theta) == pytest.approx(math.atan2(5, -12), abs=1e-15)
+    assert middle_of(at_90[0].theta0) == math.pi / 2
+    assert middle_of(at_90[0].theta) == pytest.approx(math.atan2(5, -12), abs=1e-15)
     assert at_90[0].side == 0
     # Next to it two onsets, or none.
-    near = [len(_exact(values[0] * (1 + way * Fraction(1, 10**9)), *values[1:])) for way in (-1, 1)]
-    assert sorted(np.subtract(near, len(_exact(*values)))) == [-1, 1]
+    near = [len(exact_onsets(values[0] * (1 + way * Fraction(1, 10**9)), *values[1:])) for way in (-1, 1)]
+    assert sorted(np.subtract(near, len(exact_onsets(*values)))) == [-1, 1]
 
 
 def test_no_onset_is_a_fold() -> None:

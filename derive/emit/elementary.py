@@ -1,4 +1,4 @@
-"""Functions of an angle in double precision, the same bits on every machine: the language's libraries differ in theirs.
+"""Functions of an angle in double precision, with the same bits on every machine, which those of the languages' libraries don't have.
 
 In the small language of :mod:`.language`, emitted with a kernel that needs them.
 """

@@ -22,7 +22,7 @@ LARGEST_RADIUS = 1e-3
 
 
 class Separation(NamedTuple):
-    """A direction, the certain sign of f there, and whether it certainly is one of those in contact, y < 0, or none."""
+    """A direction, the sign of f there where it is certain, and whether the direction certainly is in contact, y < 0, or certainly not."""
 
     t: Real
     positive: Flag

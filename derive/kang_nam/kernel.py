@@ -210,13 +210,13 @@ def discriminant(line: Balance, u: Real) -> Discriminant:
 
 
 def one_positive(line: Balance, u: Real) -> Flag:
-    """Whether certainly one root in t is positive, and not three: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
+    """Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
     e0, e1, e2, e3, e4 = t_quartic(line.a, line.b, line.d, line.m)
     return rough(e1) < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
 
 
 def single(point: Point, u: Real) -> Flag:
-    """Whether there certainly is one equilibrium in contact: one root in t is positive, and (one or three) it is in contact."""
+    """Whether there certainly is exactly one equilibrium in contact: one root in t is positive, and there always is an equilibrium."""
     line = balance(point)
     D = discriminant(line, u)
     return ((D.value > D.error) | one_positive(line, u)) & sound(point) & representable(line)

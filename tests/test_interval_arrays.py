@@ -107,15 +107,17 @@ def test_scalars_and_arrays_act_as_intervals():
     x = boxes(6, 50)
     column = np.linspace(-2, 2, x.shape[0])
     for number in (3, -3, 0, 1, -1, 0.1, -0.1):
+        product, difference, total = number * x, number - x, x + number
         for row in range(x.shape[0]):
             for a in members(x, row):
-                assert holds(number * x, row, a * Fraction(number))
-                assert holds(number - x, row, Fraction(number) - a)
-                assert holds(x + number, row, Fraction(number) + a)
+                assert holds(product, row, a * Fraction(number))
+                assert holds(difference, row, Fraction(number) - a)
+                assert holds(total, row, Fraction(number) + a)
+    product, total = x * column, column + x
     for row in range(x.shape[0]):
         for a in members(x, row):
-            assert holds(x * column, row, a * Fraction(column[row]))
-            assert holds(column + x, row, a + Fraction(column[row]))
+            assert holds(product, row, a * Fraction(column[row]))
+            assert holds(total, row, a + Fraction(column[row]))
     with pytest.raises(ValueError, match="no float"):
         x * (2**53 + 1)
 

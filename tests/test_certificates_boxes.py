@@ -380,6 +380,188 @@ def test_reach_is_no_less_than_the_distance():
         assert exact <= Fraction(float(reach[0, k])) <= exact * (1 + Fraction(1, 2**50)) + Fraction(1, 2**990)
 
 
+def divided(points, before, now, noise, closed, work=(), budget=100, nodes=None):
+    """Lists of (box, node) that one division leaves, and of those that it gives up."""
+    search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), budget, boxes.NARROW)
+    for node, looks in work:
+        search.work[node] = looks
+    count = now.shape[2]
+    nodes = np.zeros(count, dtype=np.int64) if nodes is None else np.array(nodes)
+    slopes = Intervals.point(np.tile(np.eye(2)[:, :, None], (1, 1, count)))
+    with np.errstate(all="ignore"):
+        left = search._divided(boxes.Pairs(before, nodes), boxes.Pairs(now, nodes), noise, slopes, closed)
+    lists = []
+    for part in (left, boxes.joined(search.undecided, 2)):
+        lists.append([(part.ends[:, :, k].tolist(), int(part.nodes[k])) for k in range(len(part))])
+    return lists
+
+
+ONE = tree(np.zeros((3, 1)), np.zeros((3, 1)))
+TWO = tree(np.array([[0.0, 1.0], [5.0, 5.0], [0.0, 0.0]]), np.array([[0.0, 1.0], [5.0, 5.0], [0.0, 0.0]]))
+UNIT = ends_of([[-0.5], [-0.5]], [[0.5], [0.5]])
+OPEN = np.zeros((2, 1), dtype=bool)
+
+
+def sized(width, other=1.0):
+    """A box beside 1 of these widths."""
+    return ends_of([[1.0 - width], [1.0 - other]], [[1.0], [1.0]])
+
+
+def test_what_got_much_narrower_is_looked_at_again_and_other_boxes_are_halved():
+    quiet = np.zeros((2, 1))
+    wide = sized(0.5, 0.5)
+    for now, closed, again in (
+        (sized(0.5, 0.5), OPEN, False), (sized(0.3, 0.5), OPEN, False), (sized(0.29, 0.5), OPEN, True),
+        (sized(0.35, 0.35), OPEN, True), (sized(0.1, 0.5), np.array([[True], [False]]), False),
+        (sized(0.1, 0.2), np.array([[True], [False]]), True),
+    ):  # fmt: skip
+        left, undecided = divided(ONE, wide, now, quiet, closed)
+        assert not undecided
+        if again:
+            assert left == [(now[:, :, 0].tolist(), 0)]
+        else:
+            assert len(left) == 2
+            assert {node for _, node in left} == {0}
+            assert np.max([box for box, _ in left], axis=0).tolist() == now[:, :, 0].tolist()
+
+
+def test_a_box_of_one_point_is_given_up_where_halving_helps_no_more():
+    """By its width alone, by its width and the noise, or because its point has cost enough; each at its border."""
+    narrow, small, share = boxes.NARROW, boxes.SMALL, boxes.SPREAD
+    cases = [
+        (sized(narrow, narrow), [0, 0], 0, True),
+        (sized(narrow, 1.001 * narrow), [0, 0], 0, False),
+        (sized(small, small), [share * small, 0], 0, True),
+        (sized(small, small), [0, share * small * 1.01], 0, True),
+        (sized(small, small), [0.99 * share * small] * 2, 0, False),
+        (sized(small, 2 * small), [1, 1], 0, False),
+        (sized(0.5, 0.5), [1, 1], 0, False),
+        (sized(0.5, 0.5), [0, 0], 101, True),
+        (sized(0.5, 0.5), [0, 0], 100, False),
+        # In proportion to each unknown, and absolutely where that is below 1.
+        (ends_of([[1000.0], [0.0]], [[1000.0 + 990 * narrow], [narrow]]), [0, 0], 0, True),
+        (ends_of([[1000.0], [0.0]], [[1000.0 + 990 * narrow], [2 * narrow]]), [0, 0], 0, False),
+        (ends_of([[-1000.0 - 990 * narrow], [0.001]], [[-1000.0], [0.001 + narrow / 2]]), [0, 0], 0, True),
+    ]
+    for box, noise, looks, given_up in cases:
+        left, undecided = divided(ONE, box, box, np.array(noise, dtype=float)[:, None], OPEN, [(0, looks)])
+        assert (len(left), len(undecided)) == ((0, 1) if given_up else (2, 0)), (box, noise, looks)
+
+
+def test_points_are_parted_where_they_move_the_root_or_cost_much():
+    """Of a node of two points; their box stays as it is, and is not given up."""
+    quiet, share = np.zeros((2, 1)), boxes.SPREAD
+    for noise, looks, parted in (
+        (quiet, 0, False), (quiet, boxes.NODE_BUDGET, False), (quiet, boxes.NODE_BUDGET + 1, True),
+        (np.array([[share], [0.0]]), 0, True), (np.array([[0.99 * share], [0.0]]), 0, False),
+    ):  # fmt: skip
+        left, undecided = divided(TWO, UNIT, UNIT, noise, OPEN, [(0, looks)], budget=10**6)
+        assert not undecided
+        if parted:
+            assert left == [(UNIT[:, :, 0].tolist(), 1), (UNIT[:, :, 0].tolist(), 2)]
+        else:
+            assert [node for _, node in left] == [0, 0]
+    tiny = sized(boxes.NARROW, boxes.NARROW)
+    left, undecided = divided(TWO, tiny, tiny, quiet, OPEN)
+    assert (len(left), len(undecided)) == (2, 0)
+    # Boxes of both kinds in one go.
+    both = np.concatenate([UNIT, UNIT, UNIT], axis=2)
+    left, undecided = divided(
+        TWO, both, both, np.array([[1.0, 0.0, 0.0], [0.0] * 3]), np.zeros((2, 3), dtype=bool), [(2, 5)], 4, [0, 1, 2]
+    )
+    assert [node for _, node in left] == [1, 2, 1, 1]
+    assert undecided == [(UNIT[:, :, 0].tolist(), 2)]
+
+
+def test_a_look_keeps_what_it_can_neither_prove_nor_rule_out():
+    """(x − a)(x − b) with roots 0.1 and 3 about boxes that hold the one, none, both, or touch the one."""
+    values = np.array([[0.1], [3.0], [0.5]])
+    points = tree(values, values)
+    search = boxes._Search(Lines(), points, np.full((2, 2, 1), np.inf), 100, boxes.NARROW)
+    low = np.array([[0.0, 1.0, -5.0, 0.1], [0.0, 0.0, -5.0, 0.0]])
+    high = np.array([[0.2, 1.2, 5.0, 0.14], [0.2, 5.0, 5.0, 0.2]])
+    with np.errstate(all="ignore"):
+        left = search.look(boxes.Pairs(ends_of(low, high), np.zeros(4, dtype=np.int64)))
+    unique = boxes.joined(search.unique, 2)
+    assert (search.looks, search.work.tolist()) == (4, [4])
+    assert len(unique) == 2
+    assert len(boxes.joined(search.where, 2)) == 2
+    # Widened, so that the root on the border is inside.
+    assert (unique.ends > ends_of(low, high)[:, :, [0, 3]]).all()
+    assert len(left) == 2
+    assert (np.max(left.ends, axis=2) >= [[2.0, 2.0], [3.0, 1.5]]).all()
+
+
+def test_no_box_is_widened_beyond_the_limits():
+    asked = []
+
+    class Limited(Lines):
+        def jacobian(self, unknowns, parameters):
+            asked.append(unknowns.ends.max(axis=2))
+            return super().jacobian(unknowns, parameters)
+
+    values = np.array([[0.1], [3.0], [0.5]])
+    limits = np.array([[0.01, 9.0], [4.0, 9.0]])
+    found = boxes.search(Limited(), ends_of([[0.0], [-1.0]], [[4.0], [2.0]]), values, values, limits=limits)
+    assert len(found.unique) >= 2
+    assert (np.max(asked, axis=0) <= limits).all()
+    assert np.max(asked, axis=0)[0, 0] == 0.01
+    assert np.max(asked, axis=0)[1, 1] > 2.0
+
+
+def test_batches_do_not_show(monkeypatch):
+    """Nor are they larger than twice what is asked for; each box is looked at once."""
+    values = np.stack([np.linspace(-2, 2, 40), np.linspace(-1.9, 3, 40), np.linspace(0, 1, 40)])
+    seen, sizes = [], []
+    look = boxes._Search.look
+
+    def watched(self, pairs):
+        sizes.append(len(pairs))
+        return look(self, pairs)
+
+    monkeypatch.setattr(boxes._Search, "look", watched)
+    for chunk in (1, 3, 50, 2048):
+        monkeypatch.setattr(boxes, "CHUNK", chunk)
+        sizes.clear()
+        found = boxes.search(Lines(), ends_of([[-4.0], [-4.0]], [[4.0], [4.0]]), values, values)
+        roots = certified_roots.roots(Lines(), found, np.full((2, 2, 1), 4.0), values, values)
+        seen.append((found.looks, roots.middle.round(9).tolist(), roots.point.tolist()))
+        assert max(sizes) <= 2 * chunk
+        assert sum(sizes) == found.looks
+        assert min(sizes) > 0
+    assert seen[0] == seen[1] == seen[2] == seen[3]
+    assert seen[0][2] == sorted([*range(40), *range(40)])
+
+
+def test_regions_of_points_are_searched_together():
+    """The box around all of them is, once; and without any parameter."""
+    values = np.array([[0.1, 0.2], [3.0, 4.0], [0.5, 0.5]])
+    region = ends_of([[0.0, -1.0], [-3.0, -3.0]], [[1.0, 5.0], [3.0, 3.0]])
+    roots = certified_roots.roots(Lines(), boxes.search(Lines(), region, values, values), region, values, values)
+    assert roots.point.tolist() == [0, 1, 1]
+    assert np.abs(roots.middle[0] - [0.1, 0.2, 4.0]).max() < 1e-12
+    assert not roots.left_point.size
+
+
+def test_what_is_hopeless_or_contracted_away_is_dropped():
+    class Half(Lines):
+        def hopeless(self, unknowns, parameters):
+            return unknowns.high[0] < 1
+
+        def contracted(self, unknowns, parameters):
+            ends = unknowns.ends.copy()
+            ends[0, 0] = np.minimum(ends[0, 0], -2.0)  # x >= 2
+            return ends
+
+    values = np.array([[0.1], [3.0], [0.5]])
+    region = ends_of([[-4.0], [-4.0]], [[4.0], [4.0]])
+    roots = certified_roots.roots(Half(), boxes.search(Half(), region, values, values), region, values, values)
+    assert np.abs(roots.middle[0] - [3.0]).max() < 1e-12
+    plain = boxes.Plain()
+    with pytest.raises(NotImplementedError):
+        plain.residuals(Intervals.point(np.zeros((2, 1))), Intervals.point(np.zeros((2, 1))))
+
+
 # ------------------------------------------------------------------------------------------------- from boxes to roots
 
 

@@ -659,3 +659,64 @@ def test_relative_errors():
         at = Fraction(float(middle[0, k]))
         exact = max(Fraction(float(ends[1, 0, k])) - at, at + Fraction(float(ends[0, 0, k]))) / max(1, abs(at))
         assert exact <= Fraction(float(error[k])) <= exact * (1 + Fraction(1, 10**12)) + Fraction(1, 2**990)
+
+
+# -------------------------------------------------------------------------------------------------- trees of points
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 8, 9, 100])
+def test_a_tree_parts_its_points_evenly(count):
+    """Each node has a box around its points, both children share them out, and no leaf has two."""
+    rng = np.random.default_rng(count)
+    low = rng.normal(size=(2, count)) * [[1.0], [100.0]]
+    high = low + rng.uniform(0, 0.1, (2, count))
+    made = tree(low, high)
+    assert sorted(made.points(0).tolist()) == [*range(count)]
+    assert made.size[0] == count
+    assert made.size.size == 2 * made.order.size - 1
+    assert made.order.size == 1 << made.depth
+    assert made.order.size < 2 * count
+    for node in range(made.size.size):
+        mine = made.points(node)
+        assert mine.size == made.size[node]
+        if not mine.size:
+            continue
+        assert made.bounds.low[:, node].tolist() == low[:, mine].min(axis=1).tolist()
+        assert made.bounds.high[:, node].tolist() == high[:, mine].max(axis=1).tolist()
+        places, children = made.children(np.array([node])) if node < made.order.size - 1 else (np.empty(0, int), np.empty(0, int))
+        assert not places.any()
+        assert children.tolist() == [
+            child for child in (2 * node + 1, 2 * node + 2) if node < made.order.size - 1 and made.size[child]
+        ]
+        if children.size:
+            parts = [made.points(int(child)).tolist() for child in children]
+            assert sorted(point for part in parts for point in part) == sorted(mine.tolist())
+            # The first is full before the second has any.
+            assert len(parts[0]) == min(mine.size, made.order.size >> int(np.log2(node + 1)) + 1)
+        else:
+            assert mine.size == 1
+
+
+def test_points_are_parted_in_the_parameter_that_is_spread_most():
+    """Of the spread of all of them: 0.1 of 0.1 comes before 1 of 1000; and by its lower ends."""
+    first = np.array([0.0, 1000.0, 1.0, 1001.0, 0.5, 1000.5, 1.5, 1001.5])
+    second = np.array([0.0, 0.0, 0.1, 0.1, 0.01, 0.01, 0.09, 0.09])
+    made = tree(np.stack([first, second]), np.stack([first, second]))
+    halves = [sorted(made.points(node).tolist()) for node in (1, 2)]
+    assert halves == [[0, 2, 4, 6], [1, 3, 5, 7]]
+    quarters = [sorted(made.points(node).tolist()) for node in (3, 4, 5, 6)]
+    assert quarters == [[0, 4], [2, 6], [1, 5], [3, 7]]
+    same = tree(np.zeros((2, 4)), np.zeros((2, 4)))
+    assert sorted(same.order.tolist()) == [0, 1, 2, 3]
+
+
+def test_points_below_some_nodes():
+    values = np.array([[0.0, 3.0, 1.0, 2.0, 10.0]])
+    made = tree(values, values)
+    places, points = made.below(np.array([2, 0, 1]))
+    assert points[places == 0].tolist() == [4]
+    assert sorted(points[places == 1].tolist()) == [0, 1, 2, 3, 4]
+    assert sorted(points[places == 2].tolist()) == [0, 1, 2, 3]
+    assert [part.size for part in made.below(np.empty(0, dtype=np.int64))] == [0, 0]
+    places, children = made.children(np.array([0, 1, 2]))
+    assert sorted(zip(places.tolist(), children.tolist(), strict=True)) == [(0, 1), (0, 2), (1, 3), (1, 4), (2, 5)]

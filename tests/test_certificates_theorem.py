@@ -44,6 +44,7 @@ def _broken() -> list[str]:
         pytest.param(elimination, "state", lambda: STATE | {nm.y: DEEPER},
                      "s > 0 ≥ s* gives y < 0", id="y that grows with the depth"),
         pytest.param(elimination, "f_form", FORM + nm.fb * nm.c, "f is negative before", id="f at 0"),
+        pytest.param(elimination, "f_form", FORM + 2 * nm.fb * (nm.c + 1), "s* ≤ 0: contact is 0 < θ < π", id="f at 0 alone"),
         pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
     ],
 )  # fmt: skip
@@ -79,6 +80,30 @@ def test_every_sign_that_is_claimed_is_needed(part: Any, monkeypatch: pytest.Mon
     for failing in range(1, calls + 1):  # noqa: B007  # read by the function above
         calls = 0
         assert not all(step.holds for step in part())
+
+
+def test_what_must_be_positive_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """−b where the arc ends at 0 and π; q s*, −P s* and the difference of squares elsewhere; and both parts of L."""
+    kappa, sigma, alpha, beta, s0, threshold, excess, level, s = map(
+        sp.Rational, ("1/7", 2, 3, "1/2", "3/5", "1/3", "1/5", "1/4", "4/9")
+    )
+    values = {"kappa": kappa, "sigma": sigma, "s_0": s0, "alpha": alpha, "beta": beta, "s_star": threshold, "excess": excess}
+    values |= {"level": level, "s": s}
+
+    def asked(part: Callable[[], Any]) -> set[sp.Rational]:
+        found = [
+            polynomial.subs({symbol: values.get(symbol.name, 1) for symbol in symbols})
+            for polynomial, symbols in _asked(part, monkeypatch)
+        ]
+        return set(found)
+
+    push, squares = sigma * threshold - (sigma + alpha) * (threshold + excess), level + (threshold + excess) ** 2 - threshold**2
+    ends = {(1 + beta + sigma) * threshold, -push, push**2 * squares - (alpha * threshold) ** 2 * level}
+    assert asked(lambda: theorem._signs_at_the_ends(FORM)) == ends
+    assert asked(theorem._middle) == ends | {(alpha + sigma) * ((1 + beta) * s0 + kappa)}
+    numerator, denominator = sigma * s + (1 + beta) * s0 + kappa, (1 + beta + sigma) * s
+    assert {numerator, denominator} <= asked(theorem.smallest_without_friction)
+    assert {numerator, denominator} <= asked(theorem._threshold_below_zero)
 
 
 @pytest.mark.parametrize("e1", [-1, 0])

@@ -54,6 +54,8 @@ def test_packages_are_those_of_the_tree() -> None:
 def test_the_folders_are_reached_through_the_package() -> None:
     for folder in ("derive", "generated"):
         link = ROOT / "spragsym" / folder
+        if link.is_file() and link.read_text(encoding="utf-8") == f"../{folder}":
+            pytest.skip("a checkout without symbolic links")
         assert link.is_symlink()
         assert os.readlink(link) == f"../{folder}"
 
@@ -71,6 +73,7 @@ def test_a_checkout_without_links_works(instead: str, tmp_path: Path) -> None:
     code = (
         "import spragsym as ss, spragsym.derive.emit.write, numpy as np; from spragsym.statics import compiled\n"
         "assert not compiled.available()\n"
+        "from importlib.util import find_spec; assert find_spec('spragsym.spragsym') is None, 'within itself without end'\n"
         "print(ss.__file__, ss.equilibria(ss.Parameters.article(theta0=np.radians(49.0))).count)"
     )
     call = [sys.executable, "-c", code]

@@ -210,7 +210,11 @@ def attack_disks(rng: np.random.Generator, count: int) -> Counter[str]:
 def children(pid: int) -> list[int]:
     """Processes that one has started, on Linux."""
     try:
-        return [int(number) for file in Path(f"/proc/{pid}/task").glob("*/children") for number in file.read_text().split()]
+        return [
+            int(number)
+            for file in Path(f"/proc/{pid}/task").glob("*/children")
+            for number in file.read_text(encoding="utf-8").split()
+        ]
     except OSError:  # it has just ended
         return []
 

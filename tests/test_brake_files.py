@@ -174,9 +174,9 @@ def test_files_that_are_none(tmp_path: Path) -> None:
     assert "is a folder" in message(tmp_path)
     (tmp_path / "latin.toml").write_bytes('[brake]\nk = "180 N/mm ± 15 %"\n'.encode("latin-1"))
     assert "UTF-8" in message(tmp_path / "latin.toml")
-    (tmp_path / "empty.toml").write_text("")
+    (tmp_path / "empty.toml").write_text("", encoding="utf-8")
     assert "is empty" in message(tmp_path / "empty.toml")
-    (tmp_path / "large.toml").write_text("#" * (1 << 21))
+    (tmp_path / "large.toml").write_text("#" * (1 << 21), encoding="utf-8")
     assert "bytes" in message(tmp_path / "large.toml")
 
 

@@ -190,13 +190,13 @@ def test_no_file_is_overwritten_without_force(
     arguments, name = WRITING[command]
     target = tmp_path / name
     place = str(tmp_path) if command in FOLDERS else str(target)
-    target.write_text("precious")
+    target.write_text("precious", encoding="utf-8")
     assert invoke(*arguments, place) == USAGE
     shown, said = capsys.readouterr()
     assert (shown, said.count("\n")) == ("", 1)
     assert str(target) in said
     assert "--force" in said
-    assert target.read_text() == "precious"
+    assert target.read_text(encoding="utf-8") == "precious"
     assert [path.name for path in tmp_path.iterdir()] == [name]
     assert invoke(*arguments, place, "--force") == DONE
     assert target.read_bytes()[:8] != b"precious"
@@ -215,9 +215,9 @@ def test_what_is_there_already_is_no_obstacle(command: str, tmp_path: Path, caps
 
 def test_force_that_fails_keeps_the_old_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = tmp_path / "a.csv"
-    target.write_text("precious")
+    target.write_text("precious", encoding="utf-8")
     assert invoke("sweep", *MOTION, "--rtol", "0", "--quiet", "--force", "-o", str(target)) == USAGE
-    assert target.read_text() == "precious"
+    assert target.read_text(encoding="utf-8") == "precious"
     assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
 
 
@@ -266,7 +266,7 @@ def test_the_window_follows_the_end(t_end: str, tmp_path: Path, capsys: pytest.C
     tr = ss.simulate(ss.Parameters.article(theta0=math.radians(49)), V=0.5, d=10.0, t_end=float(t_end), backend="scipy")
     assert found["rms"] == tr.rms(0.75 * float(t_end))
     assert invoke("sweep", *motion, "-q", "-o", str(tmp_path / "a.csv")) == DONE
-    assert f"# transient: {0.75 * float(t_end)}\n" in (tmp_path / "a.csv").read_text()
+    assert f"# transient: {0.75 * float(t_end)}\n" in (tmp_path / "a.csv").read_text(encoding="utf-8")
 
 
 # ------------------------------------------------------------------------------------------------- files of a sweep
@@ -511,7 +511,7 @@ ONE = ["equilibria", "--theta0", "30"]
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a disk that is always full")
 @pytest.mark.parametrize("arguments", [ONE, [*ONE, "--json"], ["--version"], ["--help"], [*ONE, "--help"]], ids=" ".join)
 def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
-    with open("/dev/full", "w") as full:
+    with open("/dev/full", "w", encoding="utf-8") as full:
         call = [sys.executable, "-m", "spragsym", *arguments]
         done = subprocess.run(call, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
         assert done.returncode == FAILED

@@ -120,7 +120,7 @@ def test_the_picture_is_what_the_library_draws(tmp_path: Path) -> None:
         run(f"PYTHONHASHSEED={seed} spragsym bifurcation --plot {seed}.svg", tmp_path)
         pictures.append((tmp_path / f"{seed}.svg").read_bytes())
     assert pictures[0] == pictures[1]
-    if f"matplotlib=={matplotlib.__version__}\n" in (ROOT / "constraints.txt").read_text():
+    if f"matplotlib=={matplotlib.__version__}\n" in (ROOT / "constraints.txt").read_text(encoding="utf-8"):
         assert pictures[0] == (ROOT / "docs/images/bifurcation.svg").read_bytes()
 
 

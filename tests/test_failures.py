@@ -9,7 +9,8 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
+from io import FileIO
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ import spragsym as ss
 from benchmarks import attack_sweeps as attack
 from spragsym.dynamics import integrators
 from spragsym.errors import DamageWarning, StoreError, SweepError
+from spragsym.files import locks, storage
 from spragsym.files.journal import journal, path_of
 from spragsym.files.storage import read
 from spragsym.sweeps import rms_sweep
@@ -39,7 +41,7 @@ def recorded() -> attack.Recorded:
 
 def points_of(path: Path) -> list[list[Any]]:
     """Points in a journal."""
-    lines = [json.loads(line.partition(" ")[2]) for line in path_of(path).read_text().splitlines()]
+    lines = [json.loads(line.partition(" ")[2]) for line in path_of(path).read_text(encoding="utf-8").splitlines()]
     return [line for line in lines if isinstance(line, list)]
 
 
@@ -163,7 +165,7 @@ def test_a_worker_that_fails_is_one_error_at_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, heyoka: str, message: str
 ) -> None:
     pytest.importorskip("heyoka")
-    (tmp_path / "heyoka.py").write_text(heyoka)
+    (tmp_path / "heyoka.py").write_text(heyoka, encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)  # for the workers: this process has the other one
     with pytest.raises(SweepError, match=message):
         rms_sweep(P, **SHORT, workers=2, backend="heyoka", store=tmp_path / "rms.csv")
@@ -179,9 +181,9 @@ def test_a_script_needs_no_guard(tmp_path: Path, begin: Begin) -> None:
         "print(ss.rms_sweep(p, 0.5, 10.0, t_end=5.0, transient=1.0, workers=2, backend='scipy').rms.tolist())\n"
     )
     path = tmp_path / "script.py"
-    path.write_text(script)
+    path.write_text(script, encoding="utf-8")
     ways = [begin([sys.executable, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)]
-    with path.open() as file:  # as from a shell's here-document
+    with path.open(encoding="utf-8") as file:  # as from a shell's here-document
         ways.append(begin([sys.executable, "-"], stdin=file, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True))
     p = ss.Parameters.article(theta0=np.radians([35.0, 40.0]))
     expected = rms_sweep(p, 0.5, 10.0, t_end=5.0, transient=1.0, backend="scipy").rms.tolist()
@@ -211,7 +213,7 @@ def test_a_worker_killed_in_the_midst_is_one_error_and_its_work_goes_on(tmp_path
     pytest.importorskip("heyoka")
     p, path = P.replace(theta0=np.radians(np.linspace(30.0, 60.0, 20))), tmp_path / "rms.csv"
     options, others = {**SHORT, "backend": "heyoka"}, attack.children(os.getpid())  # those of tests before
-    (tmp_path / "heyoka.py").write_text(KILLED)
+    (tmp_path / "heyoka.py").write_text(KILLED, encoding="utf-8")
     with monkeypatch.context() as patch:
         patch.syspath_prepend(tmp_path)  # for the workers: this process has the other one
         with pytest.raises(SweepError, match=r"ended by SIGKILL.* of 20 points are kept"):
@@ -239,7 +241,7 @@ def test_workers_end_with_their_parent(tmp_path: Path, begin: Begin) -> None:
 
 def _runs(pid: int) -> bool:
     try:
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+        return Path(f"/proc/{pid}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0] != "Z"
     except FileNotFoundError:
         return False
 
@@ -408,6 +410,33 @@ def test_disks_that_fill(tmp_path: Path) -> None:
     except PermissionError as error:
         pytest.skip(str(error))  # to mount one takes root: the test above does without
     assert outcomes["said so"] > 0
+
+
+def test_a_file_that_another_program_shows_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As on Windows, which neither renames nor removes open files, and replaces none that a spreadsheet has open."""
+    path, opened = tmp_path / "rms.csv", []
+
+    @contextmanager
+    def exclusive(name: Path) -> Iterator[FileIO]:
+        with locks.exclusive(name) as file:
+            opened.append(file)
+            yield file
+
+    def replace(source: Path, target: Path) -> None:
+        assert opened[-1].closed
+        raise PermissionError(13, "Permission denied", str(target))
+
+    storage.write_text(path, "before\n")
+    monkeypatch.setattr(storage, "_OPEN_FILES_STAY", True)
+    monkeypatch.setattr(storage, "exclusive", exclusive)
+    with monkeypatch.context() as windows:
+        windows.setattr(os, "replace", replace)
+        with pytest.raises(StoreError, match="close what has it open"):
+            storage.write_text(path, "after\n")
+    assert [file.name for file in tmp_path.iterdir()] == [path.name]
+    assert storage.read_text(path) == "before\n"
+    storage.write_text(path, "after\n")
+    assert storage.read_text(path) == "after\n"
 
 
 # --------------------------------------------------------------------------------------------------- these tests

@@ -383,7 +383,7 @@ def test_a_script_beside_the_clone_finds_the_package(tmp_path: Path) -> None:
     assert not (copy / "__init__.py").exists()
     interpreter = environment(tmp_path / "env", make_installs(copy, tmp_path))
     script = folder / "mine.py"
-    script.write_text("import spragsym as ss\nprint(ss.equilibria(ss.Parameters.article(theta0=0.5)).count)\n")
+    script.write_text("import spragsym as ss\nprint(ss.equilibria(ss.Parameters.article(theta0=0.5)).count)\n", encoding="utf-8")
     for place in (folder, tmp_path):
         done = subprocess.run([interpreter, script], cwd=place, env={}, capture_output=True, text=True, timeout=120)
         assert (done.stdout, done.stderr) == ("3\n", "")

@@ -280,7 +280,7 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callab
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does
     _, stderr = process.communicate(timeout=30)
     assert process.returncode == 130
-    points = [json.loads(line.partition(" ")[2]) for line in partial.read_text().splitlines()]
+    points = [json.loads(line.partition(" ")[2]) for line in partial.read_text(encoding="utf-8").splitlines()]
     numbers = [point[0] for point in points if isinstance(point, list)]
     assert len(set(numbers)) == len(numbers) > 0
     kept = f"{len(numbers)} of 61 points are kept in {partial}, and the same call goes on from there"
@@ -300,7 +300,7 @@ def test_files_say_what_they_hold(tmp_path: Path) -> None:
         assert data.attrs["generated_from"] == storage.SOURCE_HASH
         assert ss.__version__ in data.attrs["source"]
     found.save(tmp_path / "rms.csv")
-    lines = [line for line in (tmp_path / "rms.csv").read_text().splitlines() if not line.startswith("#")]
+    lines = [line for line in (tmp_path / "rms.csv").read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
     column = lines[0].split(",").index("rms")
     assert [float(line.split(",")[column]) for line in lines[1:]] == found.rms.tolist()
 

@@ -3,14 +3,22 @@
 from __future__ import annotations
 
 import importlib
+import os
 from fractions import Fraction
 from types import ModuleType
 
 import mpmath
+import pytest
 
 import spragsym.generated as generated_package
 from spragsym.catastrophe import flutter_proofs
 from spragsym.exact import intervals
+
+#: For what other systems do in another way: signals to other processes, shells, links that anyone may make.
+needs_posix = pytest.mark.skipif(os.name != "posix", reason="signals, shells and links of POSIX")
+
+#: As little as a process can be given: Windows starts none without its own folder.
+NO_ENVIRONMENT = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
 
 
 def as_fraction(value: mpmath.mpf) -> Fraction:

@@ -8,6 +8,7 @@ import math
 import os
 import pickle
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -27,6 +28,7 @@ from hypothesis import strategies as st
 import spragsym as ss
 from spragsym import cli as command_line
 from spragsym.cli import COMMANDS, cli, main
+from tests.support import NO_ENVIRONMENT, needs_posix
 
 #: Exit codes that are documented.
 DONE, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -520,6 +522,7 @@ def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
         assert subprocess.run([*call[:3], "nonsense"], stderr=full, timeout=60).returncode == USAGE
 
 
+@needs_posix
 @pytest.mark.parametrize("stream", ["<&-", ">&-", "2>&-"])
 def test_streams_that_are_closed(stream: str) -> None:
     call = f"{sys.executable} -m spragsym {' '.join(ONE)} {stream}"
@@ -541,7 +544,8 @@ SURROUNDINGS: dict[str, dict[str, str]] = {
 
 def run_in(surroundings: str, folder: Path, *arguments: str) -> subprocess.CompletedProcess[bytes]:
     call = [sys.executable, "-W", "error", "-m", "spragsym", *arguments]
-    return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=SURROUNDINGS[surroundings], cwd=folder)
+    given = NO_ENVIRONMENT | SURROUNDINGS[surroundings]
+    return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=given, cwd=folder)
 
 
 @pytest.mark.thorough
@@ -564,6 +568,14 @@ def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
     done = run_in(surroundings, tmp_path, "sweep", "--theta0", "49", "--t-end", "20", "--backend", "scipy", "-o", "a.csv")
     assert done.returncode == DONE, done.stderr
     assert b"Traceback" not in done.stderr
+
+
+def test_a_model_in_a_folder_that_the_locale_cannot_spell(tmp_path: Path) -> None:
+    shipped = Path(ss.__file__).parent.parent / "generated" / "models" / "stribeck"
+    shutil.copytree(shipped, tmp_path / "Bremse θ", ignore=shutil.ignore_patterns("__pycache__"))
+    done = run_in("C without UTF-8", tmp_path, "equilibria", "--model", "Bremse θ", "--theta0", "40")
+    assert (done.returncode, done.stderr) == (DONE, b"")
+    assert b"stable" in done.stdout
 
 
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs a pseudo terminal")
@@ -597,6 +609,7 @@ def test_no_color_is_respected(
     assert bool(re.search(rb"\x1b\[[\d;]*3[0-7]m", shown)) == colour
 
 
+@needs_posix
 def test_ctrl_c_ends_cleanly(tmp_path: Path, start: Start) -> None:
     process = start("simulate", "--theta0", "49", "--t-end", "1e6", "--backend", "scipy", cwd=tmp_path)
     time.sleep(2.0)

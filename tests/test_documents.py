@@ -7,6 +7,7 @@ import importlib
 import os
 import pkgutil
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -38,6 +39,8 @@ def commands(path: Path) -> list[tuple[str, str]]:
 
 def run(command: str, folder: Path) -> str:
     """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path."""
+    if os.name != "posix" or not shutil.which("bash"):
+        pytest.skip("needs bash")
     environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
     environment.pop("FORCE_COLOR", None)
     done = subprocess.run(

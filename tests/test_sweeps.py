@@ -27,6 +27,7 @@ from spragsym.files import storage
 from spragsym.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
+from tests.support import needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -269,6 +270,7 @@ def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: 
     assert not partial.exists()
 
 
+@needs_posix
 def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
     path = tmp_path / "rms.nc"
     command = [*COMMAND, str(path), "-j", "2", "--t-end", "200", "--transient", "100", "--backend", "scipy"]
@@ -319,6 +321,7 @@ def test_unwritable_paths_are_errors_before_the_work(tmp_path: Path, name: str, 
         rms_sweep(P, **SHORT, store=tmp_path / name, workers=_never)
 
 
+@needs_posix
 def test_a_read_only_folder_is_an_error_before_the_work() -> None:
     with pytest.raises(ss.ParameterError, match="cannot be written"):
         rms_sweep(P, **SHORT, store="/proc/rms.nc" if Path("/proc").is_dir() else "/rms.nc", workers=_never)

@@ -304,14 +304,8 @@ def python(archives: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory
 
 def call(python: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     """Run it away from the tree, without a word of this environment."""
-    return subprocess.run(
-        [python, "-I", "-W", "error", *arguments],
-        cwd=python.parent,
-        env=NO_ENVIRONMENT,
-        capture_output=True,
-        text=True,
-        timeout=120,
-    )
+    command = [python, "-I", "-W", "error", *arguments]
+    return subprocess.run(command, cwd=python.parent, env=NO_ENVIRONMENT, capture_output=True, text=True, timeout=120)
 
 
 def test_runtime_without_extras(python: Path) -> None:

@@ -78,7 +78,7 @@ def test_a_checkout_without_links_works(instead: str, tmp_path: Path) -> None:
         "print(ss.__file__, ss.equilibria(ss.Parameters.article(theta0=np.radians(49.0))).count)"
     )
     call = [sys.executable, "-c", code]
-    environment = {**os.environ, "PYTHONPATH": str(clone), "PYTHONUTF8": "1"}
+    environment = {**os.environ, "PYTHONPATH": str(clone), "PYTHONUTF8": "1", "PYTHONIOENCODING": "utf-8"}
     done = subprocess.run(call, cwd=clone, env=environment, capture_output=True, encoding="utf-8", timeout=120)
     assert done.returncode == 0, done.stderr
     assert done.stdout.split()[-1] == "1"
@@ -127,10 +127,8 @@ def test_constraints_pin_what_the_extras_name() -> None:
 def clone(folder: Path) -> Path:
     """A copy of the tree as Git would give it, named spragsym."""
     copy = folder / "spragsym"
-    ignored = ("--exclude=.git", "--exclude=.venv", "--exclude=__pycache__", "--exclude=*.egg-info", "--exclude=.*_cache")
-    copy.mkdir()
-    packed = subprocess.run(["tar", "-C", str(ROOT), *ignored, "-cf", "-", "."], check=True, capture_output=True)
-    subprocess.run(["tar", "-C", str(copy), "-xf", "-"], input=packed.stdout, check=True)
+    ignored = shutil.ignore_patterns(".git", ".venv", "__pycache__", "*.egg-info", ".*_cache", "*.so", "node_modules")
+    shutil.copytree(ROOT, copy, symlinks=True, ignore=ignored)
     return copy
 
 

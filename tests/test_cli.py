@@ -27,7 +27,7 @@ from hypothesis import strategies as st
 import spragsym as ss
 from spragsym import cli as command_line
 from spragsym.cli import COMMANDS, cli, main
-from tests.support import NO_ENVIRONMENT, needs_posix
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, NO_ENVIRONMENT, needs_posix
 
 #: Exit codes that are documented.
 DONE, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -188,6 +188,8 @@ def test_no_file_is_overwritten_without_force(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pytest.importorskip("matplotlib")
+    if command == "cycles" and LONG_MOTIONS_TAKE_MINUTES:
+        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
     arguments, name = WRITING[command]
     target = tmp_path / name
     place = str(tmp_path) if command in FOLDERS else str(target)

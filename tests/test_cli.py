@@ -8,6 +8,7 @@ import math
 import os
 import pickle
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -526,7 +527,7 @@ def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
 @needs_posix
 @pytest.mark.parametrize("stream", ["<&-", ">&-", "2>&-"])
 def test_streams_that_are_closed(stream: str) -> None:
-    call = f"{sys.executable} -m spragsym {' '.join(ONE)} {stream}"
+    call = f"{shlex.quote(sys.executable)} -m spragsym {' '.join(ONE)} {stream}"
     done = subprocess.run(["sh", "-c", call], capture_output=True, text=True, timeout=60)
     assert (done.returncode, done.stderr) == (DONE, "")
     assert ("contact" in done.stdout) == (stream != ">&-")

@@ -42,6 +42,7 @@ from spragsym.figures import (  # noqa: E402  # after matplotlib was found
     write,
 )
 from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402  # after matplotlib was found
+from tests.support import LONG_MOTIONS_TAKE_MINUTES  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
 
@@ -58,9 +59,23 @@ QUICK: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 
+#: Those that integrate many motions.
+MOVING = ("7", "cycles", "cycles-plane", "rms-map")
+
+
+class Sheets(dict[str, Sheet]):
+    """Figures by name, each drawn when a test asks first."""
+
+    def __missing__(self, name: str) -> Sheet:
+        if name in MOVING and LONG_MOTIONS_TAKE_MINUTES:
+            pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
+        self[name] = FIGURES[name](**QUICK.get(name, {}))
+        return self[name]
+
+
 @pytest.fixture(scope="module")
 def sheets() -> dict[str, Sheet]:
-    return {name: draw(**QUICK.get(name, {})) for name, draw in FIGURES.items()}
+    return Sheets()
 
 
 @pytest.mark.parametrize("name", FIGURES)

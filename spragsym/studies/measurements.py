@@ -10,6 +10,7 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ParameterError
+from ..files.text import decoded
 from ..generated import motion as _motion
 from ..parameters import FloatArray
 
@@ -35,12 +36,12 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         For a file that is missing, or a line that is not two numbers; it names the line.
     """
     try:
-        text = path.read_text(encoding="utf-8-sig")
+        text = decoded(path.read_bytes())
     except (OSError, UnicodeDecodeError) as error:
         raise ParameterError(f"{path} can't be read ({error}); give a text file with sliding speed and coefficient") from error
     rows = []
     for number, line in enumerate(text.splitlines(), 1):
-        cells = line.replace(";", ",").replace("\t", ",").split(",")
+        cells = _cells(line)
         if not line.strip() or line.lstrip().startswith("#") or (number == 1 and not _is_number(cells[0])):
             continue
         if len(cells) < 2 or not (_is_number(cells[0]) and _is_number(cells[1])):
@@ -57,6 +58,14 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         )
     columns = np.array(rows)
     return columns[:, 0], columns[:, 1]
+
+
+def _cells(line: str) -> list[str]:
+    """Columns; where semicolons or tabs part them, a comma is the decimal sign, as spreadsheets write it in many countries."""
+    for separator in (";", "\t"):
+        if separator in line:
+            return line.replace(",", ".").split(separator)
+    return line.split(",")
 
 
 def _is_number(cell: str) -> bool:

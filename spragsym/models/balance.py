@@ -47,6 +47,12 @@ class Balance:
         self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
         self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])
+        #: Parameters that may be 0.
+        self.may_vanish = [
+            entry["name"]
+            for entry in about["parameters"]
+            if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
+        ]
         self.codes = [code for name in self.parameters for code in self.angles.get(name, (name,))]
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
@@ -72,8 +78,12 @@ class Balance:
         return stacked(parts, bounds.shape[1:])
 
     def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """By name; ``changed`` are parameters that are unknowns, of any number type."""
+        """By name; ``changed`` are parameters that are unknowns, of any number type.
+
+        A parameter that is 0 everywhere, and may be, is the number 0: products with it and exponentials of it are exact.
+        """
         values: dict[str, Any] = {code: prepared[place] for place, code in enumerate(self.codes)}
+        values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
         for name, value in (changed or {}).items():
             if name in self.angles:
                 cosine, sine = self.angles[name]
@@ -233,3 +243,7 @@ def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
     """Rows of entries as one array of intervals, shape (rows, columns, …)."""
     entries = stacked([entry for row in rows for entry in row], shape)
     return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))
+
+
+def _is_nothing(values: Intervals) -> bool:
+    return values.ends.size > 0 and not values.ends.any()

@@ -16,6 +16,7 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
 from .columns import Columns
+from .ends import shared
 from .regions import region
 
 #: Boxes looked at for one search of up to three unknowns, and of more.
@@ -123,7 +124,11 @@ def search(
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET
     outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
-    return Found(certified_roots.roots(system, outcome, around, fixed, fixed), around, whole)
+    roots = certified_roots.roots(system, outcome, around, fixed, fixed)
+    if len(vary) == 1 and given.shape[1] == 1:
+        dropped = shared(system, given, spans[0], roots.left)
+        roots = replace(roots, left=roots.left[:, :, ~dropped], left_point=roots.left_point[~dropped])
+    return Found(roots, around, whole)
 
 
 def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:

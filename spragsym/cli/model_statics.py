@@ -43,7 +43,7 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         ])  # fmt: skip
         for place in ("contact", "lift-off"):
             if boxes := [box for box in open_boxes if box["state"] == place]:
-                click.echo(_summed(place, model.coordinates, *([box[end] for box in boxes] for end in ("low", "high"))))
+                click.echo(_summed(place, model.coordinates, [box["low"] for box in boxes], [box["high"] for box in boxes]))
 
     options = [*parameter_options(model, Number), json_option()]
     return options, equilibria, "All equilibria at one point, in contact and in lift-off, stable and unstable, proved."
@@ -153,7 +153,13 @@ def points_of(model: Model, points: Any) -> dict[str, Any]:
         for row in range(len(points))
     ]
     boxes = [{name: box[i].tolist() for i, name in enumerate((*model.coordinates, *points.vary))} for box in points.undecided]
-    return {"points": rows, "complete": bool(points.complete), "region_whole": bool(points.whole), "undecided": boxes}
+    return {
+        "points": rows,
+        "complete": bool(points.complete),
+        "region_whole": bool(points.whole),
+        "undecided": boxes,
+        "remarks": list(points.remarks),
+    }
 
 
 def print_points(model: Model, title: str, points: Any) -> None:
@@ -171,3 +177,5 @@ def print_points(model: Model, title: str, points: Any) -> None:
         scale = np.array([units.get(name, 1.0) for name in unknowns])
         shown = tuple(f"{name}_deg" if name in units else name for name in unknowns)
         click.echo(_summed(title, shown, *(scale * points.undecided[:, :, end] for end in (0, 1))))
+        for remark in points.remarks:
+            click.echo(f"{title}: {remark}")

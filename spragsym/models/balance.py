@@ -107,6 +107,14 @@ class Balance:
         steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
         return [part for dx, dy in steps for part in direction(dx, dy, shape)]
 
+    def plain_directions(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any) -> list[Any]:
+        """Cosine, sine and length of every spring, for numbers that are narrow: quotients."""
+        directions: list[Any] = []
+        for dx, dy, _ in undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=xp):
+            length = xp.sqrt(dx**2 + dy**2)
+            directions += [dx / length, dy / length, length]
+        return directions
+
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """A function of ``statics`` that has the arguments of ``forces``."""
         mu = self.friction(values, xp)
@@ -117,22 +125,24 @@ class Balance:
         """The friction coefficient at steady sliding."""
         return undecorated(getattr(self.model.statics, self.law))(*self._listed(values, "motion"), xp=xp)
 
-    def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
+    def mass(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """M of the kinetic energy."""
-        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
+        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=xp)
 
-    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None) -> Any:
+    def damping(
+        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None, xp: Any = XP
+    ) -> Any:
         """C of dampers and of the slope of the friction law."""
         function = undecorated(self.model.linearization.damping)
-        return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=XP)
+        return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=xp)
 
     def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Slope of the friction law at steady sliding."""
         return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
 
-    def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
+    def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The gap of the contact."""
-        return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=XP)
+        return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=xp)
 
     def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
         """The image of a state in the model's mirror."""

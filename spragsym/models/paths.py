@@ -50,7 +50,7 @@ class ModelJump(Result):
     value: float  #: of the parameter, at the fold or on the border
     kind: str  #: ``"fold"``, or ``"border"`` where the state leaves the contact
     before: Mapping[str, float]  #: coordinates there
-    after: Mapping[str, float]  #: coordinates right behind it
+    after: Mapping[str, float]  #: coordinates there of the state that it jumps to
     stability_after: Stability
     error: float  #: bound on the error of ``value``
 
@@ -379,9 +379,19 @@ class _Way:
             slot = choose(eq, before)
             if not 0 <= slot < count:
                 raise ParameterError(f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}")
-        after = {name: float(eq.coordinates[name][slot]) for name in before}
+        behind = np.array([float(eq.coordinates[name][slot]) for name in before])
+        after = dict(zip(before, self._at_end(end, behind), strict=True))
         kind = Stability(int(eq.stability[slot]))
         return slot, ModelJump(end.value, end.kind, before, after, kind, end.error)
+
+    def _at_end(self, end: ModelEnd, behind: FloatArray) -> list[float]:
+        """Coordinates at the end of a branch of the state that has these at the stop behind it."""
+        eq = equilibria(self.model, self.p.replace(**{self.vary: end.value}))
+        states = np.array([eq.coordinates[name][: int(eq.count)] for name in end.before])
+        if not eq.complete or not states.size:
+            return [float(value) for value in behind]
+        nearest = np.linalg.norm(states - behind[:, None], axis=0).argmin()
+        return [float(value) for value in states[:, nearest]]
 
     def end(self, stop: int) -> ModelEnd:
         """The fold or border on this side of a stop, where a branch ends."""

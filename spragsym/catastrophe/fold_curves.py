@@ -142,18 +142,18 @@ def _reversed(curve: _Curve) -> _Curve:
 
 
 def _through_event(before: Stretch, after: Stretch, fixed: Fixed, open_ends: list[_End], finished: list[_Curve]) -> list[_End]:
-    """Carry the open ends over an event: what leaves at an end, then pairs, then what enters."""
+    """Carry the open ends over an event: what enters at an end, then pairs, then what leaves, so that all are there for pairs."""
     passing = _passing(before, after)
     pairs = (after.number - before.number - sum(passing)) // 2
-    for at_zero, way in zip((True, False), passing, strict=True):
-        if way < 0:
-            open_ends = _leave(after.low, at_zero, fixed, open_ends, finished)
-    for _ in range(abs(pairs)):
-        open_ends = _pair(after.low, fixed, open_ends, finished, born=pairs > 0)
     for at_zero, way in zip((True, False), passing, strict=True):
         if way > 0:
             end = deque([_border(after.low, at_zero, fixed)]), True
             open_ends = [end, *open_ends] if at_zero else [*open_ends, end]
+    for _ in range(abs(pairs)):
+        open_ends = _pair(after.low, fixed, open_ends, finished, born=pairs > 0)
+    for at_zero, way in zip((True, False), passing, strict=True):
+        if way < 0:
+            open_ends = _leave(after.low, at_zero, fixed, open_ends, finished)
     return open_ends
 
 

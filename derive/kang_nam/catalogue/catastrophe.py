@@ -116,7 +116,7 @@ def _fold_conic() -> tuple[sp.Expr, ...]:
 
 
 def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr]]:
-    """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, which have names.
+    """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, and names for these.
 
     With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the cosine enters by its square.
     """
@@ -137,8 +137,12 @@ def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Sy
     named = {name: value for name, value in names.items() if name in (product, middle, P, Q)}
     require_same("meetings of folds, and their borders", events[:2], derived[:2], named)
     require_same("folds without friction", events[2:], derived[2:], {nm.fa: elimination.f_coefficients()[nm.fa]})
-    without_alpha = (e1**2 - 4 * e0 * e2, e0, e0 + e1 + e2)
+    s, k, B = nm.s, nm.kappa, nm.B  # e0 + e1 + e2, in which little is lost
+    at_middle = nm.sigma * (k**2 + (1 - s) * (k * B * (1 + s + s**2) - k * nm.sigma * (1 - s - s**2) - B * nm.sigma * (1 - s)))
     kept = {name: value for name, value in names.items() if name in (e0, e1, e2)}
+    spelled = {**kept, nm.fa: nm.sigma * nm.B, nm.p: nm.sigma}
+    require_same("folds at θ₀ = π/2", (at_middle,), ((e0 + e1 + e2).subs(spelled).subs(spelled).subs(nm.alpha, 0),))
+    without_alpha = (e1**2 - 4 * e0 * e2, e0, at_middle)
     return events, without_alpha, names, kept
 
 

@@ -8,7 +8,7 @@ function [result1, result2, result3] = fold_events_without_alpha(sin, kappa, sig
 %  sigma: stiffness ratio k / k_c
 %  beta: stiffness ratio k_y / k_c
 %
-%  Source: f = f′ = 0. Operations: 30.
+%  Source: f = f′ = 0. Operations: 45.
   B = beta + 1;
   w0 = B.*sigma;
   a_f = w0;
@@ -20,7 +20,10 @@ function [result1, result2, result3] = fold_events_without_alpha(sin, kappa, sig
   sigma_2 = sigma.*sigma;
   e2 = -B.*sigma_2;
   e1_2 = e1.*e1;
+  kappa_2 = kappa.*kappa;
+  w2 = sin - 1;
+  w3 = -w2;
   result1 = -4.*e0.*e2 + e1_2;
   result2 = e0;
-  result3 = e0 + e1 + e2;
+  result3 = sigma.*(kappa_2 + w3.*(B.*kappa.*(sin + sin_2 + 1) - kappa.*sigma.*(-sin_2 - w2) - w0.*w3));
 end

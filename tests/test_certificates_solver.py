@@ -110,7 +110,7 @@ def _settled(
 ) -> tuple[bool, slots.Slots]:
     """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
-    given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
+    given = {name: np.repeat(np.array(values)[:, None], 2, axis=1) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
     out = slots.Slots(3, 3 if contact else 4)
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))

@@ -9,7 +9,7 @@ from typing import Any
 from ..parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
 from .closed import OPEN, Closed, by_differences, closed_orbit, roughly_closed
-from .course import Flow
+from .course import Courses
 from .field import Field
 from .passage import Fly
 from .problem import Problem
@@ -38,29 +38,29 @@ class Onward:
 
     Attributes
     ----------
-    course : callable
-        ``course(state, duration)``: what is measured on the way.
+    courses : callable
+        ``courses(states, duration)``: what is measured on the way from each of many states.
     closed : callable
         ``closed(state, period, reach)``: the closed orbit near a state where x' = 0.
     """
 
-    course: Flow
+    courses: Courses
     closed: Callable[[FloatArray, float, float], Closed]
 
 
 def onward(problem: Problem, backend: str) -> Onward:
     """How the motion of a problem goes on, by the integrator that carries it."""
 
-    plain = integrators.flow(problem, backend)
+    courses, ends = integrators.flows(problem, backend)
 
     def closed(state: FloatArray, period: float, reach: float) -> Closed:
         field = replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
-        state, period = roughly_closed(field, plain, state, period, reach)
+        state, period = roughly_closed(field, ends, state, period, reach)
         if backend == "heyoka":
             return closed_orbit(field, variations_heyoka.compiled(field).fly, state, period, reach, CLOSED)
         if backend == "scipy":
             return closed_orbit(field, variations_scipy.Flight(field).fly, state, period, reach, CLOSED)
-        fine = integrators.flow(replace(problem, rtol=min(problem.rtol, FINE)), backend)
+        fine, _ = integrators.flows(replace(problem, rtol=min(problem.rtol, FINE)), backend)
         return closed_orbit(field, by_differences(field, fine), state, period, reach, OPEN)
 
-    return Onward(plain, closed)
+    return Onward(courses, closed)

@@ -97,12 +97,6 @@ class Problem:
         slip = next((border for border in self.field.borders if "mass_overtakes" in border.crossings), None)
         return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
 
-    @property
-    def parameters(self) -> Parameters:
-        """Those of the statics; the constants hold θ₀ by its cosine and sine."""
-        cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = self.constants
-        return Parameters(theta0=np.arctan2(sin0, cos0), mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
-
 
 # -------------------------------------------------------------------------------------------------- arguments
 
@@ -124,6 +118,12 @@ def constants_of(values: tuple[float, ...], V: float, d: float) -> Constants:
     """The constants for parameters in the order of NAMES, θ₀ first."""
     theta0, *rest = values
     return Constants._make((float(np.cos(theta0)), float(np.sin(theta0)), *rest, V, d))
+
+
+def parameters_of(constants: Any) -> Parameters:
+    """Those of the statics, from the constants of one or of many motions, which hold θ₀ by its cosine and sine."""
+    cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = constants
+    return Parameters(theta0=np.arctan2(sin0, cos0), mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
 
 
 def check_start(theta0: float, x0: float, y0: float) -> None:

@@ -66,8 +66,10 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach
     return Closed(place, loop.guess.period, slope)
 
 
-def roughly_closed(field: Field, ends: Ends, state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float]:
-    """State and period to some digits, by the plain flow and its forward differences: where that fails, it fails cheaply."""
+def nearly_closed(
+    field: Field, ends: Ends, state: FloatArray, period: float, reach: float, precision: float
+) -> tuple[FloatArray, float]:
+    """State and period to a precision, by the plain flow and its forward differences: where that fails, it fails cheaply."""
     m = field.size
 
     def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
@@ -75,7 +77,7 @@ def roughly_closed(field: Field, ends: Ends, state: FloatArray, period: float, r
         return Passage(last, (np.array(others) - last).T / COARSE, np.zeros((m, 2)), (), ())
 
     guess, condition = Guess(state[None], period, ()), at_rest_along(field, m + 1)
-    loop = solved(field, fly, guess, condition, reach=reach, iterations=9, precision=ROUGH, closed=ROUGH)
+    loop = solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
     return loop.guess.states[0], loop.guess.period
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from ..parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
-from .closed import OPEN, Closed, by_differences, closed_orbit, roughly_closed
+from .closed import OPEN, ROUGH, Closed, by_differences, closed_orbit, nearly_closed
 from .course import Courses
 from .field import Field
 from .passage import Fly
@@ -16,8 +16,9 @@ from .problem import Problem
 from .shooting import CLOSED
 from .sprag import REACH
 
-#: Tolerance of flows whose differences are taken.
-FINE = 1e-12
+#: Tolerance of flows whose differences are taken, by heyoka's method and by others, and by how much an orbit may stay open.
+FINE = {"heyoka": (1e-15, CLOSED)}
+FINE_ELSE = (1e-12, OPEN)
 
 
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
@@ -55,12 +56,12 @@ def onward(problem: Problem, backend: str) -> Onward:
 
     def closed(state: FloatArray, period: float, reach: float) -> Closed:
         field = replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
-        state, period = roughly_closed(field, ends, state, period, reach)
-        if backend == "heyoka":
-            return closed_orbit(field, variations_heyoka.compiled(field).fly, state, period, reach, CLOSED)
+        state, period = nearly_closed(field, ends, state, period, reach, ROUGH)
         if backend == "scipy":
             return closed_orbit(field, variations_scipy.Flight(field).fly, state, period, reach, CLOSED)
-        fine, _ = integrators.flows(replace(problem, rtol=min(problem.rtol, FINE)), backend)
-        return closed_orbit(field, by_differences(field, fine), state, period, reach, OPEN)
+        rtol, precision = FINE.get(backend, FINE_ELSE)
+        fine, there = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
+        state, period = nearly_closed(field, there, state, period, reach, precision)
+        return closed_orbit(field, by_differences(field, fine), state, period, reach, precision)
 
     return Onward(courses, closed)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.util
-from dataclasses import replace
 from types import ModuleType
 
 import numpy as np
@@ -85,9 +84,12 @@ def measure(motions: Motions, backend: str) -> Measured:
 def flows(problem: Problem, backend: str) -> tuple[Courses, Ends]:
     """Functions that integrate a problem from any states for any time: what is measured on the way, and where they end."""
 
+    one = Motions.of([problem])
+    field = one.field
+
     def motions(states: FloatArray, duration: float) -> Motions:
-        constants = np.broadcast_to(np.array(problem.constants, dtype=np.float64), (len(states), len(problem.constants)))
-        return replace(Motions.of([problem]), constants=constants, starts=np.asarray(states), t_end=duration, t_record=0.0)
+        constants = one.constants[[0] * len(states)]
+        return Motions(constants, states, duration, 0.0, one.rtol, one.max_steps, lambda _: field, one.known)
 
     def courses(states: FloatArray, duration: float) -> list[Course]:
         found = measure(motions(states, duration), backend)

@@ -28,6 +28,15 @@ LANES = 8
 #: Steps after which lanes that have ended are filled anew; also between two looks at signals, for Python hears Ctrl-C only then.
 BURST = 128
 
+#: Kinds of event.
+EVENTS = len(Event)
+
+#: Of a motion that did not arrive.
+_NEVER = [0] * EVENTS
+
+#: Of a motion that did not turn.
+_NONE = Turns()
+
 #: What crossing a border does in a mode: in which direction it is crossed, the mode beyond, which parameters become what, and
 #: what a user calls it.
 _Passed: TypeAlias = tuple[int, Mode, list[tuple[int, float]], Event | None]
@@ -41,7 +50,7 @@ class Stage:
     carried: FloatArray
     modes: list[Mode]
     steps: list[int]
-    turns: list[Turns] = field(default_factory=list)
+    turns: list[Turns | None] = field(default_factory=list)
     counts: list[list[int]] = field(default_factory=list)
     errors: dict[int, Exception] = field(default_factory=dict)
 
@@ -65,7 +74,8 @@ class Lanes:
         equations = Equations.of(field, constants, watch=watch)
         self.size, self.constants, self.watch = field.size, constants, watch
         self.modes: list[Mode] = [field.modes[0]] * LANES
-        self.turns, self.counts = [Turns() for _ in range(LANES)], [[0] * len(Event) for _ in range(LANES)]
+        self.turns: list[Turns | None] = [None] * LANES
+        self.counts = [[0] * EVENTS for _ in range(LANES)]
         #: Lanes in which a crossing was missed, with the time.
         self.strays: dict[int, float] = {}
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
@@ -106,7 +116,10 @@ class Lanes:
     def _turning(self) -> Callable[[Any, float, int, int], None]:
         def turn(_: Any, t: float, direction: int, lane: int) -> None:
             self.look(t)
-            self.turns[lane].add(t, direction, self.dense[:, lane].tolist())
+            seen = self.turns[lane]
+            if seen is None:
+                self.turns[lane] = seen = Turns()
+            seen.add(t, direction, self.dense[:, lane].tolist())
 
         return turn
 
@@ -115,67 +128,78 @@ class Lanes:
         import heyoka as hy
 
         ended, going = hy.taylor_outcome.time_limit, (hy.taylor_outcome.step_limit, hy.taylor_outcome.success)
-        carried, count = np.full((len(stage.motions), len(self.state)), np.nan), stage.motions.max_steps
-        stage.turns, stage.counts = [Turns() for _ in stage.modes], [[0] * len(Event) for _ in stage.modes]
-        waiting, running = [row for row in reversed(range(len(stage.modes))) if row not in stage.errors], dict[int, int]()
-        before, modes = stage.steps.copy(), stage.modes.copy()
+        loads = self._loads(stage, end - begin)
+        carried, most, steps = np.full((len(stage.modes), len(self.state)), np.nan), stage.motions.max_steps, stage.steps.copy()
+        modes, stage.turns, stage.counts = stage.modes.copy(), [None] * len(steps), [_NEVER] * len(steps)
+        waiting, running = [row for row in reversed(range(len(steps))) if row not in stage.errors], dict[int, int]()
         while waiting or running:
-            self._fill(stage, waiting, running, begin, end)
-            self.solver.propagate_until(end, max_steps=min(BURST, count - max(stage.steps[row] for row in running.values())))
+            if len(running) < LANES:
+                self._fill(stage, loads, waiting, running, begin, end)
+            self.solver.propagate_until(end, max_steps=min(BURST, most - max([steps[row] for row in running.values()])))
             results = self.solver.propagate_res
-            bad = [lane for lane in running if lane in self.strays or results[lane][0] not in (ended, *going)]
-            for lane in bad:
-                stage.errors[running.pop(lane)] = self._stopped(lane, results[lane][0])
+            arrived = [lane for lane in running if results[lane][0] == ended]
+            late = [lane for lane in running if lane not in arrived] if len(arrived) < len(running) else []
+            bad = [lane for lane in late if lane in self.strays or results[lane][0] not in going]
             if bad or self.strays:
+                for lane in bad or late:
+                    stage.errors[running.pop(lane)] = self._stopped(lane, results[lane][0])
                 for row in running.values():
-                    stage.steps[row] = before[row]
+                    steps[row] = stage.steps[row]
                 waiting += running.values()
                 running.clear()
                 continue
-            arrived = []
-            for lane, row in list(running.items()):
-                stage.steps[row] += results[lane][3]
-                if results[lane][0] == ended:
-                    arrived.append(lane)
-                elif stage.steps[row] >= count:
-                    stage.errors[running.pop(lane)] = too_many_steps(stage.motions.problem(row), float(self.solver.time[lane]))
+            for lane in late:
+                row = running[lane]
+                steps[row] += results[lane][3]
+                if steps[row] >= most:
+                    stage.errors[row] = too_many_steps(stage.motions.problem(row), float(self.solver.time[lane]))
+                    del running[lane]
             if arrived:
-                carried[[running[lane] for lane in arrived]] = self.state[:, arrived].T
+                carried[[running[lane] for lane in arrived]] = self.state.T[arrived]
             for lane in arrived:
                 row = running.pop(lane)
+                steps[row] += results[lane][3]
                 modes[row], stage.turns[row], stage.counts[row] = self.modes[lane], self.turns[lane], self.counts[lane]
-        stage.carried, stage.modes = carried, modes
+        stage.carried, stage.modes, stage.steps = carried, modes, steps
         self._check(stage, end)
 
-    def _fill(self, stage: Stage, waiting: list[int], running: dict[int, int], begin: float, end: float) -> None:
+    def _loads(self, stage: Stage, duration: float) -> tuple[FloatArray, FloatArray]:
+        """What is carried at first and the parameters of every motion, a column each."""
+        count = len(stage.modes)
+        state, pars = np.zeros((len(self.state), count)), np.zeros((len(self.pars), count))
+        state[: self.size] = stage.carried[:, : self.size].T
+        both = np.hstack([stage.motions.constants, np.array(stage.modes, dtype=np.float64)])
+        pars[: both.shape[1]] = both.T
+        if self.watch:
+            pars[-2], pars[-1] = stage.carried[:, 0], _scale(duration)
+        return state, pars
+
+    def _fill(
+        self, stage: Stage, loads: tuple[FloatArray, FloatArray], waiting: list[int], running: dict[int, int], begin: float, end: float
+    ) -> None:
         """Put waiting motions into lanes that are free; what else is free stands still at the end, where another lane is."""
-        free = [lane for lane in range(LANES) if lane not in running]
-        if not free:
-            return
-        self.strays = {}
+        self.strays, solver = {}, self.solver
+        free = [lane for lane in range(LANES) if lane not in running] if running else list(range(LANES))
         lanes = free[: len(waiting)]
         rows = [waiting.pop() for _ in lanes]
-        late, early = self.solver.dtime
-        late, early = late.copy(), early.copy()
-        late[free], early[free], late[lanes] = end, 0.0, begin
-        if rows:
-            width, constants = self.constants + len(stage.modes[0]), stage.motions.constants[rows].T
-            self.state[: self.size, lanes] = stage.carried[rows, : self.size].T
-            self.state[self.size :, lanes] = 0.0
-            self.pars[: self.constants, lanes] = constants
-            self.pars[self.constants : width, lanes] = np.array([stage.modes[row] for row in rows]).T
-            if self.watch:
-                self.pars[width, lanes] = stage.carried[rows, 0]
-                self.pars[width + 1, lanes] = _scale(end - begin)
+        if len(lanes) == LANES:
+            self.state[:], self.pars[:] = loads[0][:, rows], loads[1][:, rows]
+            solver.set_time(begin)
+            solver.reset_cooldowns()
+        else:
+            late, early = (part.copy() for part in solver.dtime)
+            late[free], early[free], late[lanes] = end, 0.0, begin
+            self.state[:, lanes], self.pars[:, lanes] = loads[0][:, rows], loads[1][:, rows]
+            source, still = lanes[0] if lanes else next(iter(running)), free[len(lanes) :]
+            self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
+            solver.set_dtime(late, early)
+            for lane in free:
+                solver.reset_cooldowns(lane)
         for lane, row in zip(lanes, rows, strict=True):
             running[lane] = row
-            self.modes[lane], self.turns[lane], self.counts[lane] = stage.modes[row], Turns(), [0] * len(Event)
-        if len(lanes) < len(free):
-            source, still = next(iter(running)), free[len(lanes) :]
-            self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
-        self.solver.set_dtime(late, early)
-        for lane in free:
-            self.solver.reset_cooldowns(lane)
+            self.modes[lane] = stage.modes[row]
+            if self.watch:
+                self.turns[lane], self.counts[lane] = None, [0] * EVENTS
 
     def _stopped(self, lane: int, outcome: Any) -> ConvergenceError:
         import heyoka as hy
@@ -236,11 +260,12 @@ def watch(motions: Motions) -> Measured:
     _compiled(motions, watch=True).carry(stage, begin, end)
     size = first.shape[1]
     last, integrals = stage.carried[:, :size], stage.carried[:, size:] / _scale(end - begin)
-    reach = np.array([(seen.low, seen.high) for seen in stage.turns]).T
+    turns = [seen or _NONE for seen in stage.turns]
+    reach = np.array([(seen.low, seen.high) for seen in turns]).T
     low, high = np.fmin(reach[0], np.fmin(first[:, 0], last[:, 0])), np.fmax(reach[1], np.fmax(first[:, 0], last[:, 0]))
 
     def course(row: int) -> Course:
-        seen = stage.turns[row]
+        seen = turns[row]
         tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + stage.carried.shape[1])
         lows = np.array([carried[:size] for _, carried in seen.lows]).reshape(-1, size)
         sums = np.vstack([tops[:, 1 + size :] / _scale(end - begin), integrals[row]])
@@ -249,5 +274,5 @@ def watch(motions: Motions) -> Measured:
             (float(low[row]), float(high[row])),
         )  # fmt: skip
 
-    events, maxima = np.array(stage.counts), np.array([len(seen.tops) for seen in stage.turns])
+    events, maxima = np.array(stage.counts), np.array([len(seen.tops) for seen in turns])
     return Measured(begin, end, first, last, integrals, low, high, maxima, events, course, stage.errors)

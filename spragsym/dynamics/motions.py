@@ -15,7 +15,7 @@ from ..parameters import FloatArray
 from . import sprag
 from .course import KEPT, Course
 from .field import Field
-from .problem import Event, Problem
+from .problem import Event, Problem, reach_of
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class Motions:
     @cached_property
     def field(self) -> Field:
         """The field of all."""
-        return self.problem(0).field
+        return self.field_of(reach_of(self.rtol))
 
 
 class Turns:

@@ -11,7 +11,7 @@ import numpy as np
 from ..dynamics import integrators
 from ..dynamics.classify import classified
 from ..dynamics.motions import Measured, Motions
-from ..dynamics.problem import MAX_STEPS, Constants, check_start, constants_of, out_of_range
+from ..dynamics.problem import MAX_STEPS, Constants, check_start, constants_of_many, out_of_range
 from ..dynamics.regimes import Regime
 from ..errors import ParameterError
 from ..files.journal import Record
@@ -68,22 +68,21 @@ def _no_result(error: Exception) -> Record:
 
 def article_motions(settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
     """Motions of the article's model."""
+    values = np.array(points, dtype=np.float64)
+    constants, starts = np.array(constants_of_many(values[:, :8].T)).T, values[:, 8:]
     errors: dict[int, Exception] = {}
-    constants, starts = [], []
-    for i, (*parameters, V, d, x0, y0, vx0, vy0) in enumerate(points):
+    for i in np.flatnonzero((constants[:, :2] == starts[:, :2]).all(axis=1)).tolist():
         try:
-            check_start(parameters[0], x0, y0)
+            check_start(*points[i][:1], *points[i][8:10])
         except ParameterError as error:
             errors[i] = error
-            continue
-        constants.append(constants_of(tuple(parameters), V, d))
-        starts.append((x0, y0, vx0, vy0))
-    return motions_at(settings, constants, starts, known=Constants._make), errors
+    kept = [i for i in range(len(points)) if i not in errors]
+    return motions_at(settings, constants[kept], starts[kept], known=Constants._make), errors
 
 
-def motions_at(settings: Settings, constants: list[Any], starts: list[Any], **how: Any) -> Motions | None:
+def motions_at(settings: Settings, constants: Any, starts: Any, **how: Any) -> Motions | None:
     """The motions of a sweep with such constants and starts; None for no motions."""
-    if not starts:
+    if not len(starts):
         return None
     columns = np.array(constants, dtype=np.float64), np.array(starts, dtype=np.float64)
     return Motions(*columns, settings.t_end, settings.transient, settings.rtol, settings.max_steps, **how)

@@ -175,7 +175,13 @@ class Lanes:
         return state, pars
 
     def _fill(
-        self, stage: Stage, loads: tuple[FloatArray, FloatArray], waiting: list[int], running: dict[int, int], begin: float, end: float
+        self,
+        stage: Stage,
+        loads: tuple[FloatArray, FloatArray],
+        waiting: list[int],
+        running: dict[int, int],
+        begin: float,
+        end: float,
     ) -> None:
         """Put waiting motions into lanes that are free; what else is free stands still at the end, where another lane is."""
         self.strays, solver = {}, self.solver

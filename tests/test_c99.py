@@ -40,6 +40,8 @@ BATCH = 4096
 VECTORS = ("-O3", "-march=native", "-fno-math-errno", "-fno-trapping-math")
 #: Without optimization: compiled fastest, and the same bits.
 PLAIN = ("-O0", "-ffp-contract=off")
+#: Vectors are for all checks here; the extension module has them in every run.
+EACH_LEVEL = [PLAIN, pytest.param(VECTORS, marks=pytest.mark.thorough)]
 #: For a shared object.
 SHARED = ("-shared", "-fPIC")
 #: One compiler is for every change, the others are for all checks.
@@ -341,7 +343,7 @@ def nonsense() -> Any:
 
 
 @pytest.mark.parametrize("compiler", EACH_COMPILER)
-@pytest.mark.parametrize("level", [PLAIN, VECTORS], ids=["-O0", "-O3"])
+@pytest.mark.parametrize("level", EACH_LEVEL, ids=["-O0", "-O3"])
 def test_strict_flags(compiler: str, level: tuple[str, ...], built: Build) -> None:
     """Without and with optimization, which sees more: every build has the flags of STRICT."""
     assert built(compiler, *level, *SHARED).is_file()
@@ -444,22 +446,22 @@ def _values(found: Any) -> Any:
 
 
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
+@pytest.mark.parametrize("level", EACH_LEVEL, ids=["-O0", "-O3"])
 @pytest.mark.parametrize("compiler", EACH_COMPILER)
-def test_batch_is_the_single_call_bit_for_bit(compiler: str, regime: int, built: Build) -> None:
+def test_batch_is_the_single_call_bit_for_bit(compiler: str, level: tuple[str, ...], regime: int, built: Build) -> None:
     """In vector instructions and in none, on hard points, refused ones and those that double can't carry."""
     points = np.concatenate([*adversarial().values(), nonsense()])
-    one, other = (ctypes.CDLL(str(built(compiler, *flags, *SHARED))) for flags in (PLAIN, VECTORS))
+    one, other = (ctypes.CDLL(str(built(compiler, *flags, *SHARED))) for flags in (PLAIN, level))
     single = solve(one, points, regime)
-    for library in (one, other):
-        worst, found, counts, status = solve_batch(library, points, regime)
-        assert worst == OUT_OF_RANGE
-        assert status.tolist() == [expected for expected, _ in single]
-        assert set(status) == {OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE}
-        assert counts.tolist() == [len(expected) for _, expected in single]
-        expected = b"".join(
-            b"".join(bytes(item)[:44] for item in [*items, *[Equilibrium()] * (4 - len(items))]) for _, items in single
-        )
-        assert _values(found).tobytes() == expected
+    worst, found, counts, status = solve_batch(other, points, regime)
+    assert worst == OUT_OF_RANGE
+    assert status.tolist() == [expected for expected, _ in single]
+    assert set(status) == {OK, UNCERTAIN, BAD_INPUT, OUT_OF_RANGE}
+    assert counts.tolist() == [len(expected) for _, expected in single]
+    expected = b"".join(
+        b"".join(bytes(item)[:44] for item in [*items, *[Equilibrium()] * (4 - len(items))]) for _, items in single
+    )
+    assert _values(found).tobytes() == expected
 
 
 @pytest.mark.parametrize("size", [0, 1, 15, 16, 17, 63, 64, 65, 128, 131])

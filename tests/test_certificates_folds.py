@@ -14,7 +14,8 @@ import spragsym as ss
 from spragsym.catastrophe import fold_curves, fold_events, fold_proofs
 from spragsym.catastrophe.fixed import Fixed
 from spragsym.catastrophe.fold_events import Stretch
-from spragsym.exact import intervals
+from spragsym.exact import intervals, polynomials
+from spragsym.exact.descartes import Root
 from spragsym.generated import catastrophe as generated
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
@@ -205,6 +206,68 @@ def test_events_however_close_are_told_apart() -> None:
         [narrow] = [part for part in fold_events.stretches(fixed) if part.number == number]
         assert narrow.high - narrow.low < 1e-10
         check_crossings(fixed, "0.3217")
+
+
+def test_roots_above_0_are_counted_whatever_their_size() -> None:
+    """Products of known factors, roots close to Cauchy's bound among them; up to 1, with 1 itself."""
+    for roots in (
+        (2, -3),
+        (5, 7, -1),
+        (1000,),
+        (Fraction(1, 1000), -2, 3),
+        (-1, -2),
+        (1, 4),
+        (Fraction(1, 2), 1, Fraction(3, 2)),
+    ):
+        polynomial: tuple[Fraction, ...] = (Fraction(1),)
+        for root in map(Fraction, roots):
+            polynomial = tuple(a - root * b for a, b in zip((0, *polynomial), (*polynomial, 0), strict=True))
+        integers = polynomials.primitive(polynomial)
+        assert fold_events._positive_roots(integers, None) == sum(root > 0 for root in roots)
+        assert fold_events._positive_roots(integers, Fraction(1)) == sum(0 < root <= 1 for root in roots)
+    golden = (-1, -1, 1)  # (1 ± √5)/2: beyond the largest coefficient over the leading one
+    assert fold_events._positive_roots(golden, None) == 1
+
+
+def test_an_event_of_two_kinds_is_one_event(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Polynomials with the roots 1/2 and 1/3, 1/2 and 2/3, 2/3 twice: three events."""
+    conditions = [(1, -5, 6), (2, -7, 6), (4, -12, 9), (7, 1)]
+    monkeypatch.setattr(fold_events, "_conditions", lambda _: iter(conditions))
+    events = fold_events._events(FAMILY)
+    assert [float(event.low) for event in events] == pytest.approx([1 / 3, 1 / 2, 2 / 3], abs=1e-15)
+    assert all(event.low <= event.high for event in events)
+
+
+def test_events_are_isolated_until_nothing_touches(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Intervals that have a point in common, with each other or with t = 1, are no answer; each try has twice the bits."""
+    asked = []
+
+    def apart(bits: int) -> list[Root]:
+        width = Fraction(1, bits)
+        return {
+            64: [Root(1 - 2 * width, 1 - width), Root(1 - width, 1 - width / 2)],  # they touch
+            128: [Root(1 - 2 * width, 1 - width), Root(1 - width / 2, Fraction(1))],  # one touches 1
+            256: [Root(1 - width / 2, 1 - width / 4), Root(1 - 2 * width, 1 - width)],
+        }[bits]
+
+    def one_after_the_other(_: object, low: Fraction, high: Fraction, bits: int) -> list[Root]:
+        asked.append((low, high, bits))
+        return apart(bits)
+
+    monkeypatch.setattr(fold_events, "_conditions", lambda _: iter([(-1, 2)]))
+    monkeypatch.setattr(fold_events, "real_roots", one_after_the_other)
+    assert fold_events._events(FAMILY) == sorted(apart(256))
+    assert asked == [(0, 1, bits) for bits in (64, 128, 256)]
+
+
+@pytest.mark.parametrize("fixed", [Fixed(0.25, 0.5, 0.5, 0.0), Fixed(1.0, 1.0, 1.0, 0.0), Fixed(0.5, 0.5, 1.0, 0.0)], ids=str)
+def test_what_happens_at_90_degrees_or_everywhere_is_no_event(fixed: Fixed) -> None:
+    """κ (α + σ) = σ (1 + β − α): one passes 0 and its mirror image π at θ = π/2; α = κ = 1 + β: no θ has a fold without friction."""
+    parts = fold_events.stretches(fixed)
+    assert all(part.low < part.inside < part.high for part in parts)
+    for part in parts:
+        assert _roots(part.inside, fixed).size == part.number
+    check_crossings(fixed, "0.3217", "1.913")
 
 
 def test_without_alpha_curves_lie_on_either_side_alike_and_friction_is_positive() -> None:

@@ -37,7 +37,7 @@ class PageError(ArithmeticError):
         self.line, self.message = line, message
 
     def of(self, page: str) -> PageError:
-        """The same with the name of the page."""
+        """The same error, with the name of the page."""
         return PageError(self.line, self.message, page)
 
 

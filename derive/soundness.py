@@ -216,7 +216,7 @@ def _check_friction(model: Mechanics) -> None:
 
 
 def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
-    """Where a law is negative, in words; empty if its form shows that it is not, or if no place tried shows that it is.
+    """Where a law is negative, in words; empty if its form shows that it is not, or if it was found negative at none of the places tried.
 
     The places have the base values of the parameters, and 1 where there is none.
     """

@@ -115,6 +115,7 @@ def make_targets() -> set[str]:
     return set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
 
 
+@pytest.mark.thorough
 def test_the_picture_is_what_the_library_draws(tmp_path: Path) -> None:
     """The same bytes under two hash seeds, and those that are committed where matplotlib is the pinned one."""
     matplotlib = pytest.importorskip("matplotlib")
@@ -198,6 +199,7 @@ def test_code_cells_of_the_pages_run() -> None:
         exec(compile(code, f"docs/{name}.md", "exec"), {})
 
 
+@pytest.mark.thorough
 def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
     """As ``make docs`` does, and the tutorial's figures are pictures."""
     for module in ("sphinx", "myst_nb", "numpydoc", "furo"):

@@ -384,7 +384,7 @@ def test_a_link_to_itself_is_an_error(tmp_path: Path) -> None:
         rms_sweep(P, **SHORT, store=tmp_path / "rms.csv")
 
 
-@pytest.mark.parametrize(("limit", "ending"), [(1500, "csv"), (4500, "nc")])
+@pytest.mark.parametrize(("limit", "ending"), [(1500, "csv"), pytest.param(4500, "nc", marks=pytest.mark.thorough)])
 def test_a_full_disk_keeps_what_is_good(tmp_path: Path, begin: Begin, recorded: attack.Recorded, limit: int, ending: str) -> None:
     """No file may be longer than the limit: the journal breaks off, or the result does."""
     pytest.importorskip("resource")

@@ -20,7 +20,7 @@ from spragsym.sweeps import Regime, rms_sweep
 from spragsym.sweeps.measure import Settings, article_motions
 
 #: Motions at a time: machines slow down and speed up, so both are timed in turn.
-PART = 2500
+PART = 20_000
 
 
 def points_of(count: int, rng: np.random.Generator) -> tuple[ss.Parameters, dict[str, np.ndarray]]:

@@ -140,7 +140,10 @@ def _mapped(matrix: np.ndarray, start: np.ndarray, count: int) -> tuple[Course, 
         # One round is what Newton's method finds of two or more.
         return Closed(np.insert(fixed, 2, 0.0), PERIOD, matrix)
 
-    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), Onward(courses, closed)
+    def roughly(state: np.ndarray, period: float, reach: float) -> tuple[np.ndarray, float, np.ndarray]:
+        return np.insert(fixed, 2, 0.0), PERIOD, matrix
+
+    return course(np.array([first[0], first[1], 0.0, first[2]]), (count + 0.5) * PERIOD), Onward(courses, roughly, closed)
 
 
 def _turn(size: float, angle: float) -> np.ndarray:

@@ -42,11 +42,15 @@ class Onward:
     ----------
     courses : callable
         ``courses(states, duration)``: what is measured on the way from each of many states.
+    roughly : callable
+        ``roughly(state, period, reach)``: the closed orbit near a state where x' = 0, to some digits: its state, its period, and
+        the derivative of one round.
     closed : callable
-        ``closed(state, period, reach)``: the closed orbit near a state where x' = 0.
+        ``closed(state, period, reach)``: the same to all digits.
     """
 
     courses: Courses
+    roughly: Callable[[FloatArray, float, float], tuple[FloatArray, float, FloatArray]]
     closed: Callable[[FloatArray, float, float], Closed]
 
 
@@ -55,17 +59,23 @@ def onward(problem: Problem, backend: str) -> Onward:
 
     courses, ends = integrators.flows(problem, backend)
 
+    def roughly(state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
+        loop = nearly_closed(field(), ends, state, period, reach, ROUGH)
+        return loop.guess.states[0], loop.guess.period, loop.monodromy
+
+    def field() -> Field:
+        return replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
+
     def closed(state: FloatArray, period: float, reach: float) -> Closed:
-        field = replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
-        state, period = nearly_closed(field, ends, state, period, reach, ROUGH)
         if backend == "scipy":
-            return closed_orbit(field, variations_scipy.Flight(field).fly, state, period, reach, CLOSED)
+            return closed_orbit(field(), variations_scipy.Flight(field()).fly, state, period, reach, CLOSED)
         rtol, precision = (FINEST, CLOSED) if backend == "heyoka" else (FINE, OPEN)
         fine, fine_ends = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
         # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where differences fail it is all of them.
         with suppress(ConvergenceError):
-            state, period = nearly_closed(field, fine_ends, state, period, reach, precision)
-        fly = variations_heyoka.compiled(field).fly if backend == "heyoka" else by_differences(field, fine)
-        return closed_orbit(field, fly, state, period, reach, precision)
+            near = nearly_closed(field(), fine_ends, state, period, reach, precision).guess
+            state, period = near.states[0], near.period
+        fly = variations_heyoka.compiled(field()).fly if backend == "heyoka" else by_differences(field(), fine)
+        return closed_orbit(field(), fly, state, period, reach, precision)
 
-    return Onward(courses, closed)
+    return Onward(courses, roughly, closed)

@@ -75,7 +75,7 @@ def onward(problem: Problem, backend: str) -> Onward:
         with suppress(ConvergenceError):
             near = nearly_closed(field(), fine_ends, state, period, reach, precision).guess
             state, period = near.states[0], near.period
-        fly = variations_heyoka.compiled(field()).fly if backend == "heyoka" else by_differences(field(), fine)
+        fly = variations_heyoka.compiled(field(), directions=0).fly if backend == "heyoka" else by_differences(field(), fine)
         return closed_orbit(field(), fly, state, period, reach, precision)
 
     return Onward(courses, roughly, closed)

@@ -23,7 +23,7 @@ from .result import Results, Sweep
 from .workers import Workers
 
 #: Motions of one task at most, and their time in all; a few points are one task each.
-TOGETHER, TOGETHER_FOR = 256, 2e5
+TOGETHER, TOGETHER_FOR = 1024, 2e5
 
 #: Tasks that every worker gets at least, where there are points enough.
 PARTS = 16

@@ -327,6 +327,23 @@ def test_an_upright_cusp_is_one(side: int, arith: Arithmetic) -> None:
     assert upright[0] == pytest.approx([side * math.pi / 2, -math.pi / 2, 0.0], abs=1e-15)
 
 
+@pytest.mark.parametrize("alpha", ["0.007", "0.3"])
+def test_the_depth_of_a_cusp_as_a_function_of_its_sine(alpha: str) -> None:
+    """Against sin θ₀ − L sin θ with L from F_y = 0 at the angles of the cusp."""
+    arith, exact = Balls(), (Fraction(7, 1000), Fraction(alpha), Fraction(1, 10), Fraction(1, 2))
+    with arith.precision(300):
+        points = list(cusp_proofs.cusps(arith, exact, 300))
+        assert points
+        for point in points:
+            with mpmath.workdps(60):
+                theta, theta0 = (_middle(arith, value) for value in (point.theta, point.parameters[0]))
+                s, s0 = mpmath.sin(theta), mpmath.sin(theta0)
+                kappa, _, sigma, beta = (mpmath.mpf(value.numerator) / value.denominator for value in exact)
+                L = (sigma * s + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * s)
+                off = as_fraction(s0 - L * s) - cusp_proofs._cusp_y(as_fraction(s), *exact)
+            assert abs(off) < Fraction(1, 10**30)
+
+
 def test_what_may_be_upright_is_open() -> None:
     arith, exact = Balls(), (Fraction(3, 2), Fraction(1), Fraction(1), Fraction(1))
     with arith.precision(300):

@@ -241,6 +241,26 @@ def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str)
     assert len(seen) > 1
 
 
+@pytest.mark.parametrize("vary", NAMES)
+def test_the_state_after_a_fold_is_an_equilibrium(vary: str, arith: Arithmetic) -> None:
+    """At the parameters of the fold, and not the state that ends there: by the balance of forces."""
+    exact = dict(zip(NAMES, map(Fraction, ("1/2", "2/3", "1/200", "1/150", "1/10", "1/20")), strict=True))
+    with arith.precision(300):
+        folds = [fold for fold in fold_proofs.folds(arith, vary, exact, 300) if fold.kind == "fold"]
+        with mpmath.workdps(60):
+            for fold in folds:
+                values = [_middle(arith, value) for value in fold.point.parameters]
+                theta, L, x, y = (_middle(arith, value) for value in fold.after)
+                theta0, _, kappa, _, sigma, beta = values
+                assert abs(_f(theta, values)) < mpmath.mpf(10) ** -30
+                assert abs(theta - _middle(arith, fold.point.theta)) > 1e-6
+                moment = sigma * mpmath.sin(theta) + (beta + 1) * mpmath.sin(theta0) + kappa
+                assert abs((beta + 1 + sigma) * L * mpmath.sin(theta) - moment) < mpmath.mpf(10) ** -30
+                assert abs(mpmath.cos(theta0) - L * mpmath.cos(theta) - x) < mpmath.mpf(10) ** -30
+                assert abs(mpmath.sin(theta0) - L * mpmath.sin(theta) - y) < mpmath.mpf(10) ** -30
+    assert folds
+
+
 @pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
 def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
     """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""

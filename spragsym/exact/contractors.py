@@ -42,7 +42,7 @@ class Newton:
 def excluded(values: Intervals, slopes: Intervals, reach: FloatArray) -> NDArray[np.bool_]:
     """Boxes without a root by the mean value theorem: F(m), shape (n, N), J, shape (n, n, N), and r, shape (n, N)."""
     bound = _reached(slopes.magnitude, reach)
-    out: NDArray[np.bool_] = (values.mignitude > bound).any(axis=0)
+    out: NDArray[np.bool_] = np.logical_or.reduce(values.mignitude > bound)
     return out
 
 

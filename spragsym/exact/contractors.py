@@ -129,10 +129,9 @@ def inverse(matrices: FloatArray) -> FloatArray:
 
 def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     stacked = np.moveaxis(matrices, -1, 0)
-    regular = np.logical_and.reduce(np.isfinite(stacked), axis=(1, 2))
-    stacked = np.where(regular[:, None, None], stacked, np.eye(matrices.shape[0]))
     scale = np.abs(stacked).max(axis=(1, 2))
-    regular &= np.abs(np.linalg.det(stacked / scale[:, None, None])) > 1e-200
+    # Of what is not finite or all zeros the determinant is no number.
+    regular = np.abs(np.linalg.det(stacked / scale[:, None, None])) > 1e-200
     safe = np.where(regular[:, None, None], stacked, np.eye(matrices.shape[0]))
     out: FloatArray = np.moveaxis(np.linalg.inv(safe), 0, -1)
     return out

@@ -327,6 +327,7 @@ def test_axes_are_aligned():
         assert result.high.tolist() == [[2, 3, 4], [3.5, 4.5, 5.5]]
     quotient = rows / one
     assert np.abs(quotient.high - np.array([[0.5, 0.75, 2.5 / 3], [3.5, 2.25, 5.5 / 3]])).max() < 1e-14
+    assert [float(part.high) for part in one] == [2, 3, 4]
     assert [part.low.tolist() for part in rows] == [[0, 1, 2], [3, 4, 5]]
     assert rows[1].high.tolist() == [3.5, 4.5, 5.5]
     assert float(rows[1, 2].low) == 5

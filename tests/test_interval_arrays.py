@@ -347,6 +347,9 @@ def test_quotients_by_what_holds_zero():
     assert np.abs(result.low[1, 1] - 0.5) < 1e-14
     assert result.high[1, 1] == np.inf
     assert np.isnan(result.ends[:, 2:]).all()
+    small = Intervals.between([2.0, 2.0], [3.0, 3.0]) / Intervals.between([0.0, -0.5], [0.5, 0.0])
+    assert np.abs([small.low[0] - 4.0, small.high[1] + 4.0]).max() < 1e-13
+    assert (small.high[0], small.low[1]) == (np.inf, -np.inf)
     zero = Intervals.point([0.0]) / Intervals.between([0.0], [2.0])
     assert max(zero.ends.max(), 0) <= TINY
     assert zero.holds_zero().all()

@@ -16,7 +16,7 @@ from spragsym.exact.rounded import UNIT, Rounded
 from tests.support import as_fraction
 
 OPERATIONS = [operator.add, operator.sub, operator.mul, operator.truediv]
-NUMBERS = [3, -7, 1, 0.1, -1 / 3, 1e-8]
+NUMBERS = [3, -7, 0.1, 1e-8]
 #: Errors, as shares of the value, from none at all to what lets a divisor vanish.
 ERRORS = [0.0, 1e-17, 1e-15, 1e-6, 0.3, 1.5]
 
@@ -34,7 +34,7 @@ def _silent() -> Any:
 # ---------------------------------------------------------------------------------------------------------- rounded
 
 
-def rounded_ones(seed: int, count: int = 400, size: float = 1.0) -> Rounded:
+def rounded_ones(seed: int, count: int = 160, size: float = 1.0) -> Rounded:
     """Values with errors of many sizes; the first ones are powers of two and their neighbours, whose results are halfway."""
     rng = np.random.default_rng(seed)
     values = rng.choice([-1, 1], count) * rng.uniform(1, 2, count) * 2.0 ** rng.integers(-2, 3, count) * size
@@ -134,7 +134,7 @@ def test_cosines_of_angles() -> None:
 # ----------------------------------------------------------------------------------------------------------- affine
 
 
-def affine_ones(seed: int, count: int = 200, size: float = 1.0) -> Affine:
+def affine_ones(seed: int, count: int = 90, size: float = 1.0) -> Affine:
     """Values, terms and errors, each of them 0 in some places."""
     rng = np.random.default_rng(seed)
     x = rounded_ones(seed, count, size)
@@ -167,8 +167,8 @@ def test_every_number_of_a_box_is_within_the_error_of_the_linear_part(operation:
     x, y = affine_ones(6, size=size), affine_ones(7, size=1.0 if operation is operator.truediv else size)
     divides = operation is operator.truediv
     found = operation(x, y)
-    for _ in range(4):
-        at = rng.choice([-1, 1, 0], (3, 200))
+    for _ in range(3):
+        at = rng.choice([-1, 1, 0], (3, 90))
         one, other = rng.choice([-1, 0, 1], 2)
         pairs = zip(affine_members(x, at, one), affine_members(y, at, other), strict=True)
         check_affine(found, at, [operation(a, b) if b or not divides else None for a, b in pairs])

@@ -238,4 +238,21 @@ def test_a_cubic_contact_leaves_no_quartic() -> None:
     assert rows["eq-11"] == (variant.FAILS, "n(δ): depth**3*gamma")
     assert all(rows[id][0] == variant.NO_MEANING for id in ("eq-16", "eq-21", "A2", "A11"))
     assert all(rows[id][0] == variant.HOLDS for id in ("eq-6", "eq-10", "eq-25", "A9", "A12", "def-kappa"))
-    assert {status for status, _ in judged("stick_slip").values()} == {variant.NO_MEANING}
+    assert judged("trolley")["eq-27"][0] == variant.NO_MEANING
+
+
+def test_check_of_a_mass_on_one_spring() -> None:
+    rows = judged("stick_slip")
+    # What needs the coordinate x, the friction law or a unit alone can be compared; the rest speaks of what is not there.
+    assert {id for id, (status, _) in rows.items() if status != variant.NO_MEANING} == {
+        "eq-1", "eq-8", "eq-10", "eq-12", "eq-14", "def-tau", "def-prime", "def-x", "def-n",
+    }  # fmt: skip
+    assert rows["def-tau"] == (variant.FAILS, "unit of time: sqrt(m)/sqrt(k)")
+    assert rows["eq-15"] == (variant.NO_MEANING, "the model has no coordinate y")
+    assert rows["def-L"] == (variant.NO_MEANING, "there is no inclined spring")
+
+
+def test_check_of_a_mass_that_never_leaves_the_belt() -> None:
+    rows = judged("mode_coupling")
+    assert rows["eq-27"] == (variant.HOLDS, "")
+    assert "nbar" not in "".join(remark for _, remark in rows.values())

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 import spragsym
+from tests.support import LONG_MOTIONS_TAKE_MINUTES
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
@@ -67,6 +68,8 @@ MODULES = sorted(
 @pytest.mark.parametrize("name", ["spragsym", *MODULES])
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each example of a module runs as it stands."""
+    if name.startswith("spragsym.cycles") and LONG_MOTIONS_TAKE_MINUTES:
+        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
     try:
         module = importlib.import_module(name)
     except spragsym.MissingExtraError as error:

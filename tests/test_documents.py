@@ -7,6 +7,7 @@ import importlib
 import os
 import pkgutil
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -232,7 +233,7 @@ def test_every_benchmark_can_be_imported(name: str) -> None:
 def test_the_performance_page_is_written(tmp_path: Path) -> None:
     """With few points, and every solver in its columns."""
     page = tmp_path / "performance.md"
-    run(f"cd {ROOT} && python -m benchmarks --quick accuracy --write {page}", tmp_path)
+    run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks --quick accuracy --write {page}", tmp_path)
     text = page.read_text(encoding="utf-8")
     assert text.startswith("# Performance\n")
     rows = [line.split("|")[1:-1] for line in text.splitlines() if line.startswith("|")]
@@ -252,6 +253,6 @@ def test_a_commit_before_can_be_compared_with(tmp_path: Path) -> None:
     """Against itself: the same answers, and a time for each solver."""
     if not (ROOT / ".git").exists():
         pytest.skip("not a clone")
-    text = run(f"cd {ROOT} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
+    text = run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
     assert re.search(r"^\| numpy \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE)
     assert re.search(r"^\| numpy \| 0 \| 0 \| 0\.0e\+00 \|", text, re.MULTILINE)

@@ -69,7 +69,7 @@ MODULES = sorted(
 @pytest.mark.parametrize("name", ["spragsym", *MODULES])
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each example of a module runs as it stands."""
-    if name.startswith("spragsym.cycles") and LONG_MOTIONS_TAKE_MINUTES:
+    if name.startswith(("spragsym.cycles", "spragsym.sweeps.basins")) and LONG_MOTIONS_TAKE_MINUTES:
         pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
     try:
         module = importlib.import_module(name)

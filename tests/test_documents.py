@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 
 import spragsym
-from tests.support import LONG_MOTIONS_TAKE_MINUTES
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, needs_a_quick_integrator
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
@@ -193,6 +193,7 @@ def test_pages_that_are_linked_exist() -> None:
         assert (DOCS / f"{name}.md").is_file(), name
 
 
+@needs_a_quick_integrator
 def test_code_cells_of_the_pages_run() -> None:
     """What ``make docs`` executes, the page on clusters apart, which test_sweeps runs."""
     pytest.importorskip("matplotlib")

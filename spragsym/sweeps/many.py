@@ -97,11 +97,11 @@ def rms_sweep(
     >>> import numpy as np
     >>> import spragsym as ss
     >>> from spragsym.sweeps import Regime, rms_sweep
-    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 42])), V=0.5, d=10.0)
+    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 44])), V=0.5, d=10.0)
     >>> np.round(sweep.rms, 1)
-    array([0.1, 0.2, 1.6])
+    array([0.1, 0.2, 1.7])
     >>> [Regime(code).name for code in sweep.regime]
-    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'APPROACHES_CYCLE']
+    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
     p.require(*NAMES)
     given = {name: getattr(p, name) for name in NAMES}

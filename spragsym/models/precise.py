@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..exact import certified_roots, contractors, many_reductions
 from ..exact.ball_functions import XP
-from ..exact.boxes import System
+from ..exact.boxes import POLE, System
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Ball, Balls
@@ -187,10 +187,11 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Cal
     with np.errstate(all="ignore"):
         parameters = system.prepared(Intervals.point(given[:, None]))
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
+        pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
     box = [(-float(low), float(high)) for low, high in cluster.T]
     whole = [(Fraction(low), Fraction(high)) for low, high in box]
     out = Reduced([], [], [whole])
-    if not np.isfinite(slopes).all():
+    if pole or not np.isfinite(slopes).all():
         return out
     for bits in BITS:
         try:

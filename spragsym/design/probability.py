@@ -22,7 +22,7 @@ from ..sweeps import workers as processes
 from ..sweeps.many import advance
 from ..sweeps.workers import Workers
 from . import sampling
-from .jump_values import first_jumps
+from .events import have_jumped
 from .spaces import PHYSICAL, dimensionless
 
 #: Independent variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
@@ -123,7 +123,7 @@ def jump_probability(
 
     Notes
     -----
-    Source: :func:`spragsym.jump_value`; an event is a jump at a friction up to μ₀. Interval by Student's distribution over the
+    Source: f = f′ = 0; an event is a jump at a friction up to μ₀. Interval by Student's distribution over the
     replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't.
 
     Examples
@@ -230,9 +230,9 @@ def _jumps(variables: Mapping[str, Any], points: FloatArray) -> FloatArray:
             values[name] = one.ppf(points[:, column])
             column += 1
     parameters = {name: np.broadcast_to(value, len(points)) for name, value in dimensionless(values).items()}
-    at = first_jumps(Parameters(**parameters), "mu0")
-    result = np.where(at.value <= parameters["mu0"], 1.0, 0.0)
-    result[list(at.reasons)] = np.nan
+    found = have_jumped(Parameters(**parameters))
+    result = np.where(found.jumped, 1.0, 0.0)
+    result[list(found.reasons)] = np.nan
     return result
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from ..design import redesign
+from ..design.events import have_jumped
 from ..design.jump_values import first_jumps
 from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
@@ -85,27 +86,29 @@ def _scale(study: Study, name: str) -> float:
     return _SHARE * (study.values[name] or study.values["k_x"] or 0.01 * study.values["k_c"])
 
 
-def _jump(study: Study, changed: Mapping[str, Any]) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Where designs jump, and for which of them that is known."""
+def _designs(study: Study, changed: Mapping[str, Any]) -> Parameters:
     shape = np.shape(next(iter(changed.values())))
     values = {name: np.broadcast_to(changed.get(name, study.values[name]), shape) for name in PHYSICAL}
-    parameters = {name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()}
-    found = first_jumps(Parameters(**parameters), "mu0")
-    known = np.ones(math.prod(shape), dtype=np.bool_)
-    known[list(found.reasons)] = False
-    return found.value.reshape(shape), known.reshape(shape)
+    return Parameters(**{name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()})
+
+
+def _free(study: Study, changed: Mapping[str, Any], friction: FloatArray | float) -> NDArray[np.bool_]:
+    """Which designs are known not to jump at a friction or below it."""
+    designs = _designs(study, changed)
+    found = have_jumped(designs.replace(mu0=np.broadcast_to(friction, designs.shape)))
+    free = ~found.jumped
+    free.flat[list(found.reasons)] = False
+    return free
 
 
 def _kept(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
     """Which designs jump at the target at the earliest, and at the corners of their tolerances beyond the largest friction."""
-    jump, known = _jump(study, changed)
-    kept = known & ~(jump < target)
+    kept = _free(study, changed, target)
     left = np.flatnonzero(kept)
     corners = _shares(study, corners=True)
     if left.size and len(corners):
         some = {name: np.asarray(value)[left] for name, value in changed.items()}
-        jump, known = _jump(study, _about(study, some, corners))
-        kept[left] = (known & ~(jump <= study.friction[2])).all(axis=0)
+        kept[left] = _free(study, _about(study, some, corners), study.friction[2]).all(axis=0)
     return kept
 
 
@@ -144,9 +147,8 @@ def _probability(study: Study, changed: Mapping[str, float]) -> float:
     low, _, high = study.friction
     if not len(shares):
         return math.nan
-    jump, known = _jump(study, _about(study, {name: np.array([value]) for name, value in changed.items()}, shares))
-    friction = low + shares[:, -1, None] * (high - low)
-    return float((~known | (jump <= friction)).mean())
+    about = _about(study, {name: np.array([value]) for name, value in changed.items()}, shares)
+    return float(1 - _free(study, about, low + shares[:, -1, None] * (high - low)).mean())
 
 
 def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:
@@ -207,7 +209,7 @@ def _verified(study: Study, after: Mapping[str, float], target: float, scale: Ma
     for further in range(4):
         rounded = {name: _rounded(study, name, before[name], value, further) for name, value in after.items()}
         if _kept(study, {name: np.array([value]) for name, value in rounded.items()}, target)[0]:
-            jump = float(_jump(study, {name: np.array([value]) for name, value in rounded.items()})[0][0])
+            jump = float(first_jumps(_designs(study, {name: np.array(value) for name, value in rounded.items()}), "mu0").value)
             moved = {name: value for name, value in rounded.items() if value != before[name]}
             size = math.hypot(*((value - before[name]) / scale[name] for name, value in moved.items()))
             return Change({name: before[name] for name in moved}, moved, jump, size, _probability(study, moved))

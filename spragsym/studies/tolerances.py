@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from scipy.stats import qmc
 
-from ..design import certify, jump_probability, jump_value
+from ..design import certify, jump_probability
+from ..design.events import have_jumped
 from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
 from ..parameters import NAMES, Parameters
@@ -86,9 +87,7 @@ def _counterexample(box: Mapping[str, tuple[float, float]]) -> dict[str, float] 
     for j, name in enumerate(wide):
         low, high = box[name]
         values[name] = np.clip(low + inside[:, j] * (high - low), low, high)
-    jump = jump_value(Parameters(**dimensionless(values)))
-    with np.errstate(invalid="ignore"):
-        jumping = np.flatnonzero(jump <= values["mu0"])
+    jumping = np.flatnonzero(have_jumped(Parameters(**dimensionless(values))).jumped)
     return {name: float(value[jumping[0]]) for name, value in values.items()} if jumping.size else None
 
 

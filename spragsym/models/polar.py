@@ -22,8 +22,8 @@ from .balance import Balance, matrix, undecorated
 from .laws import XP
 from .precise import replaced
 
-#: Boxes left of a point from which on they may lie along a circle.
-MANY = 40
+#: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
+WIDE = 2.0**-10
 #: The angles that are searched, more than once around, so that no root lies on their border.
 AROUND = 3.3
 #: Half-width of the box of x and y in which a root is proved to be the only one, over its size.
@@ -100,9 +100,9 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
     """
     if not balance.model.about["contact"].get("polynomial") and balance.contact:
         return found  # a law that is asked for on its own side only
-    left = np.bincount(found.left_point, minlength=given.shape[1])
+    wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > WIDE
     around = np.broadcast_to(regions, (*regions.shape[:2], given.shape[1]))
-    for point in np.flatnonzero(left > MANY):
+    for point in np.unique(found.left_point[wide]):
         for number, spring in enumerate(balance.model.about["springs"]):
             if spring["chart"] is None:
                 continue

@@ -77,6 +77,18 @@ def test_a_mass_that_almost_hangs_on_a_circle(kappa):
     assert eq.error.max() <= 1e-12
 
 
+def test_a_circle_that_many_digits_leave_open():
+    # The one point of 10⁵ of benchmarks.families that was left undecided.
+    values = {
+        "theta0": 2.6739550310885836, "mu0": 0.0, "kappa": 0.19734271659075414, "alpha": 0.002747021913709797,
+        "sigma": 2.9289279863232807, "beta": 0.0,
+    }  # fmt: skip
+    model = ss.load("kang_nam")
+    eq = model.equilibria(model.Parameters(**values))
+    assert eq.complete
+    assert np.allclose(eq.x, np.sort(ss.equilibria(ss.Parameters(**values)).x), rtol=0, atol=1e-12)
+
+
 # -------------------------------------------------------------------------------------------------- the command line
 
 

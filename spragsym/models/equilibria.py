@@ -150,7 +150,8 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
     found = around_anchors(balance, given, around, found)
-    return settled(balance, given, around, found), around, whole
+    found = settled(balance, given, around, found)
+    return around_anchors(balance, given, around, found, 0.0), around, whole
 
 
 def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:

@@ -88,7 +88,7 @@ class _Polar(boxes.Plain):
         return stacked(q, ends.shape[2:]).ends
 
 
-def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots) -> Roots:
+def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots, wider: float = WIDE) -> Roots:
     """What a search has left along circles around anchors, decided in polar coordinates where that succeeds.
 
     Parameters
@@ -97,10 +97,12 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
         Parameters, shape (parameters, points).
     regions : ndarray
         Shape (2, n, points) or (2, n, 1).
+    wider : float
+        Width of a box that is left from which on a point is looked at.
     """
     if not balance.model.about["contact"].get("polynomial") and balance.contact:
         return found  # a law that is asked for on its own side only
-    wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > WIDE
+    wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > wider
     around = np.broadcast_to(regions, (*regions.shape[:2], given.shape[1]))
     for point in np.unique(found.left_point[wide]):
         for number, spring in enumerate(balance.model.about["springs"]):

@@ -223,9 +223,11 @@ class _Search:
         empty = np.logical_or.reduce(ends[0] + ends[1] < 0)
         boxes = Intervals(_with_room(ends, given.ends, 0.0))
         values = self.system.residuals(boxes, parameters)
-        keep = np.logical_and.reduce(values.holds_zero()) & ~empty & ~self.system.hopeless(boxes, parameters)
-        rows = np.flatnonzero(keep)
-        return given[rows], Pairs(boxes.ends, given.nodes)[rows], parameters[:, rows]
+        rows = np.flatnonzero(np.logical_and.reduce(values.holds_zero()) & ~empty)
+        boxes, parameters = boxes[:, rows], parameters[:, rows]
+        left = np.flatnonzero(~self.system.hopeless(boxes, parameters)) if rows.size else rows
+        rows = rows[left]
+        return given[rows], Pairs(boxes.ends[:, :, left], given.nodes[rows]), parameters[:, left]
 
     def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""

@@ -165,6 +165,37 @@ def test_answers_that_would_mislead_come_with_a_warning(name: str) -> None:
     assert not any(part in one for one in plain.warnings)
 
 
+def test_a_belt_known_within_limits_makes_the_friction_less_sure(tmp_path: Path) -> None:
+    file = tmp_path / "brake.toml"
+    file.write_text(BRAKE.replace('"1.2 m/s"', '"[0, 0.3] m/s"').replace('"10 s/m"', '"[5, 10] s/m"'), encoding="utf-8")
+    study = ss.Study.from_file(file)
+    found = study.report(oscillation=False, redesign=False, n=1 << 14)
+    rng = np.random.default_rng(8)
+    given = {name: rng.uniform(one.low, one.high, 100_000) for name, one in study.quantities.items()}
+    friction = given["mu0"] * -np.expm1(-given["d"] * given["V"])
+    share = float((np.asarray(ss.jump_value(ss.PhysicalParameters(**given).dimensionless())) <= friction).mean())
+    assert found.probability is not None
+    error = 3 * math.sqrt(share * (1 - share) / 100_000)
+    assert found.probability.low - error < share < found.probability.high + error
+    assert max(found.probability.sobol, key=lambda name: found.probability.sobol[name][1]) == "V"
+    # The counterexample is a brake of the file: mu0, V and d within their limits, and the friction that follows is enough.
+    assert found.certificate is not None
+    example = found.certificate.counterexample
+    assert example is not None
+    assert all(study.quantities[name].low <= value <= study.quantities[name].high for name, value in example.items())
+    works = example["mu0"] * -math.expm1(-example["d"] * example["V"])
+    assert ss.jump_value(ss.PhysicalParameters(**study.values | dict(example)).dimensionless()) <= works * (1 + 1e-12)
+
+
+def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
+    study = ss.Study(brake(mu0=0.0))
+    found = study.report(probability=False, redesign=False, oscillation=False)
+    assert found.current.stable
+    assert found.current.growth_per_s == 0
+    assert any("nothing damps" in one for one in found.warnings)
+    assert not any("grows slowly" in one for one in found.warnings)
+
+
 def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: ss.Report, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     for name in ("a.html", "b.html"):

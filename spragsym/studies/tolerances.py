@@ -8,10 +8,13 @@ from itertools import product
 from typing import Any
 
 import numpy as np
+from scipy.optimize import brentq
 from scipy.stats import qmc
 
+from ..catastrophe.sliding import sliding_friction
 from ..design import certify, jump_probability
 from ..design.events import have_jumped
+from ..design.probability import BELT
 from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
 from ..parameters import NAMES, Parameters
@@ -44,6 +47,28 @@ def ends(study: Study) -> dict[str, tuple[float, float]]:
     return found | {"mu0": (study.friction[0], study.friction[2])}
 
 
+def friction_at(study: Study, shares: Mapping[str, Any]) -> Any:
+    """The friction that works at shares of the tolerances of mu0, V and d; 1 is the upper end."""
+    values = {}
+    for name in ("mu0", *BELT) if study.moves else ("mu0",):
+        one = study.quantities[name]
+        values[name] = np.clip(one.low + np.asarray(shares.get(name, 0.0)) * (one.high - one.low), one.low, one.high)
+    return sliding_friction(*values.values()) if study.moves else values["mu0"]
+
+
+def belt_at(study: Study, friction: float) -> dict[str, float]:
+    """mu0, V and d within their tolerances, all at one share of them, at which the friction that works is a given one."""
+    wide = [name for name in ("mu0", *BELT) if name in study.tolerances and (name == "mu0" or study.moves)]
+
+    def off(share: float) -> float:
+        return float(friction_at(study, dict.fromkeys(wide, share))) - friction
+
+    low, high = off(0.0), off(1.0)
+    share = 0.0 if low >= 0 else 1.0 if high <= 0 else float(brentq(off, 0.0, 1.0, xtol=1e-15))
+    ends = {name: study.quantities[name] for name in {"mu0", *wide}}
+    return {name: float(np.clip(one.low + share * (one.high - one.low), one.low, one.high)) for name, one in ends.items()}
+
+
 def certificate(study: Study) -> BoxCertificate:
     """Prove that nothing jumps within the tolerances, or find a brake within them that does.
 
@@ -56,7 +81,7 @@ def certificate(study: Study) -> BoxCertificate:
     box = ends(study)
     point = _counterexample(box)
     if point is not None:
-        return BoxCertificate("no jump", "refuted", point, 0.0, 0)
+        return BoxCertificate("no jump", "refuted", point | belt_at(study, point["mu0"]), 0.0, 0)
     seen, left = 0, 1.0
     for slices in _SLICES:
         cuts = np.linspace(*box["k_c"], slices + 1)
@@ -120,7 +145,8 @@ class Chance(Result):
 
 def chance(study: Study, n: int) -> Chance | None:
     """How probable a jump is if every value within the tolerances is as probable; None where nothing has a tolerance."""
-    box = ends(study)
+    names = PHYSICAL + (BELT if study.moves else ())
+    box = {name: (study.quantities[name].low, study.quantities[name].high) for name in names}
     if all(low == high for low, high in box.values()):
         return None
     found = jump_probability({name: low if low == high else (low, high) for name, (low, high) in box.items()}, n=n, rng=0)

@@ -17,7 +17,7 @@ import numpy as np
 import spragsym as ss
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.sweeps import Regime, rms_sweep
-from spragsym.sweeps.measure import Settings, article_problem
+from spragsym.sweeps.measure import Settings, article_motions
 
 #: Motions at a time: machines slow down and speed up, so both are timed in turn.
 PART = 2500
@@ -40,10 +40,12 @@ def bare(p: ss.Parameters, starts: dict[str, np.ndarray], t_end: float) -> float
     """Processor time of the integration alone."""
     settings = Settings(t_end, 0.75 * t_end, 1e-10, "heyoka")
     columns = [p.theta0, p.mu0, p.kappa, p.alpha, p.sigma, p.beta, *(np.full(p.shape, v) for v in (0.5, 10.0)), *starts.values()]
-    problems = [article_problem(settings, tuple(map(float, point))) for point in zip(*columns, strict=True)]
+    motions, _ = article_motions(settings, list(zip(*(column.tolist() for column in columns), strict=True)))
+    assert motions is not None
+    problems = [motions.problem(row) for row in range(len(motions))]
     begin = time.process_time()
     for problem in problems:
-        compiled = compiled_for(problem, watch=False)
+        compiled = compiled_for(problem)
         compiled.begin(problem)
         compiled.solver.propagate_until(t_end)
     return time.process_time() - begin

@@ -1,13 +1,15 @@
 """The search for cycles behind docs/oscillation.md: from many starts, along the inclination, and from period doublings.
 
-``python -m benchmarks.search_cycles FOLDER [STARTS [POINTS]]`` (16 starts and 150 points a branch each way unless given):
+``python -m benchmarks.search_cycles FOLDER [STARTS [POINTS]]`` (16 starts and 100 points a branch each way unless given):
 
 1. motions from rest and from random starts at each of 22 inclinations, judged at τ = 6000 by the cycle that they approach;
 2. every distinct cycle of these, unless it lies on a branch that is known, is followed over the inclination;
-3. the doubled cycles at the branch's period doublings are followed as well, and theirs, twice at most.
+3. where its period doubles, the doubled cycle is followed as well if it is stable there, and again from its doublings, twice at
+   most: a motion may come to it.
 
 It shows its progress, may be interrupted, and goes on where it was when it is called again: motions stand in ``motions.nc`` and
-branches, one a line, in ``branches.jsonl`` of the folder. What it prints is the table of branches: where each is stable, and its events.
+branches, one a line, in ``branches.jsonl`` of the folder. What it prints is the table of branches: where each is stable, and its
+events. What the figure ``cycles`` draws is written to ``cycles.json`` of the folder; it is committed as spragsym/figures/cycles.json.
 """
 
 from __future__ import annotations
@@ -64,8 +66,9 @@ def told(branch: ss.CycleBranch, name: str) -> dict[str, Any]:
     return {
         "name": name,
         "theta0": branch.values.tolist(), "period": branch.periods.tolist(), "stable": branch.stable.tolist(),
+        "rms": branch.rms.tolist(),
         "states": [cycle.state.tolist() for cycle in branch.cycles],
-        "events": [[event.kind, event.value, event.cycle.period, event.how] for event in branch.events],
+        "events": [[event.kind, event.value, event.cycle.period, event.cycle.rms, event.how] for event in branch.events],
     }  # fmt: skip
 
 
@@ -87,8 +90,8 @@ def journal(path: Path) -> list[dict[str, Any]]:
     """The finished branches; a line that was cut short is dropped."""
     if not path.is_file():
         return []
-    whole = [line for line in path.read_text().splitlines(keepends=True) if line.endswith("\n")]
-    path.write_text("".join(whole))
+    whole = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+    path.write_text("".join(whole), encoding="utf-8")
     return [json.loads(line) for line in whole]
 
 
@@ -103,14 +106,37 @@ def follow(path: Path, lines: list[dict[str, Any]], cycle: ss.Cycle, name: str, 
     doubled = []
     for event in branch.of("period_doubling") if depth < DEEPEST else ():
         try:
-            doubled.append(branch.switch(event))
+            found = branch.switch(event)
         except ss.ConvergenceError as error:
             print(f"  {error}", file=sys.stderr, flush=True)
+            continue
+        if found.stable:
+            doubled.append(found)
     for number, other in enumerate(doubled):
         follow(path, lines, other, f"{name}, doubled {number + 1}", points, depth + 1)
     lines.append(told(branch, name))  # last, so that an interruption repeats the branch with what begins on it
-    with path.open("a") as file:
+    with path.open("a", encoding="utf-8") as file:
         file.write(json.dumps(lines[-1]) + "\n")
+
+
+def record(sweep: ss.Sweep, lines: list[dict[str, Any]]) -> dict[str, Any]:
+    """What the figure draws of all this, to the digits that a picture needs."""
+    kept = ("theta0", "period", "rms")
+    return {
+        "made_by": "python -m benchmarks.search_cycles FOLDER", "version": ss.__version__, **BELT,
+        "motions": int(sweep.regime.size), "starts": int(sweep.regime.shape[1]), "inclinations_deg": list(INCLINATIONS),
+        "branches": [
+            {
+                "name": line["name"], **{name: [float(f"{value:.7g}") for value in line[name]] for name in kept},
+                "stable": [int(stable) for stable in line["stable"]],
+                "events": [
+                    [kind, *(float(f"{number:.10g}") for number in numbers), how]
+                    for kind, *numbers, how in line["events"] if kind != "grazing"
+                ],
+            }
+            for line in lines
+        ],
+    }  # fmt: skip
 
 
 def stretches(line: dict[str, Any]) -> str:
@@ -131,7 +157,7 @@ def main() -> None:
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    starts, points = (int(text) for text in (*sys.argv[2:], *("16", "150")[len(sys.argv) - 2 :]))
+    starts, points = (int(text) for text in (*sys.argv[2:], *("16", "100")[len(sys.argv) - 2 :]))
     sweep = motions(folder, starts)
     path = folder / "branches.jsonl"
     lines = journal(path)
@@ -142,6 +168,7 @@ def main() -> None:
             print(f"{degrees:g} degrees, {state}: {error}", file=sys.stderr)
             continue
         follow(path, lines, cycle, f"period {cycle.period:.2f} at {degrees:g}", points)
+    (folder / "cycles.json").write_text(json.dumps(record(sweep, lines), ensure_ascii=False).replace("}, {", "},\n{") + "\n")
     counts = np.bincount(sweep.regime.ravel(), minlength=len(Regime))
     print("Motions: " + ", ".join(f"{n} {Regime(i).name.lower()}" for i, n in enumerate(counts.tolist()) if n) + "\n")
     print("| branch | inclinations | periods | stable | events |\n|---|---|---|---|---|")
@@ -149,7 +176,7 @@ def main() -> None:
         degrees = np.degrees(line["theta0"])
         events = "; ".join(
             f"{kind} {math.degrees(value):.4f}" + (f" ({how})" if kind in ("end", "homoclinic") else "")
-            for kind, value, _, how in line["events"]
+            for kind, value, _, _, how in line["events"]
             if kind != "grazing"
         )
         periods = f"{min(line['period']):.2f}…{max(line['period']):.2f}"

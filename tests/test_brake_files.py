@@ -8,6 +8,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.studies.brake_files import read_brake
+from spragsym.studies.measurements import read_friction
 
 GOOD = {
     "m": '"0.35 kg"', "k": '"180 N/mm ± 15 %"', "L_0": '"38 mm"', "theta0": '"52 deg ± 1 deg"', "k_x": '"9 N/mm ± 15 %"',
@@ -198,10 +199,29 @@ def test_files_that_are_none(tmp_path: Path) -> None:
     assert "is a folder" in message(tmp_path)
     (tmp_path / "latin.toml").write_bytes('[brake]\nk = "180 N/mm ± 15 %"\n'.encode("latin-1"))
     assert "UTF-8" in message(tmp_path / "latin.toml")
-    (tmp_path / "empty.toml").write_text("")
+    (tmp_path / "empty.toml").write_text("", encoding="utf-8")
     assert "is empty" in message(tmp_path / "empty.toml")
-    (tmp_path / "large.toml").write_text("#" * (1 << 21))
+    (tmp_path / "large.toml").write_text("#" * (1 << 21), encoding="utf-8")
     assert "bytes" in message(tmp_path / "large.toml")
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+@pytest.mark.parametrize("newline", ["\n", "\r\n"])
+def test_files_as_editors_and_shells_write_them(encoding: str, newline: str, tmp_path: Path) -> None:
+    """Windows PowerShell's ``>`` writes UTF-16, Notepad a mark before UTF-8."""
+    path = written(tmp_path, GOOD)
+    plain = read_brake(path).quantities
+    path.write_text(path.read_text(encoding="utf-8"), encoding=encoding, newline=newline)
+    assert read_brake(path).quantities == plain
+
+
+def test_measurements_with_a_decimal_comma(tmp_path: Path) -> None:
+    """As a spreadsheet writes them in many countries: 0,5 is a half, in two columns."""
+    for name, rows in (("a", "0.5,0.41\n1.5,0.43"), ("b", "0,5;0,41\n1,5;0,43"), ("c", "0,5\t0,41\n1,5\t0,43")):
+        (tmp_path / f"{name}.csv").write_text(rows, encoding="utf-8")
+        speed, friction = read_friction(tmp_path / f"{name}.csv")
+        assert speed.tolist() == [0.5, 1.5]
+        assert friction.tolist() == [0.41, 0.43]
 
 
 def test_the_good_file_is_good(tmp_path: Path) -> None:

@@ -116,6 +116,29 @@ def test_floats_of_intervals_up_to_fifteen_digits(size: Fraction, arith: Arithme
             escalation.as_floats(arith, [arith.exact(size), arith.between(size - unit * 101 / 100, size + unit * 101 / 100)])
 
 
+@pytest.mark.parametrize(
+    "middle", [1 + Fraction(1, 2**53), 3 - Fraction(3, 2**53), Fraction(1, 3), -1 - Fraction(1, 2**53), Fraction(0)]
+)
+def test_the_error_of_a_float_covers_its_rounding(middle: Fraction, arith: Arithmetic) -> None:
+    """Halfway between two floats, where half a unit is lost, to either end of an interval of any width that is allowed."""
+    for width in (Fraction(0), Fraction(1, 2**70), Fraction(9, 10**16)):
+        with arith.precision(200):
+            ends = arith.ends(arith.between(middle - width, middle + width))
+            (value,), error = escalation.as_floats(arith, [arith.between(*ends)])
+        assert max(abs(Fraction(value) - end) for end in ends) <= Fraction(error) * max(1, abs(Fraction(value)))
+
+
+def test_floats_may_be_off_by_fifteen_digits_and_end_somewhere() -> None:
+    """By integers, which balls hold exactly."""
+    arith = Balls()
+    with arith.precision(200):
+        values, error = escalation.as_floats(arith, [arith.between(Fraction(10**15 - 1), Fraction(10**15 + 1))])
+        assert values == [1e15]
+        assert 1e-15 <= error < 1.2e-15
+        ends = [arith.exact(Fraction(sign * 2**1024)) for sign in (-1, 1)]
+        assert escalation.as_floats(arith, ends)[0] == [-math.inf, math.inf]
+
+
 # ---------------------------------------------------------------------------------------------- folds and cusps
 
 

@@ -110,7 +110,7 @@ def _settled(
 ) -> tuple[bool, slots.Slots]:
     """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
-    given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
+    given = {name: np.repeat(np.array(values)[:, None], 2, axis=1) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
     out = slots.Slots(3, 3 if contact else 4)
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))
@@ -297,6 +297,53 @@ def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyP
             block.solve(kernel.Point(np.cos(values[0]), np.sin(values[0]), *values[1:], 1), 3, slots.Slots(3, 3), 0, np.float64)
     assert len(asked) >= 3
     assert all(type(value) is np.float64 and value == u for value in asked)
+
+
+#: A point with one equilibrium, one with three, and one with one, both in double-double as elsewhere.
+WIDE_POINTS = [
+    np.array(column)
+    for column in zip(
+        (1.2, 0.3, 0.1, 0.1, 0.1, 0.1), (0.7, 0.7, 0.007, 0.007, 0.1, 0.0), (0.6, 1.0, 0.1, 0.1, 0.1, 0.1), strict=True
+    )
+]
+
+
+def test_each_condition_of_double_double_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers whose bounds hold, a balance that double carries, and a certain number of roots, each of every point."""
+
+    def left() -> list[int]:
+        with np.errstate(all="ignore"):
+            found: list[int] = block.solve_widely(WIDE_POINTS, True, slots.Slots(3, 3), 0, 3).tolist()
+        return found
+
+    assert left() == []
+    sound = {name: getattr(kernel, name) for name in ("moderate", "representable", "guesses")}
+    no = np.array([False, True, True])
+    with monkeypatch.context() as changed:
+        for k in range(3):
+            changed.setattr(block.kernel, "moderate", lambda point, k=k: sound["moderate"](point) & np.roll(no, k))
+            assert left() == [k]
+    with monkeypatch.context() as changed:
+        changed.setattr(block.kernel, "representable", lambda line: sound["representable"](line) & no)
+        assert left() == [0]
+    with monkeypatch.context() as changed:
+
+        def guesses(point: Any, line: Any, u: Any) -> Any:
+            given = sound["guesses"](point, line, u)
+            return given._replace(certain=given.certain & no)
+
+        changed.setattr(block.kernel, "guesses", guesses)
+        assert left() == [0]
+
+
+def test_double_double_writes_to_its_rows() -> None:
+    out = slots.Slots(8, 3)
+    with np.errstate(all="ignore"):
+        block.solve_widely(WIDE_POINTS, True, out, 4, 3)
+    expected = ss.equilibria(ss.Parameters(*WIDE_POINTS))
+    assert out.count.tolist() == [0, 0, 0, 0, *expected.count, 0]
+    out.clear()
+    np.testing.assert_allclose(out.padded("theta")[4:7], expected.theta, rtol=1e-12)
 
 
 @pytest.mark.parametrize("value", [-1.0, 0.0, 1.0])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import dataclasses
 import importlib.util
+import itertools
 import json
 import math
 from typing import Any
@@ -16,6 +17,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from benchmarks import bench_auto, validate_cycles
+from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import exponents, finding
 from spragsym.cycles.jets import Jet
@@ -497,6 +499,27 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
     assert np.abs(found.multipliers - slow.multipliers).max() < 1e-9
 
 
+def test_a_loaded_model_on_the_command_line(tmp_path: Any) -> None:
+    picture = tmp_path / "branch.svg"
+    vary = ["--vary", "V", "--from", "0.195", "--to", "0.21", "--plot", str(picture)]
+    result = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "-V", "0.2", "--near", "0.61,0", *vary, "--json"])
+    told = json.loads(result.stdout)
+    assert told["period"] == pytest.approx(ss.load("stick_slip").cycle(ss.load("stick_slip").Parameters(V=0.2)).period, abs=1e-10)
+    assert [event["V"] for event in told["branch_events"]] == [0.195, 0.21]
+    assert "spring_force" not in told
+    assert picture.exists()
+    table = CliRunner().invoke(cli, ["cycles", "--model", "kang_nam", "--theta0", "42", "--near", "2.54,3.36,0,0.36"])
+    assert "34.267370011" in table.stdout
+    refused = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "-V", "0.2", "--near", "0.6,0,0"])
+    assert "2 numbers" in str(refused.exception)
+
+
+def test_forces_are_told_of_the_article_only() -> None:
+    model = ss.load("stick_slip")
+    with pytest.raises(ss.ParameterError, match="spring_force is a force of the article's model"):
+        _ = model.cycle(model.Parameters(V=0.2)).spring_force
+
+
 def test_a_loaded_model_has_branches_and_exponents() -> None:
     model = ss.load("stick_slip")
     first = model.cycle(model.Parameters(V=0.2))
@@ -558,6 +581,43 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
         stuck = begun()
         with pytest.raises(ball_flow.NotProved, match="y = 0"):
             stuck.carry(flint.arb(0.2))  # it leaves the mode on the way
+
+
+def test_slopes_in_balls_are_those_that_were_derived() -> None:
+    """Of every piece of every model, at a point; over a wide ball they hold where written-out powers tell nothing."""
+    flint = pytest.importorskip("flint")
+    from spragsym.cycles import ball_flow
+    from spragsym.exact.methods import Functions
+    from spragsym.models.field import exact_field
+
+    for name in ("kang_nam", "stick_slip", "trolley", "stribeck"):
+        field, model = exact_field(name), ss.load(name)
+        values = [flint.arb(model.base.get(parameter) or 0.7) for parameter in model.parameters]
+        constants = list(field.constants(values, Functions))
+        state = [flint.arb(0.1 + 0.03 * i) for i in range(field.size)]
+        for mode in field.modes:
+            found = itertools.chain(*ball_flow.slopes_at(field, state, constants, mode))
+            derived = itertools.chain(*field.jacobian(state, constants, mode, Functions))
+            assert all(abs(a - b) < 1e-12 for a, b in zip(found, derived, strict=True))
+    field = exact_field("stick_slip")
+    wide = [flint.arb(0.1, 0.1), flint.arb(0.2, 0.03)]  # sticking: x' = V
+    constants = list(field.constants([flint.arb(value) for value in (0.5, 0.1, 0.05, 0.2)], Functions))
+    (slopes,) = ball_flow.slopes_at(field, wide, constants, (1, 1))
+    assert abs(slopes[1]) < 20
+    assert not abs(field.jacobian(wide, constants, (1, 1), Functions)[0][1]) < 1e3
+
+
+@pytest.mark.thorough
+def test_a_loaded_model_is_proved() -> None:
+    """The article's cycle by its page, whose algebra is emitted apart: the same digits, with proof."""
+    pytest.importorskip("flint")
+    model = ss.load("kang_nam")
+    cycle = model.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
+    found = ss.precise.prove_cycle(cycle)
+    assert found.proved, found.reason
+    assert found.stable
+    with mpmath.workdps(40):
+        assert abs(found.period - mpmath.mpf("34.267370010976864587950659")) < 1e-23
 
 
 def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:

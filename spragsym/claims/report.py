@@ -95,6 +95,9 @@ def _head(ledger: Any, claims: list[dict[str, Any]]) -> list[str]:
         "",
         f"- Equations, coefficients and definitions: {_counts(ledger['rows'])}.",
         f"- Statements of the text that can be computed: {_counts(claims)}.",
+        *_paragraph("""- For design the news is in the rows [fig-7-oscillation](#fig-7-oscillation) and
+        [fig-7b-fate](#fig-7b-fate): the oscillation lives beside stable sliding, far below the catastrophe, and the jump of
+        Figure 7b is not the catastrophe."""),
         "",
         *_paragraph("""*Reproduced*: it holds as stated, within the tolerance given. *Misprint*: a sign, a
         letter or the number of an equation or figure is wrong in print, and the rest of the article shows what is meant.
@@ -174,6 +177,7 @@ def _claims_in_full(claims: list[dict[str, Any]]) -> list[str]:
     lines = ["## Claims in full", ""]
     for row in claims:
         lines += [f"### {row['id']}", "", f"{row['where']}: {row['stated']}.", "", f"**{row['status']}**: {row['outcome']}.", ""]
+        lines += [f"Consequence: {row['consequence']}.", ""] if row["consequence"] else []
         lines += [f"- {name}: {_shown(value)}" for name, value in row["values"].items()]
         lines += [f"- digits of these numbers: {row['digits']}; tolerance: {row['tolerance']}"]
         lines += [f"- shown by `{row['command']}`, guarded by `{row['test']}`", ""]

@@ -48,6 +48,7 @@ class Statement:
     status: Status = Status.REPRODUCED  #: if the computation holds
     digits: int = 12  #: of the computed numbers
     tolerance: str = "none: a yes or no"
+    consequence: str = ""  #: for those who use the article, where a statement does not hold as it stands
 
 
 @dataclass(frozen=True)
@@ -63,6 +64,7 @@ class Row:
     tolerance: str
     command: str
     test: str
+    consequence: str = ""
     values: dict[str, Value] = field(default_factory=dict)
 
     def as_dict(self) -> dict[str, Any]:
@@ -110,6 +112,7 @@ def _row(statement: Statement) -> Row:
         tolerance=statement.tolerance,
         command=statement.command,
         test=f"tests/test_claims.py::{statement.test}",
+        consequence=statement.consequence,
         values={name: _rounded(value, statement.digits) for name, value in found.values.items()},
     )
 

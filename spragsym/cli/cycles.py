@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
@@ -14,32 +15,51 @@ from .data import PHYSICAL, data, in_units, varied
 from .options import DEGREES, Number, as_json, belt, build, parameters, sentence
 from .tables import print_json, print_table
 from .targets import force, refuse
+from .with_model import ForModels, made_for, model_option
 
 if TYPE_CHECKING:
     from ..cycles import Cycle, CycleBranch
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 #: Parameters that can be varied.
 VARIED = ("theta0", *ARTICLE, "V", "d")
 
 
-@command()
+def search(place: str, choices: Sequence[str]) -> Callable[[F], F]:
+    """Where to begin, what varies, and what to do with it; ``place`` names a state's numbers."""
+    options = (
+        click.option("--near", metavar=place, help="A state near the cycle. Default: the motion from rest at x = y = 0."),
+        click.option("--vary", type=click.Choice(choices), help="Follow the cycle as this varies."),
+        click.option("--from", "low", type=Number(), help="Where the range begins, degrees for angles."),
+        click.option("--to", "high", type=Number(), help="Where it ends."),
+        click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way."),
+        click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute."),
+        click.option(
+            "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg)."
+        ),
+    )
+
+    def add(function: F) -> F:
+        for option in reversed(options):
+            function = option(function)
+        return function
+
+    return add
+
+
+@command(cls=ForModels)
+@model_option
 @click.option("--theta0", "theta0_deg", type=Number(DEGREES), help=f"{sentence('theta0')[:-1]}, degrees. Default: --from.")
 @parameters
 @belt
-@click.option("--near", metavar="X,Y,VX,VY", help="A state near the cycle. Default: the motion from rest at x = y = 0.")
-@click.option("--vary", type=click.Choice((*VARIED, *PHYSICAL)), help="Follow the cycle as this varies.")
-@click.option("--from", "low", type=Number(), help="Where the range begins, degrees for theta0.")
-@click.option("--to", "high", type=Number(), help="Where it ends.")
-@click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
-@click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
-@click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
+@search("X,Y,VX,VY", (*VARIED, *PHYSICAL))
 @force
 @data
 @as_json
 def cycles(
-    theta0_deg: float | None, V: float, d: float, near: str | None, vary: str | None, low: float | None, high: float | None,
-    points: int, prove: bool, plot: Path | None, force: bool, json_output: bool, **values: float,
-) -> None:  # fmt: skip
+    theta0_deg: float | None, V: float, d: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float, **rest: Any
+) -> None:
     """A cycle of the motion with its multipliers; with --vary, a branch of cycles with all that happens on it.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
@@ -50,31 +70,40 @@ def cycles(
       spragsym cycles --theta0 42
       spragsym cycles --data brake.toml
       spragsym cycles --theta0 42 --vary theta0 --from 38 --to 60 --plot branch.pdf
+      spragsym cycles --model stick_slip --V 0.2 --vary V --from 0.08 --to 0.3
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
+    if theta0_deg is None:
+        if rest["vary"] != "theta0" or rest["low"] is None:
+            raise click.UsageError("--theta0 is missing")
+        theta0_deg = rest["low"]
+    from ..cycles import cycle
+
+    p = build(theta0_deg, mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
+    tell(lambda near: cycle(p, V=V, d=d, near=near), 4, varied, **rest)
+
+
+def tell(
+    find: Callable[[Any], Cycle], size: int, unit_of: Callable[[str], tuple[str, float, str]], *, near: str | None,
+    vary: str | None, low: float | None, high: float | None, points: int, prove: bool, plot: Path | None, force: bool,
+    json_output: bool,
+) -> None:  # fmt: skip
+    """Find a cycle near a state of ``size`` numbers, prove it, follow it and draw the branch, as asked for; print all that."""
     if (vary is None) != (low is None) or (low is None) != (high is None):
         raise click.UsageError("--vary, --from and --to belong together")
     if plot is not None and (vary is None or plot.suffix not in (".pdf", ".png", ".svg")):
         raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary, and the ending .pdf, .png or .svg")
-    if theta0_deg is None:
-        if vary != "theta0":
-            raise click.UsageError("--theta0 is missing")
-        theta0_deg = low
     refuse([] if plot is None else [plot], force)
-    from ..cycles import cycle, cycle_branch
-
-    found = cycle(build(theta0_deg, **values), V=V, d=d, near=_state(near))
-    summary = in_units(_summary(found))
+    found = find(_state(near, size))
+    summary, title = in_units(_summary(found)), ""
     if prove:
-        from .. import precise
-
-        proof = precise.prove_cycle(found)
-        summary["proved"] = proof.proved
-        summary |= {"error_proved": proof.error, "stable_proved": proof.stable} if proof.proved else {"reason": proof.reason}
+        summary |= _proof(found)
     if vary is not None and low is not None and high is not None:
-        name, unit, title = varied(vary)
+        from ..cycles import cycle_branch
+
+        name, unit, title = unit_of(vary)
         branch = cycle_branch(found, name, (low / unit, high / unit), points=points)
         summary |= _branch(branch, unit, title)
         if plot is not None:
@@ -90,15 +119,23 @@ def cycles(
         print_table("Events", ("kind", title, "error", *in_units({"period": 0.0}), "how"), [list(row.values()) for row in events])
 
 
-def _state(text: str | None) -> list[float] | None:
+def _proof(found: Cycle) -> dict[str, Any]:
+    from .. import precise
+
+    proof = precise.prove_cycle(found)
+    told = {"error_proved": proof.error, "stable_proved": proof.stable} if proof.proved else {"reason": proof.reason}
+    return {"proved": proof.proved, **told}
+
+
+def _state(text: str | None, size: int) -> list[float] | None:
     if text is None:
         return None
     try:
         numbers = [float(part) for part in text.split(",")]
     except ValueError:
         numbers = []
-    if len(numbers) != 4:
-        raise ParameterError(f"--near {text!r} is not four numbers x,y,vx,vy with commas")
+    if len(numbers) != size:
+        raise ParameterError(f"--near {text!r} is not {size} numbers with commas, coordinates, then speeds")
     return numbers
 
 
@@ -107,7 +144,7 @@ def _summary(found: Cycle) -> dict[str, Any]:
         "period": found.period, "stable": found.stable, "state": found.state.tolist(),
         "multipliers": [[float(value.real), float(value.imag)] for value in found.multipliers], "error": found.error,
         "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude,
-        "spring_force": list(found.spring_force), "contact_force": list(found.contact_force), "crossings": len(found.events),
+        **{name: list(getattr(found, name)) for name, _ in found.field.forces}, "crossings": len(found.events),
         "backend": found.backend,
     }  # fmt: skip
 
@@ -147,3 +184,6 @@ def _shown(value: Any) -> Any:
 def _number(item: Any) -> str:
     real, imaginary = item if isinstance(item, list) else (item, 0.0)
     return f"{real:.10g}" + (f"{imaginary:+.10g}i" if imaginary else "")
+
+
+made_for(cycles, "model_motion", "cycles_of")

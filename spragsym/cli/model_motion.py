@@ -1,13 +1,15 @@
-"""``spragsym simulate --model`` and ``spragsym sweep --model``."""
+"""``spragsym simulate --model``, ``spragsym sweep --model`` and ``spragsym cycles --model``."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from .cycles import search, tell
 from .motion import BACKEND, RTOL, open_grid, print_summary, run_sweep, summary_of
 from .options import Axis, Number, as_json, window, workers
 from .targets import force, refuse
@@ -68,3 +70,19 @@ def sweep_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]
     output = click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
     options = [*parameter_options(model, Axis, start=True), *_more(window, RTOL, BACKEND, workers(1), quiet, output, force)]
     return options, sweep, "Simulate over a grid of parameters, to a file. Every option that takes numbers is an axis."
+
+
+def cycles_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
+    """Options and work of ``spragsym cycles`` for a model."""
+    state = (*model.coordinates, *model.rates)
+
+    def unit_of(name: str) -> tuple[str, float, str]:
+        return (name, math.degrees(1.0), f"{name}_deg") if name in model.about["angles"] else (name, 1.0, name)
+
+    def cycles(**values: Any) -> None:
+        p = model.Parameters(**parameters_of(model, values))
+        tell(lambda near: model.cycle(p, near), len(state), unit_of, **values)
+
+    place = ",".join(state).upper()
+    options = [*parameter_options(model, Number), *_more(search(place, model.parameters), force, as_json)]
+    return options, cycles, "A cycle of the motion with its multipliers; with --vary, a branch of cycles."

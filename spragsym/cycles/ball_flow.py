@@ -16,6 +16,7 @@ from typing import Any
 from flint import acb, arb, arb_mat
 
 from ..dynamics.field import Field, Mode
+from ..exact.jets import gradient, variables
 from ..exact.methods import Functions
 from .jets import Jet
 
@@ -24,6 +25,9 @@ TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04,
 
 #: Steps are this share of the radius of convergence that is proved.
 SHARE = 1 / 7
+
+#: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it multiplies what is left out.
+STEEPEST = 20
 
 #: Halvings of a step in which a border might be met.
 DEEPEST = 12
@@ -69,14 +73,18 @@ class Balls:
     def _step(self, box: list[Any], step: Any, radius: Any, bounds: list[Any], slope: Any) -> None:
         ratio = (step / radius).abs_upper()
         tail = arb(ratio) ** (self.order + 1) / (1 - arb(ratio))
-        point = solution(self.field, self.point, self.constants, self.mode, self.order)
+        middle = [value.mid() for value in self.point]
+        center = solution(self.field, middle, self.constants, self.mode, self.order)
         within = solution(self.field, box, self.constants, self.mode, self.order)
         self._stays(within, step, [bound * tail for bound in bounds])
         derivative = _fundamental(self.field, within, self.constants, self.mode, self.order, step)
         m, spread = self.field.size, (slope * radius).exp() * tail
         derivative += arb_mat(m, m, [_around(spread)] * (m * m))
+        # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
+        off = derivative * arb_mat([[value - mid] for value, mid in zip(self.point, middle, strict=True)])
         self.point = [
-            polynomial(each, self.order, step) + _around(bound * tail) for each, bound in zip(point, bounds, strict=True)
+            polynomial(each, self.order, step) + _around(bound * tail) + off[i, 0]
+            for i, (each, bound) in enumerate(zip(center, bounds, strict=True))
         ]
         self.matrix = derivative * self.matrix
 
@@ -103,9 +111,11 @@ class Balls:
                 if not all(size.is_finite() for size in found):
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
-                    rows = self.field.jacobian(disc(radii), self.constants, self.mode, Functions)
+                    rows = slopes_at(self.field, disc(radii), self.constants, self.mode)
                     slope = _most([arb(1), *(sum((abs(acb(v)).abs_upper() for v in row), arb(0)) for row in rows)])
-                    return arb(length), radii, slope
+                    if length * slope < STEEPEST:
+                        return arb(length), radii, slope
+                    break
                 radii = [arb(float(length * 1.05 * size.mid())) + arb(1e-3) for size in found]
         raise NotProved("the field could not be bounded about the orbit")
 
@@ -157,7 +167,7 @@ class Balls:
             accelerations = self.field.acceleration(hull, self.constants, mode, Functions)
             rates.append(border.rate(hull, accelerations, self.constants, mode))
             speeds += [abs(value).abs_upper() for value in (*hull[n:], *map(arb, accelerations))]
-            rows = self.field.jacobian(hull, self.constants, mode, Functions)
+            rows = slopes_at(self.field, hull, self.constants, mode)
             slopes += [sum((abs(arb(v)).abs_upper() for v in row), arb(0)) for row in rows]
         speed, slope = _most(speeds), _most(slopes)
         if not window * speed < arb(1e-6):
@@ -173,6 +183,21 @@ class Balls:
         if not sign * border.level(self.box, self.constants, self.mode) < 0:
             raise NotProved(f"that every state has crossed {border.name} could not be shown")
         self.mode = after
+
+
+def slopes_along(field: Field, within: list[Jet], constants: list[Any], mode: Mode) -> list[list[Any]]:
+    """Derivatives of the accelerations by the state as series, one operation after the other.
+
+    The generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
+    """
+    accelerations = field.acceleration(variables(within, 1), constants, mode, Functions)
+    return [gradient(acceleration, field.size) for acceleration in accelerations]
+
+
+def slopes_at(field: Field, state: list[Any], constants: list[Any], mode: Mode) -> list[list[Any]]:
+    """These over all of a ball of states."""
+    rows = slopes_along(field, [Jet.constant(value) for value in state], constants, mode)
+    return [[value[0] if isinstance(value, Jet) else value for value in row] for row in rows]
 
 
 def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, order: int) -> list[Jet]:
@@ -192,7 +217,7 @@ def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, o
 def _fundamental(field: Field, within: list[Jet], constants: list[Any], mode: Mode, order: int, step: Any) -> Any:
     """The Taylor polynomial of the derivative of the flow at the end of a step."""
     n, m = len(field.coordinates), field.size
-    rows = field.jacobian(within, constants, mode, Functions)
+    rows = slopes_along(field, within, constants, mode)
 
     def entry(i: int, j: int, k: int) -> Any:
         if i < n:

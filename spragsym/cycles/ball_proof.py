@@ -19,7 +19,7 @@ from flint import acb_mat, arb, arb_mat, ctx
 from ..dynamics.field import Field, Mode
 from ..errors import ParameterError
 from ..exact.methods import Functions
-from .ball_flow import Balls, NotProved, polynomial, solution
+from .ball_flow import Balls, NotProved, polynomial, slopes_at, solution
 
 #: Rounds of Newton's method with the slopes of double precision.
 ROUNDS = 14
@@ -151,7 +151,7 @@ def _krawczyk(
     balls.keeps_clear(around)
     accelerations = field.acceleration(around, balls.constants, balls.mode, Functions)
     rates = [*around[n:], *map(arb, accelerations)]
-    rows = field.jacobian(around, balls.constants, balls.mode, Functions)
+    rows = slopes_at(field, around, balls.constants, balls.mode)
     slope = max([arb(1), *(sum((abs(arb(v)) for v in row), arb(0)) for row in rows)], key=lambda ball: float(ball.upper()))
     if not all(abs(rate) * radius < arb(1e-6) for rate in rates):
         raise NotProved("the period's ball is too wide")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from ..exact.methods import repeated_product
+
 
 class Jet:
     """A power series whose next coefficient is computed when it is asked for; arithmetic builds further ones."""
@@ -12,6 +14,13 @@ class Jet:
     def __init__(self, following: Callable[[int], Any] | None = None) -> None:
         self.known: list[Any] = []
         self._following = following
+
+    @classmethod
+    def constant(cls, value: Any) -> Jet:
+        """A number as a series."""
+        found = cls(lambda k: 0 * value)
+        found.known.append(value)
+        return found
 
     def __getitem__(self, k: int) -> Any:
         while len(self.known) <= k:
@@ -43,6 +52,9 @@ class Jet:
         return Jet(lambda k: self[k] * other)
 
     __rmul__ = __mul__
+
+    def __pow__(self, power: int) -> Any:
+        return repeated_product(self, power) if power else 1
 
     def __truediv__(self, other: Any) -> Jet:
         if not isinstance(other, Jet):

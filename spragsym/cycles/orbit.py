@@ -32,7 +32,7 @@ from ..dynamics.shooting import (
     solved,
 )
 from ..dynamics.trajectory import Events
-from ..errors import ConvergenceError
+from ..errors import ConvergenceError, ParameterError
 from ..files import storage
 from ..parameters import FloatArray
 
@@ -112,7 +112,11 @@ class Cycle(Result):
         return self._range("contact_force")
 
     def _range(self, name: str) -> tuple[float, float]:
-        force = dict(self.field.forces)[name]
+        force = dict(self.field.forces).get(name)
+        if force is None:
+            raise ParameterError(
+                f"{name} is a force of the article's model; this model has none of that name, but generated functions for its own"
+            )
         return _range(self.samples, lambda states: force(states, self.loop.constants))
 
     @cached_property

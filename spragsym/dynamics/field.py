@@ -6,6 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
 
@@ -101,6 +104,13 @@ class Field:
         """Numbers in a state."""
         return 2 * len(self.coordinates)
 
-    def is_inside(self, state: Any, constants: Any, mode: Mode) -> bool:
+    def is_inside(self, state: Any, constants: Any, mode: Any) -> bool:
         """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)
+
+    def are_inside(self, states: Any, constants: Any, modes: Any) -> NDArray[np.bool_]:
+        """The same of many at once, a column each."""
+        within = np.ones(np.shape(states)[1:], dtype=bool)
+        for border in self.borders:
+            within &= border.sign(modes) * border.level(states, constants, modes) >= -2 * GAP
+        return within

@@ -70,7 +70,11 @@ class Affine:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Affine:
-        return self.__mul__(other.reciprocal() if isinstance(other, Affine) else 1.0 / other)
+        if isinstance(other, Affine):
+            return self.__mul__(other.reciprocal())
+        value, terms = self.value / other, self.terms / other
+        rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
+        return Affine(value, terms, (self.error / np.abs(other) + rounding) * _SLACK + _TINY)
 
     def __rtruediv__(self, other: Any) -> Affine:
         return self.reciprocal().__mul__(other)

@@ -23,7 +23,24 @@ class LawFunctions(Functions):
         """Square root of the part that is not negative."""
         if isinstance(value, Jet):
             return Jet({**value.terms, (): _not_negative(value.value)}, value.order).sqrt()
-        return _not_negative(value).sqrt() if isinstance(value, Intervals) else np.sqrt(value)
+        return _not_negative(_enclosed(value)).sqrt()
+
+    @staticmethod
+    def exp(value: Any) -> Any:
+        """Exponential: 1 of the number 0."""
+        if isinstance(value, Jet):
+            return value.exp(LawFunctions.exp(value.value))
+        return 1 if isinstance(value, int | float) and value == 0 else _enclosed(value).exp()
+
+    @staticmethod
+    def sign(value: Any) -> Any:
+        """−1, 0, 1."""
+        return _enclosed(value).sign()
+
+
+def _enclosed(value: Any) -> Any:
+    """A number as an interval, so that a function of it is one that is rounded outward."""
+    return Intervals.point(float(value)) if isinstance(value, int | float) else value
 
 
 def _not_negative(value: Any) -> Any:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
@@ -12,12 +13,13 @@ from numpy.typing import NDArray
 
 from ..exact import certified_roots, contractors, many_reductions
 from ..exact.ball_functions import XP
+from ..exact.boxes import System
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Ball, Balls
 from ..exact.polynomials import Undecided
-from ..exact.reduction import Reduced, reduced_roots
-from .balance import Balance, undecorated
+from ..exact.reduction import Evaluate, Reduced, reduced_roots
+from .balance import Balance
 from .wide import WideBalance
 
 #: Ends of parameters that lie in a range.
@@ -51,12 +53,7 @@ class PreciseBalance:
 
     def forces(self, q: Sequence[Any]) -> Sequence[Any]:
         """The balance."""
-        statics = self.balance.model.statics
-        names = self.balance.model.about["arguments"]["statics"]
-        directions: list[Any] = []
-        for dx, dy, _ in undecorated(statics.geometry)(*q, *(self.values[name] for name in names), xp=XP):
-            length = XP.sqrt(dx**2 + dy**2)
-            directions += [dx / length, dy / length, length]
+        directions = self.balance.plain_directions(q, self.values, XP)
         rows: Sequence[Any] = self.balance.call("forces", q, directions, self.values, XP)
         return rows
 
@@ -92,16 +89,15 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     if not points.size:
         return found
     regions = np.broadcast_to(around, (*around.shape[:2], given.shape[1]))
-    tasks = [(int(at), cluster) for at in points for cluster in clusters(_boxes_of(found, int(at)))]
-    reduced = _by_double_double(balance, given, tasks)
+    tasks = [(int(at), cluster) for at in points for cluster in clusters(boxes_of(found, int(at)))]
+    known = _by_double_double(balance, given, tasks)
     parts = [
-        _of_point(
-            balance,
-            given[:, at],
+        of_point(
             regions[:, :, at],
             found,
             int(at),
-            [(cluster, known) for (point, cluster), known in zip(tasks, reduced, strict=True) if point == at],
+            [(cluster, roots) for (point, cluster), roots in zip(tasks, known, strict=True) if point == at],
+            partial(_reduced, balance, given[:, at]),
         )
         for at in points
     ]
@@ -116,7 +112,7 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     return replaced(found, points, again)
 
 
-def _boxes_of(found: Roots, point: int) -> FloatArray:
+def boxes_of(found: Roots, point: int) -> FloatArray:
     """Boxes of a point that are left, and boxes around its roots that are known to few digits."""
     mine = np.flatnonzero(found.point == point)
     poor = mine[~(found.error[mine] <= TOLERANCE)]
@@ -146,22 +142,26 @@ def _by_double_double(balance: Balance, given: FloatArray, tasks: Sequence[tuple
     ]
 
 
-def _of_point(
-    balance: Balance, given: FloatArray, region: FloatArray, found: Roots, point: int, tasks: Sequence[tuple[FloatArray, Known]]
+def of_point(
+    region: FloatArray,
+    found: Roots,
+    point: int,
+    tasks: Sequence[tuple[FloatArray, Known]],
+    reduce: Callable[[FloatArray], Reduced],
 ) -> Roots:
-    """Roots and boxes left of one point."""
+    """Roots and boxes left of one point, whose clusters of boxes are known or reduced to one unknown."""
     mine = np.flatnonzero(found.point == point)
     good = mine[found.error[mine] <= TOLERANCE]
-    ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, balance.n, 0))]
+    ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, found.ends.shape[1], 0))]
     for cluster, known in tasks:
         if known is not None:
             ends.append(known[0])
             alone.append(known[1])
             continue
-        reduced = _reduced(balance, given, cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
-        ends += [_outward(box) for box in reduced.roots]
-        alone += [_outward(box) for box in reduced.alone]
-        left += [_outward(box) for box in reduced.left]
+        by_digits = reduce(cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
+        ends += [_outward(box) for box in by_digits.roots]
+        alone += [_outward(box) for box in by_digits.alone]
+        left += [_outward(box) for box in by_digits.left]
     every, only = np.concatenate(ends, axis=2), np.concatenate(alone, axis=2)
     order = np.argsort(-only[0, 0])
     every, only = every[:, :, order], only[:, :, order]
@@ -177,19 +177,24 @@ def _of_point(
 
 
 def _reduced(balance: Balance, given: FloatArray, cluster: FloatArray) -> Reduced:
-    """Roots in a cluster, with more bits if fewer leave something."""
+    """Equilibria in a cluster."""
+    return reduced(balance, given, cluster, lambda bits: PreciseBalance(balance, given, bits).forces)
+
+
+def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Callable[[int], Evaluate]) -> Reduced:
+    """Roots of a system in a cluster, with more bits if fewer leave something; ``precise`` gives it for a number of bits."""
     middle = Intervals(cluster).middle
-    parameters = balance.prepared(Intervals.point(given[:, None]))
     with np.errstate(all="ignore"):
-        slopes = balance.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
-    box = [(-float(cluster[0, i]), float(cluster[1, i])) for i in range(balance.n)]
+        parameters = system.prepared(Intervals.point(given[:, None]))
+        slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
+    box = [(-float(low), float(high)) for low, high in cluster.T]
     whole = [(Fraction(low), Fraction(high)) for low, high in box]
     out = Reduced([], [], [whole])
     if not np.isfinite(slopes).all():
         return out
     for bits in BITS:
         try:
-            out = reduced_roots(PreciseBalance(balance, given, bits).forces, box, slopes, bits)
+            out = reduced_roots(precise(bits), box, slopes, bits)
         except Undecided:
             continue
         if not out.left:

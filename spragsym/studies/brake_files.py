@@ -12,6 +12,7 @@ from typing import Any
 
 from ..dynamics.problem import BELT_SPEED
 from ..errors import ParameterError, SpragsymError
+from ..files.text import decoded
 from ..generated.quantities import QUANTITIES
 from ..names import hint
 from ..parameters import RANGES, PhysicalParameters, degrees, physical_ranges, shown
@@ -95,7 +96,7 @@ def _text(path: Path, name: str) -> str:
     try:
         if path.stat().st_size > _LARGEST:
             raise ParameterError(f"{name} has more than {_LARGEST} bytes; give a file with the table [brake] and nothing else")
-        return path.read_bytes().decode("utf-8-sig")
+        return decoded(path.read_bytes())
     except UnicodeDecodeError as error:
         raise ParameterError(f"{name} is not text in UTF-8 (byte {error.start}); save it as UTF-8, or write +- for ±") from error
     except OSError as error:

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ParameterError
+from ..files.text import decoded
 from ..generated import motion as _motion
 from ..parameters import FloatArray
 
@@ -44,7 +45,7 @@ def read_friction(path: Path) -> tuple[FloatArray, FloatArray]:
         For a file that is missing, or a line that is not two numbers; it names the line.
     """
     try:
-        text = path.read_bytes().decode("utf-8-sig")
+        text = decoded(path.read_bytes())
     except UnicodeDecodeError as error:
         raise ParameterError(f"{path} is not text in UTF-8 (byte {error.start}); save it as UTF-8") from error
     except OSError as error:

@@ -425,3 +425,26 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert any("no mu0" in one for one in found.warnings)
     assert found.states
     assert all(math.isfinite(state["contact_force_N"]) for state in found.states)
+
+
+@pytest.mark.parametrize(
+    ("given", "meant"), [("kx", "k_x"), ("kapa", "kappa"), ("thet0", "theta0"), ("K_Y", "k_y"), ("FL", "F_L")]
+)
+def test_a_misspelt_quantity_is_told_which_was_meant(
+    given: str, meant: str, path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as stop:
+        main(["folds", "--data", str(path), "--vary", given])
+    assert stop.value.code == 2
+    text = capsys.readouterr().err
+    assert f"'{given}' is not one of" in text
+    assert f"did you mean {meant}?" in text
+
+
+def test_a_terminal_is_told_what_is_being_computed_and_left_clean(study: ss.Study, capsys: pytest.CaptureFixture[str]) -> None:
+    study.report(n=64, oscillation=False, redesign=False, progress=True)
+    told = capsys.readouterr().err
+    assert "the proof for all within the tolerances" in told
+    assert told.rsplit("\r", 2)[1].strip() == ""
+    study.report(n=64, oscillation=False, redesign=False)
+    assert capsys.readouterr().err == ""

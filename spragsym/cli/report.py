@@ -54,11 +54,11 @@ def report(
     from ..studies import Study
 
     study = Study.from_file(file)
-    if sys.stderr.isatty():
-        click.echo("computing states, tolerances, changes and the oscillation (--no-oscillation leaves that out)", err=True)
     if study.model == "kang_nam":
-        found: Report | ModelReport = study.report(oscillation=oscillation, safety=safety)
+        found: Report | ModelReport = study.report(oscillation=oscillation, safety=safety, progress=sys.stderr.isatty())
     else:
+        if sys.stderr.isatty():
+            click.echo("computing states, jumps, tolerances and the oscillation (--no-oscillation leaves that out)", err=True)
         found = study.model_report(oscillation=oscillation)
     if html is not None:
         study.to_html(html, found)

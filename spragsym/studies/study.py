@@ -163,8 +163,9 @@ class Study:
     # ---------------------------------------------------------------------------------------------------------- the answers
 
     def report(
-        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2, n: int = 4096
-    ) -> Report:
+        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2, n: int = 4096,
+        progress: bool = False,
+    ) -> Report:  # fmt: skip
         """Everything that can be said of this brake.
 
         Parameters
@@ -179,6 +180,8 @@ class Study:
             What is changed keeps the jump at this many times the largest friction.
         n : int
             Points for the probability.
+        progress : bool
+            Say on stderr what is being computed.
 
         Returns
         -------
@@ -189,7 +192,7 @@ class Study:
         if self.model != "kang_nam":
             raise ParameterError(f"model = {self.model!r}: this report is of kang_nam; call model_report()")
         return report(
-            self, probability=probability, redesign=redesign, oscillation=oscillation, n=n,
+            self, probability=probability, redesign=redesign, oscillation=oscillation, n=n, progress=progress,
             safety=as_number("safety", safety, physical_ranges()["k"]),
         )  # fmt: skip
 

@@ -448,3 +448,20 @@ def test_a_terminal_is_told_what_is_being_computed_and_left_clean(study: ss.Stud
     assert told.rsplit("\r", 2)[1].strip() == ""
     study.report(n=64, oscillation=False, redesign=False)
     assert capsys.readouterr().err == ""
+
+
+def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> None:
+    from spragsym.figures.motion_pictures import Units, motion_figure
+
+    belt = study.parameters.belt()
+    motion = ss.simulate(study.dimensionless, **belt, t_end=200.0)
+    scales = study.scales
+    figure = motion_figure(motion, 50.0, Units(1e3 * scales.length, scales.time, "mm"))
+    over_time, phase, spectrum = figure.axes
+    line = over_time.lines[0]
+    assert line.get_xdata()[-1] == pytest.approx(200.0 * math.sqrt(0.35 / 1.5e6))
+    assert line.get_ydata()[-1] == pytest.approx(38.0 * motion.x[-1])
+    # The belt is the dotted line, at 1.2 m/s.
+    assert phase.lines[1].get_ydata()[0] == pytest.approx(1200.0)
+    assert [axes.get_xlabel() for axes in figure.axes] == ["$t$ (s)", "$x$ (mm)", "frequency (Hz)"]
+    assert spectrum.lines[0].get_xdata()[1] == pytest.approx(1 / (150.0 * math.sqrt(0.35 / 1.5e6)), rel=1e-6)

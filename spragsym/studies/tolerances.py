@@ -22,6 +22,8 @@ from .study import Study
 
 #: Slices of the contact's stiffness, on which all groups depend: more of them until the claim is decided.
 _SLICES = (1, 4, 16, 48)
+#: Every so many-th slice is looked at first.
+_SPREAD = 8
 #: Boxes for one slice, and points at which counterexamples are looked for.
 _BOXES, _POINTS = 400, 1024
 
@@ -31,7 +33,7 @@ class BoxCertificate(Result):
     """What is known of "nothing jumps" for every brake within the tolerances.
 
     ``outcome`` is ``"proved"``, ``"refuted"`` or ``"undecided"``; ``counterexample`` is a brake within the tolerances that jumps,
-    in SI; ``undecided`` is the share of the slices of the box that is left open.
+    in SI; ``undecided`` is the share of the slices of the box that is not proved.
     """
 
     claim: str
@@ -87,11 +89,14 @@ def certificate(study: Study) -> BoxCertificate:
         cuts = np.linspace(*box["k_c"], slices + 1)
         low_k, high_k = cuts[:-1], cuts[1:]
         open_ones = 0
-        for low, high in zip(low_k, high_k, strict=True):
-            found = certify(*_corners(box | {"k_c": (float(low), float(high))}), "no jump", max_boxes=_BOXES)
+        # From all parts of the range first: where each of these is open, so are the others, or nearly.
+        order = sorted(range(slices), key=lambda i: i % _SPREAD)
+        for done, i in enumerate(order, 1):
+            found = certify(*_corners(box | {"k_c": (float(low_k[i]), float(high_k[i]))}), "no jump", max_boxes=_BOXES)
             seen += found.boxes
             open_ones += found.outcome != "proved"
-            if open_ones and slices != _SLICES[-1]:
+            if open_ones and (slices != _SLICES[-1] or open_ones == done == slices // _SPREAD):
+                open_ones += slices - done
                 break
         left = open_ones / slices
         if not open_ones:

@@ -15,6 +15,7 @@ import pytest
 
 import spragsym as ss
 from spragsym import display
+from tests.support import LONG_MOTIONS_TAKE_MINUTES
 
 P = ss.Parameters.article(theta0=np.radians([30.0, 49.0]))
 ONE = ss.Parameters.article(theta0=0.5)
@@ -90,6 +91,10 @@ RESULTS: dict[str, Callable[[], Any]] = {
 }
 
 
+#: Those that take long motions.
+LONG_MOTIONS = ("Cycle", "CycleBranch", "CycleEvent", "EventCurve", "FateBoundary", "BasinBoundary", "Lyapunov")
+
+
 class Tables(HTMLParser):
     """Rows of cells; an error for tags that do not match."""
 
@@ -123,6 +128,8 @@ def test_every_result_is_known_here() -> None:
 
 @pytest.mark.parametrize("kind", RESULTS)
 def test_a_notebook_gets_a_table(kind: str) -> None:
+    if kind in LONG_MOTIONS and LONG_MOTIONS_TAKE_MINUTES:
+        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
     result = RESULTS[kind]()
     text = result._repr_html_()
     assert text == copy.deepcopy(result)._repr_html_()  # of equal results

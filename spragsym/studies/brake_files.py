@@ -111,7 +111,7 @@ def _table(text: str, lines: _Lines) -> dict[str, Any]:
     if "brake" not in content:
         other = next(iter(content), None)
         where = lines.path if other is None else lines.table(other) if isinstance(content[other], dict) else lines.of(other)
-        what = f"the table [{other}] is" if isinstance(content.get(other), dict) else f"the key {other!r} stands"
+        what = f"the table [{other}] is" if isinstance(content.get(str(other)), dict) else f"the key {other!r} stands"
         remark = f"{lines.path} is empty: " if other is None else f"{where}: {what} there, but "
         raise ParameterError(f"{remark}[brake] is missing; begin with a line [brake]{hint(str(other), ['brake'])}")
     table = content["brake"]
@@ -134,7 +134,8 @@ def _syntax(message: str, lines: _Lines) -> str:
     if "overwrite" in message:
         remedy = f"{key} is there twice; keep one of the two"
     else:
-        remedy = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{_example(key, QUANTITY_UNITS.get(key, "kg"))}"'
+        example = _example(key, QUANTITY_UNITS.get(key, "kg"))
+        remedy = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
     return f"{lines.path}, line {number}: {line!r} is not TOML ({said[:1].lower()}{said[1:]}); {remedy}"
 
 

@@ -118,7 +118,7 @@ def _fit(study: Study) -> Iterator[str]:
     if fit.d * fit.fastest < FULL_AT:
         yield (
             f"the measured friction still rises in proportion to the speed at {fit.fastest:.3g} m/s: only mu0 d = "
-            f"{fit.mu0 * fit.d:.3g} s/m is known, not each of the two; measure at faster sliding, and check that the speeds are in m/s"
+            f"{fit.mu0 * fit.d:.3g} s/m is known, not each of the two; measure at faster sliding, and check their unit"
         )
 
 
@@ -143,8 +143,8 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
             least = min(state.damping_ratio, default=0.0)
             if state.growth_per_s == 0:
                 yield (
-                    "nothing damps here: the friction does not change with the speed; whether a disturbance dies out is up to the "
-                    "damping of the real brake, which the model leaves out"
+                    "nothing damps here, since the friction does not change with the speed; whether a disturbance dies out is up "
+                    "to the damping of the real brake, which the model leaves out"
                 )
             elif abs(least) < NEUTRAL:
                 what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"

@@ -23,6 +23,7 @@ from ..display import Result
 from ..errors import SpragsymError
 from ..parameters import FloatArray, Parameters, PhysicalParameters
 from .study import Study
+from .tolerances import friction_at
 from .units import factor
 
 #: What may be changed, one at a time.
@@ -117,13 +118,15 @@ def _wide(study: Study) -> list[str]:
 
 
 def _shares(study: Study, corners: bool) -> FloatArray:
-    """Corners of the unit cube of all tolerances but the friction's, or points within it; a sample where the corners are many."""
+    """Corners of the unit cube of all tolerances but the friction's, a sample where they are many; or points of that and of the
+    tolerances of mu0, V and d.
+    """
     wide = _wide(study)
     if not wide:
         return np.empty((0, 0))
     if corners and len(wide) <= _CORNERS:
         return np.array(list(product((0.0, 1.0), repeat=len(wide))))
-    points = qmc.Sobol(len(wide) + (not corners), rng=1).random(1 << (_CORNERS if corners else 10))
+    points = qmc.Sobol(len(wide) + (0 if corners else 3), rng=1).random(1 << (_CORNERS if corners else 10))
     return np.round(points) if corners else np.asarray(points)
 
 
@@ -144,11 +147,11 @@ def _about(study: Study, changed: Mapping[str, Any], shares: FloatArray) -> dict
 def _probability(study: Study, changed: Mapping[str, float]) -> float:
     """The share of Sobol' points within the tolerances about a design that jump at their friction."""
     shares = _shares(study, corners=False)
-    low, _, high = study.friction
     if not len(shares):
         return math.nan
     about = _about(study, {name: np.array([value]) for name, value in changed.items()}, shares)
-    return float(1 - _free(study, about, low + shares[:, -1, None] * (high - low)).mean())
+    friction = friction_at(study, dict(zip(("mu0", "V", "d"), shares[:, -3:].T, strict=True)))
+    return float(1 - _free(study, about, friction[:, None]).mean())
 
 
 def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:

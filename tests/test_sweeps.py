@@ -27,7 +27,7 @@ from spragsym.files import storage
 from spragsym.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
-from tests.support import needs_posix
+from tests.support import needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -98,6 +98,7 @@ def test_a_point_that_fails_is_nan_with_its_reason_and_stops_nothing() -> None:
     assert (found.reason[~failed] == "").all()
 
 
+@needs_a_quick_integrator
 def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> None:
     # Not at the fold, 44.56 degrees: from rest at x = y = 0 the mass overshoots the middle one before that.
     theta0 = np.radians(np.arange(40.0, 44.1, 0.5))

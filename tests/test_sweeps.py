@@ -123,6 +123,7 @@ def test_the_limit_cycle_of_figure_7_comes_late() -> None:
     assert late.period == pytest.approx(float(later.period), rel=1e-5)
 
 
+@needs_a_quick_integrator
 def test_basin() -> None:
     p = ss.Parameters.article(theta0=np.radians(30))
     found = basin(p, 0.5, 4.0, x=[0.0, 0.1, 1.6], vx=[0.0, 0.01], t_end=2e4, transient=1.9e4)
@@ -132,6 +133,7 @@ def test_basin() -> None:
     assert found.attractors[found.attractor[0, 0]][:2] == (Regime.EQUILIBRIUM, 0)
 
 
+@needs_a_quick_integrator
 def test_sensitivity_brackets_the_jump() -> None:
     p = ss.Parameters.article(theta0=np.radians([38.0, 40.0, 42.0, 44.0]))
     table = sensitivity(p, V=[0.5, 1.0], d=[10.0], refine=4)

@@ -66,6 +66,8 @@ def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyP
 def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
     monkeypatch.setattr(lanes, "BURST", burst)
     good = problems(19)
+    enough = max(simulate_steps(problem) for problem in good) + 5  # steps before a new beginning do not count
+    good = [replace(problem, max_steps=enough) for problem in good]
     some = good.copy()
     for place in (0, 3, 4, 12, len(some)):
         some.insert(place, broken(good[0]))
@@ -190,6 +192,17 @@ def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
         problem = some.problem(row)
         alone = classify(found.course(row), problem, flows.onward(problem, "heyoka"))
         assert (told[row].regime if row in told else Regime.UNSETTLED) == alone.regime
+
+
+def test_a_cycle_is_told_from_few_turns() -> None:
+    problem = prepare(
+        ss.Parameters.article(theta0=np.radians(42)), **BELT, start=(0, 0, 0, 0), t_end=2000, t_record=1850, rtol=1e-10
+    )
+    found = lanes.watch(Motions.of([problem]))
+    assert found.maxima[0] < 8
+    ((_, outcome),) = classified(found, Motions.of([problem]), "heyoka")
+    assert outcome.regime == Regime.APPROACHES_CYCLE
+    assert outcome.period == pytest.approx(34.26737, abs=1e-5)
 
 
 def test_a_failure_of_the_machine_names_the_task(monkeypatch: pytest.MonkeyPatch) -> None:

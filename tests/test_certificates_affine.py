@@ -88,6 +88,9 @@ def test_errors_of_rounded_numbers_are_not_larger_than_needed() -> None:
         assert (1 / gone).error.tolist() == [np.inf] * 3
         assert gone.sqrt().error.tolist() == [np.inf] * 3
     assert Rounded(np.array([-4.0])).sqrt().error[0] == np.inf
+    small = Rounded(np.array([0.01]), np.array([1e-4]))
+    assert (1 / small).error[0] == pytest.approx(1 / 0.0099 - 100, rel=1e-6)
+    assert small.sqrt().error[0] < 0.0011
 
 
 def test_roots_of_rounded_numbers() -> None:
@@ -129,6 +132,7 @@ def test_cosines_of_angles() -> None:
         check(sine, [as_fraction(mpmath.sin(mpmath.mpf(angle))) for angle in angles])
     assert cosine.error.max() < 4e-15
     assert sine.sign()[-1] == 1
+    assert rounded.cosine_and_sine(np.array([5e-324]))[1].error[0] >= 8 * 5e-324  # whose unit is no smaller
 
 
 # ----------------------------------------------------------------------------------------------------------- affine

@@ -188,6 +188,13 @@ def test_exact_directions_are_not_denied():
             assert contractors.no_unit_vector(Intervals.point(part * rest[:, None]), Intervals.point(matrix[:, :, None]))[0]
 
 
+def test_a_wide_matrix_denies_nothing():
+    """u = (0, 1) and M with one element in ±3/2, whose row it is that is uncertain."""
+    factors = Intervals.between([[[1.0], [-1.5]], [[0.0], [1.0]]], [[[1.0], [1.5]], [[0.0], [1.0]]])
+    for element in (-1.5, 0.0, 1.5):
+        assert not contractors.no_unit_vector(Intervals.point([[-element], [-1.0]]), factors)[0]
+
+
 def test_boxes_inside_of_boxes():
     outer = np.stack([np.zeros((2, 6)), np.ones((2, 6))])  # [0, 1] × [0, 1]
     low = np.array([[0.1, 0.0, 0.1, 0.1, -0.1, 0.2], [0.1, 0.1, 0.1, 0.1, 0.1, 0.2]])
@@ -237,6 +244,14 @@ def test_inverses_of_what_has_none_are_the_unit_matrix():
         for k, scale in ((0, 1.0), (4, 1e-150), (5, 1e150)):
             assert np.allclose(inverses[:, :, k] @ good * scale, np.eye(n), rtol=0, atol=1e-12)
         assert (inverses[:, :, 1:4] == np.eye(n)[:, :, None]).all()
+        for wrong in (np.nan, np.inf, -np.inf):
+            partly = np.moveaxis(np.array([good, good]), 0, -1)
+            partly[0, 0, 1] = wrong
+            inverses = contractors.inverse(partly)
+            assert np.allclose(inverses[:, :, 0] @ good, np.eye(n), rtol=0, atol=1e-12)
+            assert (inverses[:, :, 1] == np.eye(n)).all()
+        diagonal = np.diag(-np.arange(1.0, n + 1))[:, :, None]
+        assert np.abs(contractors.inverse(diagonal)[:, :, 0] + np.diag(1 / np.arange(1.0, n + 1))).max() < 1e-15
     ranks = np.ones((3, 3, 1)) + np.diag([1.0, 0.0, 0.0])[:, :, None]
     assert (contractors.inverse(ranks) == np.eye(3)[:, :, None]).all()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 import numpy as np
@@ -14,7 +14,8 @@ import spragsym as ss
 from spragsym.catastrophe import fold_curves, fold_events, fold_proofs
 from spragsym.catastrophe.fixed import Fixed
 from spragsym.catastrophe.fold_events import Stretch
-from spragsym.exact import intervals
+from spragsym.exact import intervals, polynomials
+from spragsym.exact.descartes import Root
 from spragsym.generated import catastrophe as generated
 
 #: κ, α, σ, β: the article's, some where curves begin at θ₀ = 0 or π, close on themselves, or have a cusp at an end; α = 0.
@@ -101,9 +102,10 @@ def test_curves_end_where_they_must_and_step_smoothly(fixed: Fixed) -> None:
         assert steps.size == 0 or steps.max() < 0.03
 
 
-def _number(parts: list[Stretch], theta: np.ndarray) -> np.ndarray:
-    """How many folds each θ has, by the stretches."""
-    return np.array([part.number for part in parts])[np.searchsorted([part.high for part in parts[:-1]], theta)]
+def _within(parts: list[Stretch], theta: np.ndarray) -> Iterator[tuple[int, np.ndarray]]:
+    """How many folds there are, and at which of these θ, in each stretch; none next to an event."""
+    for part in parts:
+        yield part.number, theta[(part.low + 1e-3 < theta) & (theta < part.high - 1e-3)]
 
 
 def _roots(theta: float, fixed: Fixed) -> np.ndarray:
@@ -121,19 +123,16 @@ def _roots(theta: float, fixed: Fixed) -> np.ndarray:
 def test_roots_at_a_direction_are_all_and_in_order() -> None:
     rng = np.random.default_rng(61)
     for fixed in SETS:
-        parts = fold_events.stretches(fixed)
-        theta = rng.uniform(0.05, math.pi / 2, 60)
-        theta = theta[np.abs(np.subtract.outer(theta, [part.low for part in parts])).min(axis=1) > 1e-3]
-        for angle, number in zip(theta, _number(parts, theta), strict=True):
-            wanted = _roots(angle, fixed)
-            assert wanted.size == number
-            [found] = fold_curves.positive_roots(np.array([angle]), number, fixed)
-            np.testing.assert_allclose(found, wanted, rtol=1e-6)
+        for number, theta in _within(fold_events.stretches(fixed), rng.uniform(0.05, math.pi / 2, 30)):
+            wanted = [_roots(angle, fixed) for angle in theta]
+            assert all(row.size == number for row in wanted)
+            found = fold_curves.positive_roots(theta, number, fixed)
+            np.testing.assert_allclose(found, np.reshape(wanted, (theta.size, number)), rtol=1e-6)
 
 
 def test_the_number_of_folds_at_a_direction_is_that_of_changes_of_sign_in_exact_arithmetic() -> None:
     """On a grid of rational v = tan(θ₀/2) the condition changes its sign as often as a stretch says, or by pairs less often."""
-    grid = [Fraction(k, 64) for k in range(1, 64)] + [Fraction(64, k) for k in range(64, 0, -1)]
+    grid = [Fraction(k, 32) for k in range(1, 32)] + [Fraction(32, k) for k in range(32, 0, -1)]
     for fixed in SETS:
         seen = []
         for part in fold_events.stretches(fixed):
@@ -197,9 +196,9 @@ def test_events_however_close_are_told_apart() -> None:
     def numbers(share: float) -> list[int]:
         return [part.number for part in fold_events.stretches(between(share))]
 
-    assert numbers(0.0)[:4] == [2, 3, 4, 2]
-    assert numbers(1.0) == [2, 3, 1, 2]
-    low, high = 0.0, 1.0
+    low, high = 0.88296476, 0.88296477
+    assert numbers(low)[:4] == [2, 3, 4, 2]
+    assert numbers(high)[:4] == [2, 3, 1, 2]
     while low < (middle := (low + high) / 2) < high:
         low, high = (middle, high) if 4 in numbers(middle) else (low, middle)
     for share, number in ((low, 4), (high, 1)):
@@ -207,6 +206,68 @@ def test_events_however_close_are_told_apart() -> None:
         [narrow] = [part for part in fold_events.stretches(fixed) if part.number == number]
         assert narrow.high - narrow.low < 1e-10
         check_crossings(fixed, "0.3217")
+
+
+def test_roots_above_0_are_counted_whatever_their_size() -> None:
+    """Products of known factors, roots close to Cauchy's bound among them; up to 1, with 1 itself."""
+    for roots in (
+        (2, -3),
+        (5, 7, -1),
+        (1000,),
+        (Fraction(1, 1000), -2, 3),
+        (-1, -2),
+        (1, 4),
+        (Fraction(1, 2), 1, Fraction(3, 2)),
+    ):
+        polynomial: tuple[Fraction, ...] = (Fraction(1),)
+        for root in map(Fraction, roots):
+            polynomial = tuple(a - root * b for a, b in zip((0, *polynomial), (*polynomial, 0), strict=True))
+        integers = polynomials.primitive(polynomial)
+        assert fold_events._positive_roots(integers, None) == sum(root > 0 for root in roots)
+        assert fold_events._positive_roots(integers, Fraction(1)) == sum(0 < root <= 1 for root in roots)
+    golden = (-1, -1, 1)  # (1 ± √5)/2: beyond the largest coefficient over the leading one
+    assert fold_events._positive_roots(golden, None) == 1
+
+
+def test_an_event_of_two_kinds_is_one_event(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Polynomials with the roots 1/2 and 1/3, 1/2 and 2/3, 2/3 twice: three events."""
+    conditions = [(1, -5, 6), (2, -7, 6), (4, -12, 9), (7, 1)]
+    monkeypatch.setattr(fold_events, "_conditions", lambda _: iter(conditions))
+    events = fold_events._events(FAMILY)
+    assert [float(event.low) for event in events] == pytest.approx([1 / 3, 1 / 2, 2 / 3], abs=1e-15)
+    assert all(event.low <= event.high for event in events)
+
+
+def test_events_are_isolated_until_nothing_touches(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Intervals that have a point in common, with each other or with t = 1, are no answer; each try has twice the bits."""
+    asked = []
+
+    def apart(bits: int) -> list[Root]:
+        width = Fraction(1, bits)
+        return {
+            64: [Root(1 - 2 * width, 1 - width), Root(1 - width, 1 - width / 2)],  # they touch
+            128: [Root(1 - 2 * width, 1 - width), Root(1 - width / 2, Fraction(1))],  # one touches 1
+            256: [Root(1 - width / 2, 1 - width / 4), Root(1 - 2 * width, 1 - width)],
+        }[bits]
+
+    def one_after_the_other(_: object, low: Fraction, high: Fraction, bits: int) -> list[Root]:
+        asked.append((low, high, bits))
+        return apart(bits)
+
+    monkeypatch.setattr(fold_events, "_conditions", lambda _: iter([(-1, 2)]))
+    monkeypatch.setattr(fold_events, "real_roots", one_after_the_other)
+    assert fold_events._events(FAMILY) == sorted(apart(256))
+    assert asked == [(0, 1, bits) for bits in (64, 128, 256)]
+
+
+@pytest.mark.parametrize("fixed", [Fixed(0.25, 0.5, 0.5, 0.0), Fixed(1.0, 1.0, 1.0, 0.0), Fixed(0.5, 0.5, 1.0, 0.0)], ids=str)
+def test_what_happens_at_90_degrees_or_everywhere_is_no_event(fixed: Fixed) -> None:
+    """κ (α + σ) = σ (1 + β − α): one passes 0 and its mirror image π at θ = π/2; α = κ = 1 + β: no θ has a fold without friction."""
+    parts = fold_events.stretches(fixed)
+    assert all(part.low < part.inside < part.high for part in parts)
+    for part in parts:
+        assert _roots(part.inside, fixed).size == part.number
+    check_crossings(fixed, "0.3217", "1.913")
 
 
 def test_without_alpha_curves_lie_on_either_side_alike_and_friction_is_positive() -> None:
@@ -219,11 +280,9 @@ def test_without_alpha_curves_lie_on_either_side_alike_and_friction_is_positive(
         np.testing.assert_allclose(theta0[there], (np.pi - theta0)[mirrored], rtol=0, atol=1e-12)
     for _ in range(40):
         fixed = Fixed(10 ** rng.uniform(-4, 1), 0.0, 10 ** rng.uniform(-3, 1.5), rng.choice([0, 10 ** rng.uniform(-2, 1.5)]))
-        parts = fold_events.stretches(fixed)
-        theta = rng.uniform(0.01, math.pi / 2 - 1e-3, 50)
-        for angle, number in zip(theta, _number(parts, theta), strict=True):
-            roots = fold_curves.positive_roots(np.array([angle]), number, fixed)
-            assert not (fold_curves.friction(np.array([[angle]]), 2 * np.arctan(roots), fixed) < 0).any()
+        for number, theta in _within(fold_events.stretches(fixed), rng.uniform(0.01, math.pi / 2 - 1e-3, 50)):
+            roots = fold_curves.positive_roots(theta, number, fixed)
+            assert not (fold_curves.friction(theta[:, None], 2 * np.arctan(roots), fixed) < 0).any()
 
 
 @pytest.mark.parametrize(

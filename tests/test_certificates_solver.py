@@ -487,3 +487,54 @@ def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
     p = ss.Parameters([0.9, 1.1, 1.2], [0.5, 0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
     assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
     assert ss.equilibria(p).fold.tolist() == [False, False, True]
+
+
+#: Three points beside two whose numbers are so far apart that double-double arithmetic is not what its bounds say.
+SOME_IMMODERATE = [
+    np.array(column)
+    for column in zip(
+        (1.2, 0.3, 0.1, 0.1, 0.1, 0.1),
+        (1.2327756113845494, 4.53e21, 7.32e-53, 6.145e51, 2.6e-32, 1.748e49),
+        (0.7, 0.7, 0.007, 0.007, 0.1, 0.0),
+        (1.3664280351761058, 3.45e90, 1.433e12, 3.5579e34, 1.27e29, 9.49e41),
+        (0.6, 1.0, 0.1, 0.1, 0.1, 0.1),
+        strict=True,
+    )
+]
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 5])
+def test_blocks_of_double_double_do_not_show(monkeypatch: pytest.MonkeyPatch, size: int) -> None:
+    """What is left is told by its place among the points, and the others are where their rows are."""
+    monkeypatch.setattr(solver, "WIDE_BLOCK", size)
+    out = slots.Slots(9, 3)
+    rows = np.array([1, 2, 4, 7, 8])
+    assert solver._solve_widely(SOME_IMMODERATE, True, out, rows).tolist() == [1, 3]
+    expected = ss.equilibria(ss.Parameters(*(column[[0, 2, 4]] for column in SOME_IMMODERATE)))
+    assert out.count[[1, 4, 8]].tolist() == expected.count.tolist()
+    assert not out.count[[0, 2, 3, 5, 6, 7]].any()
+    out.clear()
+    np.testing.assert_allclose(out.padded("theta")[[1, 4, 8]], expected.theta, rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["numpy", "compiled"])
+def test_double_double_is_that_of_the_backend(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr(solver.backends, "chosen", lambda: (name, 1))
+    for module, its in ((solver.compiled, "compiled"), (block, "numpy")):
+        monkeypatch.setattr(module, "solve_widely", lambda *_, its=its: (asked.append(its), np.arange(5))[1])
+    assert solver._solve_widely(SOME_IMMODERATE, True, slots.Slots(5, 3), np.arange(5)).tolist() == [0, 1, 2, 3, 4]
+    assert asked == [name]
+
+
+def test_the_error_of_a_stored_state_covers_its_rounding() -> None:
+    """Of numbers halfway between two floats."""
+    with mpmath.workprec(120):
+        half = 1 + mpmath.mpf(2) ** -53
+        state = ladder.State(half, 2 * half, -half, 4 * half, 1, mpmath.mpf(2) ** -110)
+        columns = slots.empty(3, 1)
+        solver._store(columns, 0, ladder.Settled((state,), False, 128), {})
+        error = columns["error"][0, 0]
+        for name in ("theta", "L", "x", "y"):
+            true = getattr(state, name)
+            assert abs(float(columns[name][0, 0]) - true) / max(1, abs(true)) <= error <= 1.3e-16

@@ -561,7 +561,10 @@ def test_greek_output_in_any_surroundings(surroundings: str, tmp_path: Path) -> 
     assert len(json.loads(run_in(surroundings, tmp_path, "check", "--json").stdout)) == 53
 
 
-@pytest.mark.parametrize("surroundings", SURROUNDINGS)
+@pytest.mark.parametrize(
+    "surroundings",
+    [name if name in ("empty", "ascii") else pytest.param(name, marks=pytest.mark.thorough) for name in SURROUNDINGS],
+)
 def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
     """Right output or one line: with Greek in the arguments, and a bar on stderr."""
     done = run_in(surroundings, tmp_path, "equilibria", "--θ0", "30")

@@ -409,6 +409,71 @@ def test_what_has_no_cycle_says_what_it_is_instead() -> None:
         ss.cycle(at(42.0), **BELT, near=(1.0, 2.0))
 
 
+def test_a_motion_that_has_lifted_off_for_good_is_on_no_cycle() -> None:
+    p = at(60.0, kappa=0.001)
+    lifted = ss.equilibria(p, contact=False)
+    (well,) = np.flatnonzero(lifted.stability == ss.Stability.STABLE)
+    start = (float(lifted.x[well]) + 0.01, float(lifted.y[well]), 0.0, 0.0)
+    with pytest.raises(ss.ConvergenceError, match="lifted off for good"):
+        ss.cycle(p, **BELT, near=start)
+    found = ss.lyapunov(p, **BELT, start=start, t_end=500.0)
+    assert abs(found.trace) < 1e-15  # no friction without contact
+    assert found.zero.all()
+    with pytest.raises(ss.ParameterError, match="LIFT_OFF at both ends"):
+        ss.fate_boundary(p, vary="theta0", bracket=(1.04, 1.05), **BELT, start=start)
+
+
+def test_at_the_anchor_there_is_no_motion() -> None:
+    start = (math.cos(math.radians(42)), math.sin(math.radians(42)), 0.0, 0.0)
+    for failing in (
+        lambda: ss.cycle(at(42.0), **BELT, near=start),
+        lambda: ss.lyapunov(at(42.0), **BELT, start=start),
+    ):
+        with pytest.raises(ss.ParameterError, match="not defined there"):
+            failing()
+
+
+def test_where_the_belt_stands_still() -> None:
+    still = {"V": 0.0, "d": 10.0}
+    with pytest.raises(ss.ConvergenceError, match="decays to rest"):
+        ss.cycle(at(42.0), **still)
+    with pytest.raises(ss.ParameterError, match="APPROACHES_EQUILIBRIUM at both ends"):
+        ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7, 0.75), **still)
+    found = ss.lyapunov(at(42.0), **still, start=(0.5, 0.0, 0.0, 0.0), t_end=500.0)
+    assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
+    assert found.trace < 0
+    edge = ss.basin_boundary(at(42.0), **still, points=1)  # at V = 0 there is no friction at rest: a saddle of the springs alone
+    springs = ss.equilibria(at(42.0, mu0=0.0))
+    assert np.abs(springs.x - edge.saddle[0]).min() < 1e-9
+
+
+def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
+    """Deviations shrink by e^−300 and more where the mass sticks: what rounding loses is not told as an exponent."""
+    steep = {"V": 0.5, "d": 1e4}
+    found = ss.cycle(at(42.0), **steep, near=(2.5, 3.4, 0.0, 0.36))
+    assert found.residual < 1e-12
+    exponents = ss.lyapunov(at(42.0), **steep, start=(0.5, 0.0, 0.0, 0.0), t_end=250.0)
+    assert exponents.exponents.sum() == pytest.approx(exponents.trace, rel=1e-9)
+    with pytest.raises(ss.ParameterError, match="both ends"):
+        ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.6, 0.77), **steep)
+    assert ss.basin_boundary(at(42.0), **steep, points=1).error.max() < 1e-8
+    branch = ss.cycle_branch(slow, "d", (9.9, 1e4), points=3)
+    assert "points were followed" in branch.of("end")[-1].how
+
+
+def test_failures_of_loaded_models_are_told_as_well() -> None:
+    for name in ("kang_nam", "stick_slip"):
+        model = ss.load(name)
+        p = model.Parameters(V=0.0, **({"theta0": math.radians(42.0)} if name == "kang_nam" else {}))
+        with pytest.raises(ss.ConvergenceError, match=r"rest at x = [-\d.e]+(, y = [-\d.]+)?;"):
+            model.cycle(p)
+        found = model.lyapunov(p, t_end=300.0)
+        assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)
+    damped = ss.load("stick_slip").Parameters(zeta=0.5)
+    with pytest.raises(ss.ConvergenceError, match=r"it is at rest at x = 0\.1923"):
+        ss.load("stick_slip").cycle(damped)
+
+
 @pytest.mark.parametrize(("V", "d"), [(0.0, 10.0), (0.5, 1e4)])
 def test_extremes_end_in_time(V: float, d: float) -> None:
     found = None

@@ -490,6 +490,7 @@ def test_a_probability_is_that_of_plain_samples() -> None:
     assert set(found.first) == {"theta0", "mu0", "kappa", "sigma"}
 
 
+@pytest.mark.thorough
 def test_intervals_of_one_variable_hold_the_truth_although_all_replicates_agree() -> None:
     """Where one quantity varies, each replicate has the same number of hits but for one: no spread, and still an error."""
     fixed = {name: float(getattr(BASE.replace(theta0=0.7), name)) for name in NAMES if name != "mu0"}

@@ -60,7 +60,7 @@ QUICK: dict[str, dict[str, Any]] = {
 
 
 #: Those that integrate many motions.
-MOVING = ("7", "cycles", "cycles-plane", "rms-map")
+MOVING = ("7", "cycles", "cycles-plane", "rms-map", "sensitivity")
 
 
 class Sheets(dict[str, Sheet]):

@@ -327,6 +327,7 @@ def test_axes_are_aligned():
         assert result.high.tolist() == [[2, 3, 4], [3.5, 4.5, 5.5]]
     quotient = rows / one
     assert np.abs(quotient.high - np.array([[0.5, 0.75, 2.5 / 3], [3.5, 2.25, 5.5 / 3]])).max() < 1e-14
+    assert [float(part.high) for part in one] == [2, 3, 4]
     assert [part.low.tolist() for part in rows] == [[0, 1, 2], [3, 4, 5]]
     assert rows[1].high.tolist() == [3.5, 4.5, 5.5]
     assert float(rows[1, 2].low) == 5
@@ -346,6 +347,9 @@ def test_quotients_by_what_holds_zero():
     assert np.abs(result.low[1, 1] - 0.5) < 1e-14
     assert result.high[1, 1] == np.inf
     assert np.isnan(result.ends[:, 2:]).all()
+    small = Intervals.between([2.0, 2.0], [3.0, 3.0]) / Intervals.between([0.0, -0.5], [0.5, 0.0])
+    assert np.abs([small.low[0] - 4.0, small.high[1] + 4.0]).max() < 1e-13
+    assert (small.high[0], small.low[1]) == (np.inf, -np.inf)
     zero = Intervals.point([0.0]) / Intervals.between([0.0], [2.0])
     assert max(zero.ends.max(), 0) <= TINY
     assert zero.holds_zero().all()

@@ -64,6 +64,31 @@ def test_a_line_of_equilibria_is_said_in_a_line():
     assert any("sigma = 0 det K is 0 in every state" in remark for remark in found.remarks)
 
 
+@pytest.mark.parametrize("kappa", [3.07122127441096e-3, 4.770632327080111e-10])
+def test_a_mass_that_almost_hangs_on_a_circle(kappa):
+    # A stiff spring and next to nothing else: near-equilibria all around its anchor, which only its angle tells apart.
+    values = {"theta0": 1.8525980882017512, "mu0": 1.75, "alpha": 1.548e-3, "sigma": 7.8, "beta": 0.0, "kappa": kappa}
+    model = ss.load("kang_nam")
+    eq = model.equilibria(model.Parameters(**values), contact=False)
+    known = ss.equilibria(ss.Parameters(**values), contact=False)
+    assert eq.complete
+    assert int(eq.count) == int(known.count)
+    assert np.allclose(eq.x, np.sort(known.x)[: int(known.count)], rtol=0, atol=1e-12)
+    assert eq.error.max() <= 1e-12
+
+
+def test_a_circle_that_many_digits_leave_open():
+    # The one point of 10⁵ of benchmarks.families that was left undecided.
+    values = {
+        "theta0": 2.6739550310885836, "mu0": 0.0, "kappa": 0.19734271659075414, "alpha": 0.002747021913709797,
+        "sigma": 2.9289279863232807, "beta": 0.0,
+    }  # fmt: skip
+    model = ss.load("kang_nam")
+    eq = model.equilibria(model.Parameters(**values))
+    assert eq.complete
+    assert np.allclose(eq.x, np.sort(ss.equilibria(ss.Parameters(**values)).x), rtol=0, atol=1e-12)
+
+
 # -------------------------------------------------------------------------------------------------- the command line
 
 

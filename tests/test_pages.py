@@ -43,6 +43,12 @@ def line_of(path: Path, piece: str) -> int:
 LAW = "lambda depth: k_c * depth"
 FRICTION = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
 REFUSED = {
+    "a function of floats": (LAW, "lambda depth: k_c * float(depth)", "page.contact(", "law can't be taken of an expression"),
+    "a law of a coordinate": (LAW, "lambda depth: k_c * depth * (1 + x / L_0)", "page.contact(", "depends on x; it is a"),
+    "a stiffness that moves": ("page.spring(k_y, along=y)", "page.spring(k_y * y / L_0, along=y)", "k_y * y", "depends on y"),
+    "a coordinate as text": ("page.spring(k_y, along=y)", 'page.spring(k_y, along="y")', "page.spring(k_y", "no coordinate"),
+    "a mass below 0": ("page.kinetic(m * (", "page.kinetic(-m * (", "page.kinetic(", "not positive for all rates"),
+    "one name for two": ('becomes="beta"', 'becomes="alpha"', "k_y = page.parameter(", "k_x and k_y both become alpha"),
     "a contact that pulls": (LAW, "lambda depth: -k_c * depth", "page.contact(", "pulls"),
     "a contact that pulls further in": (LAW, "lambda depth: k_c * depth - k_c * depth**2 / L_0", "page.contact(", "pulls"),
     "a contact that jumps": (LAW, "lambda depth: k_c * depth + F_L", "page.contact(", "just touches"),

@@ -352,6 +352,7 @@ def test_a_cycle_in_seconds_millimetres_and_newtons(tmp_path: Path, capsys: pyte
     assert found["contact_force_N"] == pytest.approx([2 * force for force in cycle.contact_force], rel=1e-9)
 
 
+@pytest.mark.thorough
 def test_another_model_answers_what_the_article_s_answers_where_it_is_the_same(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

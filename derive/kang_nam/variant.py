@@ -1,9 +1,9 @@
-"""What falls of the article when its page changes: every printed row against the model of a page.
+"""Which printed statements no longer hold when the model changes: every printed row against the model of a page.
 
 A row rests on few things: the geometry of the spring, the laws of contact and friction, the balance of forces, and so on. Each of these
 is compared with the article's, by exact algebra; a row holds where all that it rests on is the article's, fails where something
-differs, with the difference, and has no meaning where a thing that it speaks of is not there. What is judged is the row with the
-article's own misprints mended.
+differs, with the difference, and has no meaning where the model lacks what it is about. Misprints of the article are corrected
+before a row is judged.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Judgement:
 
 
 class NoMeaning(Exception):
-    """The model has not what a row speaks of."""
+    """The model lacks what a row is about."""
 
 
 def judge(model: Mechanics) -> list[Judgement]:
@@ -244,7 +244,7 @@ class _Compared:
         return found
 
     def alone(self) -> dict[str, sp.Expr]:
-        """That x and y are all unknowns."""
+        """That there are no unknowns besides x and y."""
         if len(self.model.coordinates) != 2:
             raise NoMeaning(f"the linearization has {len(self.model.coordinates)} unknowns: its determinant is of higher order")
         return {}

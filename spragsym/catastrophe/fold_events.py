@@ -59,12 +59,18 @@ def _stretch(low: Fraction, high: Fraction, exact: Fixed) -> Stretch:
     inside = (low + high) / 2
     c, s, _ = on_circle(inside)
     condition = polynomials.primitive(fold_polynomial((c, s), exact))
-    limit = 1 + max(map(abs, condition)) / Fraction(abs(condition[-1])) if exact.alpha else Fraction(1)  # Cauchy's bound
-    chain = polynomials.sturm_chain(condition, polynomials.exact_sign)
-    number = polynomials.count_between(chain, Fraction(0), limit, polynomials.exact_sign)
+    number = _positive_roots(condition, None if exact.alpha else Fraction(1))
     at_zero, at_end = condition[0], condition[-1] if exact.alpha else sum(condition)
     begin, middle, end = (2 * math.atan(t) for t in (low, inside, high))
     return Stretch(begin, end, middle, number, descartes.sign(at_zero), descartes.sign(at_end))
+
+
+def _positive_roots(condition: Polynomial, limit: Fraction | None) -> int:
+    """How many roots a polynomial without multiple ones has in (0, limit], or above 0."""
+    if limit is None:  # Cauchy's bound
+        limit = 1 + max(map(abs, condition)) / Fraction(abs(condition[-1]))
+    chain = polynomials.sturm_chain(condition, polynomials.exact_sign)
+    return polynomials.count_between(chain, Fraction(0), limit, polynomials.exact_sign)
 
 
 def _events(exact: Fixed) -> list[Root]:
@@ -72,7 +78,8 @@ def _events(exact: Fixed) -> list[Root]:
     conditions, bits = list(_without_common_roots(_conditions(exact))), _BITS
     while True:
         found = sorted(root for condition in conditions for root in real_roots(condition, Fraction(0), Fraction(1), bits))
-        if all(one.high < other.low for one, other in itertools.pairwise([*found, Root(Fraction(1), Fraction(1))])):
+        after = [*(root.low for root in found[1:]), Fraction(1)]
+        if all(root.high < low for root, low in zip(found, after, strict=False)):
             return found
         bits *= 2
 

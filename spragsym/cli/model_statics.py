@@ -29,7 +29,8 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
 
     def equilibria(json_output: bool, **values: Any) -> None:
         p = model.Parameters(**parameters_of(model, values))
-        rows, open_boxes = [], []
+        rows: list[dict[str, Any]] = []
+        open_boxes: list[dict[str, Any]] = []
         unilateral = model.about["contact"]["unilateral"]
         for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
             found = model.equilibria(p, contact=contact)

@@ -12,11 +12,19 @@ from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
 from ..dynamics.problem import BELT_SPEED, CREEP
+from ..dynamics.shooting import rate
+from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, as_number
 from .sprag import SPRAG
 
 #: Time between two orthonormalizations.
 STRETCH = 5.0
+
+#: Deviations of which one is smaller than another by more than this in a stretch are lost in rounding: it is halved.
+LOST = 1e-10
+
+#: Most often.
+HALVINGS = 12
 
 #: Blocks of the second half of the motion, by whose scatter the error is judged.
 BLOCKS = 8
@@ -109,12 +117,26 @@ def exponents_of(
     m, count = field.size, max(2 * BLOCKS, math.ceil(t_end / STRETCH))
     stretch = t_end / count
     frame, logs, volumes = np.eye(m), np.empty((count, m)), np.empty(count)
+    if not np.isfinite(rate(field, state, constants)).all():
+        raise ParameterError(f"start = {state.tolist()}: the motion is not defined there; start anywhere else")
+
+    def carried(
+        state: FloatArray, frame: FloatArray, span: float, halvings: int
+    ) -> tuple[FloatArray, FloatArray, FloatArray, float]:
+        """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
+        passage = fly(state, constants, span, none)
+        turned, triangle = np.linalg.qr(passage.by_state @ frame)
+        sizes = np.abs(np.diag(triangle))
+        if sizes.min() > LOST * sizes.max():
+            return passage.state, turned, np.log(sizes), float(np.linalg.slogdet(passage.by_state)[1])
+        if halvings == 0:
+            raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: too stiff")
+        middle, frame, first, shrunk = carried(state, frame, span / 2, halvings - 1)
+        end, frame, second, more = carried(middle, frame, span / 2, halvings - 1)
+        return end, frame, first + second, shrunk + more
+
     for i in range(count):
-        passage = fly(state, constants, stretch, none)
-        state = passage.state
-        frame, triangle = np.linalg.qr(passage.by_state @ frame)
-        logs[i] = np.log(np.abs(np.diag(triangle)))
-        volumes[i] = math.log(abs(np.linalg.det(passage.by_state)))
+        state, frame, logs[i], volumes[i] = carried(state, frame, stretch, HALVINGS)
     late = logs[count // 2 :]
     times = stretch * np.arange(1, len(late) + 1)
     running = np.cumsum(late, axis=0) / times[:, None]

@@ -14,7 +14,7 @@ from ..dynamics.flows import carrier, flow
 from ..dynamics.passage import Fly, Turn
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import Regime
-from ..dynamics.shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, solved
+from ..dynamics.shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
 from .orbit import Cycle, cycle_of
@@ -98,6 +98,8 @@ def cycle_near(
     approached = near is None or settled
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
+    if not np.isfinite(rate(field, start, constants)).all():
+        raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
     follow = flow(field, name, derivatives=False)
     for stage in STAGES if patient or settled else STAGES[:1]:
         passage = follow.fly(start, constants, stage, none)
@@ -197,11 +199,13 @@ def _why(field: Field, values: tuple[float, ...], state: FloatArray, span: float
     """What became of a motion that no cycle was found for."""
     told = "no cycle was found near the motion"
     try:
-        outcome = field.simulate(values, state, 2000.0).outcome(0.0)
+        outcome = field.simulate(values, state, 2000.0).outcome(1000.0)
     except ConvergenceError as error:
         return f"{told}, which could not be followed: {error}"
+    rest = zip(field.coordinates, (outcome.rest_x, outcome.rest_y), strict=False)
+    places = [f"{name} = {value:.6g}" for name, value in rest if np.isfinite(value)]
     return (
         f"{told}, followed for up to {span:g} time units: {COMES_TO[outcome.regime]}"
-        + (f" at x = {outcome.rest_x:.6g}, y = {outcome.rest_y:.6g}" if np.isfinite(outcome.rest_x) else "")
+        + (f" at {', '.join(places)}" if places else "")
         + "; give a state nearer to a cycle, or other parameters"
     )

@@ -50,7 +50,7 @@ def have_jumped(p: Parameters) -> Jumped:
     --------
     >>> import numpy as np
     >>> have_jumped(Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7])).jumped
-    array([False, False,  True])
+    array([False,  True,  True])
     """
     p.require("theta0", "mu0")
     size = math.prod(p.shape)

@@ -11,7 +11,7 @@ from ..parameters import FloatArray
 from .course import Courses, Ends
 from .field import Field
 from .passage import Fly, Passage, Turn
-from .shooting import Guess, at_rest_along, once_round, rate, solved
+from .shooting import Guess, Loop, at_rest_along, once_round, rate, solved
 
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.
 STEP = 1e-5
@@ -68,8 +68,8 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach
 
 def nearly_closed(
     field: Field, ends: Ends, state: FloatArray, period: float, reach: float, precision: float
-) -> tuple[FloatArray, float]:
-    """State and period to a precision, by the plain flow and its forward differences: where that fails, it fails cheaply."""
+) -> Loop:
+    """The loop to a precision, by the plain flow and its forward differences: where that fails, it fails cheaply."""
     m = field.size
 
     def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
@@ -77,8 +77,7 @@ def nearly_closed(
         return Passage(last, (np.array(others) - last).T / COARSE, np.zeros((m, 2)), (), ())
 
     guess, condition = Guess(state[None], period, ()), at_rest_along(field, m + 1)
-    loop = solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
-    return loop.guess.states[0], loop.guess.period
+    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
 
 
 def by_differences(field: Field, courses: Courses) -> Fly:

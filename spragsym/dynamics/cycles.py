@@ -33,6 +33,9 @@ FEWEST = 3
 #: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
 NEUTRAL = 1e-6
 
+#: A multiplier beyond this repels, even if it is known to a digit only.
+REPELS = 2.0
+
 #: Steps whose cosine is at least this go in one direction; the end of such a drift is away beyond this.
 ALIGNED, AWAY = 0.98, 0.5
 
@@ -89,7 +92,7 @@ def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Ou
     for k in _candidates(states):
         period = float(course.maxima_t[-1] - course.maxima_t[-1 - k])
         try:
-            orbit = onward.closed(course.maxima[-1], period, 4 * CLOSE * float(scale.max()))
+            orbit = _orbit(onward, course.maxima[-1], period, scale)
         except ConvergenceError:
             continue
         cycle = _Cycle(orbit, onward, scale)
@@ -107,6 +110,15 @@ def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Ou
             regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
             return _described(cycle, regime, -math.log(max(largest, 1e-300)) / orbit.period, distance)
     return None
+
+
+def _orbit(onward: Onward, state: FloatArray, period: float, scale: FloatArray) -> Closed:
+    """The closed orbit near a state; ConvergenceError where there is none, or where some digits tell that it is not wanted."""
+    reach = 4 * CLOSE * float(scale.max())
+    place, period, slope = onward.roughly(state, period, reach)
+    if np.abs(section(place - state) / scale).max() > 5 * CLOSE or np.abs(np.linalg.eigvals(slope)).max() > REPELS:
+        raise ConvergenceError("the closed orbit is too far away, or repels")
+    return onward.closed(place, period, reach)
 
 
 def _scale(course: Course) -> FloatArray:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any
 
+from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
 from .closed import OPEN, ROUGH, Closed, by_differences, closed_orbit, nearly_closed
@@ -16,9 +18,8 @@ from .problem import Problem
 from .shooting import CLOSED
 from .sprag import REACH
 
-#: Tolerance of flows whose differences are taken, by heyoka's method and by others, and by how much an orbit may stay open.
-FINE = {"heyoka": (1e-15, CLOSED)}
-FINE_ELSE = (1e-12, OPEN)
+#: Tolerances of flows that closed orbits are found with: for differences that stand for derivatives, and as fine as heyoka goes.
+FINE, FINEST = 1e-12, 1e-15
 
 
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
@@ -41,11 +42,15 @@ class Onward:
     ----------
     courses : callable
         ``courses(states, duration)``: what is measured on the way from each of many states.
+    roughly : callable
+        ``roughly(state, period, reach)``: the closed orbit near a state where x' = 0, to some digits: its state, its period, and
+        the derivative of one round.
     closed : callable
-        ``closed(state, period, reach)``: the closed orbit near a state where x' = 0.
+        ``closed(state, period, reach)``: the same to all digits.
     """
 
     courses: Courses
+    roughly: Callable[[FloatArray, float, float], tuple[FloatArray, float, FloatArray]]
     closed: Callable[[FloatArray, float, float], Closed]
 
 
@@ -54,14 +59,23 @@ def onward(problem: Problem, backend: str) -> Onward:
 
     courses, ends = integrators.flows(problem, backend)
 
-    def closed(state: FloatArray, period: float, reach: float) -> Closed:
-        field = replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
-        state, period = nearly_closed(field, ends, state, period, reach, ROUGH)
-        if backend == "scipy":
-            return closed_orbit(field, variations_scipy.Flight(field).fly, state, period, reach, CLOSED)
-        rtol, precision = FINE.get(backend, FINE_ELSE)
-        fine, there = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
-        state, period = nearly_closed(field, there, state, period, reach, precision)
-        return closed_orbit(field, by_differences(field, fine), state, period, reach, precision)
+    def roughly(state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
+        loop = nearly_closed(field(), ends, state, period, reach, ROUGH)
+        return loop.guess.states[0], loop.guess.period, loop.monodromy
 
-    return Onward(courses, closed)
+    def field() -> Field:
+        return replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
+
+    def closed(state: FloatArray, period: float, reach: float) -> Closed:
+        if backend == "scipy":
+            return closed_orbit(field(), variations_scipy.Flight(field()).fly, state, period, reach, CLOSED)
+        rtol, precision = (FINEST, CLOSED) if backend == "heyoka" else (FINE, OPEN)
+        fine, fine_ends = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
+        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where differences fail it is all of them.
+        with suppress(ConvergenceError):
+            near = nearly_closed(field(), fine_ends, state, period, reach, precision).guess
+            state, period = near.states[0], near.period
+        fly = variations_heyoka.compiled(field(), directions=0).fly if backend == "heyoka" else by_differences(field(), fine)
+        return closed_orbit(field(), fly, state, period, reach, precision)
+
+    return Onward(courses, roughly, closed)

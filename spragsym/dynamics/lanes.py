@@ -31,11 +31,10 @@ BURST = 128
 #: Kinds of event.
 EVENTS = len(Event)
 
+_ALL = list(range(LANES))
+
 #: Of a motion that did not arrive.
 _NEVER = [0] * EVENTS
-
-#: Of a motion that did not turn.
-_NONE = Turns()
 
 #: What crossing a border does in a mode: in which direction it is crossed, the mode beyond, which parameters become what, and
 #: what a user calls it.
@@ -57,9 +56,24 @@ class Stage:
     @classmethod
     def of(cls, motions: Motions) -> Stage:
         """All of them at their starts."""
-        initial = motions.field.initial_mode
-        modes = [initial(state, known) for state, known in zip(motions.starts.tolist(), motions.constants.tolist(), strict=True)]
+        modes = motions.field.initial_modes(motions.starts, motions.constants)
         return cls(motions, motions.starts, modes, [0] * len(modes))
+
+
+@dataclass
+class _Run:
+    """A stage that is being carried: what all begin with (columns), who waits, who is in which lane, and who has arrived."""
+
+    stage: Stage
+    state: FloatArray
+    pars: FloatArray
+    waiting: list[int]
+    carried: FloatArray
+    modes: list[Mode]
+    steps: list[int]
+    turns: list[Turns | None]
+    counts: list[list[int]]
+    running: dict[int, int] = field(default_factory=dict)
 
 
 class Lanes:
@@ -127,104 +141,112 @@ class Lanes:
         """Carry all motions of a stage on from ``begin`` to ``end`` but those that have stopped, or stop on the way."""
         import heyoka as hy
 
-        ended, going = hy.taylor_outcome.time_limit, (hy.taylor_outcome.step_limit, hy.taylor_outcome.success)
-        loads = self._loads(stage, end - begin)
-        carried, most, steps = np.full((len(stage.modes), len(self.state)), np.nan), stage.motions.max_steps, stage.steps.copy()
-        modes, stage.turns, stage.counts = stage.modes.copy(), [None] * len(steps), [_NEVER] * len(steps)
-        waiting, running = [row for row in reversed(range(len(steps))) if row not in stage.errors], dict[int, int]()
-        while waiting or running:
-            if len(running) < LANES:
-                self._fill(stage, loads, waiting, running, begin, end)
-            self.solver.propagate_until(end, max_steps=min(BURST, most - max([steps[row] for row in running.values()])))
+        ended = [hy.taylor_outcome.time_limit] * LANES
+        run = self._run(stage, end - begin)
+        while run.waiting or run.running:
+            if len(run.running) < LANES:
+                self._fill(run, begin, end)
+            self.solver.propagate_until(end, max_steps=BURST)
             results = self.solver.propagate_res
-            arrived = [lane for lane in running if results[lane][0] == ended]
-            late = [lane for lane in running if lane not in arrived] if len(arrived) < len(running) else []
-            bad = [lane for lane in late if lane in self.strays or results[lane][0] not in going]
-            if bad or self.strays:
-                for lane in bad or late:
-                    stage.errors[running.pop(lane)] = self._stopped(lane, results[lane][0])
-                for row in running.values():
-                    steps[row] = stage.steps[row]
-                waiting += running.values()
-                running.clear()
-                continue
-            for lane in late:
-                row = running[lane]
-                steps[row] += results[lane][3]
-                if steps[row] >= most:
-                    stage.errors[row] = too_many_steps(stage.motions.problem(row), float(self.solver.time[lane]))
-                    del running[lane]
-            if arrived:
-                carried[[running[lane] for lane in arrived]] = self.state.T[arrived]
-            for lane in arrived:
-                row = running.pop(lane)
-                steps[row] += results[lane][3]
-                modes[row], stage.turns[row], stage.counts[row] = self.modes[lane], self.turns[lane], self.counts[lane]
-        stage.carried, stage.modes, stage.steps = carried, modes, steps
+            if not self.strays and [result[0] for result in results] == ended:
+                self._arrive(run, sorted(run.running), results)
+            else:
+                self._sort_out(run, results, end)
+        stage.carried, stage.modes, stage.steps = run.carried, run.modes, run.steps
+        stage.turns, stage.counts = run.turns, run.counts
         self._check(stage, end)
 
-    def _loads(self, stage: Stage, duration: float) -> tuple[FloatArray, FloatArray]:
-        """What is carried at first and the parameters of every motion, a column each."""
+    def _run(self, stage: Stage, duration: float) -> _Run:
         count = len(stage.modes)
         state, pars = np.zeros((len(self.state), count)), np.zeros((len(self.pars), count))
         state[: self.size] = stage.carried[:, : self.size].T
-        both = np.hstack([stage.motions.constants, np.array(stage.modes, dtype=np.float64)])
-        pars[: both.shape[1]] = both.T
+        constants, modes = stage.motions.constants.T, np.array(stage.modes).T
+        pars[: self.constants], pars[self.constants : self.constants + len(modes)] = constants, modes
         if self.watch:
             pars[-2], pars[-1] = stage.carried[:, 0], _scale(duration)
-        return state, pars
+        waiting = [row for row in reversed(range(count)) if row not in stage.errors]
+        arrived = np.full((count, len(self.state)), np.nan), stage.modes.copy(), stage.steps.copy()
+        return _Run(stage, state, pars, waiting, *arrived, [None] * count, [_NEVER] * count)
 
-    def _fill(
-        self,
-        stage: Stage,
-        loads: tuple[FloatArray, FloatArray],
-        waiting: list[int],
-        running: dict[int, int],
-        begin: float,
-        end: float,
-    ) -> None:
+    def _fill(self, run: _Run, begin: float, end: float) -> None:
         """Put waiting motions into lanes that are free; what else is free stands still at the end, where another lane is."""
-        self.strays, solver = {}, self.solver
-        free = [lane for lane in range(LANES) if lane not in running] if running else list(range(LANES))
-        lanes = free[: len(waiting)]
-        rows = [waiting.pop() for _ in lanes]
-        if len(lanes) == LANES:
-            self.state[:], self.pars[:] = loads[0][:, rows], loads[1][:, rows]
+        solver, running = self.solver, run.running
+        if not running and len(run.waiting) >= LANES:
+            rows = run.waiting[: -LANES - 1 : -1]
+            del run.waiting[-LANES:]
+            self.state[:], self.pars[:] = run.state[:, _span(rows)], run.pars[:, _span(rows)]
             solver.set_time(begin)
             solver.reset_cooldowns()
-        else:
-            late, early = (part.copy() for part in solver.dtime)
-            late[free], early[free], late[lanes] = end, 0.0, begin
-            self.state[:, lanes], self.pars[:, lanes] = loads[0][:, rows], loads[1][:, rows]
-            source, still = lanes[0] if lanes else next(iter(running)), free[len(lanes) :]
-            self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
-            solver.set_dtime(late, early)
-            for lane in free:
-                solver.reset_cooldowns(lane)
+            running |= enumerate(rows)
+            self.modes[:] = [run.stage.modes[row] for row in rows]
+            self.turns[:], self.counts[:] = [None] * LANES, [[0] * EVENTS for _ in rows]
+            return
+        free = [lane for lane in range(LANES) if lane not in running]
+        lanes = free[: len(run.waiting)]
+        rows = [run.waiting.pop() for _ in lanes]
+        late, early = (part.copy() for part in solver.dtime)
+        late[free], early[free], late[lanes] = end, 0.0, begin
+        self.state[:, lanes], self.pars[:, lanes] = run.state[:, rows], run.pars[:, rows]
+        source, still = lanes[0] if lanes else next(iter(running)), free[len(lanes) :]
+        self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
+        solver.set_dtime(late, early)
+        for lane in free:
+            solver.reset_cooldowns(lane)
         for lane, row in zip(lanes, rows, strict=True):
             running[lane] = row
-            self.modes[lane] = stage.modes[row]
-            if self.watch:
-                self.turns[lane], self.counts[lane] = None, [0] * EVENTS
+            self.modes[lane], self.turns[lane], self.counts[lane] = run.stage.modes[row], None, [0] * EVENTS
 
-    def _stopped(self, lane: int, outcome: Any) -> ConvergenceError:
+    def _arrive(self, run: _Run, lanes: list[int], results: Any) -> None:
+        rows = [run.running.pop(lane) for lane in lanes]
+        run.carried[_span(rows)] = self.state.T if lanes == _ALL else self.state.T[lanes]
+        for lane, row in zip(lanes, rows, strict=True):
+            self._count(run, lane, row, results)
+            run.modes[row] = self.modes[lane]
+            if self.watch:
+                run.turns[row], run.counts[row] = self.turns[lane], self.counts[lane]
+
+    def _count(self, run: _Run, lane: int, row: int, results: Any) -> bool:
+        """Count the steps of a motion; whether they are too many."""
+        run.steps[row] += results[lane][3]
+        many = run.steps[row] > run.stage.motions.max_steps
+        if many:
+            run.stage.errors[row] = too_many_steps(run.stage.motions.problem(row), float(self.solver.time[lane]))
+        return many
+
+    def _sort_out(self, run: _Run, results: Any, end: float) -> None:
+        """What has ended makes room; where a motion broke off, the others go back to their beginning."""
         import heyoka as hy
 
-        t = self.strays.get(lane)
-        if t is not None:
-            return _missed(t)
-        if outcome == hy.taylor_outcome.err_nf_state:
-            return out_of_range()
-        return ConvergenceError(f"heyoka stopped at t = {self.solver.time[lane]:.6g} with {outcome}; use backend='scipy'")
+        overflow, running = hy.taylor_outcome.err_nf_state, run.running
+        bad = [lane for lane in running if lane in self.strays or results[lane][0] == overflow]
+        if bad:
+            for lane in bad:
+                stray = self.strays.get(lane)
+                run.stage.errors[running.pop(lane)] = out_of_range() if stray is None else _missed(stray)
+            for row in running.values():
+                run.steps[row] = run.stage.steps[row]
+            run.waiting += running.values()
+            running.clear()
+            self.strays.clear()
+            return
+        times = self.solver.time.tolist()  # the outcome of a lane that has ended is that of the others
+        arrived = [lane for lane in running if times[lane] == end]
+        if arrived:
+            self._arrive(run, arrived, results)
+        for lane, row in list(running.items()):
+            if self._count(run, lane, row, results):
+                del running[lane]
 
     def _check(self, stage: Stage, end: float) -> None:
         """Refuse motions that stand outside their modes."""
-        rows = [row for row in range(len(stage.modes)) if row not in stage.errors]
-        modes, constants = np.array([stage.modes[row] for row in rows]).T, stage.motions.constants[rows].T
-        inside = stage.motions.field.are_inside(stage.carried[rows, : self.size].T, constants, modes) if rows else []
-        for row, there in zip(rows, inside, strict=True):
-            if not there:
-                stage.errors[row] = _missed(end)
+        states, constants, modes = stage.carried[:, : self.size].T, stage.motions.constants.T, np.array(stage.modes).T
+        for row in np.flatnonzero(~stage.motions.field.are_inside(states, constants, modes)).tolist():
+            stage.errors.setdefault(row, _missed(end))
+
+
+def _span(rows: list[int]) -> Any:
+    """Rows as a slice where they follow each other: that is faster."""
+    return slice(rows[0], rows[-1] + 1) if rows == list(range(rows[0], rows[0] + len(rows))) else rows
 
 
 def _missed(t: float) -> ConvergenceError:
@@ -266,12 +288,14 @@ def watch(motions: Motions) -> Measured:
     _compiled(motions, watch=True).carry(stage, begin, end)
     size = first.shape[1]
     last, integrals = stage.carried[:, :size], stage.carried[:, size:] / _scale(end - begin)
-    turns = [seen or _NONE for seen in stage.turns]
-    reach = np.array([(seen.low, seen.high) for seen in turns]).T
-    low, high = np.fmin(reach[0], np.fmin(first[:, 0], last[:, 0])), np.fmax(reach[1], np.fmax(first[:, 0], last[:, 0]))
+    low, high = np.fmin(first[:, 0], last[:, 0]), np.fmax(first[:, 0], last[:, 0])
+    maxima = np.zeros(len(low), dtype=np.intp)
+    for row, seen in enumerate(stage.turns):
+        if seen is not None:
+            low[row], high[row], maxima[row] = min(low[row], seen.low), max(high[row], seen.high), len(seen.tops)
 
     def course(row: int) -> Course:
-        seen = turns[row]
+        seen = stage.turns[row] or Turns()
         tops = np.array([[t, *carried] for t, carried in seen.tops]).reshape(-1, 1 + stage.carried.shape[1])
         lows = np.array([carried[:size] for _, carried in seen.lows]).reshape(-1, size)
         sums = np.vstack([tops[:, 1 + size :] / _scale(end - begin), integrals[row]])
@@ -280,5 +304,5 @@ def watch(motions: Motions) -> Measured:
             (float(low[row]), float(high[row])),
         )  # fmt: skip
 
-    events, maxima = np.array(stage.counts), np.array([len(seen.tops) for seen in turns])
+    events = np.array(stage.counts)
     return Measured(begin, end, first, last, integrals, low, high, maxima, events, course, stage.errors)

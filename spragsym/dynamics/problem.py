@@ -128,9 +128,8 @@ def constants_of(values: tuple[float, ...], V: float, d: float) -> Constants:
 def constants_of_many(values: FloatArray) -> tuple[Any, ...]:
     """Those of many motions: columns of all of them, from columns of the parameters, V and d."""
     theta0, *rest = values
-    # One by one: on some processors NumPy's loops over arrays may round otherwise in their last elements than elsewhere.
-    directions = [(float(np.cos(angle)), float(np.sin(angle))) for angle in theta0.tolist()]
-    return (*np.array(directions).T, *rest)
+    # One by one, so that no bit of a motion depends on where it stands in an array.
+    return np.array(list(map(np.cos, theta0.tolist()))), np.array(list(map(np.sin, theta0.tolist()))), *rest
 
 
 def parameters_of(constants: Any) -> Parameters:

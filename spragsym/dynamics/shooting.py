@@ -116,11 +116,14 @@ Conditions: TypeAlias = Callable[[Loop], tuple[FloatArray, FloatArray]]
 
 
 def rate(field: Field, state: Any, constants: tuple[float, ...]) -> FloatArray:
-    """The derivative of a state in time."""
+    """The derivative of a state in time; not a number where there is none, as at the anchor of a spring."""
     mode = field.initial_mode(state, constants)
     n = len(field.coordinates)
     numbers = [float(value) for value in state]
-    return np.array([*numbers[n:], *field.acceleration(numbers, constants, mode, math)])
+    try:
+        return np.array([*numbers[n:], *field.acceleration(numbers, constants, mode, math)])
+    except ZeroDivisionError:
+        return np.full(field.size, np.nan)
 
 
 def directions_of(field: Field, free: tuple[int, ...]) -> FloatArray:

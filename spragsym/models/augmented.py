@@ -12,6 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import constant, gradient, variables
 from .balance import Balance, matrix
@@ -126,6 +127,12 @@ class Augmented:
         at = self.state(list(unknowns), parameters, shape)
         out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(at)
         return out
+
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """As for the balance."""
+        n, shape = self.balance.n, unknowns.shape[1:]
+        values = self.balance.arguments(parameters, dict(zip(self.vary, list(unknowns)[n:], strict=True)))
+        return self.balance.at_poles(list(unknowns)[:n], values, shape, width)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact import contractors, jets
+from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
 from .directions import direction
@@ -195,6 +196,23 @@ class Balance:
         directions[place] = directions[place + 1] = Intervals(np.zeros((2, *shape)))
         G = stacked(self.call("forces", q, directions, values), shape)
         return contractors.no_unit_vector(G, M)
+
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
+        return self.at_poles(*self._taken(unknowns, parameters), width)
+
+    def at_poles(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], width: float) -> NDArray[np.bool_]:
+        """The same, of coordinates and arguments, for boxes up to a width."""
+        out = np.zeros(shape, dtype=np.bool_)
+        if self._lengths:
+            for dx, dy in self.anchors(q, values, shape):
+                out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
+        return out
+
+    def anchors(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[tuple[Intervals, Intervals]]:
+        """The vectors from the mass to the anchors of all springs."""
+        rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
+        return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in rows]
 
     # -------------------------------------------------------------------------------------------- contraction
 

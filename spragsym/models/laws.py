@@ -22,7 +22,8 @@ class LawFunctions(Functions):
     def sqrt(value: Any) -> Any:
         """Square root of the part that is not negative."""
         if isinstance(value, Jet):
-            return Jet({**value.terms, (): _not_negative(value.value)}, value.order).sqrt()
+            value = Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
+            return value.sqrt()
         return _not_negative(_enclosed(value)).sqrt()
 
     @staticmethod
@@ -40,7 +41,7 @@ class LawFunctions(Functions):
 
 def _enclosed(value: Any) -> Any:
     """A number as an interval, so that a function of it is one that is rounded outward."""
-    return Intervals.point(float(value)) if isinstance(value, int | float) else value
+    return Intervals.point([float(value)]) if isinstance(value, int | float) else value
 
 
 def _not_negative(value: Any) -> Any:

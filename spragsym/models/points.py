@@ -181,6 +181,20 @@ def arranged(
     values |= {name: column[order] for name, column in (more or {}).items()}
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
     left = np.moveaxis(np.stack([-found.roots.left[0], found.roots.left[1]], axis=-1), 1, 0)
-    return ModelPoints(
-        tuple(vary), kind[order], found.roots.error[order], box, found.whole, not left.shape[0], left, values, remarks
-    )
+    error, complete = found.roots.error[order], not left.shape[0]
+    remarks += _at_anchors(balance, vary, given, found.roots.left)
+    return ModelPoints(tuple(vary), kind[order], error, box, found.whole, complete, left, values, remarks)
+
+
+def _at_anchors(balance: Balance, vary: Sequence[str], given: FloatArray, left: FloatArray) -> tuple[str, ...]:
+    """Of boxes that are left around the anchor of a spring that resists turning."""
+    n, count = balance.n, left.shape[2]
+    if not count:
+        return ()
+    with np.errstate(all="ignore"):
+        unknowns = list(Intervals(left))
+        fixed = balance.prepared(Intervals.point(np.repeat(np.nan_to_num(given), count, axis=1)))
+        values = balance.arguments(fixed, dict(zip(vary, unknowns[n:], strict=True)))
+        there = int(balance.at_poles(unknowns[:n], values, (count,), np.inf).sum())
+    text = "hold an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
+    return (f"{there} of {count} undecided boxes {text}",) if there else ()

@@ -10,10 +10,11 @@ from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse.csgraph import connected_components
 
 from ..exact import certified_roots, contractors, many_reductions
 from ..exact.ball_functions import XP
-from ..exact.boxes import System
+from ..exact.boxes import POLE, System
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Ball, Balls
@@ -30,6 +31,8 @@ Known: TypeAlias = tuple[FloatArray, FloatArray] | None
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
 TOLERANCE = 1e-12
+#: Boxes that are compared with each other at once.
+TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
 AROUND = 2.0**-13
 
@@ -187,10 +190,11 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Cal
     with np.errstate(all="ignore"):
         parameters = system.prepared(Intervals.point(given[:, None]))
         slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
+        pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
     box = [(-float(low), float(high)) for low, high in cluster.T]
     whole = [(Fraction(low), Fraction(high)) for low, high in box]
     out = Reduced([], [], [whole])
-    if not np.isfinite(slopes).all():
+    if pole or not np.isfinite(slopes).all():
         return out
     for bits in BITS:
         try:
@@ -211,16 +215,21 @@ def _outward(box: Sequence[tuple[Fraction, Fraction]]) -> FloatArray:
 
 def clusters(boxes: FloatArray) -> list[FloatArray]:
     """Hulls of boxes, shape (2, n, N), that meet each other, until no two hulls meet."""
-    hulls: list[FloatArray] = []
-    for place in range(boxes.shape[2]):
-        hull = boxes[:, :, place]
-        while True:
-            widened = hull + 0.5 * (hull[0] + hull[1]) + 1e-8
-            near: NDArray[np.bool_] = np.array([not ((widened + other[::-1]) < 0).any() for other in hulls], dtype=np.bool_)
-            if not near.any():
-                break
-            for other in (other for other, close in zip(hulls, near, strict=True) if close):
-                hull = np.maximum(hull, other)
-            hulls = [other for other, close in zip(hulls, near, strict=True) if not close]
-        hulls.append(hull)
+    hulls = boxes
+    while True:
+        parts = [_hulls(hulls[:, :, begin : begin + TOGETHER]) for begin in range(0, hulls.shape[2], TOGETHER)]
+        merged = np.concatenate(parts, axis=2) if parts else hulls
+        if merged.shape[2] == hulls.shape[2]:
+            return list(np.moveaxis(merged, 2, 0))
+        hulls = merged
+
+
+def _hulls(boxes: FloatArray) -> FloatArray:
+    """One hull for all boxes that meet, directly or through others, each widened by half of itself."""
+    widened = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
+    meet = ~(widened[:, :, :, None] + boxes[::-1, :, None, :] < 0).any(axis=(0, 1))
+    count, label = connected_components(meet, directed=False)
+    order = np.argsort(label, kind="stable")
+    begins = np.searchsorted(label[order], np.arange(count))
+    hulls: FloatArray = np.maximum.reduceat(boxes[:, :, order], begins, axis=2)
     return hulls

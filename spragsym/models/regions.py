@@ -20,8 +20,8 @@ NEAR = 10.0
 ROOM = 1e-6
 #: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
 ROUNDS = 12
-#: No more rounds where one leaves so much of all ends.
-ENOUGH = 0.999
+#: No more rounds where one leaves so much of all widths: before all are bounded, and then, since the search contracts on its own.
+ENOUGH, BOUNDED = 0.999, 0.8
 
 
 def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
@@ -44,7 +44,8 @@ def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
             before = ends
             ends = balance.by_rows(Intervals(ends), values, directions)
             ends = balance.with_directions(Intervals(ends), values, directions)
-            if (ends > ENOUGH * before).all():
+            widths, widths_before = ends.sum(axis=0), before.sum(axis=0)
+            if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break
     proved = np.logical_and.reduce(ends < FAR * 1e-6)
     # With room, so that no equilibrium of a linear model lies on the end of a region without width.

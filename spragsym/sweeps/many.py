@@ -23,7 +23,7 @@ from .result import Results, Sweep
 from .workers import Workers
 
 #: Motions of one task at most, and their time in all; a few points are one task each.
-TOGETHER, TOGETHER_FOR = 256, 2e5
+TOGETHER, TOGETHER_FOR = 1024, 2e5
 
 #: Tasks that every worker gets at least, where there are points enough.
 PARTS = 16
@@ -97,11 +97,11 @@ def rms_sweep(
     >>> import numpy as np
     >>> import spragsym as ss
     >>> from spragsym.sweeps import Regime, rms_sweep
-    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 42])), V=0.5, d=10.0)
+    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 44])), V=0.5, d=10.0)
     >>> np.round(sweep.rms, 1)
-    array([0.1, 0.2, 1.6])
+    array([0.1, 0.2, 1.7])
     >>> [Regime(code).name for code in sweep.regime]
-    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'APPROACHES_CYCLE']
+    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
     p.require(*NAMES)
     given = {name: getattr(p, name) for name in NAMES}

@@ -35,13 +35,14 @@ WORKERS ?= $(shell $(BIN)/python -c 'import os; print(min(4, os.cpu_count() or 1
 # Files go to workers in the order that tests/conftest.py gives them: the longest first.
 TESTS = $(BIN)/python -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder
 
-.PHONY: help install derive test check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
+.PHONY: help install derive test poor check lint coverage mutants regenerate installs package explorer bench figures docs check-claims clean
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make install       set up .venv with all extras, for use without the tests"
 	@echo "make derive        derive, check against the article, write generated/"
 	@echo "make test          run the tests, without those marked thorough"
+	@echo "make poor          run them as on a machine without compiler, heyoka, symbolic links and UTF-8, set up for it"
 	@echo "make lint          ruff with its formatter, mypy in strict mode, clang-format, cppcheck if installed"
 	@echo "make coverage      all tests, and the lines and branches that they reach"
 	@echo "make mutants       break each module that proves in one place at a time, and see the tests notice; ONLY=kernel for one"
@@ -94,8 +95,13 @@ derive: $(DERIVE)
 test: $(TEST)
 	$(TESTS) -m "not thorough"
 
+# In an environment of its own, from what is committed.
+poor:
+	PYTHON=$(PYTHON) .ci/poor -n $(WORKERS) --dist loadfile
+
 lint: $(TEST)
 	$(BIN)/ruff check .
+	$(BIN)/ruff check --preview --select PLW1514 .  # what a file's encoding is by default differs between machines
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/clang-format --dry-run --Werror $(C_FILES)

@@ -8,6 +8,7 @@ Filled disks are small file systems in memory, which take root; without, a limit
 from __future__ import annotations
 
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -167,7 +168,8 @@ def small_disk(kilobytes: int) -> Iterator[Path]:
     """A file system of its own, in memory; PermissionError without the right to mount one."""
     with tempfile.TemporaryDirectory() as folder:
         call = ["mount", "-t", "tmpfs", "-o", f"size={kilobytes}k", "tmpfs", folder]
-        if sys.platform != "linux" or subprocess.run(call, capture_output=True, timeout=10).returncode:
+        here = sys.platform == "linux" and shutil.which("mount")
+        if not here or subprocess.run(call, capture_output=True, timeout=10).returncode:
             raise PermissionError("no file system can be mounted here")
         try:
             yield Path(folder)
@@ -210,7 +212,11 @@ def attack_disks(rng: np.random.Generator, count: int) -> Counter[str]:
 def children(pid: int) -> list[int]:
     """Processes that one has started, on Linux."""
     try:
-        return [int(number) for file in Path(f"/proc/{pid}/task").glob("*/children") for number in file.read_text().split()]
+        return [
+            int(number)
+            for file in Path(f"/proc/{pid}/task").glob("*/children")
+            for number in file.read_text(encoding="utf-8").split()
+        ]
     except OSError:  # it has just ended
         return []
 

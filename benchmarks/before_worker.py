@@ -1,13 +1,15 @@
 """The process of :mod:`benchmarks.bench_before` for one tree: ``python before_worker.py TREE POINTS [SOLVERS]`` reads lines, answers with
 lines.
 
-First it names the solvers that the tree has. ``time SOLVER`` answers with seconds; ``save SOLVER FILE`` writes the results. It needs
+First it names the solvers that the tree has. ``time SOLVER`` answers with seconds; ``save SOLVER FILE`` writes the results; ``rungs
+SOLVER`` answers with the shares that float64, the wider type and intervals settle. It needs
 nothing of :mod:`benchmarks`, which the other tree may have in another form, but the C target's caller beside it.
 """
 
 from __future__ import annotations
 
 import contextlib
+import importlib
 import importlib.util
 import sys
 import time
@@ -56,6 +58,27 @@ def _in_c(tree: Path, p: Any, n: int) -> dict[str, Callable[[], Any]]:
     }
 
 
+def _shares(solve: Callable[[], Any], size: int) -> str:
+    """Shares of the points that each rung settles, the ladder of intervals counted call by call."""
+    try:
+        ladder: Any = importlib.import_module("spragsym.statics.ladder")
+    except ModuleNotFoundError:  # before there were rooms
+        ladder = importlib.import_module("spragsym.ladder")
+    kept, calls = ladder.equilibria, 0
+
+    def counted(*point: float, **options: Any) -> Any:
+        nonlocal calls
+        calls += 1
+        return kept(*point, **options)
+
+    ladder.equilibria = counted
+    try:
+        left = int(solve().escalated.sum())
+    finally:
+        ladder.equilibria = kept
+    return " ".join(f"{100 * part / size:.4g}" for part in (size - left, left - calls, calls))
+
+
 def main(tree: Path, points: Path, only: tuple[str, ...] = ()) -> None:
     """Answer until the input ends; of all solvers, or of some by name."""
     import spragsym as ss
@@ -75,6 +98,9 @@ def main(tree: Path, points: Path, only: tuple[str, ...] = ()) -> None:
     print(",".join(ready), flush=True)
     for line in sys.stdin:
         order, way, *rest = line.split()
+        if order == "rungs":
+            print(_shares(ready[way], columns.shape[1]), flush=True)
+            continue
         begin = time.perf_counter()
         result = ready[way]()
         seconds = time.perf_counter() - begin

@@ -70,8 +70,8 @@ def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]
     base = ss.load("stick_slip").base
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        (folder / "peer.f90").write_text(_EQUATIONS.format(**base))
-        (folder / "run.auto").write_text(_SCRIPT.format(intervals=intervals, speeds=list(SPEEDS)))
+        (folder / "peer.f90").write_text(_EQUATIONS.format(**base), encoding="utf-8")
+        (folder / "run.auto").write_text(_SCRIPT.format(intervals=intervals, speeds=list(SPEEDS)), encoding="utf-8")
         done = subprocess.run(["auto-07p", "run.auto"], cwd=folder, capture_output=True, text=True, timeout=600, check=False)
         if not (folder / "b.cycles").is_file():
             raise RuntimeError(f"AUTO did not end as it should:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
@@ -82,7 +82,7 @@ def by_auto(intervals: int = 60) -> tuple[float, dict[float, tuple[float, float]
 
 def _rows(path: Path) -> list[list[float]]:
     """Branch, point, type, label, V, norm, maxima of x and v, period."""
-    rows = [line.split() for line in path.read_text().splitlines()]
+    rows = [line.split() for line in path.read_text(encoding="utf-8").splitlines()]
     return [[float(value) for value in row] for row in rows if row and row[0] not in ("0", "-0")]
 
 

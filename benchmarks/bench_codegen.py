@@ -176,7 +176,7 @@ def _symforce(subject: Subject) -> Outcome:
     ).generate_function()
     seconds = time.perf_counter() - begin
     function = codegen_util.load_generated_function("subject", generated.function_dir)
-    text = next(generated.function_dir.glob("subject.py")).read_text()
+    text = next(generated.function_dir.glob("subject.py")).read_text(encoding="utf-8")
     return Outcome("SymForce", seconds, function, f"{text.count(chr(10))} lines")
 
 

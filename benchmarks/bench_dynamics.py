@@ -19,6 +19,7 @@ from scipy.integrate import simpson, solve_ivp
 import spragsym as ss
 from spragsym.dynamics import flows, integrators, simulate
 from spragsym.dynamics.classify import classify
+from spragsym.dynamics.motions import Motions
 from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.generated import motion
@@ -144,7 +145,7 @@ def overhead_table() -> None:
         return min(seconds) / times * 1e6
 
     def bare(problem: Problem) -> None:
-        compiled = compiled_for(problem, watch=False)
+        compiled = compiled_for(problem)
         compiled.begin(problem)
         compiled.solver.propagate_until(problem.t_end)
 
@@ -155,10 +156,11 @@ def overhead_table() -> None:
         for degrees in (40.0, 42.0, 49.0, 100.0):
             p = ss.Parameters.article(theta0=math.radians(degrees))
             problem = prepare(p, V=V, d=D, start=(0, 0, 0, 0), t_end=t_end, t_record=0.75 * t_end, rtol=1e-10)
-            course, flow = integrators.measure(problem, "heyoka"), flows.onward(problem, "heyoka")
+            motions, flow = Motions.of([problem]), flows.onward(problem, "heyoka")
+            course = integrators.measure(motions, "heyoka").course(0)
             options = {"x0": np.zeros(many), "t_end": t_end, "transient": 0.75 * t_end, "backend": "heyoka"}
             alone = fastest(lambda problem=problem: bare(problem), times)
-            measured = fastest(lambda problem=problem: integrators.measure(problem, "heyoka"), times)
+            measured = fastest(lambda motions=motions: integrators.measure(motions, "heyoka"), times)
             judged = fastest(lambda c=course, p=problem, f=flow: classify(c, p, f), times)
             whole = fastest(lambda p=p, options=options: rms_sweep(p, V, D, **options), 1) / many
             print(

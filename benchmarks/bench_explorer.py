@@ -15,7 +15,7 @@ from typing import Any
 from spragsym.explorer import explorer_page
 from tests.explorer_pages import WITHOUT_WEBGL, chromium
 
-#: Drags the point along a closed curve over both folds for so many milliseconds, one step a picture.
+#: Drags the point along a closed curve over both folds for the given milliseconds, one step a picture.
 DRAG = """async length => {
   const over = document.querySelector("#plane .u-over"), box = over.getBoundingClientRect();
   const send = (type, u, v) => over.dispatchEvent(new PointerEvent(type, {
@@ -37,7 +37,7 @@ DRAG = """async length => {
 }"""
 
 
-#: Turns the surface for so many milliseconds.
+#: Turns the surface for the given milliseconds.
 TURN = """async length => {
   const canvas = document.querySelector("#space canvas[role=img]"), box = canvas.getBoundingClientRect();
   const send = (type, at) => canvas.dispatchEvent(new PointerEvent(type, {

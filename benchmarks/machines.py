@@ -8,6 +8,7 @@ compare.
 from __future__ import annotations
 
 import hashlib
+import platform
 import shutil
 import subprocess
 import sys
@@ -60,16 +61,18 @@ class Machine:
         return done.stdout
 
 
+HERE = platform.machine()
 CPP = ("-x", "c++", "-std=c++11", "-O2", "-march=native")
 #: The first is what the others are compared with.
 MACHINES = (
-    Machine("x86-64, gcc", "gcc", ("-std=c99", "-O2")),
-    Machine("x86-64, gcc with extensions and fused operations at hand", "gcc", ("-std=gnu17", "-O3", "-march=native")),
-    Machine("x86-64, clang", "clang", ("-std=c99", "-O3", "-march=native")),
-    Machine("x86-64, as C++", "g++", CPP),
-    Machine("x86-64, as C++, clang", "clang++", CPP),
+    Machine(f"{HERE}, gcc", "gcc", ("-std=c99", "-O2")),
+    Machine(f"{HERE}, gcc with extensions and fused operations at hand", "gcc", ("-std=gnu17", "-O3", "-march=native")),
+    Machine(f"{HERE}, clang", "clang", ("-std=c99", "-O3", "-march=native")),
+    Machine(f"{HERE}, as C++", "g++", CPP),
+    Machine(f"{HERE}, as C++, clang", "clang++", CPP),
     Machine("32 bits with SSE2", "gcc", ("-std=c99", "-O2", "-m32", "-msse2", "-mfpmath=sse")),
     Machine("aarch64", "aarch64-linux-gnu-gcc", ("-O3", "-static"), ("qemu-aarch64",)),
+    Machine("aarch64, clang, as Macs have it", "clang", ("--target=aarch64-linux-gnu", "-O3", "-static"), ("qemu-aarch64",)),
     Machine("s390x, big-endian", "s390x-linux-gnu-gcc", ("-O3", "-static"), ("qemu-s390x",)),
     Machine("Windows, x86-64, MinGW", "x86_64-w64-mingw32-gcc", ("-std=c99", "-O2", "-static"), ("wine",)),
 )
@@ -93,7 +96,7 @@ def main(each: int = 10_000) -> int:
     given = points(each)
     expected, differing = "", 0
     print(
-        f"{each * len(FAMILIES)} points, in contact and in lift-off.\n\n| build | flags | hash of all bits | s |\n|---|---|---|---:|"
+        f"{each * len(FAMILIES)} points, in contact and in lift-off; {platform.platform()}.\n\n| build | flags | hash of all bits | s |\n|---|---|---|---:|"
     )
     for machine in MACHINES:
         if reason := machine.missing():

@@ -89,8 +89,8 @@ def journal(path: Path) -> list[dict[str, Any]]:
     """The finished branches; a line that was cut short is dropped."""
     if not path.is_file():
         return []
-    whole = [line for line in path.read_text().splitlines(keepends=True) if line.endswith("\n")]
-    path.write_text("".join(whole))
+    whole = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+    path.write_text("".join(whole), encoding="utf-8")
     return [json.loads(line) for line in whole]
 
 
@@ -114,7 +114,7 @@ def follow(path: Path, lines: list[dict[str, Any]], cycle: ss.Cycle, name: str, 
     for number, other in enumerate(doubled):
         follow(path, lines, other, f"{name}, doubled {number + 1}", max(points // 2, 1), depth + 1)
     lines.append(told(branch, name))  # last, so that an interruption repeats the branch with what begins on it
-    with path.open("a") as file:
+    with path.open("a", encoding="utf-8") as file:
         file.write(json.dumps(lines[-1]) + "\n")
 
 

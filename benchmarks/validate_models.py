@@ -1,7 +1,8 @@
 """Models from pages against closed forms and other formulations, at many points.
 
 ``python -m benchmarks.validate_models [POINTS] [SEED] [FILE]``: POINTS of each family for the article's model (10⁵ in all with 10 000),
-and POINTS // 500 random points of each other page in 50 digits. With FILE the families alone, in parts that are kept in that file: what
+POINTS // 500 random points of each other page in 50 digits, and POINTS // 1000 searches for folds along each parameter and for
+cusps. With FILE the families alone, in parts that are kept in that file: what
 was interrupted goes on where it was.
 """
 
@@ -77,24 +78,44 @@ def _part(name: str, seed: list[int], points: int) -> list[float]:
 
 
 def folds_and_cusps(points: int, seed: int) -> None:
-    """Folds along θ₀ and cusps of the article's model at random parameters."""
+    """Folds along each parameter, and cusps, of the article's model at random parameters, μ₀ and α at 0 among them."""
     rng = np.random.default_rng(seed)
     model = ss.load("kang_nam")
-    wrong, worst, undecided, spent = 0, 0.0, 0, 0.0
-    for _ in range(points):
-        p = ss.Parameters(1.0, rng.uniform(0.05, 1.5), *10.0 ** rng.uniform(-2.5, -0.5, 2), 10.0 ** rng.uniform(-1.5, 0.5), 0.0)
-        begin = time.process_time()
-        found = model.folds(model.Parameters(**{key: getattr(p, key) for key in NAMES}), "theta0")
-        spent += time.process_time() - begin
-        known = ss.folds(p)
-        undecided += not found.complete
-        if len(found) != known.theta0.size:
-            wrong += found.complete
-        elif len(found):
-            worst = max(worst, float(np.abs(found.theta0 - known.theta0).max()), float(np.abs(found.x - known.x).max()))
     print(
-        f"folds along theta0: {points} points, {undecided} undecided, {wrong} other counts, error {worst:.1e}, {spent / points:.2f} s each"
+        f"{'points of change':24}{'searches':>9}{'points':>8}{'undecided':>11}{'other count':>13}{'largest error':>15}{'s each':>10}"
     )
+    for vary in (*NAMES, "cusps"):
+        found_all, wrong, undecided, worst, spent = 0, 0, 0, 0.0, 0.0
+        for _ in range(points):
+            p = ss.Parameters(
+                rng.uniform(0.1, 3.0), rng.uniform(0.0, 1.5) * (rng.random() < 0.9), 10.0 ** rng.uniform(-2.5, -0.5),
+                10.0 ** rng.uniform(-2.5, -0.5) * (rng.random() < 0.9), 10.0 ** rng.uniform(-1.5, 0.5), rng.choice([0.0, 0.3]),
+            )  # fmt: skip
+            begin = time.process_time()
+            found = _changes(model, model.Parameters(**{key: getattr(p, key) for key in NAMES}), vary)
+            spent += time.process_time() - begin
+            known = _changes(ss, p, vary)
+            undecided += not found.complete
+            first = "theta0" if vary == "cusps" else vary
+            span = dict(zip(found.vary, found.region[2:], strict=True))
+            inside = np.logical_and.reduce(
+                [(getattr(known, k) > low) & (getattr(known, k) < high) for k, (low, high) in span.items()]
+            )
+            pairs = [np.sort(values) for values in (getattr(found, first), getattr(known, first)[inside])]
+            if pairs[0].size != pairs[1].size:
+                wrong += found.complete
+            elif pairs[0].size:
+                found_all += pairs[0].size
+                worst = max(worst, float((np.abs(pairs[0] - pairs[1]) / np.maximum(1, np.abs(pairs[1]))).max()))
+        name = "cusps" if vary == "cusps" else f"folds along {vary}"
+        print(f"{name:24}{points:9}{found_all:8}{undecided:11}{wrong:13}{worst:15.1e}{spent / points:10.2f}", flush=True)
+
+
+def _changes(of: Any, p: Any, vary: str) -> Any:
+    """Folds along a parameter, or cusps, of a loaded model or of the article's."""
+    if vary != "cusps":
+        return of.folds(p, vary)
+    return of.cusps(p) if of is ss else of.cusps(p, ("theta0", "mu0"), between={"mu0": (1e-6, 2.0)})
 
 
 def loads(p: Any) -> tuple[Any, Any]:
@@ -150,7 +171,7 @@ def main() -> None:
     store = Path(sys.argv[3]) if len(sys.argv) > 3 else None
     if store is None:
         pages(max(1, points // 500), seed)
-        folds_and_cusps(max(1, points // 200), seed)
+        folds_and_cusps(max(1, points // 1000), seed)
     article(points, seed, store)
 
 

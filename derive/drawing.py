@@ -255,7 +255,7 @@ def _forces(sheet: Sheet, page: Page) -> None:
         across = (x / size, -y / size)
         if place == 0:  # onto the mass, on the side that no spring leans to
             side = 1.0 if page.energies else -1.0
-            tip = side * 0.75 * width, -height - 4
+            tip = side * 0.92 * width, -height - 4  # near the edge, beside a second spring that leans to it
             start = tip[0] - 52 * across[0], tip[1] - 52 * across[1]
             arrow(sheet, start, tip, style="ink force")
             sheet.name(letter, (start[0] + side * 8, start[1] + 16), anchor="end" if side < 0 else "start", style="force-name")

@@ -10,7 +10,7 @@ from .motion import Motion
 
 
 def equations(model: Mechanics) -> list[str]:
-    """One line a coordinate, M q″ + forces = 0, then what the directions, μ and a contact law that is no polynomial stand for."""
+    """One line a coordinate, M q″ + forces = 0, then the definitions of directions and of μ, and of a contact law that is no polynomial."""
     names = _names(model)
     motion = Motion(model)
     accelerations = sp.Matrix(model.coordinates).applyfunc(lambda symbol: sp.Symbol(rf"\ddot{{{names[symbol]}}}"))

@@ -1,4 +1,4 @@
-"""A model's folder: modules of plain algebra in Python and ``model.json``; functions that a model before it has are taken from there."""
+"""A model's folder: modules of plain algebra in Python and ``model.json``; functions that an earlier model has already are imported from it."""
 
 from __future__ import annotations
 

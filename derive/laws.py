@@ -1,4 +1,4 @@
-"""The friction law: its two smooth sides, the layers in it that a step from far away cannot see, and its value at steady sliding.
+"""The friction law: its two smooth sides, the thin layers in it that a large time step would jump over, and its value at steady sliding.
 
 An exponential of the sliding speed makes a layer at v = 0: far from it all its derivatives are below rounding. Every one gets a
 factor NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers` says how far away a motion is, as minus its exponent.

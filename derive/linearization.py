@@ -10,7 +10,7 @@ from .mechanics import DEPTH, PUSHING, SIDE, Mechanics
 
 
 def damping(model: Mechanics) -> sp.Matrix:
-    """C: the dampers, and the slope of the friction law with the sign that the belt, being ahead, gives it."""
+    """C: the dampers, and the slope of the friction law where the belt is faster than the mass, which gives its sign."""
     still = dict.fromkeys(model.rates, sp.S.Zero)
     rows = [list(row) for row in sp.Matrix(model.resistance).jacobian(model.rates).tolist()]
     if model.slide is not None:

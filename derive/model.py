@@ -37,7 +37,7 @@ class PageError(ArithmeticError):
         self.line, self.message = line, message
 
     def of(self, page: str) -> PageError:
-        """The same with the name of the page."""
+        """The same error, with the name of the page."""
         return PageError(self.line, self.message, page)
 
 
@@ -191,6 +191,11 @@ class Page:
         number = None if base is None else float(base)
         if number is not None and not _within(domain, number):
             raise PageError(line, f"the base value {base} of {name} is not in its domain {domain}")
+        for other in self.parameters:
+            if other.becomes == (becomes or name):
+                raise PageError(
+                    line, f"{other.symbol} and {name} both become {other.becomes}; give one of them another name with becomes"
+                )
         self.parameters.append(Datum(symbol, unit, meaning, domain, latex or sp.latex(symbol), line, becomes or name, number))
         self._once(name)
         return symbol
@@ -219,6 +224,9 @@ class Page:
     def spring(self, stiffness: sp.Expr, *ends: Point, length: sp.Expr | int = 0, along: sp.Expr | None = None) -> None:
         """A spring: straight between two ``ends``, of undeformed ``length``; or along a coordinate."""
         line = _line()
+        moving = self._moving(expression_of(stiffness))
+        if moving:
+            raise PageError(line, f"the stiffness of this spring depends on {moving}; say its energy with page.potential")
         self.springs.append(Spring(expression_of(stiffness), _ends(ends, along, line), expression_of(length), along, line))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
@@ -242,6 +250,8 @@ class Page:
         line = _line()
         if (at is None) == (along is None) or len(components) != (1 if at is None else 2):
             raise PageError(line, "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
+        if along is not None and not isinstance(along, sp.Expr):
+            raise PageError(line, f"along = {along!r} is no coordinate; give the coordinate itself, as along=x")
         point = None if at is None else (expression_of(at[0]), expression_of(at[1]))
         self.forces.append(Force(point, tuple(map(expression_of, components)), along, line))
 
@@ -249,7 +259,9 @@ class Page:
 
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
         """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
-        self.normal = Contact(expression_of(gap), law, unilateral, _line())
+        line = _line()
+        self._check_law(law, "contact", "penetration", line)
+        self.normal = Contact(expression_of(gap), law, unilateral, line)
 
     def normal_force(self, force: sp.Expr) -> None:
         """A given normal force, in the place of a contact law."""
@@ -262,8 +274,30 @@ class Page:
         ``at_rest`` is what statics takes for it: the limit of the law at fast sliding. Left out, statics takes the law at the belt's
         speed.
         """
+        line = _line()
+        self._check_law(law, "friction", "sliding speed", line)
         limit = None if at_rest is None else expression_of(at_rest)
-        self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, _line())
+        self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, line)
+
+    def _check_law(self, law: Law, kind: str, of: str, line: int) -> None:
+        """A law is one of expressions, and of its own variable alone."""
+        try:
+            moving = self._moving(expression_of(law(sp.Symbol("u", positive=True))))
+        except PageError:
+            raise
+        except Exception as error:  # whatever the page's own code raises
+            raise PageError(
+                line,
+                f"the {kind} law can't be taken of an expression: {type(error).__name__}: {error}; give a function of one argument, "
+                "made of Abs, cos, exp, sgn, sin, sqrt of spragsym.derive.model",
+            ) from error
+        if moving:
+            raise PageError(line, f"the {kind} law depends on {moving}; it is a law of the {of} alone")
+
+    def _moving(self, expression: sp.Expr) -> str:
+        """The coordinates and rates that an expression holds."""
+        known = {symbol for entry in self.coordinates for symbol in (entry.symbol, entry.rate)}
+        return ", ".join(sorted(map(str, expression.free_symbols & known)))
 
     def _once(self, name: str) -> None:
         names = [str(entry.symbol) for entry in (*self.units, *self.parameters, *self.coordinates)]
@@ -280,6 +314,10 @@ def _line() -> int:
 
 
 def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Point, Point] | None:
+    if along is not None and not isinstance(along, sp.Expr):
+        raise PageError(
+            line, f"along = {along!r} is no coordinate; give the coordinate itself, as along=x without quotation marks"
+        )
     if (len(ends), along is None) not in ((2, True), (0, False)):
         raise PageError(line, "a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
     if not ends:

@@ -28,7 +28,7 @@ class Motion:
 
     @cached_property
     def centrifugal(self) -> Row:
-        """What Lagrange's equations have beside M q″ where the mass depends on the place: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0."""
+        """The terms of Lagrange's equations besides M q″ where the mass matrix depends on the place: d(∂T/∂v)/dt − ∂T/∂q at q″ = 0."""
         it = self.model
         momenta = [sp.diff(it.kinetic, rate) for rate in it.rates]
         return tuple(

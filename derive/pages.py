@@ -40,22 +40,21 @@ def shipped() -> tuple[Path, ...]:
     return tuple(sorted(pages, key=lambda path: path.stem != "kang_nam"))
 
 
-@cache
 def read(path: Path, name: str = "") -> Model:
-    """Read a page, once: it is run as a module of this package, wherever it stands. The model has the file's name, or another.
+    """Read a page, once as it stands: it is run as a module of this package, wherever it is. The model has its name, or another.
 
     Raises
     ------
     PageError
         Where it can't be carried through, with the page's name and the line.
     """
-    text = path.read_text(encoding="utf-8")
     try:
-        return _model(path, text, name or path.stem)
+        return _model(path, path.read_text(encoding="utf-8"), name or path.stem)
     except PageError as error:
         raise error.of(path.name) from error
 
 
+@cache
 def _model(path: Path, text: str, name: str) -> Model:
     page, docstring = _run(path, text)
     soundness.check_units(page)

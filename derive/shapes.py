@@ -100,7 +100,7 @@ class Axis:
         return math.dist(self.start, self.end)
 
     def at(self, along: float, aside: float = 0.0) -> Place:
-        """The place so far along the line, and so far to its right."""
+        """The place at a distance along the line and a distance to its right."""
         (x0, y0), (x1, y1) = self.start, self.end
         c, s = (x1 - x0) / self.length, (y1 - y0) / self.length
         return x0 + along * c - aside * s, y0 + along * s + aside * c

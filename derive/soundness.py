@@ -172,11 +172,22 @@ def check_forces(model: Mechanics) -> None:
         raise PageError(
             line, "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″"
         )
+    _check_inertia(model)
     for row, (entry, force) in enumerate(zip(model.page.coordinates, model.residuals, strict=True)):
         if force == 0:
             working = [str(other.symbol) for index, other in enumerate(model.page.coordinates) if index != row]
             rest = f"; the forces along {', '.join(working)} are well" if working else ""
             raise PageError(entry.line, f"no force acts on {entry.symbol}; add a spring, a potential or a force along it{rest}")
+
+
+def _check_inertia(model: Mechanics) -> None:
+    """Masses that are positive, at the base values and where all coordinates are 0."""
+    if model.page.inertia is None:
+        return
+    energy, line = model.page.inertia
+    M = model.mass.subs(dict(_bases(model))).subs(dict.fromkeys(model.coordinates, 0))
+    if any((minor := M[:size, :size].det()).is_number and minor <= 0 for size in range(1, M.rows + 1)):
+        raise PageError(line, f"the kinetic energy {energy} is not positive for all rates at the base values; masses are")
 
 
 def _check_contact(model: Mechanics) -> None:
@@ -216,7 +227,7 @@ def _check_friction(model: Mechanics) -> None:
 
 
 def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
-    """Where a law is negative, in words; empty if its form shows that it is not, or if no place tried shows that it is.
+    """Where a law is negative, in words; empty if its form shows that it is not, or if it was found negative at none of the places tried.
 
     The places have the base values of the parameters, and 1 where there is none.
     """

@@ -1,4 +1,4 @@
-"""The mirror of a model: coordinates that may be turned about a centre while all forces follow, for certain parameters at 0.
+"""The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where certain parameters are 0.
 
 The article's model without friction and without a spring along the belt is one: with x′ = 2 cos θ₀ − x every spring is mirrored. There
 equilibria do not meet at folds but at pitchforks, which no perturbation of one parameter shows.

@@ -14,15 +14,30 @@ array(1, dtype=int8)
 from __future__ import annotations
 
 import importlib as _importlib
+import importlib.util as _util
 import pathlib as _pathlib
 import re as _re
+import sys as _sys
 from typing import Any as _Any
+
+_HERE = _pathlib.Path(__file__).parent
+
+
+def _find_beside(name: str) -> None:
+    """Import a part of this package from beside it: it alone, since a path to all that is there leads to this package again."""
+    whole = f"{__name__}.{name}"
+    spec = _util.spec_from_file_location(whole, _HERE.parent / name / "__init__.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = _sys.modules[whole] = globals()[name] = _util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+
 
 # In a checkout derive/ and generated/ stand beside this folder, with links to them in it; where links can't be made, as by git on
 # Windows unless it is told to, the folders are found beside it all the same.
-_HERE = _pathlib.Path(__file__).parent
-if not (_HERE / "generated").is_dir() and (_HERE.parent / "generated").is_dir():
-    __path__.append(str(_HERE.parent))
+for _name in ("derive", "generated"):
+    if not (_HERE / _name).is_dir() and (_HERE.parent / _name / "__init__.py").is_file():
+        _find_beside(_name)
 
 _LIST = _pathlib.Path(__file__).with_suffix(".pyi")
 #: Public name → where it is, read from the list that type checkers read. The name of a module stands for the module.

@@ -28,8 +28,9 @@ settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeat"))
 
 #: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
 LONGEST = (
-    "test_c99", "test_explorer_models", "test_explorer", "test_models_statics", "test_figures", "test_cycles", "test_check",
-    "test_packaging", "test_documents", "test_cli",
+    "test_cli", "test_models_statics", "test_figures", "test_check", "test_c99", "test_explorer_models", "test_failures",
+    "test_cycles", "test_studies", "test_javascript", "test_documents", "test_pages", "test_matlab", "test_sweeps",
+    "test_dynamics", "test_catastrophe", "test_packaging", "test_design", "test_explorer",
 )  # fmt: skip
 
 

@@ -3,14 +3,27 @@
 from __future__ import annotations
 
 import importlib
+import os
 from fractions import Fraction
 from types import ModuleType
 
 import mpmath
+import pytest
 
 import spragsym.generated as generated_package
 from spragsym.catastrophe import flutter_proofs
+from spragsym.dynamics import integrators
 from spragsym.exact import intervals
+
+#: For what other systems do in another way: signals to other processes, shells, links that anyone may make.
+needs_posix = pytest.mark.skipif(os.name != "posix", reason="signals, shells and links of POSIX")
+
+#: Why tests with long motions are skipped; empty where an integrator that was compiled is there.
+LONG_MOTIONS_TAKE_MINUTES = "long motions take SciPy minutes" if integrators.choose(None) == "scipy" else ""
+needs_a_quick_integrator = pytest.mark.skipif(bool(LONG_MOTIONS_TAKE_MINUTES), reason=LONG_MOTIONS_TAKE_MINUTES)
+
+#: As little as a process can be given: Windows starts none without its own folder.
+NO_ENVIRONMENT = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
 
 
 def as_fraction(value: mpmath.mpf) -> Fraction:

@@ -8,6 +8,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.studies.brake_files import read_brake
+from spragsym.studies.measurements import read_friction
 
 GOOD = {
     "m": '"0.35 kg"', "k": '"180 N/mm ± 15 %"', "L_0": '"38 mm"', "theta0": '"52 deg ± 1 deg"', "k_x": '"9 N/mm ± 15 %"',
@@ -37,7 +38,7 @@ VALUES = [
     ("m", '"inf kg"', ["begin with a number"]),
     ("m", '"1e400 kg"', ["too large"]),
     ("m", '"0.35 kg ± 120 %"', ["'0.35 kg ± 120 %'", "reaches -0.07 kg", "not above 0"]),
-    ("m", '"0.35 kilos"', ["'kilos'", "a time"]),
+    ("m", '"0.35 kilos"', ["'kilos' (kilosecond)", "a time"]),
     ("m", '"0.35 kg; import os"', ["can't be read"]),
     ("m", '"' + "9" * 300 + ' kg"', ["too long"]),
     ("k", '"180 N"', ["'N'", "a force", "a stiffness", '"180 N/mm"']),
@@ -47,7 +48,6 @@ VALUES = [
     ("k", '"180 N/mm ± 15 deg"', ["an angle", "a stiffness"]),
     ("k", '"180 N/mm ± -15 %"', ["-15", "positive"]),
     ("k", '"180 N/mm ±"', ["behind ±"]),
-    ("k", '"180 N/mm 15 %"', ["'180 N/mm 15 %'", '"180 N/mm"']),
     ("k", '"180 ± 15 %"', ["no unit"]),
     ("k", '"[150, 210]"', ["no unit"]),
     ("k", '"[210, 150] N/mm"', ["begins above its end", "smaller number first"]),
@@ -55,7 +55,7 @@ VALUES = [
     ("k", '"[150, 180, 210] N/mm"', ["two numbers"]),
     ("k", '"[150] N/mm"', ["two numbers"]),
     ("k", '"[150, 210 N/mm"', ["two numbers"]),
-    ("k", '"(150, 210) N/mm"', ["begin with a number"]),
+    ("k", '"(150, 210) N/mm"', ["two numbers in brackets", 'write for instance "[150, 210] N/mm"']),
     ("k", '"[0, 210] N/mm"', ["reaches 0 N/mm", "inclined spring"]),
     ("k", '"1 800 N/mm"', ["blank"]),
     ("k", '"1,800 N/mm"', ["comma"]),
@@ -72,7 +72,7 @@ VALUES = [
     ("k_y", '"0 N/mm ± 1 N/mm"', ["reaches -1 N/mm", "two ends", 'k_y = "[0, 1] N/mm"']),
     ("k", '"150-210 N/mm"', ["two numbers in brackets", "[150, 210] N/mm"]),
     ("k", '"180 N/mm, +- 15 %"', ["leave out the comma"]),
-    ("k", '"180 N/mm 15 %"', ["± is missing before 15 %"]),
+    ("k", '"180 N/mm 15 %"', ["± is missing before 15 %", 'write "180 N/mm ± 15 %"']),
     ("k", '"180 n/mm"', ["did you mean N/mm?"]),
     ("k_c", '"1500 N/mm ± 150 %"', ["reaches -750 N/mm", 'k_c = "[750, 3750] N/mm"']),
     ("mu0", '"0.3 to 0.6"', ["two numbers in brackets", "[0.3, 0.6]"]),
@@ -119,13 +119,13 @@ def test_a_wrong_value(key: str, value: str, parts: list[str], tmp_path: Path) -
 
 #: What is done to the file: (lines, more lines, head, where, parts of the message).
 WHOLE = {
-    "a key is missing": ({k: v for k, v in GOOD.items() if k != "k_c"}, (), "[brake]", "line 1", ["k_c", '"180 N/mm"']),
-    "all are missing": ({}, (), "[brake]", "line 1", ["m, k, k_x", "add lines"]),
+    "a key is missing": ({k: v for k, v in GOOD.items() if k != "k_c"}, (), "[brake]", "line 1", ["k_c", '"1500 N/mm"']),
+    "all are missing": ({}, (), "[brake]", "line 1", ["m, k, k_x", "add lines", 'k_y = "0 N/mm"', 'k_c = "1500 N/mm"']),
     "a misspelt key": (GOOD, ('kx = "9 N/mm"',), "[brake]", "line 13", ["kx", "did you mean k_x?"]),
     "an unknown key": (GOOD, ('colour = "red"',), "[brake]", "line 13", ["colour", "the keys are"]),
     "a key twice": (GOOD, ('m = "0.4 kg"',), "[brake]", "line 13", ["m is there twice"]),
     "no table": (GOOD, (), "# nothing", "line 2", ["[brake] is missing"]),
-    "another table": (GOOD, (), "[brakes]", "line 1", ["[brake] is missing", "'brakes'"]),
+    "another table": (GOOD, (), "[brakes]", "line 1", ["the table [brakes] is there, but [brake] is missing"]),
     "two tables": (GOOD, ("[extra]", "a = 1"), "[brake]", "line 13", ["'extra'", "below [brake]"]),
     "no quotes": (GOOD | {"m": "0.35 kg"}, (), "[brake]", "line 2", ["not TOML", 'm = "0.35 kg"']),
     "an open quote": (GOOD | {"k": '"180 N/mm'}, (), "[brake]", "line 3", ["not TOML", "quotes"]),
@@ -154,6 +154,10 @@ MEASURED = {
     "one column": ("0.1\n0.2\n", ["line 1", "0.5,0.41"]),
     "one speed": ("0.1,0.2\n0.1,0.21\n", ["at least two", "different"]),
     "negative": ("0.1,0.2\n0.2,-0.3\n", ["line 2", "negative"]),
+    "decimal commas between commas": ("v,mu\n0,1,0,2\n0,2,0,3\n", ["line 2", "decimal commas", "semicolons"]),
+    "a unit on the first line": ("0.1 m/s,0.2\n0.2,0.3\n", ["line 1", "'0.1 m/s,0.2'"]),
+    "nothing but zeros": ("0.1,0\n0.2,0\n", ["all coefficients are 0"]),
+    "not a number": ("0.1,0.2\n0.2,nan\n", ["line 2", "'0.2,nan'"]),
 }
 
 
@@ -169,15 +173,55 @@ def test_a_wrong_measurement(name: str, tmp_path: Path) -> None:
         assert part in text
 
 
+#: One measurement in the ways in which programs write it.
+WAYS = {
+    "points": "0.05,0.2\n0.2,0.4\n1.0,0.45\n",
+    "byte order mark": "\ufeffv,mu\n0.05,0.2\n0.2,0.4\n1.0,0.45\n",
+    "German": "v in m/s;µ\r\n0,05;0,2\r\n0,2;0,4\r\n1,0;0,45\r\n",
+    "tabs and commas": "v\tmu\n0,05\t0,2\n0,2\t0,4\n1\t0,45\n",
+    "blanks": "# rig\n\n speed friction\n0.05 0.2\n 0.2   0.4\n1.0 0.45\n",
+    "quotes and a third column": '"v","mu","T"\n"0.05","0.2","20"\n"0.2","0.4","21"\n"1.0","0.45","22"\n',
+}
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_measurements_are_read_as_they_are_meant(way: str, tmp_path: Path) -> None:
+    from spragsym.studies.measurements import read_friction
+
+    (tmp_path / "a.csv").write_text(WAYS[way], encoding="utf-8", newline="")
+    speed, friction = read_friction(tmp_path / "a.csv")
+    assert speed.tolist() == [0.05, 0.2, 1.0]
+    assert friction.tolist() == [0.2, 0.4, 0.45]
+
+
 def test_files_that_are_none(tmp_path: Path) -> None:
     assert "No such file" in message(tmp_path / "nothing.toml")
     assert "is a folder" in message(tmp_path)
     (tmp_path / "latin.toml").write_bytes('[brake]\nk = "180 N/mm ± 15 %"\n'.encode("latin-1"))
     assert "UTF-8" in message(tmp_path / "latin.toml")
-    (tmp_path / "empty.toml").write_text("")
+    (tmp_path / "empty.toml").write_text("", encoding="utf-8")
     assert "is empty" in message(tmp_path / "empty.toml")
-    (tmp_path / "large.toml").write_text("#" * (1 << 21))
+    (tmp_path / "large.toml").write_text("#" * (1 << 21), encoding="utf-8")
     assert "bytes" in message(tmp_path / "large.toml")
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16"])
+@pytest.mark.parametrize("newline", ["\n", "\r\n"])
+def test_files_as_editors_and_shells_write_them(encoding: str, newline: str, tmp_path: Path) -> None:
+    """Windows PowerShell's ``>`` writes UTF-16, Notepad a mark before UTF-8."""
+    path = written(tmp_path, GOOD)
+    plain = read_brake(path).quantities
+    path.write_text(path.read_text(encoding="utf-8"), encoding=encoding, newline=newline)
+    assert read_brake(path).quantities == plain
+
+
+def test_measurements_with_a_decimal_comma(tmp_path: Path) -> None:
+    """As a spreadsheet writes them in many countries: 0,5 is a half, in two columns."""
+    for name, rows in (("a", "0.5,0.41\n1.5,0.43"), ("b", "0,5;0,41\n1,5;0,43"), ("c", "0,5\t0,41\n1,5\t0,43")):
+        (tmp_path / f"{name}.csv").write_text(rows, encoding="utf-8")
+        speed, friction = read_friction(tmp_path / f"{name}.csv")
+        assert speed.tolist() == [0.5, 1.5]
+        assert friction.tolist() == [0.41, 0.43]
 
 
 def test_the_good_file_is_good(tmp_path: Path) -> None:

@@ -12,8 +12,7 @@ import sympy as sp
 
 from spragsym.derive.emit import language
 from spragsym.derive.emit.statements import flatten
-from spragsym.derive.emit.write import SOURCES
-from spragsym.derive.kang_nam import bounds
+from spragsym.derive.kang_nam import bounds, emission
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam.bounds import Counted
 from spragsym.derive.kang_nam.catalogue import modules
@@ -57,7 +56,7 @@ def _functions() -> dict[str, Any]:
 
 @cache
 def _derived() -> dict[str, float]:
-    return bounds.counts(language.read(SOURCES / "kang_nam" / "kernel.py"), _functions())
+    return bounds.counts(_kernel(), _functions())
 
 
 def _independent() -> dict[str, float]:
@@ -158,7 +157,7 @@ def test_sizes_that_do_not_cover_are_refused() -> None:
 
 
 def _counts(name: str, places: set[int], factors: int) -> dict[str, float]:
-    """The counts, were some results of a generated function times so many factors 1 + β, 2 + β, …: two roundings each."""
+    """The counts, were some results of a generated function times this many factors 1 + β, 2 + β, …: two roundings each."""
     function = _functions()[name]
     further = sp.Mul(*(k + nm.beta for k in range(1, factors + 1)))
     results = tuple(value * further if i in places else value for i, value in enumerate(flatten(function.results)))
@@ -166,7 +165,7 @@ def _counts(name: str, places: set[int], factors: int) -> dict[str, float]:
 
 
 def _kernel() -> language.Source:
-    return language.read(SOURCES / "kang_nam" / "kernel.py")
+    return emission.kernel()
 
 
 @pytest.mark.parametrize(("place", "more"), [(0, 160), (1, 80), (2, 160)])

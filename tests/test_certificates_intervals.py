@@ -404,3 +404,15 @@ def test_precision_is_that_asked_for_and_then_as_before(arith: Arithmetic) -> No
     assert Fraction(1, 2**86) < eighty < Fraction(1, 2**76)
     assert width() == before
     assert mpmath.mp.prec == digits
+
+
+def test_middles_and_powers_of_two(arith: Arithmetic) -> None:
+    with arith.precision(60):
+        for value in (Fraction(5), Fraction(-3, 8), Fraction(1), Fraction(1, 2), Fraction(-(2**70)), Fraction(3, 2**90)):
+            for width in (Fraction(0), abs(value) / 4):
+                held = arith.between(value - width, value + width)
+                middle = sum(arith.ends(held)) / 2
+                assert abs(middle - value) <= abs(value) / 2**28
+                assert arith.ends(arith.middle(held)) == (middle, middle)
+                n = arith.power(held)
+                assert Fraction(2) ** (n - 1) <= abs(middle) < Fraction(2) ** n

@@ -1164,7 +1164,7 @@ def test_margins_cover_discriminant_and_trace(name: str, nbar: float) -> None:
 
 @pytest.mark.parametrize("ratio", [3.0, 100.0, 1e6])
 def test_a_margin_covers_friction_where_flutter_alone_decides(ratio: float) -> None:
-    """The terms of the discriminant, where friction is so many times σ/L, and cos θ = −1, sin θ = 1 make it negative."""
+    """The terms of the discriminant, where friction is this multiple of σ/L, and cos θ = −1, sin θ = 1 make it negative."""
     pull, alpha, sigma, beta, nbar = 1e4, 0.0, 1.0, 0.0, 1.0
     mu0 = ratio * pull
     (K11, K12), (K21, K22) = kernel.stiffness(-1.0, 1.0, sigma / pull, mu0, alpha, sigma, beta, nbar)

@@ -116,6 +116,29 @@ def test_floats_of_intervals_up_to_fifteen_digits(size: Fraction, arith: Arithme
             escalation.as_floats(arith, [arith.exact(size), arith.between(size - unit * 101 / 100, size + unit * 101 / 100)])
 
 
+@pytest.mark.parametrize(
+    "middle", [1 + Fraction(1, 2**53), 3 - Fraction(3, 2**53), Fraction(1, 3), -1 - Fraction(1, 2**53), Fraction(0)]
+)
+def test_the_error_of_a_float_covers_its_rounding(middle: Fraction, arith: Arithmetic) -> None:
+    """Halfway between two floats, where half a unit is lost, to either end of an interval of any width that is allowed."""
+    for width in (Fraction(0), Fraction(1, 2**70), Fraction(9, 10**16)):
+        with arith.precision(200):
+            ends = arith.ends(arith.between(middle - width, middle + width))
+            (value,), error = escalation.as_floats(arith, [arith.between(*ends)])
+        assert max(abs(Fraction(value) - end) for end in ends) <= Fraction(error) * max(1, abs(Fraction(value)))
+
+
+def test_floats_may_be_off_by_fifteen_digits_and_end_somewhere() -> None:
+    """By integers, which balls hold exactly."""
+    arith = Balls()
+    with arith.precision(200):
+        values, error = escalation.as_floats(arith, [arith.between(Fraction(10**15 - 1), Fraction(10**15 + 1))])
+        assert values == [1e15]
+        assert 1e-15 <= error < 1.2e-15
+        ends = [arith.exact(Fraction(sign * 2**1024)) for sign in (-1, 1)]
+        assert escalation.as_floats(arith, ends)[0] == [-math.inf, math.inf]
+
+
 # ---------------------------------------------------------------------------------------------- folds and cusps
 
 
@@ -218,6 +241,26 @@ def test_a_fold_says_on_which_side_there_are_three_and_which_two_meet(vary: str)
     assert len(seen) > 1
 
 
+@pytest.mark.parametrize("vary", NAMES)
+def test_the_state_after_a_fold_is_an_equilibrium(vary: str, arith: Arithmetic) -> None:
+    """At the parameters of the fold, and not the state that ends there: by the balance of forces."""
+    exact = dict(zip(NAMES, map(Fraction, ("1/2", "2/3", "1/200", "1/150", "1/10", "1/20")), strict=True))
+    with arith.precision(300):
+        folds = [fold for fold in fold_proofs.folds(arith, vary, exact, 300) if fold.kind == "fold"]
+        with mpmath.workdps(60):
+            for fold in folds:
+                values = [_middle(arith, value) for value in fold.point.parameters]
+                theta, L, x, y = (_middle(arith, value) for value in fold.after)
+                theta0, _, kappa, _, sigma, beta = values
+                assert abs(_f(theta, values)) < mpmath.mpf(10) ** -30
+                assert abs(theta - _middle(arith, fold.point.theta)) > 1e-6
+                moment = sigma * mpmath.sin(theta) + (beta + 1) * mpmath.sin(theta0) + kappa
+                assert abs((beta + 1 + sigma) * L * mpmath.sin(theta) - moment) < mpmath.mpf(10) ** -30
+                assert abs(mpmath.cos(theta0) - L * mpmath.cos(theta) - x) < mpmath.mpf(10) ** -30
+                assert abs(mpmath.sin(theta0) - L * mpmath.sin(theta) - y) < mpmath.mpf(10) ** -30
+    assert folds
+
+
 @pytest.mark.parametrize("alpha", ["0.007", "0", "1", "1.5 0.5", "1 0.5"])
 def test_cusps_are_enclosed_and_paired(alpha: str, arith: Arithmetic) -> None:
     """The mirror image (π − θ, π − θ₀, −μ₀) of a cusp is one; their number is that of the real roots of the polynomial."""
@@ -302,6 +345,23 @@ def test_an_upright_cusp_is_one(side: int, arith: Arithmetic) -> None:
     upright = [one for one in angles if abs(one[0] - side * math.pi / 2) < 1e-6]
     assert len(upright) == 1
     assert upright[0] == pytest.approx([side * math.pi / 2, -math.pi / 2, 0.0], abs=1e-15)
+
+
+@pytest.mark.parametrize("alpha", ["0.007", "0.3"])
+def test_the_depth_of_a_cusp_as_a_function_of_its_sine(alpha: str) -> None:
+    """Against sin θ₀ − L sin θ with L from F_y = 0 at the angles of the cusp."""
+    arith, exact = Balls(), (Fraction(7, 1000), Fraction(alpha), Fraction(1, 10), Fraction(1, 2))
+    with arith.precision(300):
+        points = list(cusp_proofs.cusps(arith, exact, 300))
+        assert points
+        for point in points:
+            with mpmath.workdps(60):
+                theta, theta0 = (_middle(arith, value) for value in (point.theta, point.parameters[0]))
+                s, s0 = mpmath.sin(theta), mpmath.sin(theta0)
+                kappa, _, sigma, beta = (mpmath.mpf(value.numerator) / value.denominator for value in exact)
+                L = (sigma * s + (1 + beta) * s0 + kappa) / ((1 + beta + sigma) * s)
+                off = as_fraction(s0 - L * s) - cusp_proofs._cusp_y(as_fraction(s), *exact)
+            assert abs(off) < Fraction(1, 10**30)
 
 
 def test_what_may_be_upright_is_open() -> None:

@@ -110,7 +110,7 @@ def _settled(
 ) -> tuple[bool, slots.Slots]:
     """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
-    given = {name: np.repeat(np.array(values), 2) for name, values in columns.items()}
+    given = {name: np.repeat(np.array(values)[:, None], 2, axis=1) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
     out = slots.Slots(3, 3 if contact else 4)
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))
@@ -299,6 +299,53 @@ def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyP
     assert all(type(value) is np.float64 and value == u for value in asked)
 
 
+#: A point with one equilibrium, one with three, and one with one, both in double-double as elsewhere.
+WIDE_POINTS = [
+    np.array(column)
+    for column in zip(
+        (1.2, 0.3, 0.1, 0.1, 0.1, 0.1), (0.7, 0.7, 0.007, 0.007, 0.1, 0.0), (0.6, 1.0, 0.1, 0.1, 0.1, 0.1), strict=True
+    )
+]
+
+
+def test_each_condition_of_double_double_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Numbers whose bounds hold, a balance that double carries, and a certain number of roots, each of every point."""
+
+    def left() -> list[int]:
+        with np.errstate(all="ignore"):
+            found: list[int] = block.solve_widely(WIDE_POINTS, True, slots.Slots(3, 3), 0, 3).tolist()
+        return found
+
+    assert left() == []
+    sound = {name: getattr(kernel, name) for name in ("moderate", "representable", "guesses")}
+    no = np.array([False, True, True])
+    with monkeypatch.context() as changed:
+        for k in range(3):
+            changed.setattr(block.kernel, "moderate", lambda point, k=k: sound["moderate"](point) & np.roll(no, k))
+            assert left() == [k]
+    with monkeypatch.context() as changed:
+        changed.setattr(block.kernel, "representable", lambda line: sound["representable"](line) & no)
+        assert left() == [0]
+    with monkeypatch.context() as changed:
+
+        def guesses(point: Any, line: Any, u: Any) -> Any:
+            given = sound["guesses"](point, line, u)
+            return given._replace(certain=given.certain & no)
+
+        changed.setattr(block.kernel, "guesses", guesses)
+        assert left() == [0]
+
+
+def test_double_double_writes_to_its_rows() -> None:
+    out = slots.Slots(8, 3)
+    with np.errstate(all="ignore"):
+        block.solve_widely(WIDE_POINTS, True, out, 4, 3)
+    expected = ss.equilibria(ss.Parameters(*WIDE_POINTS))
+    assert out.count.tolist() == [0, 0, 0, 0, *expected.count, 0]
+    out.clear()
+    np.testing.assert_allclose(out.padded("theta")[4:7], expected.theta, rtol=1e-12)
+
+
 @pytest.mark.parametrize("value", [-1.0, 0.0, 1.0])
 def test_a_discriminant_within_its_error_counts_for_nothing(monkeypatch: pytest.MonkeyPatch, value: float) -> None:
     """The second factor is then looked at: its roots, complex here, settle nothing."""
@@ -440,3 +487,54 @@ def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
     p = ss.Parameters([0.9, 1.1, 1.2], [0.5, 0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
     assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
     assert ss.equilibria(p).fold.tolist() == [False, False, True]
+
+
+#: Three points beside two whose numbers are so far apart that double-double arithmetic is not what its bounds say.
+SOME_IMMODERATE = [
+    np.array(column)
+    for column in zip(
+        (1.2, 0.3, 0.1, 0.1, 0.1, 0.1),
+        (1.2327756113845494, 4.53e21, 7.32e-53, 6.145e51, 2.6e-32, 1.748e49),
+        (0.7, 0.7, 0.007, 0.007, 0.1, 0.0),
+        (1.3664280351761058, 3.45e90, 1.433e12, 3.5579e34, 1.27e29, 9.49e41),
+        (0.6, 1.0, 0.1, 0.1, 0.1, 0.1),
+        strict=True,
+    )
+]
+
+
+@pytest.mark.parametrize("size", [1, 2, 3, 5])
+def test_blocks_of_double_double_do_not_show(monkeypatch: pytest.MonkeyPatch, size: int) -> None:
+    """What is left is told by its place among the points, and the others are where their rows are."""
+    monkeypatch.setattr(solver, "WIDE_BLOCK", size)
+    out = slots.Slots(9, 3)
+    rows = np.array([1, 2, 4, 7, 8])
+    assert solver._solve_widely(SOME_IMMODERATE, True, out, rows).tolist() == [1, 3]
+    expected = ss.equilibria(ss.Parameters(*(column[[0, 2, 4]] for column in SOME_IMMODERATE)))
+    assert out.count[[1, 4, 8]].tolist() == expected.count.tolist()
+    assert not out.count[[0, 2, 3, 5, 6, 7]].any()
+    out.clear()
+    np.testing.assert_allclose(out.padded("theta")[[1, 4, 8]], expected.theta, rtol=1e-12)
+
+
+@pytest.mark.parametrize("name", ["numpy", "compiled"])
+def test_double_double_is_that_of_the_backend(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    asked: list[str] = []
+    monkeypatch.setattr(solver.backends, "chosen", lambda: (name, 1))
+    for module, its in ((solver.compiled, "compiled"), (block, "numpy")):
+        monkeypatch.setattr(module, "solve_widely", lambda *_, its=its: (asked.append(its), np.arange(5))[1])
+    assert solver._solve_widely(SOME_IMMODERATE, True, slots.Slots(5, 3), np.arange(5)).tolist() == [0, 1, 2, 3, 4]
+    assert asked == [name]
+
+
+def test_the_error_of_a_stored_state_covers_its_rounding() -> None:
+    """Of numbers halfway between two floats."""
+    with mpmath.workprec(120):
+        half = 1 + mpmath.mpf(2) ** -53
+        state = ladder.State(half, 2 * half, -half, 4 * half, 1, mpmath.mpf(2) ** -110)
+        columns = slots.empty(3, 1)
+        solver._store(columns, 0, ladder.Settled((state,), False, 128), {})
+        error = columns["error"][0, 0]
+        for name in ("theta", "L", "x", "y"):
+            true = getattr(state, name)
+            assert abs(float(columns[name][0, 0]) - true) / max(1, abs(true)) <= error <= 1.3e-16

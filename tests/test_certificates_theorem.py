@@ -2,20 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
+import mpmath
 import pytest
 import sympy as sp
 
 from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
 
-QUARTIC = elimination.quartic_in_t()
 FORM = elimination.f_form
-ALONG, ACROSS = equilibrium.balance()
-COEFFICIENTS = elimination.f_coefficients()
-STATE = elimination.state()
-DEEPER = sp.together(STATE[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q)
+# The derivation as it is, also where a test puts something else in its place.
+quartic, coefficients, state, balance = (
+    elimination.quartic_in_t, elimination.f_coefficients, elimination.state, equilibrium.balance
+)  # fmt: skip
+
+
+@pytest.fixture(autouse=True, scope="module")
+def derived() -> None:
+    """Derived before anything is put in its place: each function keeps what it gave first."""
+    for function in (quartic, coefficients, state, balance):
+        function()
+
+
+def deeper() -> sp.Expr:
+    """A y that grows with the depth."""
+    return sp.together(state()[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q)
 
 
 def _broken() -> list[str]:
@@ -25,23 +38,24 @@ def _broken() -> list[str]:
 @pytest.mark.parametrize(
     ("module", "name", "changed", "claim"),
     [
-        pytest.param(elimination, "quartic_in_t", lambda: (*QUARTIC, nm.fm), "begins with −b t⁴", id="a power too many"),
-        pytest.param(elimination, "quartic_in_t", lambda: (QUARTIC[0], QUARTIC[1] + nm.fm, *QUARTIC[2:]),
+        pytest.param(elimination, "quartic_in_t", lambda: (*quartic(), nm.fm), "begins with −b t⁴", id="a power too many"),
+        pytest.param(elimination, "quartic_in_t", lambda: (quartic()[0], quartic()[1] + nm.fm, *quartic()[2:]),
                      "three positive roots need", id="coefficient of t alone"),
-        pytest.param(elimination, "quartic_in_t", lambda: (*QUARTIC[:2], QUARTIC[2] + nm.fm, *QUARTIC[3:]),
+        pytest.param(elimination, "quartic_in_t", lambda: (*quartic()[:2], quartic()[2] + nm.fm, *quartic()[3:]),
                      "three positive roots need", id="coefficient of t² alone"),
-        pytest.param(elimination, "f_coefficients", lambda: COEFFICIENTS | {nm.fm: -COEFFICIENTS[nm.fm]},
+        pytest.param(elimination, "f_coefficients", lambda: coefficients() | {nm.fm: -coefficients()[nm.fm]},
                      "three positive roots need", id="sign of m"),
-        pytest.param(elimination, "f_coefficients", lambda: COEFFICIENTS | {nm.fb: 0 * nm.fb},
+        pytest.param(elimination, "f_coefficients", lambda: coefficients() | {nm.fb: 0 * nm.fb},
                      "−b is positive", id="b is zero"),
-        pytest.param(equilibrium, "balance", lambda: (ALONG, ACROSS - 2 * nm.kappa),
+        pytest.param(equilibrium, "balance", lambda: (balance()[0], balance()[1] - 2 * nm.kappa),
                      "no equilibrium has sin θ = 0", id="preload"),
-        pytest.param(elimination, "state", lambda: STATE | {nm.L: -STATE[nm.L]}, "s > 0 gives L > 0", id="sign of L"),
-        pytest.param(elimination, "state", lambda: STATE | {nm.L: 1 / (nm.s * nm.q)},
+        pytest.param(elimination, "state", lambda: state() | {nm.L: -state()[nm.L]}, "s > 0 gives L > 0", id="sign of L"),
+        pytest.param(elimination, "state", lambda: state() | {nm.L: 1 / (nm.s * nm.q)},
                      "s < 0 excludes", id="length without preload"),
-        pytest.param(elimination, "state", lambda: STATE | {nm.y: DEEPER},
+        pytest.param(elimination, "state", lambda: state() | {nm.y: deeper()},
                      "s > 0 ≥ s* gives y < 0", id="y that grows with the depth"),
         pytest.param(elimination, "f_form", FORM + nm.fb * nm.c, "f is negative before", id="f at 0"),
+        pytest.param(elimination, "f_form", FORM + 2 * nm.fb * (nm.c + 1), "s* ≤ 0: contact is 0 < θ < π", id="f at 0 alone"),
         pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
     ],
 )  # fmt: skip
@@ -58,6 +72,7 @@ def test_changes_of_sign(signs: tuple[int, ...], number: int) -> None:
 
 
 PARTS = [theorem._quartic, theorem._threshold_below_zero, theorem._threshold_above_zero, theorem._middle]
+PARTS += [theorem.smallest_without_friction]
 
 
 @pytest.mark.parametrize("part", PARTS, ids=lambda part: part.__name__)
@@ -76,6 +91,30 @@ def test_every_sign_that_is_claimed_is_needed(part: Any, monkeypatch: pytest.Mon
     for failing in range(1, calls + 1):  # noqa: B007  # read by the function above
         calls = 0
         assert not all(step.holds for step in part())
+
+
+def test_what_must_be_positive_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """−b where the arc ends at 0 and π; q s*, −P s* and the difference of squares elsewhere; and both parts of L."""
+    kappa, sigma, alpha, beta, s0, threshold, excess, level, s = map(
+        sp.Rational, ("1/7", 2, 3, "1/2", "3/5", "1/3", "1/5", "1/4", "4/9")
+    )
+    values = {"kappa": kappa, "sigma": sigma, "s_0": s0, "alpha": alpha, "beta": beta, "s_star": threshold, "excess": excess}
+    values |= {"level": level, "s": s}
+
+    def asked(part: Callable[[], Any]) -> set[sp.Rational]:
+        found = [
+            polynomial.subs({symbol: values.get(symbol.name, 1) for symbol in symbols})
+            for polynomial, symbols in _asked(part, monkeypatch)
+        ]
+        return set(found)
+
+    push, squares = sigma * threshold - (sigma + alpha) * (threshold + excess), level + (threshold + excess) ** 2 - threshold**2
+    ends = {(1 + beta + sigma) * threshold, -push, push**2 * squares - (alpha * threshold) ** 2 * level}
+    assert asked(lambda: theorem._signs_at_the_ends(FORM)) == ends
+    assert asked(theorem._middle) == ends | {(alpha + sigma) * ((1 + beta) * s0 + kappa)}
+    numerator, denominator = sigma * s + (1 + beta) * s0 + kappa, (1 + beta + sigma) * s
+    assert {numerator, denominator} <= asked(theorem.smallest_without_friction)
+    assert {numerator, denominator} <= asked(theorem._threshold_below_zero)
 
 
 @pytest.mark.parametrize("e1", [-1, 0])
@@ -103,19 +142,72 @@ def test_both_parts_of_a_length_must_be_positive(monkeypatch: pytest.MonkeyPatch
         assert any("s > 0 gives L > 0" in step.claim for step in theorem._threshold_below_zero() if not step.holds)
 
 
-def test_the_claim_about_the_ends_is_the_difference_of_the_squares(monkeypatch: pytest.MonkeyPatch) -> None:
-    """P² cos² θ* − α² cos² θ₀ at rational sines, −P = α + λ, s₀ = s* + e."""
+def _asked(part: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> list[tuple[sp.Expr, tuple[sp.Symbol, ...]]]:
+    """The polynomials that a part asks to be positive, each with its symbols."""
     asked: list[tuple[sp.Expr, tuple[sp.Symbol, ...]]] = []
 
-    def remember(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], **_: Any) -> bool:
+    def remember(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], *_: Any, **__: Any) -> bool:
         asked.append((polynomial, symbols))
         return True
 
     monkeypatch.setattr(theorem, "manifestly_positive", remember)
-    theorem._threshold_above_zero()
-    polynomial, symbols = asked[-1]
+    part()
+    return asked
+
+
+def test_the_claim_about_the_ends_is_the_difference_of_the_squares(monkeypatch: pytest.MonkeyPatch) -> None:
+    """P² cos² θ* − α² cos² θ₀ at rational sines, −P = α + λ, s₀ = s* + e."""
+    polynomial, symbols = _asked(theorem._threshold_above_zero, monkeypatch)[-1]
     for given in ((1, 2, "1/3", "1/5"), (3, "1/7", "2/9", "1/2")):
         alpha, surplus, threshold, excess = map(sp.Rational, given)
         level = 1 - (threshold + excess) ** 2
         here = polynomial.subs(dict(zip(symbols, (alpha, surplus, level, threshold, excess), strict=True)))
         assert here == (alpha + surplus) ** 2 * (1 - threshold**2) - alpha**2 * level
+
+
+def test_the_sign_at_the_ends_is_that_of_the_difference_of_squares(monkeypatch: pytest.MonkeyPatch) -> None:
+    """s*² (P² cos² θ* − α² cos² θ₀) with P = σ − p L and L = s₀/s*, at rational sines."""
+    polynomial, symbols = _asked(lambda: theorem._signs_at_the_ends(FORM), monkeypatch)[-1]
+    for given in (("1/2", 3, 1, "1/3", "1/5"), (2, "1/7", 0, "2/9", "1/2")):
+        sigma, alpha, beta, threshold, excess = map(sp.Rational, given)
+        level = 1 - (threshold + excess) ** 2
+        here = polynomial.subs(dict(zip(symbols, (sigma, alpha, beta, threshold, excess, level), strict=True)))
+        push = sigma * threshold - (sigma + alpha) * (threshold + excess)
+        assert here == push**2 * (1 - threshold**2) - (alpha * threshold) ** 2 * level
+
+
+def test_the_slope_without_friction_is_that_of_the_force(monkeypatch: pytest.MonkeyPatch) -> None:
+    """s² c² times the slope of q F_x/cos θ = f/(sin θ cos θ), from the balance of forces and by differences in many digits."""
+    polynomial, symbols = _asked(theorem.smallest_without_friction, monkeypatch)[0]
+    with mpmath.workdps(40):
+        for given in ((0.7, 1.1, 0.3, 0.25, 0.01, 0.5), (1.4, 0.2, 0.02, 2.0, 3.0, 0.0), (0.1, 0.9, 1.7, 0.6, 0.0, 1.5)):
+            theta0, theta, kappa, sigma, alpha, beta = map(mpmath.mpf, given)
+            s0, c0, q = mpmath.sin(theta0), mpmath.cos(theta0), beta + 1 + sigma
+
+            def force(angle: mpmath.mpf, parts: tuple[mpmath.mpf, ...] = (s0, c0, q, kappa, sigma, alpha, beta)) -> mpmath.mpf:
+                s0, c0, q, kappa, sigma, alpha, beta = parts
+                s, c = mpmath.sin(angle), mpmath.cos(angle)
+                L = (sigma * s + (beta + 1) * s0 + kappa) / (q * s)
+                return q * (sigma * (1 - L) * c + alpha * (c0 - L * c)) / c
+
+            c, s = mpmath.cos(theta), mpmath.sin(theta)
+            here = dict(zip(symbols, (kappa, sigma, s0, alpha, beta, c, s, c0), strict=True))
+            value = sp.lambdify(symbols, polynomial, "mpmath")(*(here[symbol] for symbol in symbols))
+            assert abs(value - (c * s) ** 2 * mpmath.diff(force, theta)) < 1e-20
+
+
+@pytest.mark.parametrize(
+    ("name", "changed", "claim"),
+    [
+        pytest.param("f_form", FORM + nm.fa, "f = s c (a + b/s + d/c)", id="a term beside a, b, d"),
+        pytest.param("f_coefficients", lambda: coefficients() | {nm.fd: 2 * coefficients()[nm.fd]},
+                     "at cos θ = 0", id="the spring to ground in f"),
+        pytest.param("state", lambda: state() | {nm.x: 2 * nm.c0 - nm.L * nm.c}, "at cos θ = 0", id="x at cos θ = 0"),
+        pytest.param("state", lambda: state() | {nm.x: nm.c0 - nm.L * nm.c**3}, "where cos θ < 0", id="x where cos θ < 0"),
+    ],
+)  # fmt: skip
+def test_what_is_small_without_friction_needs_each_part(
+    name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(elimination, name, changed)
+    assert any(claim in step.claim for step in theorem.smallest_without_friction() if not step.holds)

@@ -264,7 +264,9 @@ def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 #: Those that take longest; what the others show is the same, by the same code.
-LARGE = ("A1-c0", "A1-d0", "A2", "A3", "A4", "A6", "A7", "eq-1", "eq-6", "eq-12", "eq-28")
+LARGE = (
+    "A1-c0", "A1-d0", "A2", "A3", "A4", "A6", "A7", "A8", "eq-1", "eq-2", "eq-6", "eq-9", "eq-12", "eq-13", "eq-14", "eq-28",
+)  # fmt: skip
 
 
 def large_are_thorough(ids: Iterable[str]) -> list[Any]:

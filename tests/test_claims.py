@@ -557,7 +557,8 @@ def test_what_does_not_hold_is_not_reproduced() -> None:
 
 
 def test_every_row_names_a_test_and_a_command_that_exist() -> None:
-    tests = {node.name for node in ast.walk(ast.parse(Path(__file__).read_text())) if isinstance(node, ast.FunctionDef)}
+    tree = ast.parse(Path(__file__).read_text(encoding="utf-8"))
+    tests = {node.name for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)}
     for row in record().values():
         path, name = row["test"].split("::")
         assert (ROOT / path).samefile(__file__)

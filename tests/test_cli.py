@@ -8,6 +8,7 @@ import math
 import os
 import pickle
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -27,6 +28,7 @@ from hypothesis import strategies as st
 import spragsym as ss
 from spragsym import cli as command_line
 from spragsym.cli import COMMANDS, cli, main
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, NO_ENVIRONMENT, needs_posix
 
 #: Exit codes that are documented.
 DONE, FAILED, USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -163,7 +165,7 @@ WRITING = {
     "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),
     "explore": (["explore", "--no-open", "--out"], "a.html"),
     "export": (["export", "--out"], "spragsym.c"),
-    "derive": (["derive", str(Path(ss.__file__).parent / "derive/models/stick_slip.py"), "--out"], "model.json"),
+    "derive": (["derive", str(Path(__file__).parent.parent / "derive/models/stick_slip.py"), "--out"], "model.json"),
 }
 
 
@@ -187,16 +189,18 @@ def test_no_file_is_overwritten_without_force(
     command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     pytest.importorskip("matplotlib")
+    if command == "cycles" and LONG_MOTIONS_TAKE_MINUTES:
+        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
     arguments, name = WRITING[command]
     target = tmp_path / name
     place = str(tmp_path) if command in FOLDERS else str(target)
-    target.write_text("precious")
+    target.write_text("precious", encoding="utf-8")
     assert invoke(*arguments, place) == USAGE
     shown, said = capsys.readouterr()
     assert (shown, said.count("\n")) == ("", 1)
     assert str(target) in said
     assert "--force" in said
-    assert target.read_text() == "precious"
+    assert target.read_text(encoding="utf-8") == "precious"
     assert [path.name for path in tmp_path.iterdir()] == [name]
     assert invoke(*arguments, place, "--force") == DONE
     assert target.read_bytes()[:8] != b"precious"
@@ -215,9 +219,9 @@ def test_what_is_there_already_is_no_obstacle(command: str, tmp_path: Path, caps
 
 def test_force_that_fails_keeps_the_old_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     target = tmp_path / "a.csv"
-    target.write_text("precious")
+    target.write_text("precious", encoding="utf-8")
     assert invoke("sweep", *MOTION, "--rtol", "0", "--quiet", "--force", "-o", str(target)) == USAGE
-    assert target.read_text() == "precious"
+    assert target.read_text(encoding="utf-8") == "precious"
     assert [path.name for path in tmp_path.iterdir()] == ["a.csv"]
 
 
@@ -266,7 +270,7 @@ def test_the_window_follows_the_end(t_end: str, tmp_path: Path, capsys: pytest.C
     tr = ss.simulate(ss.Parameters.article(theta0=math.radians(49)), V=0.5, d=10.0, t_end=float(t_end), backend="scipy")
     assert found["rms"] == tr.rms(0.75 * float(t_end))
     assert invoke("sweep", *motion, "-q", "-o", str(tmp_path / "a.csv")) == DONE
-    assert f"# transient: {0.75 * float(t_end)}\n" in (tmp_path / "a.csv").read_text()
+    assert f"# transient: {0.75 * float(t_end)}\n" in (tmp_path / "a.csv").read_text(encoding="utf-8")
 
 
 # ------------------------------------------------------------------------------------------------- files of a sweep
@@ -511,7 +515,7 @@ ONE = ["equilibria", "--theta0", "30"]
 @pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs a disk that is always full")
 @pytest.mark.parametrize("arguments", [ONE, [*ONE, "--json"], ["--version"], ["--help"], [*ONE, "--help"]], ids=" ".join)
 def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
-    with open("/dev/full", "w") as full:
+    with open("/dev/full", "w", encoding="utf-8") as full:
         call = [sys.executable, "-m", "spragsym", *arguments]
         done = subprocess.run(call, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
         assert done.returncode == FAILED
@@ -520,9 +524,10 @@ def test_a_full_disk_under_stdout_is_one_line(arguments: list[str]) -> None:
         assert subprocess.run([*call[:3], "nonsense"], stderr=full, timeout=60).returncode == USAGE
 
 
+@needs_posix
 @pytest.mark.parametrize("stream", ["<&-", ">&-", "2>&-"])
 def test_streams_that_are_closed(stream: str) -> None:
-    call = f"{sys.executable} -m spragsym {' '.join(ONE)} {stream}"
+    call = f"{shlex.quote(sys.executable)} -m spragsym {' '.join(ONE)} {stream}"
     done = subprocess.run(["sh", "-c", call], capture_output=True, text=True, timeout=60)
     assert (done.returncode, done.stderr) == (DONE, "")
     assert ("contact" in done.stdout) == (stream != ">&-")
@@ -541,7 +546,8 @@ SURROUNDINGS: dict[str, dict[str, str]] = {
 
 def run_in(surroundings: str, folder: Path, *arguments: str) -> subprocess.CompletedProcess[bytes]:
     call = [sys.executable, "-W", "error", "-m", "spragsym", *arguments]
-    return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=SURROUNDINGS[surroundings], cwd=folder)
+    given = NO_ENVIRONMENT | SURROUNDINGS[surroundings]
+    return subprocess.run(call, stdin=subprocess.DEVNULL, capture_output=True, env=given, cwd=folder)
 
 
 @pytest.mark.thorough
@@ -555,7 +561,10 @@ def test_greek_output_in_any_surroundings(surroundings: str, tmp_path: Path) -> 
     assert len(json.loads(run_in(surroundings, tmp_path, "check", "--json").stdout)) == 53
 
 
-@pytest.mark.parametrize("surroundings", SURROUNDINGS)
+@pytest.mark.parametrize(
+    "surroundings",
+    [name if name in ("empty", "ascii") else pytest.param(name, marks=pytest.mark.thorough) for name in SURROUNDINGS],
+)
 def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
     """Right output or one line: with Greek in the arguments, and a bar on stderr."""
     done = run_in(surroundings, tmp_path, "equilibria", "--θ0", "30")
@@ -597,6 +606,7 @@ def test_no_color_is_respected(
     assert bool(re.search(rb"\x1b\[[\d;]*3[0-7]m", shown)) == colour
 
 
+@needs_posix
 def test_ctrl_c_ends_cleanly(tmp_path: Path, start: Start) -> None:
     process = start("simulate", "--theta0", "49", "--t-end", "1e6", "--backend", "scipy", cwd=tmp_path)
     time.sleep(2.0)

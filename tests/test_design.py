@@ -20,6 +20,7 @@ from spragsym.catastrophe.fold_digits import sharpened
 from spragsym.design import jump_values, sampling
 from spragsym.design.cells import Boxes
 from spragsym.design.claims import CLAIMS
+from spragsym.design.events import have_jumped
 from spragsym.errors import SweepError
 from spragsym.exact import affine, bernstein
 from spragsym.exact.polynomials import Undecided
@@ -171,6 +172,45 @@ def test_exact_arithmetic_gives_the_same_values(monkeypatch: pytest.MonkeyPatch)
         quick = ss.jump_value(p, vary)
         slow = [jump_values.exactly(one(p, i), vary)[0] for i in range(12)]
         np.testing.assert_allclose(quick, slow, rtol=1e-12)
+
+
+# In the wedge of a cusp nearly all points are nearer to a fold than their values are known.
+@pytest.mark.parametrize("family", sorted(set(families.FAMILIES) - {"cusp wedge"}))
+def test_what_has_jumped_is_what_jumps_below_its_friction(family: str) -> None:
+    p = families.FAMILIES[family](np.random.default_rng(40), 40 if "light" in family else 3000)
+    found, value = have_jumped(p), np.asarray(ss.jump_value(p))
+    # A value has 1e-12; nearer than that to the friction the event is the one that knows.
+    clear = ~(np.abs(value - p.mu0) <= 1e-12 * np.maximum(1.0, value))
+    assert clear.sum() > 10
+    assert not found.reasons
+    np.testing.assert_array_equal(found.jumped[clear], (value <= p.mu0)[clear])
+
+
+def test_beside_a_fold_what_has_jumped_is_what_the_path_says() -> None:
+    p = families.near_folds(np.random.default_rng(6), 4000)
+    found, value = have_jumped(p), np.asarray(ss.jump_value(p))
+    close = np.flatnonzero(np.abs(value - p.mu0) <= 1e-13 * value)
+    assert close.size > 10
+    for i in close[:30]:
+        (mu0,), at = one(p, int(i)).scalars("mu0"), float(value[i])
+        path = ss.quasi_static_path(one(p, int(i)), "mu0", [0.0, mu0])
+        # A value equal to the fold as a float counts as the fold itself, which a path has not passed.
+        assert found.jumped[i] == bool(path.jumps) or mu0 == at
+
+
+def test_signs_between_two_places_are_those_of_the_polynomial() -> None:
+    # (t − 1)(t − 2)(t − 4), between places of t.
+    coefficients = [Rounded(np.full(6, value)) for value in (-8.0, 14.0, -7.0, 1.0)]
+    low, high = np.array([0.1, 0.1, 1.5, 2.1, 2.1, 4.1]), np.array([0.9, 1.5, 1.9, 3.9, 8.0, 9.0])
+    place = [t / (t + bernstein.SCALE) for t in (low, high)]
+    found = bernstein.signs_between(coefficients, *place, np.zeros(6))
+    assert found.at_low.tolist() == [-1, -1, 1, -1, -1, 1]
+    assert found.negative.tolist() == [True, False, False, True, False, False]
+    assert found.positive.tolist() == [False, True, True, False, True, True]
+    # A root within the uncertainty of an end leaves that open.
+    near = bernstein.signs_between(coefficients, place[0], np.full(6, 1.0 / (1.0 + bernstein.SCALE)), np.full(6, 1e-9))
+    assert not near.negative[0]
+    assert not near.positive[0]
 
 
 @pytest.mark.parametrize("vary", ["sigma", "beta"])
@@ -450,6 +490,7 @@ def test_a_probability_is_that_of_plain_samples() -> None:
     assert set(found.first) == {"theta0", "mu0", "kappa", "sigma"}
 
 
+@pytest.mark.thorough
 def test_intervals_of_one_variable_hold_the_truth_although_all_replicates_agree() -> None:
     """Where one quantity varies, each replicate has the same number of hits but for one: no spread, and still an error."""
     fixed = {name: float(getattr(BASE.replace(theta0=0.7), name)) for name in NAMES if name != "mu0"}

@@ -7,6 +7,8 @@ import importlib
 import os
 import pkgutil
 import re
+import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +17,7 @@ import numpy as np
 import pytest
 
 import spragsym
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, needs_a_quick_integrator
 
 ROOT = Path(__file__).resolve().parent.parent
 README = ROOT / "README.md"
@@ -38,6 +41,8 @@ def commands(path: Path) -> list[tuple[str, str]]:
 
 def run(command: str, folder: Path) -> str:
     """stdout of a shell command that must succeed, with this interpreter's ``spragsym`` first on the path."""
+    if os.name != "posix" or not shutil.which("bash"):
+        pytest.skip("needs bash")
     environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
     environment.pop("FORCE_COLOR", None)
     done = subprocess.run(
@@ -64,6 +69,8 @@ MODULES = sorted(
 @pytest.mark.parametrize("name", ["spragsym", *MODULES])
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each example of a module runs as it stands."""
+    if name.startswith(("spragsym.cycles", "spragsym.sweeps.basins")) and LONG_MOTIONS_TAKE_MINUTES:
+        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
     try:
         module = importlib.import_module(name)
     except spragsym.MissingExtraError as error:
@@ -112,6 +119,7 @@ def make_targets() -> set[str]:
     return set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))
 
 
+@pytest.mark.thorough
 def test_the_picture_is_what_the_library_draws(tmp_path: Path) -> None:
     """The same bytes under two hash seeds, and those that are committed where matplotlib is the pinned one."""
     matplotlib = pytest.importorskip("matplotlib")
@@ -120,7 +128,7 @@ def test_the_picture_is_what_the_library_draws(tmp_path: Path) -> None:
         run(f"PYTHONHASHSEED={seed} spragsym bifurcation --plot {seed}.svg", tmp_path)
         pictures.append((tmp_path / f"{seed}.svg").read_bytes())
     assert pictures[0] == pictures[1]
-    if f"matplotlib=={matplotlib.__version__}\n" in (ROOT / "constraints.txt").read_text():
+    if f"matplotlib=={matplotlib.__version__}\n" in (ROOT / "constraints.txt").read_text(encoding="utf-8"):
         assert pictures[0] == (ROOT / "docs/images/bifurcation.svg").read_bytes()
 
 
@@ -186,6 +194,7 @@ def test_pages_that_are_linked_exist() -> None:
         assert (DOCS / f"{name}.md").is_file(), name
 
 
+@needs_a_quick_integrator
 def test_code_cells_of_the_pages_run() -> None:
     """What ``make docs`` executes, the page on clusters apart, which test_sweeps runs."""
     pytest.importorskip("matplotlib")
@@ -195,6 +204,7 @@ def test_code_cells_of_the_pages_run() -> None:
         exec(compile(code, f"docs/{name}.md", "exec"), {})
 
 
+@pytest.mark.thorough
 def test_the_pages_build_without_warnings(tmp_path: Path) -> None:
     """As ``make docs`` does, and the tutorial's figures are pictures."""
     for module in ("sphinx", "myst_nb", "numpydoc", "furo"):
@@ -226,7 +236,7 @@ def test_every_benchmark_can_be_imported(name: str) -> None:
 def test_the_performance_page_is_written(tmp_path: Path) -> None:
     """With few points, and every solver in its columns."""
     page = tmp_path / "performance.md"
-    run(f"cd {ROOT} && python -m benchmarks --quick accuracy --write {page}", tmp_path)
+    run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks --quick accuracy --write {page}", tmp_path)
     text = page.read_text(encoding="utf-8")
     assert text.startswith("# Performance\n")
     rows = [line.split("|")[1:-1] for line in text.splitlines() if line.startswith("|")]
@@ -246,6 +256,6 @@ def test_a_commit_before_can_be_compared_with(tmp_path: Path) -> None:
     """Against itself: the same answers, and a time for each solver."""
     if not (ROOT / ".git").exists():
         pytest.skip("not a clone")
-    text = run(f"cd {ROOT} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
+    text = run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
     assert re.search(r"^\| numpy \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE)
     assert re.search(r"^\| numpy \| 0 \| 0 \| 0\.0e\+00 \|", text, re.MULTILINE)

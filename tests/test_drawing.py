@@ -13,12 +13,17 @@ pytest.importorskip("sympy")
 
 import sympy as sp
 
-from spragsym.derive import drawing, shapes
+from spragsym.derive import drawing, pages, shapes
 from spragsym.derive.model import Page
 
 IMAGES = ROOT / "docs" / "images" / "models"
-PAGES = drawing.every_page()
+NAMES = sorted(path.stem for path in pages.shipped())
 SVG = "{http://www.w3.org/2000/svg}"
+
+
+@pytest.fixture(scope="module")
+def every() -> dict[str, Page]:
+    return drawing.every_page()
 
 
 def words(svg: str) -> list[str]:
@@ -31,14 +36,14 @@ def words(svg: str) -> list[str]:
     return [word for text in marked for word in text.split()]
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_committed_drawings_are_those_of_the_pages(name: str) -> None:
+@pytest.mark.parametrize("name", NAMES)
+def test_committed_drawings_are_those_of_the_pages(name: str, every: dict[str, Page]) -> None:
     """``python -m derive.drawing`` writes them; their files are the same bytes on every machine."""
-    assert (IMAGES / f"{name}.svg").read_text(encoding="utf-8") == drawing.render(PAGES[name])
+    assert (IMAGES / f"{name}.svg").read_text(encoding="utf-8") == drawing.render(every[name])
 
 
 def test_no_drawing_is_left_over_and_all_are_shown() -> None:
-    pictures = sorted([*PAGES, *(f"{name}_set" for name in PAGES)])
+    pictures = sorted([*NAMES, *(f"{name}_set" for name in NAMES)])
     assert sorted(path.stem for path in IMAGES.glob("*.svg")) == pictures
     gallery = (ROOT / "docs" / "models.md").read_text(encoding="utf-8")
     assert sorted(re.findall(r"images/models/(\w+)\.svg", gallery)) == pictures
@@ -46,10 +51,10 @@ def test_no_drawing_is_left_over_and_all_are_shown() -> None:
         assert "images/models/kang_nam.svg" in (ROOT / path).read_text(encoding="utf-8").split("## ")[0]
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_everything_that_pulls_or_pushes_is_named(name: str) -> None:
+@pytest.mark.parametrize("name", NAMES)
+def test_everything_that_pulls_or_pushes_is_named(name: str, every: dict[str, Page]) -> None:
     """Stiffnesses, dampers, forces but for their directions, the belt's speed, the mass; and each spring is drawn as one."""
-    page, svg = PAGES[name], drawing.render(PAGES[name])
+    page, svg = every[name], drawing.render(every[name])
     expected = {str(symbol) for it in page.springs for symbol in it.stiffness.free_symbols}
     expected |= {str(symbol) for it in page.dampers for symbol in it.coefficient.free_symbols}
     expected |= {"m", *(str(symbol) for symbol in (page.sliding.belt.free_symbols if page.sliding else ()))}
@@ -59,10 +64,10 @@ def test_everything_that_pulls_or_pushes_is_named(name: str) -> None:
     assert expected <= set(words(svg))
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_drawings_stay_on_their_card(name: str) -> None:
+@pytest.mark.parametrize("name", NAMES)
+def test_drawings_stay_on_their_card(name: str, every: dict[str, Page]) -> None:
     """Every coordinate in the picture is inside of it, and nothing is fetched from elsewhere."""
-    svg = drawing.render(PAGES[name])
+    svg = drawing.render(every[name])
     root = ElementTree.fromstring(svg)
     left, top, width, height = map(float, str(root.get("viewBox")).split())
     for path in root.iter(f"{SVG}path"):

@@ -15,6 +15,8 @@ from spragsym.explorer import explorer_page
 from spragsym.parameters import NAMES
 from tests.explorer_pages import Explorer, firefox
 
+pytestmark = pytest.mark.thorough  # a second browser; tests/test_explorer.py has all questions in the first
+
 BASE = ss.Parameters.article()
 
 

@@ -42,6 +42,7 @@ from spragsym.figures import (  # noqa: E402  # after matplotlib was found
     write,
 )
 from spragsym.figures.style import BLACK, LINES, VERMILION  # noqa: E402  # after matplotlib was found
+from tests.support import LONG_MOTIONS_TAKE_MINUTES  # noqa: E402  # after matplotlib was found
 
 P = ss.Parameters.article()
 
@@ -57,9 +58,23 @@ QUICK: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 
 
+#: Those that integrate many motions.
+MOVING = ("7", "cycles", "cycles-plane", "rms-map", "sensitivity")
+
+
+class Sheets(dict[str, Sheet]):
+    """Figures by name, each drawn when a test asks first."""
+
+    def __missing__(self, name: str) -> Sheet:
+        if name in MOVING and LONG_MOTIONS_TAKE_MINUTES:
+            pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
+        self[name] = FIGURES[name](**QUICK.get(name, {}))
+        return self[name]
+
+
 @pytest.fixture(scope="module")
 def sheets() -> dict[str, Sheet]:
-    return {name: draw(**QUICK.get(name, {})) for name, draw in FIGURES.items()}
+    return Sheets()
 
 
 @pytest.mark.parametrize("name", FIGURES)
@@ -298,17 +313,18 @@ def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
     """Against the surface itself, along the line of sight from each piece to the eye: no mesh takes part in it."""
     ax = draw().axes[0]
     p = P if draw is figure_11 else P.replace(sigma=1.0)
-    wrong = looked_at = 0
+    wrong = looked_at = 0.0
     seen = set()
     for line in ax.get_lines():
         if line.get_marker() != "None":
             continue
         points = np.column_stack(line.get_data_3d())
         hidden = line.get_linewidth() == space.BEHIND["linewidth"]
+        length = np.hypot.reduce(np.diff(points / (180, 1, 4), axis=0), axis=1).sum()
         for share in (0.3, 0.5, 0.7):
             crossed = _crosses_a_sheet(p, ax, points[int(share * (len(points) - 1))])
-            looked_at += 1
-            wrong += crossed != hidden
+            looked_at += length
+            wrong += length * (crossed != hidden)
             seen.add(hidden)
     assert seen == {True, False}
     assert wrong <= 0.1 * looked_at, (wrong, looked_at)  # a line on a sheet seen nearly edge on

@@ -92,6 +92,7 @@ def test_without_alpha_each_onset_is_listed_once_with_its_mirror_image() -> None
 # ----------------------------------------------------------------------------------------------- completeness
 
 
+@pytest.mark.thorough
 def test_random_sets_against_a_map_of_stability() -> None:
     rng = np.random.default_rng(20)
     listed = without_alpha = 0

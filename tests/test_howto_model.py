@@ -27,6 +27,24 @@ def test_the_page_does_what_it_says(tmp_path: Path) -> None:
         assert_shown(shown, run(command, tmp_path))
 
 
+@pytest.mark.thorough
+def test_around_a_torsion_spring_searches_end_soon_and_say_why(tmp_path: Path) -> None:
+    """Its force has no bound at the anchor, which comes down to the belt at both ends of the range of θ₀."""
+    import spragsym as ss
+    from spragsym.derive import folder
+
+    files = dict(re.findall(r"^```{code-block} python\n:caption: (\S+)\n(.*?)^```$", PAGE.read_text("utf-8"), re.M | re.S))
+    (tmp_path / "soft_brake.py").write_text(files["soft_brake.py"], encoding="utf-8")
+    folder.write_page(tmp_path / "soft_brake.py", tmp_path / "soft_brake")
+    model = ss.load(str(tmp_path / "soft_brake"))
+    found = model.folds(model.Parameters(), "theta0")
+    assert not found.complete
+    assert 0 < len(found.undecided) < 10
+    assert all(min(abs(box[2, 0]), abs(box[2, 1] - 3.14159)) < 0.01 for box in found.undecided)
+    assert "its force has no bound there" in found.remarks[0]
+    assert model.folds(model.Parameters(), "theta0", between={"theta0": (0.1, 3.0)}).complete
+
+
 def test_the_vocabulary_is_that_of_the_page() -> None:
     from spragsym.derive import model
 

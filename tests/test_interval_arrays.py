@@ -107,15 +107,17 @@ def test_scalars_and_arrays_act_as_intervals():
     x = boxes(6, 50)
     column = np.linspace(-2, 2, x.shape[0])
     for number in (3, -3, 0, 1, -1, 0.1, -0.1):
+        product, difference, total = number * x, number - x, x + number
         for row in range(x.shape[0]):
             for a in members(x, row):
-                assert holds(number * x, row, a * Fraction(number))
-                assert holds(number - x, row, Fraction(number) - a)
-                assert holds(x + number, row, Fraction(number) + a)
+                assert holds(product, row, a * Fraction(number))
+                assert holds(difference, row, Fraction(number) - a)
+                assert holds(total, row, Fraction(number) + a)
+    product, total = x * column, column + x
     for row in range(x.shape[0]):
         for a in members(x, row):
-            assert holds(x * column, row, a * Fraction(column[row]))
-            assert holds(column + x, row, a + Fraction(column[row]))
+            assert holds(product, row, a * Fraction(column[row]))
+            assert holds(total, row, a + Fraction(column[row]))
     with pytest.raises(ValueError, match="no float"):
         x * (2**53 + 1)
 
@@ -206,3 +208,181 @@ def test_stacks():
     assert both.shape == (3, *x.shape)
     assert (both[2].low == 2.5).all()
     assert (both[0].ends == x.ends).all()
+
+
+def bad_pairs() -> list[tuple[float, float]]:
+    """Pairs of which one operation or another is rounded by about half a unit, at powers of two, near 0 and near the largest."""
+    rng = np.random.default_rng(10)
+    ones = [sign * 2.0**power for sign in (1, -1) for power in (-1074, -1040, -1022, -1000, -500, -1, 0, 1, 500, 1000)]
+    near = [float(np.nextafter(one, toward)) for one in ones for toward in (-np.inf, np.inf)]
+    halves = [(one, one * 2.0**-53 * part) for one in ones for part in (1, -0.5, 0.75, 1.5, -1)]
+    pairs = list(itertools.product(ones[::3], near[::3])) + halves
+    mantissas = rng.uniform(1, 2, (2, 200))
+    powers = rng.choice([-1060.0, -1000.0, -540.0, -520.0, -3.0, 0.0, 2.0, 400.0], (2, 200))
+    return pairs + list(zip(*(mantissas * 2.0**powers).tolist(), strict=True))
+
+
+def test_bad_roundings_are_covered():
+    """By each operation on numbers without width, whose exact result is a fraction."""
+    a, b = np.array(bad_pairs()).T
+    x, y = Intervals.point(a), Intervals.point(b)
+    exact_a, exact_b = ([Fraction(float(value)) for value in values] for values in (a, b))
+    results = {
+        "sum": (x + y, [one + two for one, two in zip(exact_a, exact_b, strict=True)]),
+        "sum with an array": (x + b, [one + two for one, two in zip(exact_a, exact_b, strict=True)]),
+        "difference": (x - y, [one - two for one, two in zip(exact_a, exact_b, strict=True)]),
+        "product": (x * y, [one * two for one, two in zip(exact_a, exact_b, strict=True)]),
+        "product with an array": (x * b, [one * two for one, two in zip(exact_a, exact_b, strict=True)]),
+        "quotient": (x / y, [one / two if two else None for one, two in zip(exact_a, exact_b, strict=True)]),
+        "quotient of an array": (a / y, [one / two if two else None for one, two in zip(exact_a, exact_b, strict=True)]),
+        "quotient by an array": (x / b, [one / two if two else None for one, two in zip(exact_a, exact_b, strict=True)]),
+        "square": (x.squared(), [one * one for one in exact_a]),
+    }
+    for name, (result, values) in results.items():
+        for row, value in enumerate(values):
+            assert value is None or holds(result, row, value), (name, a[row], b[row])
+            assert value is None or abs(value) > 1e300 or np.isfinite(result.ends[:, row]).all()
+    for number in (0.1, -0.1, 3, -3, 2.0**-53, 5e-324, 1 / 3):
+        for row in range(0, len(a), 3):
+            assert holds(x[row : row + 1] + number, 0, exact_a[row] + Fraction(number))
+            assert holds(x[row : row + 1] * number, 0, exact_a[row] * Fraction(number))
+            assert holds(x[row : row + 1] / number, 0, exact_a[row] / Fraction(number))
+            assert holds(number / x[row : row + 1], 0, Fraction(number) / exact_a[row])
+
+
+@pytest.mark.parametrize("power", [3, 5, 7, 9, 15, -3, -5])
+def test_powers_of_bad_numbers(power):
+    """Where every product rounds one way: found by a search among many."""
+    rng = np.random.default_rng(power % 100)
+    for size in (1.0, 2.0**-1070, 2.0 ** (-1074 // abs(power)), 2.0 ** (-1022 // abs(power)), 2.0**60):
+        values = rng.uniform(-2, 2, 300) * size
+        result = Intervals.point(values) ** power
+        for row, value in enumerate(values):
+            assert not value or holds(result, row, Fraction(float(value)) ** power)
+
+
+def test_square_roots_are_held():
+    rng = np.random.default_rng(11)
+    values = np.concatenate(
+        [rng.uniform(0, 4, 500), [0.0, 5e-324, 1e-310, 2.0**-1022, 1.7e308], np.square(1 + rng.uniform(0, 1, 200))]
+    )
+    result = Intervals.point(values).sqrt()
+    for row, value in enumerate(values):
+        low, high = Fraction(float(result.low[row])), Fraction(float(result.high[row]))
+        assert 0 <= low
+        assert low**2 <= Fraction(float(value)) <= high**2
+        assert high**2 <= Fraction(float(value)) * (1 + Fraction(1, 2**49)) + Fraction(TINY) ** 2 * 2
+    parts = Intervals.between([-1e-300, -0.0, 1.0], [4.0, 4.0, 9.0]).sqrt()
+    assert np.isnan(parts.ends[:, 0]).all()
+    assert parts.low[1:].round(9).tolist() == [0, 1]
+    assert parts.high[1:].round(9).tolist() == [2, 3]
+
+
+def test_what_is_told_of_an_interval():
+    low, high = [-3.0, 1.0, -2.0, 0.0, -0.5, -1.7e308], [2.0, 4.0, -1.0, 0.0, 0.0, 1.7e308]
+    x = Intervals.between(low, high)
+    assert x.low.tolist() == low
+    assert x.high.tolist() == high
+    assert x.magnitude.tolist() == [3, 4, 2, 0, 0.5, 1.7e308]
+    assert x.mignitude.tolist() == [0, 1, 1, 0, 0, 0]
+    assert x.holds_zero().tolist() == [True, False, False, True, True, True]
+    assert x.middle.tolist() == [-0.5, 2.5, -1.5, 0, -0.25, 0]
+    assert x.sign().low.tolist() == [-1, 1, -1, 0, -1, -1]
+    assert x.sign().high.tolist() == [1, 1, -1, 0, 0, 1]
+    assert abs(x).low.tolist() == x.mignitude.tolist()
+    assert abs(x).high.tolist() == x.magnitude.tolist()
+    assert (+x) is x
+    assert x.shape == (6,)
+    assert repr(x[:1]) == "Intervals.between(array([-3.]), array([2.]))"
+
+
+def test_widths_and_middles():
+    a, b = np.sort(np.array([*bad_pairs(), (5e-324, 5e-324), (-5e-324, 5e-324), (5e-324, 1e-323)]), axis=1).T
+    x = Intervals.between(a, b)
+    for row, (low, high) in enumerate(zip(a.tolist(), b.tolist(), strict=True)):
+        assert x.width[row] == np.inf or Fraction(float(x.width[row])) >= Fraction(high) - Fraction(low)
+        assert low <= x.middle[row] <= high
+        middle = (Fraction(low) + Fraction(high)) / 2
+        assert (
+            abs(Fraction(float(x.middle[row])) - middle)
+            <= max(abs(Fraction(low)), abs(Fraction(high))) / 2**52 + Fraction(2) ** -1074
+        )
+    assert (x.width <= (b - a) * (1 + 1e-15) + 2 * TINY).all()
+
+
+def test_axes_are_aligned():
+    rows, one = (
+        Intervals.between(np.arange(6.0).reshape(2, 3), np.arange(6.0).reshape(2, 3) + 0.5),
+        Intervals.between([1, 2, 3], [2, 3, 4]),
+    )
+    for result in (rows + one, one + rows):
+        assert result.shape == (2, 3)
+        assert np.abs(result.low - np.array([[1, 3, 5], [4, 6, 8]])).max() < 1e-14
+        assert np.abs(result.high - np.array([[2.5, 4.5, 6.5], [5.5, 7.5, 9.5]])).max() < 1e-14
+    for result in (rows * one, one * rows):
+        assert np.abs(result.low - np.array([[0, 2, 6], [3, 8, 15]])).max() < 1e-14
+        assert np.abs(result.high - np.array([[1, 4.5, 10], [7, 13.5, 22]])).max() < 1e-14
+    for result in (rows.hull(one), one.hull(rows)):
+        assert result.low.tolist() == [[0, 1, 2], [1, 2, 3]]
+        assert result.high.tolist() == [[2, 3, 4], [3.5, 4.5, 5.5]]
+    quotient = rows / one
+    assert np.abs(quotient.high - np.array([[0.5, 0.75, 2.5 / 3], [3.5, 2.25, 5.5 / 3]])).max() < 1e-14
+    assert [float(part.high) for part in one] == [2, 3, 4]
+    assert [part.low.tolist() for part in rows] == [[0, 1, 2], [3, 4, 5]]
+    assert rows[1].high.tolist() == [3.5, 4.5, 5.5]
+    assert float(rows[1, 2].low) == 5
+
+
+def test_quotients_by_what_holds_zero():
+    """Over [0, b] a positive interval has no upper end, over [−b, 0] no lower one; with 0 inside nothing is known."""
+    over = Intervals.between([[0.0], [-4.0], [-1.0], [0.0]], [[4.0], [0.0], [1.0], [0.0]])
+    result = Intervals.between([2.0, -3.0, -1.0], [6.0, -2.0, 8.0]) / over
+    assert np.abs(result.low[0, 0] - 0.5) < 1e-14
+    assert result.high[0, 0] == np.inf
+    assert result.low[0, 1] == -np.inf
+    assert np.abs(result.high[0, 1] + 0.5) < 1e-14
+    assert result.ends[:, 0, 2].tolist() == [np.inf, np.inf]
+    assert result.low[1, 0] == -np.inf
+    assert np.abs(result.high[1, 0] + 0.5) < 1e-14
+    assert np.abs(result.low[1, 1] - 0.5) < 1e-14
+    assert result.high[1, 1] == np.inf
+    assert np.isnan(result.ends[:, 2:]).all()
+    small = Intervals.between([2.0, 2.0], [3.0, 3.0]) / Intervals.between([0.0, -0.5], [0.5, 0.0])
+    assert np.abs([small.low[0] - 4.0, small.high[1] + 4.0]).max() < 1e-13
+    assert (small.high[0], small.low[1]) == (np.inf, -np.inf)
+    zero = Intervals.point([0.0]) / Intervals.between([0.0], [2.0])
+    assert max(zero.ends.max(), 0) <= TINY
+    assert zero.holds_zero().all()
+
+
+def test_exact_cases_stay_exact():
+    x = Intervals.between([0.1, -0.3], [0.2, 0.7])
+    assert (x + 0) is x
+    assert (x - 0) is x
+    for same in (x * 1, 1 * x, x**1):
+        assert (same.ends == x.ends).all()
+    assert ((x * -1).ends == (-x).ends).all()
+    assert (x * -1).low.tolist() == [-0.2, -0.7]
+    assert ((x**0).ends == Intervals.point([1.0, 1.0]).ends).all()
+    assert (Intervals.point([0.0]).exp().ends == Intervals.point([1.0]).ends).all()
+    assert Intervals.between([-800.0], [-790.0]).exp().low.tolist() == [0.0]
+    assert (x * x).low.tolist() == [x.squared().low[0], 0.0]  # of one thing with itself
+    assert x.squared().low[1] == 0.0
+    assert (x * Intervals(x.ends)).low[1] < -0.2  # of two things
+
+
+def test_what_is_no_number_is_refused():
+    x = Intervals.point([1.0])
+    for operation in (operator.add, operator.mul, operator.truediv):
+        for one, other in ((x, "a"), ("a", x)):
+            with pytest.raises(TypeError):
+                operation(one, other)
+    with pytest.raises(TypeError):
+        x**0.5
+    for operation in (operator.add, operator.mul, operator.truediv):
+        with pytest.raises(ValueError, match="9007199254740993 is no float"):
+            operation(x, 2**53 + 1)
+    with pytest.raises(ValueError, match="is no float"):
+        (2**53 + 1) / x
+    with pytest.raises(ValueError, match="is no float"):
+        stacked([2**53 + 1], (1,))

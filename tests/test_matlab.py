@@ -113,9 +113,10 @@ def _leaves(result: Any) -> list[Any]:
     [
         ({}, (0.7, 0.5)),
         ({"alpha": 0.0}, (0.7, 0.5)),
-        ({"alpha": 0.7}, (0.3, 15.0)),
-        ({"alpha": 1.0}, (0.3, 20.0)),
-        ({"alpha": 1.001}, (0.3, 20.0)),
+        *(
+            pytest.param({"alpha": alpha}, at, marks=pytest.mark.thorough)
+            for alpha, at in ((0.7, (0.3, 15.0)), (1.0, (0.3, 20.0)), (1.001, (0.3, 20.0)))
+        ),
     ],
 )
 def test_folds_and_cusps_are_those_that_python_proves(package: Path, changes: dict[str, float], at: tuple[float, float]) -> None:

@@ -76,7 +76,7 @@ def test_c_gives_the_numbers_of_python(name: str, tmp_path: Path) -> None:
 
 def test_a_folder_is_exported_from_the_page_in_it(tmp_path: Path) -> None:
     page = tmp_path / "mine.py"
-    page.write_text((Path(ss.__file__).parent / "derive/models/stick_slip.py").read_text(encoding="utf-8"), encoding="utf-8")
+    page.write_text((Path(__file__).parent.parent / "derive/models/stick_slip.py").read_text(encoding="utf-8"), encoding="utf-8")
     with pytest.raises(SystemExit) as ended:
         main(["derive", str(page), "--out", str(tmp_path / "folder")])
     assert ended.value.code == 0

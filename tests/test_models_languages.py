@@ -71,6 +71,7 @@ def leaves(result: Any) -> list[float]:
     return [leaf for part in result for leaf in leaves(part)] if isinstance(result, tuple | list) else [float(result)]
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(NODE is None, reason="node is not on this machine")
 def test_javascript_gives_the_numbers_of_python(tmp_path: Path) -> None:
     folder = exported("javascript", tmp_path)
@@ -84,6 +85,7 @@ def test_javascript_gives_the_numbers_of_python(tmp_path: Path) -> None:
         assert leaves(found) == pytest.approx(results, rel=1e-13, abs=1e-14), (model, function)
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(OCTAVE is None, reason="Octave is not on this machine")
 def test_matlab_gives_the_numbers_of_python(tmp_path: Path) -> None:
     """For a column of two points, of which one is the other again."""

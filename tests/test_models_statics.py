@@ -247,8 +247,12 @@ def test_hopf_points_with_dampers_are_where_a_pair_crosses():
 
 @pytest.mark.parametrize(
     ("name", "more"),
-    [("kang_nam", {}), ("trolley", {}), ("inclined_belt", {"gamma_g": 0.0}), ("two_springs", {"sigma_2": 0.0})],
-)
+    [
+        ("kang_nam", {}), ("inclined_belt", {"gamma_g": 0.0}),
+        pytest.param("trolley", {}, marks=pytest.mark.thorough),
+        pytest.param("two_springs", {"sigma_2": 0.0}, marks=pytest.mark.thorough),
+    ],
+)  # fmt: skip
 def test_pitchforks_of_a_mirrored_model_are_the_articles(name, more):
     known = ss.folds(ss.Parameters.article(mu0=0.0, alpha=0.0))
     assert known.kind.tolist() == ["pitchfork"] * 2
@@ -302,8 +306,9 @@ def growth_beside(name, p, vary, found, row, off=1e-5):
 
 @pytest.mark.parametrize(
     ("name", "vary", "number"),
-    [("kang_nam", "mu0", 3), ("kang_nam", "kappa", 0), ("kang_nam", "d", 0), ("two_springs", "theta0", 3), ("trolley", "mu0", 7)],
-)
+    [("kang_nam", "mu0", 3), ("kang_nam", "kappa", 0), ("kang_nam", "d", 0), ("two_springs", "theta0", 3),
+     pytest.param("trolley", "mu0", 7, marks=pytest.mark.thorough)],
+)  # fmt: skip
 def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, number):
     # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes for all states.
     p = model(name).Parameters(theta0=0.8, d=1.0) if vary != "d" else model(name).Parameters(theta0=0.8)
@@ -416,7 +421,7 @@ def same_path(vary, values, start, **changes):
     return found
 
 
-@pytest.mark.parametrize("start", ["small", "large"])
+@pytest.mark.parametrize("start", ["small", pytest.param("large", marks=pytest.mark.thorough)])
 def test_a_value_on_a_fold_is_the_fold_not_passed_yet(start):
     # The state that arrives at the fold is the one in which two have met; the jump comes beyond it.
     fold = model("kang_nam").folds(model("kang_nam").Parameters(theta0=1.0, mu0=0.7), "theta0").theta0[0]

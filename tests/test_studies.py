@@ -11,6 +11,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.cli import main
+from spragsym.studies.other_tolerances import certificate_of
 
 BRAKE = """[brake]
 m = "0.35 kg"
@@ -165,6 +166,37 @@ def test_answers_that_would_mislead_come_with_a_warning(name: str) -> None:
     assert not any(part in one for one in plain.warnings)
 
 
+def test_a_belt_known_within_limits_makes_the_friction_less_sure(tmp_path: Path) -> None:
+    file = tmp_path / "brake.toml"
+    file.write_text(BRAKE.replace('"1.2 m/s"', '"[0, 0.3] m/s"').replace('"10 s/m"', '"[5, 10] s/m"'), encoding="utf-8")
+    study = ss.Study.from_file(file)
+    found = study.report(oscillation=False, redesign=False, n=1 << 14)
+    rng = np.random.default_rng(8)
+    given = {name: rng.uniform(one.low, one.high, 100_000) for name, one in study.quantities.items()}
+    friction = given["mu0"] * -np.expm1(-given["d"] * given["V"])
+    share = float((np.asarray(ss.jump_value(ss.PhysicalParameters(**given).dimensionless())) <= friction).mean())
+    assert found.probability is not None
+    error = 3 * math.sqrt(share * (1 - share) / 100_000)
+    assert found.probability.low - error < share < found.probability.high + error
+    assert max(found.probability.sobol, key=lambda name: found.probability.sobol[name][1]) == "V"
+    # The counterexample is a brake of the file: mu0, V and d within their limits, and the friction that follows is enough.
+    assert found.certificate is not None
+    example = found.certificate.counterexample
+    assert example is not None
+    assert all(study.quantities[name].low <= value <= study.quantities[name].high for name, value in example.items())
+    works = example["mu0"] * -math.expm1(-example["d"] * example["V"])
+    assert ss.jump_value(ss.PhysicalParameters(**study.values | dict(example)).dimensionless()) <= works * (1 + 1e-12)
+
+
+def test_without_friction_nothing_damps_and_the_state_is_stable() -> None:
+    study = ss.Study(brake(mu0=0.0))
+    found = study.report(probability=False, redesign=False, oscillation=False)
+    assert found.current.stable
+    assert found.current.growth_per_s == 0
+    assert any("nothing damps" in one for one in found.warnings)
+    assert not any("grows slowly" in one for one in found.warnings)
+
+
 def test_the_page_is_one_file_and_the_same_every_time(study: ss.Study, report: ss.Report, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     for name in ("a.html", "b.html"):
@@ -181,7 +213,7 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
     speed = np.linspace(0.02, 1.5, 30)
     noise = np.random.default_rng(3).normal(0, 0.004, speed.size)
     rows = [f"{v},{mu}" for v, mu in zip(speed, 0.42 * (1 - np.exp(-8.0 * speed)) + noise, strict=True)]
-    (tmp_path / "measured.csv").write_text("\n".join(["speed,friction", *rows]))
+    (tmp_path / "measured.csv").write_text("\n".join(["speed,friction", *rows]), encoding="utf-8")
     lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
     (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
     found = ss.Study.from_file(tmp_path / "brake.toml")
@@ -194,7 +226,7 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
 def test_friction_that_falls_with_speed_is_called_another_law(tmp_path: Path) -> None:
     speed = np.linspace(0.05, 3.0, 20)
     rows = [f"{v},{0.2 + 0.4 * math.exp(-v)}" for v in speed]
-    (tmp_path / "measured.csv").write_text("\n".join(rows))
+    (tmp_path / "measured.csv").write_text("\n".join(rows), encoding="utf-8")
     lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
     (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
     study = ss.Study.from_file(tmp_path / "brake.toml")
@@ -320,13 +352,15 @@ def test_a_cycle_in_seconds_millimetres_and_newtons(tmp_path: Path, capsys: pyte
     assert found["contact_force_N"] == pytest.approx([2 * force for force in cycle.contact_force], rel=1e-9)
 
 
+@pytest.mark.thorough
 def test_another_model_answers_what_the_article_s_answers_where_it_is_the_same(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """With k_3 = 0 cubic_contact is the article's model: paths and forces of the page against the closed forms."""
     other = BRAKE.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n'
     file = tmp_path / "brake.toml"
-    file.write_text(other.replace("[0.3, 0.6]", "0.3"), encoding="utf-8")
+    other = other.replace("[0.3, 0.6]", "0.3").replace(" ± 15 %", "").replace(" ± 1 deg", "")
+    file.write_text(other, encoding="utf-8")
     with pytest.raises(SystemExit) as stop:
         main(["report", str(file), "--json", "--no-oscillation"])
     assert stop.value.code == 0
@@ -341,7 +375,45 @@ def test_another_model_answers_what_the_article_s_answers_where_it_is_the_same(
             assert state[key] == pytest.approx(getattr(one, key), rel=1e-7)
         assert state["frequencies_hz"] == pytest.approx(one.frequencies_hz, rel=1e-6)
         assert state["growth_per_s"] == pytest.approx(one.growth_per_s, rel=1e-3, abs=1e-9)
-    assert any("certificate, probability" in one for one in found["warnings"])
+    assert any("probability, sobol and redesign are null" in one for one in found["warnings"])
+    assert found["certificate"]["outcome"] == "undecided"
+
+
+def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tmp_path: Path) -> None:
+    rows = {"k": '"180 N/mm ± 15 %"', "k_x": '"9 N/mm ± 15 %"', "mu0": '"[0.3, 0.35]"'}
+    rows |= {"k_3": '"0 N/mm^3"', "model": '"cubic_contact"'}
+    plain = [row for row in BRAKE.replace(" ± 15 %", "").replace(" ± 1 deg", "").splitlines() if row.split(" ")[0] not in rows]
+    file = tmp_path / "brake.toml"
+    file.write_text("\n".join([*plain, *(f"{name} = {value}" for name, value in rows.items())]), encoding="utf-8")
+    found = certificate_of(ss.Study.from_file(file))
+    # Friction of 0.35 does not reach the jump at 0.366 as drawn; with other springs within the tolerances it does.
+    assert found["outcome"] == "refuted"
+    example = {name: one["value"] for name, one in found["counterexample"].items()}
+    assert example["mu0"] == 0.35
+    assert {name: example[name] for name in ("k", "k_x")} != {"k": 180.0, "k_x": 9.0}
+    corner = brake(k=1e3 * example["k"], k_x=1e3 * example["k_x"], mu0=0.35).dimensionless()
+    assert ss.quasi_static_path(corner, "mu0", [0.0, 0.35]).jumps
+
+
+@pytest.mark.thorough
+def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) -> None:
+    """With k_3 = 0 cubic_contact is the article's model: the cycle's forces are those of the article's."""
+    other = BRAKE.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n'
+    file = tmp_path / "brake.toml"
+    file.write_text(other, encoding="utf-8")
+    study = ss.Study.from_file(file)
+    found = study.model_report(certificate=False)
+    assert found.oscillation is not None
+    right = ss.Study(brake(mu0=0.45)).report(probability=False, redesign=False).oscillation
+    assert right is not None
+    for key in ("spring_force_N", "contact_force_N"):
+        # Samples of the motion against the ends of its polynomials.
+        assert found.oscillation[key] == pytest.approx(getattr(right, key), rel=0.02, abs=1e-9)
+    study.to_html(tmp_path / "page.html", found)
+    text = (tmp_path / "page.html").read_text(encoding="utf-8")
+    assert text.count("<svg") == 2
+    assert found.verdict in text
+    assert "http" not in text.replace("http://www.w3.org", "")
 
 
 def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
@@ -354,3 +426,43 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert any("no mu0" in one for one in found.warnings)
     assert found.states
     assert all(math.isfinite(state["contact_force_N"]) for state in found.states)
+
+
+@pytest.mark.parametrize(
+    ("given", "meant"), [("kx", "k_x"), ("kapa", "kappa"), ("thet0", "theta0"), ("K_Y", "k_y"), ("FL", "F_L")]
+)
+def test_a_misspelt_quantity_is_told_which_was_meant(
+    given: str, meant: str, path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as stop:
+        main(["folds", "--data", str(path), "--vary", given])
+    assert stop.value.code == 2
+    text = capsys.readouterr().err
+    assert f"'{given}' is not one of" in text
+    assert f"did you mean {meant}?" in text
+
+
+def test_a_terminal_is_told_what_is_being_computed_and_left_clean(study: ss.Study, capsys: pytest.CaptureFixture[str]) -> None:
+    study.report(n=64, oscillation=False, redesign=False, progress=True)
+    told = capsys.readouterr().err
+    assert "the proof for all within the tolerances" in told
+    assert told.rsplit("\r", 2)[1].strip() == ""
+    study.report(n=64, oscillation=False, redesign=False)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> None:
+    from spragsym.figures.motion_pictures import Units, motion_figure
+
+    belt = study.parameters.belt()
+    motion = ss.simulate(study.dimensionless, **belt, t_end=200.0)
+    scales = study.scales
+    figure = motion_figure(motion, 50.0, Units(1e3 * scales.length, scales.time, "mm"))
+    over_time, phase, spectrum = figure.axes
+    line = over_time.lines[0]
+    assert line.get_xdata()[-1] == pytest.approx(200.0 * math.sqrt(0.35 / 1.5e6))
+    assert line.get_ydata()[-1] == pytest.approx(38.0 * motion.x[-1])
+    # The belt is the dotted line, at 1.2 m/s.
+    assert phase.lines[1].get_ydata()[0] == pytest.approx(1200.0)
+    assert [axes.get_xlabel() for axes in figure.axes] == ["$t$ (s)", "$x$ (mm)", "frequency (Hz)"]
+    assert spectrum.lines[0].get_xdata()[1] == pytest.approx(1 / (150.0 * math.sqrt(0.35 / 1.5e6)), rel=1e-6)

@@ -27,6 +27,7 @@ from spragsym.files import storage
 from spragsym.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
+from tests.support import needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -269,6 +270,7 @@ def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: 
     assert not partial.exists()
 
 
+@needs_posix
 def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
     path = tmp_path / "rms.nc"
     command = [*COMMAND, str(path), "-j", "2", "--t-end", "200", "--transient", "100", "--backend", "scipy"]
@@ -280,7 +282,7 @@ def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callab
     os.killpg(process.pid, signal.SIGINT)  # as a terminal does
     _, stderr = process.communicate(timeout=30)
     assert process.returncode == 130
-    points = [json.loads(line.partition(" ")[2]) for line in partial.read_text().splitlines()]
+    points = [json.loads(line.partition(" ")[2]) for line in partial.read_text(encoding="utf-8").splitlines()]
     numbers = [point[0] for point in points if isinstance(point, list)]
     assert len(set(numbers)) == len(numbers) > 0
     kept = f"{len(numbers)} of 61 points are kept in {partial}, and the same call goes on from there"
@@ -300,7 +302,7 @@ def test_files_say_what_they_hold(tmp_path: Path) -> None:
         assert data.attrs["generated_from"] == storage.SOURCE_HASH
         assert ss.__version__ in data.attrs["source"]
     found.save(tmp_path / "rms.csv")
-    lines = [line for line in (tmp_path / "rms.csv").read_text().splitlines() if not line.startswith("#")]
+    lines = [line for line in (tmp_path / "rms.csv").read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
     column = lines[0].split(",").index("rms")
     assert [float(line.split(",")[column]) for line in lines[1:]] == found.rms.tolist()
 
@@ -319,6 +321,7 @@ def test_unwritable_paths_are_errors_before_the_work(tmp_path: Path, name: str, 
         rms_sweep(P, **SHORT, store=tmp_path / name, workers=_never)
 
 
+@needs_posix
 def test_a_read_only_folder_is_an_error_before_the_work() -> None:
     with pytest.raises(ss.ParameterError, match="cannot be written"):
         rms_sweep(P, **SHORT, store="/proc/rms.nc" if Path("/proc").is_dir() else "/rms.nc", workers=_never)

@@ -26,53 +26,59 @@ def _broken_steps() -> list[str]:
     return [step.claim for step in theorem.one_or_three() if not step.holds]
 
 
-def _coefficient(symbol: sp.Symbol, value: sp.Expr) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
-    changed = elimination.f_coefficients() | {symbol: value}
-    return lambda: changed
+# The derivation as it is, also where a test puts something else in its place.
+quartic, coefficients, state, balance = (
+    elimination.quartic_in_t, elimination.f_coefficients, elimination.state, equilibrium.balance
+)  # fmt: skip
 
 
-def _state(symbol: sp.Symbol, value: sp.Expr) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
-    changed = elimination.state() | {symbol: value}
-    return lambda: changed
+@pytest.fixture(autouse=True, scope="module")
+def derived() -> None:
+    """Derived before anything is put in its place: each function keeps what it gave first."""
+    for function in (quartic, coefficients, state, balance):
+        function()
 
 
-LENGTH, HEIGHT = elimination.state()[nm.L], elimination.state()[nm.y]
-ALONG, ACROSS = equilibrium.balance()
-QUARTIC = elimination.quartic_in_t()
+def _coefficient(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
+    return lambda: coefficients() | {symbol: change(coefficients()[symbol])}
+
+
+def _state(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
+    return lambda: state() | {symbol: change(state()[symbol])}
 
 
 @pytest.mark.parametrize(
     ("module", "name", "changed", "claim"),
     [
-        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, -elimination.f_coefficients()[nm.fb]),
+        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, lambda b: -b),
                      "−b is positive", id="sign of b"),
-        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, -nm.p * (nm.B * nm.s0 - nm.kappa)),
+        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, lambda _: -nm.p * (nm.B * nm.s0 - nm.kappa)),
                      "−b is positive", id="sign of the preload in b"),
-        pytest.param(elimination, "quartic_in_t", lambda: (-QUARTIC[0], *QUARTIC[1:]),
+        pytest.param(elimination, "quartic_in_t", lambda: (-quartic()[0], *quartic()[1:]),
                      "begins with −b t⁴", id="sign of the constant term"),
-        pytest.param(elimination, "quartic_in_t", lambda: (*QUARTIC[:4], -QUARTIC[4]),
+        pytest.param(elimination, "quartic_in_t", lambda: (*quartic()[:4], -quartic()[4]),
                      "begins with −b t⁴", id="sign of the leading term"),
-        pytest.param(elimination, "quartic_in_t", lambda: (QUARTIC[0], QUARTIC[3], QUARTIC[2], QUARTIC[1], QUARTIC[4]),
+        pytest.param(elimination, "quartic_in_t", lambda: (quartic()[0], quartic()[3], quartic()[2], quartic()[1], quartic()[4]),
                      "three positive roots need a + d > 0", id="coefficients of t and t³"),
-        pytest.param(elimination, "quartic_in_t", lambda: (*QUARTIC[:2], -QUARTIC[2], *QUARTIC[3:]),
+        pytest.param(elimination, "quartic_in_t", lambda: (*quartic()[:2], -quartic()[2], *quartic()[3:]),
                      "three positive roots need a + d > 0", id="sign of the coefficient of t²"),
         pytest.param(elimination, "f_form", elimination.f_form + nm.fm,
                      "f = b cos θ ≠ 0 where sin θ = 0", id="a term without sine"),
-        pytest.param(elimination, "state", _state(nm.L, LENGTH.subs(nm.sigma, -nm.sigma)),
+        pytest.param(elimination, "state", _state(nm.L, lambda L: L.subs(nm.sigma, -nm.sigma)),
                      "s > 0 gives L > 0", id="sign of the spring in L"),
-        pytest.param(elimination, "state", _state(nm.y, -HEIGHT), "s > 0 ≥ s* gives y < 0", id="sign of y"),
-        pytest.param(elimination, "state", _state(nm.y, HEIGHT.subs(nm.kappa, -nm.kappa)),
+        pytest.param(elimination, "state", _state(nm.y, lambda y: -y), "s > 0 ≥ s* gives y < 0", id="sign of y"),
+        pytest.param(elimination, "state", _state(nm.y, lambda y: y.subs(nm.kappa, -nm.kappa)),
                      "s > 0 ≥ s* gives y < 0", id="sign of the preload in y"),
-        pytest.param(elimination, "state", _state(nm.L, LENGTH + nm.kappa),
+        pytest.param(elimination, "state", _state(nm.L, lambda L: L + nm.kappa),
                      "at the ends L = s₀/s*", id="length at the ends"),
-        pytest.param(equilibrium, "balance", lambda: (ALONG - 2 * nm.alpha * nm.c0, ACROSS),
+        pytest.param(equilibrium, "balance", lambda: (balance()[0] - 2 * nm.alpha * nm.c0, balance()[1]),
                      "there F_x = P cos θ + α cos θ₀", id="sign of the spring to ground"),
         pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
         pytest.param(elimination, "f_form", elimination.f_form + 2 * nm.fb * (nm.c - 1),
                      "s* ≤ 0: contact is 0 < θ < π, and f is negative before", id="sign of f at π"),
         pytest.param(elimination, "f_form", elimination.f_form + nm.fa * nm.s,
                      "s* > 0: contact is θ* < θ < π − θ*, and f is negative before", id="f at the ends of the arc"),
-        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, 2 * elimination.f_coefficients()[nm.fb]),
+        pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, lambda b: 2 * b),
                      "s* > 0: contact is θ* < θ < π − θ*, and f is negative before", id="f is not q s F_x"),
         pytest.param(stability, "characteristic", lambda K, C: sp.expand((stability.lam**2 * sp.eye(2) - K).det()),
                      "det K < 0 is divergence", id="sign of the stiffness in (27)"),

@@ -38,9 +38,8 @@ def edit(path: Path, diff: str) -> None:
     path.write_text(text, encoding="utf-8")
 
 
-@pytest.mark.parametrize(
-    "title", ["Add a viscous damper along the belt", pytest.param("Change the friction law", marks=pytest.mark.thorough)]
-)
+@pytest.mark.thorough
+@pytest.mark.parametrize("title", ["Add a viscous damper along the belt", "Change the friction law"])
 def test_the_page_does_what_it_says(title: str, tmp_path: Path) -> None:
     for folder in ("derive", "generated", "spragsym"):
         ignore = shutil.ignore_patterns("__pycache__")

@@ -19,7 +19,7 @@ _STRENGTH = {ast.BitOr: _OR, ast.BitAnd: _AND, ast.Add: SUM, ast.Sub: SUM, ast.M
 
 @dataclass(frozen=True)
 class Syntax:
-    """How a language writes what is not alike in all of them."""
+    """What each language writes in its own way."""
 
     primitives: Mapping[str, str]  #: names of the functions that stand for the language's primitives but ``where``
     logic: Mapping[type[ast.operator] | type[ast.unaryop], str]  #: the signs for ``&``, ``|`` and ``~``
@@ -91,7 +91,7 @@ class Expressions:
 
 
 def hands_back(routine: Routine | None) -> bool:
-    """Whether a routine returns what it is given, as one does that only other number types need: its argument stands for it."""
+    """Whether a routine returns its argument unchanged, as ``rough`` does for doubles: a call is then printed as its argument."""
     match routine:
         case Routine(arguments=((argument, _),), body=(ast.Return(value=ast.Name(id=returned)),)):
             return argument == returned
@@ -99,7 +99,7 @@ def hands_back(routine: Routine | None) -> bool:
 
 
 def printed(source: Source) -> list[Routine]:
-    """The routines of which a target has something to print."""
+    """The routines that are printed: all but those that return their argument unchanged."""
     return [routine for routine in source.routines.values() if not hands_back(routine)]
 
 
@@ -110,7 +110,7 @@ def number(value: float) -> str:
 
 
 def assigned(node: ast.stmt) -> Iterator[str]:
-    """Names that a statement gives a value, twice where a loop does."""
+    """Names that a statement assigns; those assigned in a loop are listed twice, since they change."""
     match node:
         case ast.Assign(targets=[target]):
             yield from (name for name, _ in places(target))

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeGuard
 
 #: A number: a float, an array of any float type, an interval, whatever the target computes with.
 Real: TypeAlias = Any
@@ -92,9 +92,21 @@ class KernelError(ArithmeticError):
     """The kernel's source is not in its language."""
 
 
-def read(path: Path) -> Source:
-    """Parse the kernel in a file."""
-    return parse(path.read_text(encoding="utf-8"))
+def read(path: Path, *further: Path) -> Source:
+    """Parse the kernel in a file, or in several of which the first describes it; what they import of each other is left out."""
+    text = path.read_text(encoding="utf-8")
+    return parse("\n\n".join([text, *(_definitions(it.read_text(encoding="utf-8")) for it in further)]))
+
+
+def _definitions(text: str) -> str:
+    """A text from its first constant, record or function on."""
+    lines = text.splitlines()
+    first = next(node for node in ast.parse(text).body if _is_constant(node) or isinstance(node, ast.ClassDef | ast.FunctionDef))
+    return "\n".join(lines[first.lineno - 1 - len(_comment_above(first, lines)) :]) + "\n"
+
+
+def _is_constant(node: ast.stmt) -> TypeGuard[ast.Assign]:
+    return isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
 
 
 def joined(*sources: Source) -> Source:
@@ -108,7 +120,7 @@ def parse(text: str) -> Source:
     constants, records, routines = [], {}, {}
     first_line = 0
     for node in ast.parse(text).body:
-        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name):
+        if _is_constant(node):
             constants.append(_constant(node, lines))
             first_line = first_line or node.lineno - len(_comment_above(node, lines))
         elif isinstance(node, ast.ClassDef):

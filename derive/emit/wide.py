@@ -32,7 +32,8 @@ def widened(
 ) -> Source:
     """The functions that ``called`` names with the kinds of their arguments, and all that they need.
 
-    A record of the kernel stands among these kinds for the one of double-doubles; it has been made by a function named before.
+    Where one of these kinds is a record of the kernel, its version on double-doubles is meant; a function that is named earlier
+    returns it.
     """
     program = _Program(kernel, arithmetic, algebra, quantities)
     for name, kinds in called:
@@ -229,7 +230,7 @@ class _Writer:
         return _call("dd_negative", value) if kind == WIDE else ast.UnaryOp(ast.USub(), value)
 
     def leading(self, value: ast.expr) -> ast.expr:
-        """The first part. Not every language has fields of what a call returns."""
+        """The leading double, by a call: not every language lets one take a field of a call's result."""
         named = isinstance(value, ast.Name | ast.Attribute)
         return ast.Attribute(value, "high", ast.Load()) if named else _call("dd_leading", value)
 

@@ -32,7 +32,7 @@ def header() -> str:
 def write(files: dict[str, str], target: Path, mark: str = "ledger.json") -> None:
     """Replace the folder ``target`` by one that holds ``files``; after a failure or an interruption it is as it was.
 
-    A folder that is not empty is replaced only if it holds the file ``mark``, by which one that was written before is known.
+    A folder that is not empty is replaced only if it holds the file ``mark``, which shows that it was written by this function.
     """
     target = target.resolve()
     if target.exists() and not target.is_dir():

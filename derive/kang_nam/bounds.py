@@ -179,7 +179,7 @@ def counts(source: Source, known: Mapping[str, Function]) -> dict[str, float]:
 def _runnable(source: Source) -> dict[str, Any]:
     """The kernel's functions of pure arithmetic, for numbers of any kind."""
     space: dict[str, Any] = {"__name__": f"{__package__}.kernel", "__package__": __package__}
-    exec(compile(source.text, "derive/kang_nam/kernel.py", "exec"), space)  # noqa: S102  # our own file, as every import is
+    exec(compile(source.text, "the kernel", "exec"), space)  # noqa: S102  # our own file, as every import is
     return space
 
 

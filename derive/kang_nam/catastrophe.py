@@ -110,6 +110,37 @@ def _coefficients_in_M(condition: sp.Expr) -> tuple[sp.Expr, ...]:
     return tuple(value / denominator for value in reversed(sp.Poly(numerator, nm.M).all_coeffs()))
 
 
+@cache
+def fold_conic() -> tuple[sp.Expr, ...]:
+    """E0, E1, E2, Ec of E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0: all folds at a given θ, friction eliminated."""
+    spelled = [relation.subs(nm.fa, elimination.f_coefficients()[nm.fa]) for relation in fold_residuals()]
+    (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in spelled)
+    conic = sp.Poly(sp.expand(u1 * w2 - u2 * w1), nm.s0, nm.c0)
+    powers = (sp.S.One, nm.s0, nm.s0**2, nm.c0)
+    coefficients = tuple(conic.coeff_monomial(power) for power in powers)
+    if sp.expand(conic.as_expr() - sum(map(sp.Mul, powers, coefficients))) != 0:
+        raise ArithmeticError("the folds at a given direction are not a conic of this form")
+    return coefficients
+
+
+def fold_events(conic: tuple[sp.Expr, ...]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """What vanishes where two folds of one θ meet, where one has θ₀ = 0 or π, and where one has no friction.
+
+    The first two in E0, E1, E2 and Ec² of :func:`fold_conic`, which in v = tan(θ₀/2) is a quartic; the third is
+    (p B q α)² (sin² θ₀ + cos² θ₀ − 1) with :func:`fold_angles` at M = 0.
+    """
+    e0, e1, e2, square = conic
+    v, ec = sp.symbols("v ec")
+    half_angle = {nm.s0: 2 * v / (1 + v**2), nm.c0: (1 - v**2) / (1 + v**2)}
+    condition = (e0 + e1 * nm.s0 + e2 * nm.s0**2 + ec * nm.c0).subs(half_angle)
+    quartic = sp.Poly(sp.cancel(condition * (1 + v**2) ** 2), v)
+    meeting = sp.expand(27 * sp.discriminant(quartic)).subs(ec, sp.sqrt(square))
+    border = sp.expand(quartic.all_coeffs()[0] * quartic.all_coeffs()[-1]).subs(ec, sp.sqrt(square))
+    s0, c0 = (value.subs(nm.M, 0) for value in fold_angles())
+    rest = sp.cancel((nm.p * nm.B * nm.q * nm.alpha) ** 2 * (s0**2 + c0.subs(nm.s0, s0) ** 2 - 1))
+    return meeting, border, rest
+
+
 #: Coefficients of ∂f/∂v, of the form of f: f is linear in every parameter v but θ₀.
 _CHANGE = {nm.fa: nm.fa_v, nm.fb: nm.fb_v, nm.fd: nm.fd_v, nm.fm: nm.fm_v}
 

@@ -74,7 +74,7 @@ def failures(rows: Sequence[Row]) -> list[Row]:
 
 
 def check(entry: Printed, derived: Derived) -> Row:
-    """Compare one printed statement with the derivation and with what is said about it."""
+    """Compare one printed statement with the derivation and with its explanation, if there is one."""
     gaps = _differences(_components(entry, derived), derived)
     base = {
         "id": entry.id,

@@ -24,6 +24,7 @@ WIDELY = (
 )  # fmt: skip
 
 SUMMARY = "Equilibria, stability and motion of the sprag-slip oscillator, for real-time use."
+_GENERAL = Path(language.__file__).parent
 _RUNTIME = Path(__file__).parent / "runtime"
 
 
@@ -41,13 +42,13 @@ def render(outcome: ledger.Ledger) -> dict[str, str]:
 def material(digest: str) -> targets.Material:
     """What every target prints."""
     parts = modules()
-    kernel = language.read(Path(__file__).parent / "kernel.py")
-    arithmetic = language.read(Path(language.__file__).parent / "double_double.py")
+    solver = kernel()
+    arithmetic = language.read(_GENERAL / "double_double.py")
     functions = {function.name: function for module in parts for function in module.functions}
     return targets.Material(
         modules=parts,
-        kernel=kernel,
-        counts=bounds.counts(kernel, functions),
+        kernel=solver,
+        counts=bounds.counts(solver, functions),
         quantities=nm.quantities(),
         parameters=tuple(map(str, (nm.theta0, *nm.PARAMETERS))),
         base_values={str(symbol): float(value) for symbol, value in article.BASE.items()},
@@ -58,8 +59,14 @@ def material(digest: str) -> targets.Material:
         summary=SUMMARY,
         runtime=own_files(),
         arithmetic=arithmetic,
-        widened=wide.widened(kernel, arithmetic, functions, nm.quantities(), WIDELY),
+        widened=wide.widened(solver, arithmetic, functions, nm.quantities(), WIDELY),
     )
+
+
+def kernel() -> language.Source:
+    """How the equilibria of a point are found and examined, as every target prints it."""
+    here = Path(__file__).parent
+    return language.read(here / "kernel.py", here / "examination.py", _GENERAL / "elementary.py")
 
 
 def own_files() -> dict[str, dict[str, str]]:

@@ -35,7 +35,7 @@ class Correction:
 
 @dataclass(frozen=True)
 class Approximation:
-    """A form that is printed for its limit: ``limit`` says in which, ``vanishes`` proves it of the difference.
+    """A form that holds in a limit only: ``limit`` names it, ``vanishes`` proves that the difference is 0 there.
 
     ``latex`` and ``expression`` are the exact form in the arrangement of the print.
     """
@@ -58,7 +58,7 @@ def _at_base(function: Callable[[Point], str]) -> Callable[[], str]:
 
 
 def _below(value: mpmath.mpf) -> str:
-    """A rounding error for the ledger: its size varies with machine and version, so that a small one is only said to be small."""
+    """A rounding error for the ledger: its size varies with machine and version, so a small one is reported as small, without its digits."""
     return "below 1e-40" if abs(value) < mpmath.mpf(10) ** -40 else show(value, 3)
 
 

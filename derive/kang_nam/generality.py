@@ -1,6 +1,6 @@
 """The article's model against the general way: its page gives (8), (9), (14), (15), (28) and the damping that (27) leaves out.
 
-And back from the other pages: without what each of them adds, its equations are those of the article's page. Every comparison is exact.
+And back from the other pages: each of them, without what it adds, has the equations of the article's page. Every comparison is exact.
 """
 
 from __future__ import annotations

@@ -4,7 +4,8 @@ Nothing here is run as it stands. :mod:`derive.emit.language` reads the function
 arrays of any float type, C for one point and for blocks of points. They are therefore written in a small language: functions of
 numbers and of the records below, assignments, ``+ - * /``, comparisons joined by ``&``, ``|`` and ``~``, ``where`` for both
 sides of a choice, loops of a fixed number of passes, and calls. There are no branches, so that many points can be worked on side
-by side. ``f``, ``state`` and other names that are not defined here are generated algebra (``derive/emit/catalogue``).
+by side. ``resolvent`` and other names that are not defined here are generated algebra (``catalogue/``). What is at a root that was
+found stands in :mod:`.examination`, functions of an angle in :mod:`derive.emit.elementary`; the three are emitted as one.
 
 What decides where double precision can't is computed a second time in double-double arithmetic, by the same functions: a number
 is then the exact sum of two doubles, and ``u`` the unit roundoff of such sums. Sizes, bounds and results stay doubles; ``rough``
@@ -24,11 +25,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from ..emit.elementary import Direction
 from ..emit.language import Flag, Real, absolute, cube_root, derived, maximum, minimum, sqrt, where
 
 # Generated algebra, and counts of roundings: a target gives them their meaning.
-f_coefficients, f_magnitudes, f, f_slope, t_quartic, resolvent, state, stiffness, invariants = derived(9)
-COUNT_P, COUNT_Q, COUNT_E1, COUNT_F, COUNT_SLOPE, COUNT_STATE, COUNT_THETA, COUNT_K = derived(8)
+f_coefficients, f_magnitudes, t_quartic, resolvent = derived(4)
+COUNT_P, COUNT_Q, COUNT_E1 = derived(3)
 
 #: A parameter that is smaller, but not 0, may lose digits to underflow, which no count of roundings covers.
 SMALLEST_PARAMETER = 1e-250
@@ -46,18 +48,7 @@ LARGEST_WIDE = 1e50
 WIDE_ROUNDOFF = 1.9721522630525295e-31
 #: What underflow may add to P³ + Q² at most, generously.
 UNDERFLOW = 1e-307
-#: The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
-LARGEST_H = 0.4
-#: The largest radius around θ, over sin θ, for which the bounds on the state below hold.
-LARGEST_RADIUS = 1e-3
 INFINITY = float("inf")
-
-
-class Direction(NamedTuple):
-    """Cosine and sine of an angle."""
-
-    cosine: Real
-    sine: Real
 
 
 class Point(NamedTuple):
@@ -127,97 +118,7 @@ class Guesses(NamedTuple):
     certain: Flag
 
 
-class Separation(NamedTuple):
-    """A direction, the certain sign of f there, and whether it certainly is one of those in contact, y < 0, or none."""
-
-    t: Real
-    positive: Flag
-    negative: Flag
-    inside: Flag
-    outside: Flag
-
-
-class Kind(NamedTuple):
-    """Code of the stability, and whether rounding errors can't change it."""
-
-    code: Real
-    certain: Flag
-
-
-class Root(NamedTuple):
-    """What is at a root of f.
-
-    The state; the radius around θ in which exactly one root is proved, infinite where none is; a bound on the error of θ, L, x
-    and y over max(1, |value|); whether it certainly is an equilibrium (L > 0, and y on the side that n̄ says); whether it
-    certainly is none; its stability, and whether that is certain.
-    """
-
-    L: Real
-    x: Real
-    y: Real
-    radius: Real
-    error: Real
-    member: Flag
-    outsider: Flag
-    code: Real
-    known: Flag
-
-
 # ------------------------------------------------------------------------------------------- the balance of forces
-
-
-def cosine_and_sine(x: Real) -> Direction:
-    """cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which not every library's are.
-
-    x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round; then the
-    polynomials of fdlibm's k_sin.c and k_cos.c.
-    """
-    k = where(x > 0.7853981633974483, 1.0, 0.0) + where(x > 2.356194490192345, 1.0, 0.0)
-    near = x - k * 1.5707963267948966
-    rest = k * 6.123233995736766e-17
-    r = near - rest
-    tail = (near - r) - rest
-    z = r * r
-    odd4 = -2.50507602534068634195e-08 + z * 1.58969099521155010221e-10
-    odd = 8.33333333332248946124e-03 + z * (-1.98412698298579493134e-04 + z * (2.75573137070700676789e-06 + z * odd4))
-    s = r - ((z * (0.5 * tail - z * r * odd) - tail) - z * r * -1.66666666666666324348e-01)
-    even4 = -2.75573143513906633035e-07 + z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11)
-    even = 4.16666666666666019037e-02 + z * (-1.38888888888741095749e-03 + z * (2.48015872894767294178e-05 + z * even4))
-    half = 0.5 * z
-    top = 1.0 - half
-    c = top + (((1.0 - top) - half) + (z * z * even - r * tail))
-    sine = where(k == 1.0, c, where(k > 1.0, -s, s))
-    cosine = where(k == 1.0, -s, where(k > 1.0, -c, c))
-    return Direction(cosine, sine)
-
-
-def arctangent(t: Real) -> Real:
-    """atan t in double precision, within one unit in the last place.
-
-    By atan t = atan c + atan((t − c)/(1 + c t)) with c one of 0, 1/2, 1, 3/2 and infinity, whose arc tangents stand in two
-    parts; then the polynomial of fdlibm's s_atan.c.
-    """
-    size = absolute(t)
-    first = size < 0.4375
-    second = size < 0.6875
-    third = size < 1.1875
-    fourth = size < 2.4375
-    beyond = where(fourth, size - 1.5, -1.0) / where(fourth, 1.0 + 1.5 * size, size)
-    about_one = where(second, 2.0 * size - 1.0, size - 1.0) / where(second, 2.0 + size, size + 1.0)
-    x = where(first, size, where(third, about_one, beyond))
-    high = where(third, where(second, 4.63647609000806093515e-01, 7.85398163397448278999e-01),
-                 where(fourth, 9.82793723247329054082e-01, 1.57079632679489655800e+00))  # fmt: skip
-    low = where(third, where(second, 2.26987774529616870924e-17, 3.06161699786838301793e-17),
-                where(fourth, 1.39033110312309984516e-17, 6.12323399573676603587e-17))  # fmt: skip
-    z = x * x
-    w = z * z
-    even = 6.66107313738753120669e-02 + w * (4.97687799461593236017e-02 + w * 1.62858201153657823623e-02)
-    even = 3.33333333333329318027e-01 + w * (1.42857142725034663711e-01 + w * (9.09088713343650656196e-02 + w * even))
-    odd = -5.83357013379057348645e-02 + w * -3.65315727442169155270e-02
-    odd = -1.99999999998764832476e-01 + w * (-1.11111104054623557880e-01 + w * (-7.69187620504482999495e-02 + w * odd))
-    rest = x * (z * even + w * odd)
-    result = where(first, x - rest, high - ((rest - low) - x))
-    return where(t < 0.0, -result, result)
 
 
 def rough(x: Real) -> Real:
@@ -309,13 +210,13 @@ def discriminant(line: Balance, u: Real) -> Discriminant:
 
 
 def one_positive(line: Balance, u: Real) -> Flag:
-    """Whether certainly one root in t is positive, and not three: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
+    """Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
     e0, e1, e2, e3, e4 = t_quartic(line.a, line.b, line.d, line.m)
     return rough(e1) < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
 
 
 def single(point: Point, u: Real) -> Flag:
-    """Whether there certainly is one equilibrium in contact: one root in t is positive, and (one or three) it is in contact."""
+    """Whether there certainly is exactly one equilibrium in contact: one root in t is positive, and there always is an equilibrium."""
     line = balance(point)
     D = discriminant(line, u)
     return ((D.value > D.error) | one_positive(line, u)) & sound(point) & representable(line)
@@ -443,123 +344,3 @@ def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     outer = minimum(a2, b2)
     count = where(contact, 1.0, 2.0) + where(more, 2.0, 0.0)
     return Guesses(minimum(a1, b1), minimum(inner, outer), maximum(inner, outer), maximum(a2, b2), count, spared | real)
-
-
-def separation(one: Real, other: Real, point: Point, line: Balance, u: Real) -> Separation:
-    """f at a direction between two positive roots."""
-    t = sqrt(one * other)
-    at = direction(t)
-    c_size = absolute(at.cosine)
-    f_size = f(c_size, at.sine, line.a_size, absolute(line.b), line.d_size, -absolute(line.m))
-    value = f(at.cosine, at.sine, line.a, line.b, line.d, line.m)
-    error = COUNT_F * u * f_size
-    # y < 0 where σ sin θ > σ sin θ₀ − κ.
-    depth = point.sigma * (at.sine - point.sin0) + point.kappa
-    margin = COUNT_STATE * u * (point.sigma * (at.sine + point.sin0) + point.kappa)
-    return Separation(t, value > error, value < -error, depth > margin, depth < -margin)
-
-
-def one_or_three(all: Guesses, point: Point, u: Real) -> Real:
-    """The number of equilibria in contact by the roots that were guessed, 1 or 3; 0 where that is open.
-
-    At most three roots have sin θ > 0. f is negative at θ = 0 and at the lower end of the directions in contact, positive at their
-    upper end and at θ = π. Three equilibria are certain where f is positive and, farther up, negative, both in contact. One is
-    certain where there are no three roots, and where f changes its sign twice out of contact, so that two of the roots lie there.
-    """
-    line = balance(point)
-    lower = separation(all.t0, all.t1, point, line, u)
-    upper = separation(all.t1, all.t2, point, line, u)
-    three = lower.positive & lower.inside & upper.negative & upper.inside & (lower.t < upper.t)
-    below = lower.positive & lower.outside & (lower.t < 1.0)
-    above = upper.negative & upper.outside & (upper.t > 1.0)
-    alone = (all.count < 2.0) | below | above
-    number = where(alone, 1.0, where(three, 3.0, 0.0))
-    return where(all.certain, where(sound(point), where(representable(line), number, 0.0), 0.0), 0.0)
-
-
-# ----------------------------------------------------------------------------------------------- what is at a root
-
-
-def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:
-    """State, error bounds and stability at a root of f that is proved to lie near θ = 2 atan t.
-
-    Newton–Kantorovich on f at θ: a root lies within about |f|/|f′|. Then, with R = (β + n̄) sin θ₀ + κ,
-    L = σ/q + R/(q sin θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes by at most
-    radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over sin² θ, but for some thousandths.
-    """
-    at = direction(t)
-    c_size = absolute(rough(at.cosine))
-    s_size = absolute(rough(at.sine))
-    b_size = absolute(rough(line.b))
-    m_size = rough(line.m)
-    f_size = f(c_size, s_size, line.a_size, b_size, line.d_size, -m_size)
-    value = absolute(rough(f(at.cosine, at.sine, line.a, line.b, line.d, line.m))) + COUNT_F * u * f_size
-    slope = rough(f_slope(at.cosine, at.sine, line.a, line.b, line.d, line.m))
-    slope_size = line.a_size + b_size * s_size + (line.d_size + 2.0 * m_size * s_size) * c_size
-    steepness = absolute(slope) - COUNT_SLOPE * u * slope_size
-    bend = 2.0 * (line.a_size + m_size) + b_size + line.d_size
-    newton = value / steepness
-    h = newton * bend / steepness
-    proved = (steepness > 0.0) & (h < LARGEST_H) & (newton < LARGEST_RADIUS * s_size) & sound(point)
-    # The root is within (1 − √(1 − 2 h))/h ≤ 1/(1 − h) Newton steps.
-    radius = where(proved, 1.0001 * newton / (1.0 - h), INFINITY)
-
-    wide_L, wide_x, wide_y = state(at.cosine, at.sine, point.cos0, point.sin0, point.kappa, point.sigma, point.beta, point.nbar)
-    L = rough(wide_L)
-    x = rough(wide_x)
-    y = rough(wide_y)
-    sin0 = rough(point.sin0)
-    kappa = rough(point.kappa)
-    sigma = rough(point.sigma)
-    nbar = rough(point.nbar)
-    stiff = rough(point.beta) + nbar
-    over = 1.0 / (stiff + sigma)
-    L_size = (sigma * s_size + stiff * sin0 + kappa) * over / s_size
-    relative = radius / s_size
-    swing = c_size + relative
-    rounding = COUNT_STATE * u
-    L_error = L_size * (1.01 * relative * swing + rounding)
-    y_size = sigma * (sin0 + s_size) + kappa
-    y_error = (1.01 * sigma * radius * swing + rounding * y_size) * over
-    turn = 1.01 * radius * (s_size + radius)
-    x_error = L_error * swing + L_size * (turn + rounding * c_size) + rounding
-    state_error = maximum(L_error, x_error) / maximum(minimum(L, absolute(x)), 1.0)
-    error = maximum(state_error, maximum(radius + COUNT_THETA * u, y_error))
-    beyond = (1.0 - 2.0 * nbar) * y  # positive on the side of the belt that n̄ says
-    member = (L > L_error) & (beyond > y_error)
-    outsider = (L < -L_error) | (beyond < -y_error)
-    uncertainty = maximum(relative, L_error / absolute(L)) + 8.0 * u
-    kind = stability(at, wide_L, slope, uncertainty, point)
-    return Root(L, x, y, radius, error, member, outsider, kind.code, proved & kind.certain)
-
-
-def stability(at: Direction, L: Real, slope: Real, uncertainty: Real, point: Point) -> Kind:
-    """1 stable, 2 divergent, 3 flutter, by (27).
-
-    The sign of det K is that of f′, which is known where the root is proved. ``uncertainty`` bounds the errors of cos θ, and of
-    sin θ and L over themselves.
-    """
-    (K11, K12), (K21, K22) = stiffness(at.cosine, at.sine, L, point.mu0, point.alpha, point.sigma, point.beta, point.nbar)
-    wide_trace, determinant, wide_flutter = invariants(K11, K12, K21, K22)
-    trace = rough(wide_trace)
-    flutter = rough(wide_flutter)
-    sigma = rough(point.sigma)
-    nbar = rough(point.nbar)
-    pull = sigma / absolute(rough(L))
-    # With N = α + β + n̄ + 2 σ the terms of the discriminant add up to (N + 2 pull)² + 4 pull (μ₀ n̄ + pull), those of the trace to
-    # N + 2 pull.
-    size = rough(point.alpha) + rough(point.beta) + nbar + 2.0 * sigma + 3.0 * pull
-    margin = COUNT_K * uncertainty * size
-    saddle = slope < 0.0
-    fluttering = flutter < 0.0
-    code = where(saddle, 2.0, where(fluttering, 3.0, where(trace > 0.0, 1.0, 2.0)))
-    # Far from a vanishing discriminant, and from a vanishing trace where that decides.
-    far = absolute(flutter) > margin * (size + 1.5 * rough(point.mu0) * nbar)
-    return Kind(code, saddle | (far & (fluttering | (absolute(trace) > margin))))
-
-
-def apart(low: Real, low_radius: Real, high: Real, high_radius: Real) -> Flag:
-    """Whether two intervals in θ around 2 atan(low) < 2 atan(high) are disjoint: dθ = 2 dt/(1 + t²)."""
-    low_square = rough(low) * rough(low)
-    high_square = rough(high) * rough(high)
-    return 2.0 * rough(high - low) > (low_radius + high_radius) * (1.0 + maximum(low_square, high_square))

@@ -1,6 +1,6 @@
 """The constant-angle model of the article's reference [17], its poles, and the critical friction μ_cr.
 
-The inclined spring keeps the angle θ₀ whatever the mass does, so its stretch is the displacement along that direction.
+The inclined spring keeps the angle θ₀ however the mass moves, so its stretch is the displacement along that direction.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
-"""What falls of the article when its page changes: every printed row against the model of a page.
+"""Which printed statements no longer hold when the model changes: every printed row against the model of a page.
 
 A row rests on few things: the geometry of the spring, the laws of contact and friction, the balance of forces, and so on. Each of these
 is compared with the article's, by exact algebra; a row holds where all that it rests on is the article's, fails where something
-differs, with the difference, and has no meaning where a thing that it speaks of is not there. What is judged is the row with the
-article's own misprints mended.
+differs, with the difference, and has no meaning where the model lacks what it is about. Misprints of the article are corrected
+before a row is judged.
 """
 
 from __future__ import annotations
@@ -34,14 +34,11 @@ class Judgement:
 
 
 class NoMeaning(Exception):
-    """The model has not what a row speaks of."""
+    """The model lacks what a row is about."""
 
 
 def judge(model: Mechanics) -> list[Judgement]:
     """Every row of the article, in its order."""
-    if not {"x", "y"} <= set(map(str, model.coordinates)):
-        reason = "the model has no coordinates x and y"
-        return [Judgement(entry.id, entry.where, NO_MEANING, reason) for entry in article.PRINTED]
     compared = _Compared(model)
     return [_judged(entry, compared) for entry in article.PRINTED]
 
@@ -61,8 +58,20 @@ class _Compared:
 
     def __init__(self, model: Mechanics) -> None:
         self.model = model
-        known = {str(symbol): symbol for symbol in model.coordinates}
-        self.rows = [list(model.coordinates).index(known[name]) for name in ("x", "y")]
+        self.places = {str(symbol): row for row, symbol in enumerate(model.coordinates)}
+        #: Where the mass never leaves the belt there is no n̄ in what is compared.
+        self.always = {} if model.unilateral and model.gap is not None else {nm.nbar: 1}
+
+    def row(self, name: str) -> int:
+        """The number of a coordinate."""
+        if name not in self.places:
+            raise NoMeaning(f"the model has no coordinate {name}")
+        return self.places[name]
+
+    @property
+    def rows(self) -> list[int]:
+        """The numbers of x and y."""
+        return [self.row(name) for name in ("x", "y")]
 
     @cached_property
     def line(self) -> Line:
@@ -84,7 +93,9 @@ class _Compared:
         """Model less article, x and y by the direction and the length of the inclined spring; 0 if equal."""
         polar = {nm.x: nm.c0 - nm.L * nm.c, nm.y: nm.s0 - nm.L * nm.s} if self.model.lines else {}
         circles = (*nm.UNIT_CIRCLES, *((line.c, line.s) for line in self.model.lines[1:]))
-        left, right = (sp.expand(side.subs(polar, simultaneous=True)) for side in (self.named(ours), theirs))
+        left, right = (
+            sp.expand(side.subs(polar, simultaneous=True).subs(self.always)) for side in (self.named(ours), sp.sympify(theirs))
+        )
         found = algebra.difference(left, right, circles)
         return sp.S.Zero if found == 0 else sp.factor_terms(sp.expand(found))
 
@@ -115,7 +126,7 @@ class _Compared:
         residual, acceleration = ((equations.x, equations.ax), (equations.y, equations.ay))[row]
         # Any law of contact and friction: both stand as n and μ, and are rows of their own.
         theirs = sp.solve(residual, acceleration)[0]
-        return {"xy"[row] + "″": self.gap(_separated(self.model, self.rows[row]), theirs)}
+        return {"xy"[row] + "″": self.gap(_separated(self.model, self.row("xy"[row])), theirs)}
 
     def contact(self) -> dict[str, sp.Expr]:
         """n(y) in contact, and that there is none in lift-off."""
@@ -140,7 +151,7 @@ class _Compared:
     def _balance(self, row: int, pushing: int) -> dict[str, sp.Expr]:
         it = self.model
         # At rest friction is μ₀ times the contact force in the article; what the model has for μ is a row of its own.
-        ours = it.residuals[self.rows[row]].subs({PUSHING: pushing, MU: nm.mu0})
+        ours = it.residuals[self.row("xy"[row])].subs({PUSHING: pushing, MU: nm.mu0})
         ours = ours.subs(DEPTH, -it.gap) if it.gap is not None else ours
         theirs = equilibrium.balance_cartesian()[row].subs(nm.nbar, pushing)
         return {("F_x", "F_y")[row] + ("" if pushing else " in lift-off"): self.gap(ours, theirs)}
@@ -233,7 +244,7 @@ class _Compared:
         return found
 
     def alone(self) -> dict[str, sp.Expr]:
-        """That x and y are all unknowns."""
+        """That there are no unknowns besides x and y."""
         if len(self.model.coordinates) != 2:
             raise NoMeaning(f"the linearization has {len(self.model.coordinates)} unknowns: its determinant is of higher order")
         return {}
@@ -249,6 +260,14 @@ class _Compared:
         by_name = {it: sp.Symbol(str(it), positive=True) for it in ours.free_symbols | (dimensional / scale).free_symbols}
         gap = sp.simplify(ours.subs(by_name) / (dimensional / scale).subs(by_name))
         return {name: sp.S.Zero if gap == 1 else ours}
+
+    def length_of(self, name: str) -> dict[str, sp.Expr]:
+        """The unit of a coordinate, or of the length of the inclined spring."""
+        if name == "L":
+            _ = self.line
+        else:
+            self.row(name)
+        return self.scale("length")
 
     def scale(self, name: str) -> dict[str, sp.Expr]:
         ours = soundness.scale(self.model.page, {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}[name])
@@ -289,7 +308,7 @@ RESTS_ON: dict[str, tuple[_Aspect, ...]] = {
     "eq-24": (_C.matrix_lifted,), "eq-25": (_C.b3, _C.b4), "eq-26": _LIFTED_QUARTIC,
     "eq-27": (_C.alone, _C.damping), "eq-28": (_C.stiffness,), "eq-29": (_C.contact,),
     "def-tau": (lambda it: it.scale("time"),), "def-prime": (),
-    **{f"def-{name}": (lambda it: it.scale("length"),) for name in ("x", "y", "L")},
+    **{f"def-{name}": ((lambda it, name=name: it.length_of(name)),) for name in ("x", "y", "L")},  # type: ignore[misc]  # a default binds name
     **_groups(), "def-n": (lambda it: it.scale("force"),),
     **dict.fromkeys(("A1-c0", "A2", "A3", "A4", "A5"), _CONTACT_QUARTIC),
     **dict.fromkeys(("A1-d0", "A6", "A7", "A8", "A9"), _LIFTED_QUARTIC),

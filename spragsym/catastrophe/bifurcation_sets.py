@@ -81,11 +81,12 @@ def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = F
     Raises
     ------
     ConvergenceError
-        With hardly any preload, κ some 10⁻⁶ of σ or of 1 + β, where float64 can't tell the folds of a direction apart.
+        With hardly any preload, κ some 10⁻⁷ of σ or of 1 + β, where float64 can't tell the folds of a direction apart.
 
     Notes
     -----
-    Source: f = f′ = 0; see :mod:`spragsym.catastrophe.fold_curves`. Points satisfy it to rounding.
+    Source: f = f′ = 0; see :mod:`spragsym.catastrophe.fold_curves`. Where curves begin, end, turn back in θ and reach μ₀ = 0 is
+    isolated exactly, so that none is missed, however small; their points are float64, and satisfy the condition to rounding.
 
     Examples
     --------

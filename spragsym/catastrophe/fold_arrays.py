@@ -80,6 +80,14 @@ def _along(vary: str, given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     return _kept(roots, value, best, (c, s, cos0.rows(roots.row), sin0.rows(roots.row)), here, -roots.rising, upper)
 
 
+def friction_sextic(given: Mapping[str, FloatArray]) -> list[Rounded]:
+    """f′ f_μ₀ − f f_μ₀′ times (1 + t²)³ by powers of t = tan(θ/2): negative where μ₀ on the surface f = 0 rises with θ."""
+    cos0, sin0 = cosine_and_sine(given["theta0"])
+    values = [Rounded(given[name]) if name != "mu0" else Rounded(np.float64(0.0)) for name in NAMES[1:]]
+    change = [_as_rounded(part) for part in _changes(cos0, sin0, *values)[NAMES.index("mu0")]]
+    return [_as_rounded(part) for part in _sextic(*kernel.f_coefficients(cos0, sin0, *values, 1), *change)]
+
+
 def _in_theta0(given: Mapping[str, FloatArray], size: int) -> FoldArrays:
     """With α = 0 cos θ₀ drops out of f: θ₀ and π − θ₀ are folds together, where the second relation holds."""
     free = np.broadcast_to(given["alpha"] == 0, size)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from ..errors import ParameterError
+from ..names import hint
 from ..parameters import NAMES, degrees
 
 if TYPE_CHECKING:
@@ -63,9 +64,19 @@ def length() -> tuple[float, str]:
     return study.in_file("L_0", study.values["L_0"]), f"_{study.quantities['L_0'].unit}"
 
 
+class _OneOf(click.Choice[str]):
+    """One of some names; a name that is nearly one of them is told which."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> str:
+        if value not in self.choices:
+            names = ", ".join(self.choices)
+            self.fail(f"{value!r} is not one of {names}{hint(str(value), self.choices)}", param, ctx)
+        return str(value)
+
+
 def vary(function: F) -> F:
     """``--vary``: a parameter, or with ``--data`` a physical quantity."""
-    choices = click.Choice([*NAMES, *PHYSICAL])
+    choices = _OneOf([*NAMES, *PHYSICAL])
     text = "What varies: a parameter; with --data, a quantity of the file too."
     return click.option("--vary", type=choices, default="mu0", show_default=True, help=text)(function)
 

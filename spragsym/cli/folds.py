@@ -12,13 +12,15 @@ from .commands import command
 from .data import data, length, varied, vary
 from .options import Number, as_json, build, parameters, theta0
 from .tables import print_json, print_table
+from .with_model import ForModels, made_for, model_option
 
 
-@command()
+@command(cls=ForModels)
 @theta0
 @parameters
 @vary
 @data
+@model_option
 @as_json
 def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> None:
     """All folds along one parameter: which state ends there, when, and where it jumps to.
@@ -27,6 +29,7 @@ def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> N
     Examples:
       spragsym folds --theta0 40
       spragsym folds --data brake.toml --vary k_x
+      spragsym folds --model two_springs --theta0 40
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
@@ -52,7 +55,7 @@ def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> N
         click.echo(f"no folds as {vary} varies")
 
 
-@command()
+@command(cls=ForModels)
 @theta0
 @parameters
 @vary
@@ -60,6 +63,7 @@ def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> N
 @click.option("--to", "high", type=Number(), default=1.0, show_default=True, help="Last value, larger or smaller.")
 @click.option("--points", type=click.IntRange(2, 100_000), default=11, show_default=True, help="Values, the ends included.")
 @data
+@model_option
 @as_json
 def path(
     theta0_deg: float, vary: str, low: float, high: float, points: int, json_output: bool, **values: float
@@ -104,11 +108,12 @@ def path(
         click.echo("No jumps")
 
 
-@command()
+@command(cls=ForModels)
 @theta0
 @parameters
 @vary
 @data
+@model_option
 @as_json
 def critical(theta0_deg: float, vary: str, json_output: bool, **values: float) -> None:
     """Where the state of small deformation jumps first as one parameter moves, and the frictions that decide whether it can.
@@ -145,3 +150,7 @@ def critical(theta0_deg: float, vary: str, json_output: bool, **values: float) -
 
 def _or(value: float, word: str) -> float | str:
     return value if math.isfinite(value) else word
+
+
+for _command in (folds, path, critical):
+    made_for(_command, "model_paths", f"{_command.name}_of")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,10 @@ from .with_model import parameter_options, parameters_of, without
 if TYPE_CHECKING:
     from ..models import Model
 
-_JSON = "Print JSON instead of a table."
+
+def json_option() -> click.Option:
+    """``--json``."""
+    return click.Option(["--json", "json_output"], is_flag=True, help="Print JSON instead of a table.")
 
 
 def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
@@ -26,7 +29,8 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
 
     def equilibria(json_output: bool, **values: Any) -> None:
         p = model.Parameters(**parameters_of(model, values))
-        rows, open_boxes = [], []
+        rows: list[dict[str, Any]] = []
+        open_boxes: list[dict[str, Any]] = []
         unilateral = model.about["contact"]["unilateral"]
         for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
             found = model.equilibria(p, contact=contact)
@@ -40,18 +44,18 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         ])  # fmt: skip
         for place in ("contact", "lift-off"):
             if boxes := [box for box in open_boxes if box["state"] == place]:
-                click.echo(_summed(model, place, boxes))
+                click.echo(_summed(place, model.coordinates, [box["low"] for box in boxes], [box["high"] for box in boxes]))
 
-    options = [*parameter_options(model, Number), click.Option(["--json", "json_output"], is_flag=True, help=_JSON)]
+    options = [*parameter_options(model, Number), json_option()]
     return options, equilibria, "All equilibria at one point, in contact and in lift-off, stable and unstable, proved."
 
 
-def _summed(model: Model, state: str, boxes: list[dict[str, Any]]) -> str:
+def _summed(title: str, names: Sequence[str], lows: Sequence[Sequence[float]], highs: Sequence[Sequence[float]]) -> str:
     """How many boxes are undecided, and what holds them all; --json lists each."""
-    low = [min(ends) for ends in zip(*(box["low"] for box in boxes), strict=True)]
-    high = [max(ends) for ends in zip(*(box["high"] for box in boxes), strict=True)]
-    hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(model.coordinates, low, high, strict=True))
-    return f"{state}: not complete, {len(boxes)} boxes are undecided, within {hull}"
+    low = [min(ends) for ends in zip(*lows, strict=True)]
+    high = [max(ends) for ends in zip(*highs, strict=True)]
+    hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))
+    return f"{title}: not complete, {len(lows)} boxes are undecided, within {hull}"
 
 
 def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
@@ -83,17 +87,10 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         if along:
             found["cusps"] = model.cusps(without(model, (vary, along), dict(values)), (vary, along))
         if json_output:
-            print_json({"model": model.name, **{title: _points(model, points) for title, points in found.items()}})
+            print_json({"model": model.name, **{title: points_of(model, points) for title, points in found.items()}})
             return
         for title, points in found.items():
-            names = (*points.vary, *model.coordinates)
-            rows = [
-                (*(_shown(model, name, row[name]) for name in names), row["kind"]) for row in _points(model, points)["points"]
-            ]
-            header = (*(f"{name}_deg" if name in model.about["angles"] else name for name in names), "kind")
-            print_table(title.capitalize(), header, rows)
-            if not points.complete:
-                click.echo(f"{title}: not complete, {len(points.undecided)} boxes are undecided")
+            print_points(model, title, points)
 
     def draw(plot: Path, vary: str, along: str, values: dict[str, Any], force: bool) -> None:
         if plot.suffix not in (".pdf", ".png", ".svg"):
@@ -110,7 +107,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
             figure.savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)
 
-    first, second = _axes(model)
+    first, second = axes(model)
     plot = click.Option(
         ["--plot"],
         type=click.Path(dir_okay=False, path_type=Path),
@@ -118,34 +115,35 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         help="Draw the bifurcation set (pdf, png, svg).",
     )
     options = [
-        *(_optional(option) for option in parameter_options(model, Number)),
+        *(optional(option) for option in parameter_options(model, Number)),
         click.Option(
             ["--vary", "vary"], default=first, show_default=True, help="Parameter along which folds and onsets are looked for."
         ),
         click.Option(
             ["--along", "along"], default=second, show_default=True, help="Second parameter, for cusps; empty for none."
         ),
-        click.Option(["--json", "json_output"], is_flag=True, help=_JSON),
+        json_option(),
         plot,
         click.Option(["--force"], is_flag=True, help="Overwrite files that are in the way."),
     ]
     return options, bifurcation, "All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved."
 
 
-def _axes(model: Model) -> tuple[str, str]:
+def axes(model: Model) -> tuple[str, str]:
     """The parameters that vary unless told otherwise: θ₀ and μ₀ where they are."""
     known = model.parameters
     first = "theta0" if "theta0" in known else "mu0" if "mu0" in known else known[0]
     return first, "mu0" if first == "theta0" and "mu0" in known else ""
 
 
-def _optional(option: click.Option) -> click.Option:
+def optional(option: click.Option) -> click.Option:
     """What varies need not be given."""
     option.required = False
     return option
 
 
-def _points(model: Model, points: Any) -> dict[str, Any]:
+def points_of(model: Model, points: Any) -> dict[str, Any]:
+    """Points at which equilibria change, and the boxes that are not decided, in the units of Python."""
     names = (*points.vary, *model.coordinates)
     rows = [
         {
@@ -155,8 +153,30 @@ def _points(model: Model, points: Any) -> dict[str, Any]:
         }
         for row in range(len(points))
     ]
-    return {"points": rows, "complete": bool(points.complete), "region_whole": bool(points.whole)}
+    boxes = [{name: box[i].tolist() for i, name in enumerate((*model.coordinates, *points.vary))} for box in points.undecided]
+    return {
+        "points": rows,
+        "complete": bool(points.complete),
+        "region_whole": bool(points.whole),
+        "undecided": boxes,
+        "remarks": list(points.remarks),
+    }
 
 
-def _shown(model: Model, name: str, value: float) -> float:
-    return math.degrees(value) if name in model.about["angles"] else value
+def print_points(model: Model, title: str, points: Any) -> None:
+    """A table of points, angles in degrees, and where it is not known whether there are more."""
+    import numpy as np
+
+    units = {name: math.degrees(1.0) for name in model.about["angles"]}
+    names = (*points.vary, *model.coordinates)
+    columns = [*(units.get(name, 1.0) * getattr(points, name) for name in names), points.kind]
+    rows = [tuple(column[row].item() for column in columns) for row in range(len(points))]
+    header = (*(f"{name}_deg" if name in units else name for name in names), "kind")
+    print_table(title.capitalize(), header, rows)
+    if not points.complete:
+        unknowns = (*model.coordinates, *points.vary)
+        scale = np.array([units.get(name, 1.0) for name in unknowns])
+        shown = tuple(f"{name}_deg" if name in units else name for name in unknowns)
+        click.echo(_summed(title, shown, *(scale * points.undecided[:, :, end] for end in (0, 1))))
+        for remark in points.remarks:
+            click.echo(f"{title}: {remark}")

@@ -14,7 +14,7 @@ import numpy as np
 from ..errors import ParameterError, TargetError
 from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
 from .commands import command
-from .data import current, data, in_units, own_units
+from .data import current, data, in_units, length, own_units
 from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
 from .tables import print_json
 from .targets import force, refuse, set_aside
@@ -132,11 +132,13 @@ def print_summary(summary: dict[str, Any], json_output: bool) -> None:
 
 def _draw(tr: Trajectory, transient: float, path: Path) -> None:
     from ..figures import FORMATS, motion_figure
+    from ..figures.motion_pictures import Units
     from ..figures.style import house_style
 
-    kind = path.suffix[1:]
+    kind, study = path.suffix[1:], current()
+    units = None if study is None else Units(length()[0], study.scales.time, study.quantities["L_0"].unit)
     with house_style():
-        motion_figure(tr, transient).savefig(path, format=kind, metadata=FORMATS[kind])
+        motion_figure(tr, transient, units).savefig(path, format=kind, metadata=FORMATS[kind])
 
 
 def _axes(function: Any) -> Any:

@@ -54,16 +54,14 @@ def report(
     from ..studies import Study
 
     study = Study.from_file(file)
-    if study.model != "kang_nam" and html is not None:
-        raise ParameterError(f"--html {html}: there are pictures for model = 'kang_nam' only, and this is {study.model!r}")
-    if study.model != "kang_nam":
-        _print(study.model_report(oscillation=oscillation), json_output)
-        return
-    if sys.stderr.isatty():
-        click.echo("computing states, tolerances, changes and the oscillation (--no-oscillation leaves that out)", err=True)
-    found = study.report(oscillation=oscillation, safety=safety)
+    if study.model == "kang_nam":
+        found: Report | ModelReport = study.report(oscillation=oscillation, safety=safety, progress=sys.stderr.isatty())
+    else:
+        if sys.stderr.isatty():
+            click.echo("computing states, jumps, tolerances and the oscillation (--no-oscillation leaves that out)", err=True)
+        found = study.model_report(oscillation=oscillation)
     if html is not None:
-        found.to_html(html)
+        study.to_html(html, found)
         click.echo(f"wrote {html}", err=True)
     _print(found, json_output)
 

@@ -126,7 +126,10 @@ def _run(claim: dict[str, Any], patience: float) -> dict[str, Any]:
     """The proof in a process of its own."""
     call = [sys.executable, "-m", "spragsym.cycles.ball_proof"]
     try:
-        done = subprocess.run(call, input=json.dumps(claim), capture_output=True, text=True, timeout=patience, check=False)
+        # What it says may hold paths, in an encoding that only it knows.
+        done = subprocess.run(
+            call, input=json.dumps(claim), capture_output=True, text=True, errors="replace", timeout=patience, check=False
+        )
     except subprocess.TimeoutExpired:
         return {"proved": False, "reason": f"it was given up after {patience:g} s; give a larger patience or fewer digits"}
     if done.returncode:

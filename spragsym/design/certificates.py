@@ -93,8 +93,7 @@ def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 2
         seen += batch.share.size
         point = chosen.refute(batch)
         if point is not None:
-            left = float(open_share + batch.share.sum() + rest.share.sum())
-            return Certificate(claim, "refuted", point, min(left, 1.0), seen)
+            return Certificate(claim, "refuted", point, float(batch.share.sum() + rest.share.sum()), seen)
         proved, weight = chosen.prove(batch)
         open_ones = np.flatnonzero(~proved)
         if seen + rest.share.size >= max_boxes:
@@ -102,7 +101,7 @@ def certify(low: Parameters, high: Parameters, claim: str, *, max_boxes: int = 2
             break
         halves = halved(batch.rows(open_ones), weight[:, open_ones])
         pending = Boxes(*(np.concatenate([one, other], axis=-1) for one, other in zip(rest, halves, strict=True)))
-    return Certificate(claim, "undecided" if open_share else "proved", None, min(open_share, 1.0), seen)
+    return Certificate(claim, "undecided" if open_share else "proved", None, open_share, seen)
 
 
 def _corners(low: Parameters, high: Parameters, chosen: Claim) -> tuple[FloatArray, FloatArray]:
@@ -122,7 +121,7 @@ def _corners(low: Parameters, high: Parameters, chosen: Claim) -> tuple[FloatArr
 def halved(boxes: Boxes, weight: FloatArray) -> Boxes:
     """Each box cut across the side that matters most; one without width is not cut, and where none is known the widest is."""
     width = boxes.high - boxes.low
-    relative = width / np.maximum(np.abs(boxes.high), 1e-300)
+    relative = width / np.maximum(boxes.high, 1e-300)
     useful = np.where(width > 0, weight, -1.0)
     known = (useful > 0).any(axis=0)
     side = np.where(known, np.argmax(useful, axis=0), np.argmax(relative, axis=0))

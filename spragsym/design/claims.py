@@ -224,7 +224,7 @@ def _alone(boxes: Boxes, low: Line, high: Line) -> NDArray[np.bool_]:
 def _jumps(boxes: Boxes) -> Parameters | None:
     """A point whose state jumps below its friction: the middle of a box, or the corner to which the jump comes down fastest."""
     middle = boxes.middle() | {"mu0": boxes.high[_MU0]}
-    found = first_jumps(Parameters(**middle), "mu0")
+    found = first_jumps(Parameters(**middle), "mu0", apart_from=middle["mu0"])
     with np.errstate(all="ignore"):
         changes = by_parameter(middle | {"mu0": found.value}, found.theta)
         slopes = {name: -change / changes["mu0"] for name, change in changes.items()}
@@ -232,7 +232,8 @@ def _jumps(boxes: Boxes) -> Parameters | None:
     for j, name in enumerate(NAMES):
         if name != "mu0":
             corner[name] = np.where(slopes[name] > 0, boxes.low[j], np.where(slopes[name] < 0, boxes.high[j], middle[name]))
-    for values, jumps in ((middle, found.value), (corner, first_jumps(Parameters(**corner), "mu0").value)):
+    in_corner = first_jumps(Parameters(**corner), "mu0", apart_from=corner["mu0"])
+    for values, jumps in ((middle, found.value), (corner, in_corner.value)):
         for i in np.flatnonzero(jumps < values["mu0"] * (1 - 1e-11))[:1]:
             point = _point(values, int(i))
             if quasi_static_path(point, "mu0", [0.0, float(point.mu0)]).jumps:

@@ -102,8 +102,12 @@ def told(found: FirstJumps) -> FirstJumps:
     return found
 
 
-def first_jumps(p: Parameters, vary: str, direction: str = "up") -> FirstJumps:
-    """As :func:`jump_value`, with the direction of the spring on the fold at which the state ends."""
+def first_jumps(p: Parameters, vary: str, direction: str = "up", *, apart_from: FloatArray | None = None) -> FirstJumps:
+    """As :func:`jump_value`, with the direction of the spring on the fold at which the state ends.
+
+    With ``apart_from``, an array of the shape of ``p``, a value need only be known well enough to say on which side of that
+    number it lies.
+    """
     forward = _checked(p, vary, direction)
     shape = p.replace(**{vary: None}).shape if vary in FROM_LOWER_END else p.shape
     size = math.prod(shape)
@@ -114,7 +118,8 @@ def first_jumps(p: Parameters, vary: str, direction: str = "up") -> FirstJumps:
     for begin in range(0, size, BLOCK):
         part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
         here = slice(begin, begin + BLOCK)
-        value[here], theta[here], reasons = _block(part, vary, forward)
+        marks = None if apart_from is None else apart_from.reshape(-1)[here]
+        value[here], theta[here], reasons = _block(part, vary, forward, marks)
         hopeless |= {begin + i: reason for i, reason in reasons.items()}
     return FirstJumps(value.reshape(shape), theta.reshape(shape), hopeless)
 
@@ -130,7 +135,9 @@ def _checked(p: Parameters, vary: str, direction: str) -> int:
     return 1 if direction == "up" else -1
 
 
-def _block(given: Mapping[str, FloatArray], vary: str, forward: int) -> tuple[FloatArray, FloatArray, dict[int, str]]:
+def _block(
+    given: Mapping[str, FloatArray], vary: str, forward: int, marks: FloatArray | None
+) -> tuple[FloatArray, FloatArray, dict[int, str]]:
     size = next(iter(given.values())).size
     start = np.full(size, FROM_LOWER_END[vary]) if vary in FROM_LOWER_END else given[vary]
     eq = equilibria(Parameters(**{**given, vary: start}))
@@ -138,6 +145,11 @@ def _block(given: Mapping[str, FloatArray], vary: str, forward: int) -> tuple[Fl
     found = fold_arrays.folds(vary, others, size)
     undecided = found.undecided | eq.undecided | eq.fold
     value, theta, coarse = _walk(found, start, forward, small(eq), eq.count, undecided)
+    if marks is not None:
+        at = found.row[coarse]
+        wide = ~(np.abs(found.value.value[coarse] - marks[at]) > 1.01 * found.value.error[coarse])
+        value[at] = np.where(wide, value[at], found.value.value[coarse])
+        coarse = coarse[wide]
     if vary != "theta0":
         _with_more_digits(vary, given, found, coarse, value)
         coarse = coarse[np.isnan(value[found.row[coarse]])]

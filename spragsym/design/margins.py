@@ -15,6 +15,7 @@ from .borders import on_fold
 from .cells import Boxes
 from .certificates import halved
 from .claims import CLAIMS
+from .events import have_jumped
 from .jump_values import first_jumps
 from .nearest import nearest, shortened
 from .spaces import Space, space
@@ -95,7 +96,7 @@ def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], 
 def jumping(designs: Space, z: FloatArray) -> NDArray[np.bool_]:
     """Which designs jump at their own friction or below it."""
     values = {name: np.broadcast_to(value, z.shape[:-1]) for name, value in designs.parameters(z).items()}
-    return np.asarray(first_jumps(Parameters(**values), "mu0").value <= values["mu0"])
+    return have_jumped(Parameters(**values)).jumped
 
 
 def polished(designs: Space, z: FloatArray) -> FloatArray:

@@ -13,6 +13,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from ..catastrophe.sliding import sliding_friction
 from ..display import Result, Table
 from ..errors import ParameterError, TargetError
 from ..files import storage
@@ -22,12 +23,14 @@ from ..sweeps import workers as processes
 from ..sweeps.many import advance
 from ..sweeps.workers import Workers
 from . import sampling
-from .jump_values import first_jumps
+from .events import have_jumped
 from .spaces import PHYSICAL, dimensionless
 
 #: Independent variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
 Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]
 
+#: Of the belt: its speed and the steepness of the friction law.
+BELT = ("V", "d")
 #: Points by default, of which the indices take as many again for every two variables.
 _POINTS = 1 << 16
 
@@ -93,7 +96,8 @@ def jump_probability(
     distribution : mapping, or two corners of a box
         For each dimensionless parameter, or for each of the physical quantities k, k_x, k_y, k_c, F_L, L_0, theta0 and mu0: a
         number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``. They are
-        independent. Two :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a box.
+        independent. With V and d, both, beside the physical ones the friction is that at the speed of the belt. Two
+        :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a box.
     n : int
         Points, rounded up to a power of two for each replicate.
     rng : int or numpy.random.Generator, optional
@@ -123,7 +127,7 @@ def jump_probability(
 
     Notes
     -----
-    Source: :func:`spragsym.jump_value`; an event is a jump at a friction up to μ₀. Interval by Student's distribution over the
+    Source: f = f′ = 0; an event is a jump at a friction up to μ₀. Interval by Student's distribution over the
     replicates, or by Clopper and Pearson where fewer than 50 points jump, or don't.
 
     Examples
@@ -177,7 +181,9 @@ class _Uniform:
 def _variables(distribution: Distribution) -> dict[str, Any]:
     """Each quantity as a float, or as something with a quantile function ``ppf``."""
     given = _box(*distribution) if isinstance(distribution, tuple) else dict(distribution)
-    names = PHYSICAL if set(given) & (set(PHYSICAL) - set(NAMES)) else NAMES
+    names: tuple[str, ...] = PHYSICAL if set(given) & (set(PHYSICAL) - set(NAMES)) else NAMES
+    if names is PHYSICAL and set(given) & set(BELT):
+        names = (*PHYSICAL, *BELT)
     for name in given:
         if name not in names:
             raise ParameterError(f"{name!r} in distribution is not a quantity here; the quantities are {', '.join(names)}")
@@ -229,10 +235,14 @@ def _jumps(variables: Mapping[str, Any], points: FloatArray) -> FloatArray:
         else:
             values[name] = one.ppf(points[:, column])
             column += 1
+    if "V" in values:
+        values["mu0"] = sliding_friction(
+            *(values[name] for name in ("mu0", *BELT))
+        )  # d V has no dimension, in SI as without units
     parameters = {name: np.broadcast_to(value, len(points)) for name, value in dimensionless(values).items()}
-    at = first_jumps(Parameters(**parameters), "mu0")
-    result = np.where(at.value <= parameters["mu0"], 1.0, 0.0)
-    result[list(at.reasons)] = np.nan
+    found = have_jumped(Parameters(**parameters))
+    result = np.where(found.jumped, 1.0, 0.0)
+    result[list(found.reasons)] = np.nan
     return result
 
 

@@ -120,7 +120,8 @@ def _beyond(designs: Space, z: FloatArray, wanted: Mapping[str, float]) -> NDArr
     for name, limit in wanted.items():
         left = np.flatnonzero(result)
         if left.size:
-            at = first_jumps(Parameters(**{key: value[left] for key, value in values.items()}), name)
+            some = Parameters(**{key: value[left] for key, value in values.items()})
+            at = first_jumps(some, name, apart_from=np.full(left.size, limit))
             known = np.ones(left.size, dtype=np.bool_)
             known[list(at.reasons)] = False
             result[left] = known & ~(at.value < limit)

@@ -8,10 +8,10 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .course import Flow
+from .course import Courses, Ends
 from .field import Field
 from .passage import Fly, Passage, Turn
-from .shooting import Guess, at_rest_along, once_round, rate, solved
+from .shooting import Guess, Loop, at_rest_along, once_round, rate, solved
 
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.
 STEP = 1e-5
@@ -66,25 +66,30 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach
     return Closed(place, loop.guess.period, slope)
 
 
-def roughly_closed(field: Field, flow: Flow, state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float]:
-    """State and period to some digits, by the plain flow and its forward differences: where that fails, it fails cheaply."""
-    fly, condition = by_differences(field, flow, COARSE, central=False), at_rest_along(field, field.size + 1)
-    loop = solved(field, fly, Guess(state[None], period, ()), condition, reach=reach, iterations=9, precision=ROUGH, closed=ROUGH)
-    return loop.guess.states[0], loop.guess.period
+def nearly_closed(
+    field: Field, ends: Ends, state: FloatArray, period: float, reach: float, precision: float
+) -> Loop:
+    """The loop to a precision, by the plain flow and its forward differences: where that fails, it fails cheaply."""
+    m = field.size
+
+    def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
+        last, *others = ends(np.vstack([state, state + COARSE * np.eye(m)]), duration)
+        return Passage(last, (np.array(others) - last).T / COARSE, np.zeros((m, 2)), (), ())
+
+    guess, condition = Guess(state[None], period, ()), at_rest_along(field, m + 1)
+    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
 
 
-def by_differences(field: Field, flow: Flow, step: float = STEP, *, central: bool = True) -> Fly:
-    """``fly`` of a flow that carries no derivatives: by central differences, or forward ones; crossings are not told."""
+def by_differences(field: Field, courses: Courses) -> Fly:
+    """``fly`` of a flow that carries no derivatives: by central differences; crossings are not told."""
     m = field.size
     unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
 
     def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
-        course, width = flow(np.asarray(state), duration), step * (1 + central)
-        columns = [
-            (flow(state + off, duration).last - (flow(state - off, duration) if central else course).last) / width
-            for off in step * np.eye(m)
-        ]
+        off = STEP * np.eye(m)
+        course, *others = courses(np.vstack([state, state + off, state - off]), duration)
+        last = np.array([other.last for other in others])
         turns = [Turn(t, -1, -1, top, *unknown) for t, top in zip(course.maxima_t.tolist(), course.maxima, strict=True)]
-        return Passage(course.last, np.array(columns).T, np.zeros((m, 2)), (), tuple(turns))
+        return Passage(course.last, (last[:m] - last[m:]).T / (2 * STEP), np.zeros((m, 2)), (), tuple(turns))
 
     return fly

@@ -13,10 +13,13 @@ from numpy.typing import NDArray
 from ..parameters import FloatArray
 from .lobatto import PiecewisePolynomial
 
+#: Turning points that are kept of a motion, the latest: what is known of it needs no more memory the longer it runs.
+KEPT = 5000
+
 
 @dataclass(frozen=True)
 class Course:
-    """Quantities measured on a motion while it runs; its steps are not kept.
+    """Quantities measured on a motion while it runs; its steps are not kept, nor turning points before the latest KEPT of a kind.
 
     Attributes
     ----------
@@ -34,6 +37,8 @@ class Course:
         States at which x is least.
     events : ndarray of int, shape (4,)
         How often each :class:`~spragsym.dynamics.problem.Event` happened.
+    reach : tuple of float
+        Least and largest x between ``begin`` and ``end``.
     """
 
     begin: float
@@ -45,11 +50,12 @@ class Course:
     integrals: FloatArray
     minima: FloatArray
     events: NDArray[np.intp]
+    reach: tuple[float, float]
 
     @property
-    def x_extrema(self) -> FloatArray:
-        """Values of x at its turning points and at both ends."""
-        return np.concatenate([[self.first[0], self.last[0]], self.maxima[:, 0], self.minima[:, 0]])
+    def since(self) -> float:
+        """The time from which on all maxima are kept."""
+        return self.begin if len(self.maxima_t) < KEPT else float(self.maxima_t[0])
 
     def moments(self, row: int = -1) -> tuple[float, float]:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
@@ -58,8 +64,10 @@ class Course:
         return float(self.first[0]) + shift, math.sqrt(max(square - shift * shift, 0.0))
 
 
-#: Continues a motion from a state for a given time.
-Flow: TypeAlias = Callable[[FloatArray, float], Course]
+#: Continue motions from states (k, 2 n) for a given time; an error where one of them cannot be continued.
+Courses: TypeAlias = Callable[[FloatArray, float], list[Course]]
+#: The same where only the states at the end are asked for, (k, 2 n).
+Ends: TypeAlias = Callable[[FloatArray, float], FloatArray]
 
 
 def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
@@ -73,9 +81,13 @@ def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
 
     lowest = samples.passages(states[n], lambda state: state[n])
     highest = samples.passages(-states[n], lambda state: -state[n])
+    maxima, minima = samples(highest).T, samples(lowest).T
+    extrema = np.concatenate([states[0, [0, -1]], maxima[:, 0], minima[:, 0]])
+    late = highest[-KEPT:]
     return Course(
-        float(t[0]), float(t[-1]), states[:, 0], states[:, -1], highest, samples(highest).T,
-        samples.integrals_to(np.append(highest, t[-1]), integrands), samples(lowest).T, events,
+        float(t[0]), float(t[-1]), states[:, 0], states[:, -1], late, maxima[-KEPT:],
+        samples.integrals_to(np.append(late, t[-1]), integrands), minima[-KEPT:], events,
+        (float(extrema.min()), float(extrema.max())),
     )  # fmt: skip
 
 

@@ -27,8 +27,14 @@ from .regimes import SETTLED, Outcome, Regime
 #: Returns as close as this, relative to the extent of the motion, are worth a search for the cycle.
 CLOSE = 0.05
 
+#: Fewest maxima of x in a window in which a cycle can be seen.
+FEWEST = 3
+
 #: A multiplier this close to 1 in size is told neither from a stable nor from an unstable one.
 NEUTRAL = 1e-6
+
+#: A multiplier beyond this repels, even if it is known to a digit only.
+REPELS = 2.0
 
 #: Steps whose cosine is at least this go in one direction; the end of such a drift is away beyond this.
 ALIGNED, AWAY = 0.98, 0.5
@@ -61,10 +67,13 @@ class _Cycle:
         """Derivative of the return map there."""
         return self.orbit.slope * self.scale / self.scale[:, None]
 
-    def returned(self, place: FloatArray) -> FloatArray:
-        """Where the motion from a section next comes back, after about a period."""
-        state = np.insert(place * self.scale, (len(place) + 1) // 2, 0.0)
-        course = self.onward.course(state, 1.1 * self.orbit.period)
+    def returned(self, places: FloatArray) -> FloatArray:
+        """Where the motions from sections next come back, after about a period."""
+        states = np.insert(places * self.scale, (places.shape[1] + 1) // 2, 0.0, axis=1)
+        courses = self.onward.courses(states, 1.1 * self.orbit.period)
+        return np.array([self._next(place, course) for place, course in zip(places, courses, strict=True)])
+
+    def _next(self, place: FloatArray, course: Course) -> FloatArray:
         late = np.flatnonzero(course.maxima_t > 0.5 * self.orbit.period)
         if not len(late):
             raise ConvergenceError("the motion does not come back")
@@ -76,14 +85,14 @@ class _Cycle:
 
 def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Outcome | None:
     """The cycle that the motion is on, or winds onto."""
-    if len(course.maxima) < 3:
+    if len(course.maxima) < FEWEST:
         return None
     scale = _scale(course)
     states = section(course.maxima) / scale
     for k in _candidates(states):
         period = float(course.maxima_t[-1] - course.maxima_t[-1 - k])
         try:
-            orbit = onward.closed(course.maxima[-1], period, 4 * CLOSE * float(scale.max()))
+            orbit = _orbit(onward, course.maxima[-1], period, scale)
         except ConvergenceError:
             continue
         cycle = _Cycle(orbit, onward, scale)
@@ -101,6 +110,15 @@ def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Ou
             regime = Regime.LIMIT_CYCLE if distance <= tol else Regime.APPROACHES_CYCLE
             return _described(cycle, regime, -math.log(max(largest, 1e-300)) / orbit.period, distance)
     return None
+
+
+def _orbit(onward: Onward, state: FloatArray, period: float, scale: FloatArray) -> Closed:
+    """The closed orbit near a state; ConvergenceError where there is none, or where some digits tell that it is not wanted."""
+    reach = 4 * CLOSE * float(scale.max())
+    place, period, slope = onward.roughly(state, period, reach)
+    if np.abs(section(place - state) / scale).max() > 5 * CLOSE or np.abs(np.linalg.eigvals(slope)).max() > REPELS:
+        raise ConvergenceError("the closed orbit is too far away, or repels")
+    return onward.closed(place, period, reach)
 
 
 def _scale(course: Course) -> FloatArray:
@@ -185,12 +203,12 @@ def _goes_on(cycle: _Cycle, modes: Modes, off: FloatArray, tol: float) -> bool:
     values, vectors = modes
     slowest = int(np.argmax(np.abs(values)))
     left = np.abs(np.linalg.solve(vectors, off))[slowest]
-    growth = []
-    for place in _same_size(off, *modes):
-        image = cycle.returned(cycle.place + place) - cycle.place
-        if not np.abs(image - cycle.slope @ place).max() <= MISSED * np.abs(place).max() + tol:
-            return False
-        growth.append(math.log(max(np.abs(np.linalg.solve(vectors, image))[slowest], tol) / max(left, tol)))
+    places = np.array(list(_same_size(off, *modes)))
+    images = cycle.returned(cycle.place + places) - cycle.place
+    missed = np.abs(images - places @ cycle.slope.T).max(axis=1)
+    if not (missed <= MISSED * np.abs(places).max(axis=1) + tol).all():
+        return False
+    growth = [math.log(max(part, tol) / max(left, tol)) for part in np.abs(np.linalg.solve(vectors, images.T))[slowest].tolist()]
     return bool(left <= tol or math.fsum(growth) <= 0.5 * len(growth) * math.log(np.abs(values[slowest])))
 
 
@@ -207,7 +225,7 @@ def _same_size(off: FloatArray, values: NDArray[np.complex128], vectors: NDArray
 def _described(cycle: _Cycle, regime: Regime, rate: float, distance: float) -> Outcome:
     """The outcome, with averages over the cycle's one period, and its state where x is largest."""
     period = cycle.orbit.period
-    course = cycle.onward.course(cycle.orbit.state, 1.1 * period)
+    (course,) = cycle.onward.courses(cycle.orbit.state[None], 1.1 * period)
     row = int(np.argmin(np.abs(course.maxima_t - period)))
     mean, spread = course.moments(row)
     round_once = course.maxima[(course.maxima_t > 1e-3 * period) & (course.maxima_t <= course.maxima_t[row])]

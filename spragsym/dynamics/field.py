@@ -6,6 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
+import numpy as np
+from numpy.typing import NDArray
+
+from ..parameters import FloatArray
+
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
 
@@ -76,6 +81,8 @@ class Field:
         ``exact(mode)``: the mode without what is left out below rounding, for proofs.
     forces : tuple of (str, callable)
         Name and ``f(states, constants)``, arrays: forces whose range over an orbit is told.
+    columns : bool
+        Whether ``initial_mode`` takes columns of many states and constants too, and gives columns.
     again : tuple of str
         Module, function and arguments that make the field once more in another process; empty where none do.
     """
@@ -94,6 +101,7 @@ class Field:
     simulate: Callable[..., Any]
     exact: Callable[[Mode], Mode] = tuple
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
+    columns: bool = False
     again: tuple[str, ...] = ()
 
     @property
@@ -101,6 +109,20 @@ class Field:
         """Numbers in a state."""
         return 2 * len(self.coordinates)
 
-    def is_inside(self, state: Any, constants: Any, mode: Mode) -> bool:
+    def initial_modes(self, states: FloatArray, constants: FloatArray) -> list[Mode]:
+        """Modes of many states, a row each."""
+        if self.columns:
+            columns: Any = self.initial_mode(states.T, constants.T)
+            return list(zip(*(numbers.tolist() for numbers in columns), strict=True))
+        return [self.initial_mode(state, known) for state, known in zip(states.tolist(), constants.tolist(), strict=True)]
+
+    def is_inside(self, state: Any, constants: Any, mode: Any) -> bool:
         """Whether a state lies in a mode, or beyond its borders by no more than the gap."""
         return all(border.sign(mode) * border.level(state, constants, mode) >= -2 * GAP for border in self.borders)
+
+    def are_inside(self, states: Any, constants: Any, modes: Any) -> NDArray[np.bool_]:
+        """The same of many at once, a column each."""
+        within = np.ones(np.shape(states)[1:], dtype=bool)
+        for border in self.borders:
+            within &= border.sign(modes) * border.level(states, constants, modes) >= -2 * GAP
+        return within

@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import importlib.metadata
 import importlib.util
-from dataclasses import replace
 from types import ModuleType
 
 import numpy as np
 
-from ..errors import BackendError, MissingExtraError, ParameterError
+from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
 from ..parameters import FloatArray
-from . import with_compiled, with_heyoka, with_scipy
-from .course import Course, Flow, course_of
+from . import lanes, with_compiled, with_heyoka, with_scipy
+from .course import Course, Courses, Ends, course_of
+from .motions import Measured, Motions
 from .problem import Event, Problem
 from .solution import Solution
 
@@ -65,18 +65,41 @@ def integrate(problem: Problem, backend: str) -> Solution:
     return solution
 
 
-def measure(problem: Problem, backend: str) -> Course:
-    """Quantities of the motion after ``t_record``: heyoka measures them while it integrates, the others from the samples."""
+def measure(motions: Motions, backend: str) -> Measured:
+    """Quantities of many motions after ``t_record``: heyoka measures them while it integrates, the others from the samples."""
     if backend == "heyoka":
-        return with_heyoka.watch(problem)
-    solution = integrate(problem, backend)
-    return course_of(solution.samples, np.bincount(solution.event_kinds, minlength=len(Event)))
+        return lanes.watch(motions)
+    courses: dict[int, Course] = {}
+    errors: dict[int, Exception] = {}
+    for row in range(len(motions)):
+        try:
+            solution = integrate(motions.problem(row), backend)
+        except (ConvergenceError, ArithmeticError) as error:
+            errors[row] = error
+        else:
+            courses[row] = course_of(solution.samples, np.bincount(solution.event_kinds, minlength=len(Event)))
+    return Measured.of(motions, courses, errors)
 
 
-def flow(problem: Problem, backend: str) -> Flow:
-    """A function that integrates a problem from any state for any time."""
+def flows(problem: Problem, backend: str) -> tuple[Courses, Ends]:
+    """Functions that integrate a problem from any states for any time: what is measured on the way, and where they end."""
 
-    def onward(state: FloatArray, duration: float) -> Course:
-        return measure(replace(problem, start=tuple(state.tolist()), t_end=duration, t_record=0.0), backend)
+    one = Motions.of([problem])
+    field = one.field
 
-    return onward
+    def motions(states: FloatArray, duration: float) -> Motions:
+        constants = one.constants[[0] * len(states)]
+        return Motions(constants, states, duration, 0.0, one.rtol, one.max_steps, lambda _: field, one.known)
+
+    def courses(states: FloatArray, duration: float) -> list[Course]:
+        found = measure(motions(states, duration), backend)
+        for error in found.errors.values():
+            raise error
+        return [found.course(row) for row in range(len(states))]
+
+    def ends(states: FloatArray, duration: float) -> FloatArray:
+        if backend == "heyoka":
+            return lanes.ends(motions(states, duration))
+        return np.array([course.last for course in courses(states, duration)])
+
+    return courses, ends

@@ -12,11 +12,13 @@ import math
 from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..generated import motion
 from ..parameters import NAMES, FloatArray, Parameters
 from .course import Course
-from .problem import Constants, Event, Problem
+from .motions import Motions
+from .problem import Constants, Event, Problem, parameters_of
 
 #: A well: x and y of its bottom, and the energy of its brim.
 Well: TypeAlias = tuple[float, float, float]
@@ -34,20 +36,35 @@ def wells(p: Parameters) -> list[tuple[Well, ...]]:
 
     given = {name: np.ravel(values) for name, values in zip(NAMES, p.broadcast(*NAMES), strict=True)}
     found = equilibria(Parameters(**given), contact=False)
+    told: list[list[Well]] = [[] for _ in given["theta0"]]
+    rows = np.flatnonzero((found.stability == Stability.STABLE).any(axis=1))
+    given, found_x, found_y = {name: values[rows] for name, values in given.items()}, found.x[rows], found.y[rows]
     cos0, sin0 = np.cos(given["theta0"]), np.sin(given["theta0"])
     rest = [cos0, sin0, *(given[name] for name in ("kappa", "alpha", "sigma", "beta"))]
     columns = [values[:, None] for values in rest]
-    bottoms = _potential(found.x, found.y, *columns)
+    bottoms = _potential(found_x, found_y, *columns)
     surface = _stationary_on_the_surface(*rest)
     levels = [
         bottoms, _potential(surface, np.zeros_like(surface), *columns), _potential(cos0[:, None], sin0[:, None], *columns),
     ]  # fmt: skip
     values = np.concatenate(levels, axis=1)[:, None, :]
     brims = np.where(values > bottoms[..., None] + 1e-12, values, np.inf).min(axis=-1)
-    told: list[list[Well]] = [[] for _ in cos0]
-    for point, slot in np.argwhere(found.stability == Stability.STABLE).tolist():
-        told[point].append((float(found.x[point, slot]), float(found.y[point, slot]), float(brims[point, slot])))
+    for point, slot in np.argwhere(found.stability[rows] == Stability.STABLE).tolist():
+        well = float(found_x[point, slot]), float(found_y[point, slot]), float(brims[point, slot])
+        told[int(rows[point])].append(well)
     return [tuple(each) for each in told]
+
+
+def wells_of(motions: Motions, rows: list[int]) -> dict[int, tuple[Well, ...]]:
+    """The wells of some of many motions; of none where the model is not the article's."""
+    if not rows or not isinstance(motions.problem(0).constants, Constants):
+        return {}
+    return dict(zip(rows, wells(parameters_of(motions.constants[rows].T)), strict=True))
+
+
+def is_lifted(last: FloatArray, events: NDArray[np.intp]) -> Any:
+    """Whether motions end above the belt, and have not passed y = 0; states and events along the last axis."""
+    return (last[..., 1] > 0) & ~events[..., [Event.CONTACT_LOST, Event.CONTACT_REGAINED]].any(axis=-1)
 
 
 def lifted_for_good(course: Course, problem: Problem) -> bool:
@@ -57,9 +74,9 @@ def lifted_for_good(course: Course, problem: Problem) -> bool:
     """
     if not isinstance(problem.constants, Constants):
         return False
-    if course.last[1] <= 0 or course.events[Event.CONTACT_LOST] or course.events[Event.CONTACT_REGAINED]:
+    if not is_lifted(course.last, course.events):
         return False
-    known = wells(problem.parameters)[0] if problem.wells is None else problem.wells
+    known = wells(parameters_of(problem.constants))[0] if problem.wells is None else problem.wells
     c = problem.constants
     constants = (c.cos0, c.sin0, c.kappa, c.alpha, c.sigma, c.beta)
     x, y, vx, vy = course.last.tolist()

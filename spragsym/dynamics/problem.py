@@ -22,7 +22,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..parameters import FINITE, NAMES, POSITIVE, Parameters, Range, as_number
+from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, Range, as_number
 from . import sprag
 from .field import GAP, Border, Field, Mode
 from .sprag import WIDTH, acceleration, jacobian
@@ -82,8 +82,8 @@ class Problem:
 
     @property
     def reach(self) -> float:
-        """Minus the exponent of an exponential of (10) beyond which it is below the tolerance, and left out."""
-        return 5 - math.log(self.rtol)
+        """Minus the exponent of an exponential of (10) beyond which it is left out."""
+        return reach_of(self.rtol)
 
     @cached_property
     def field(self) -> Field:
@@ -97,11 +97,10 @@ class Problem:
         slip = next((border for border in self.field.borders if "mass_overtakes" in border.crossings), None)
         return 1.0 if slip is None else float(slip.level(still, self.constants, self.field.modes[0]))
 
-    @property
-    def parameters(self) -> Parameters:
-        """Those of the statics; the constants hold θ₀ by its cosine and sine."""
-        cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = self.constants
-        return Parameters(theta0=np.arctan2(sin0, cos0), mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
+
+def reach_of(rtol: float) -> float:
+    """Minus the exponent of an exponential of (10) beyond which it is below a tolerance."""
+    return 5 - math.log(rtol)
 
 
 # -------------------------------------------------------------------------------------------------- arguments
@@ -124,6 +123,19 @@ def constants_of(values: tuple[float, ...], V: float, d: float) -> Constants:
     """The constants for parameters in the order of NAMES, θ₀ first."""
     theta0, *rest = values
     return Constants._make((float(np.cos(theta0)), float(np.sin(theta0)), *rest, V, d))
+
+
+def constants_of_many(values: FloatArray) -> tuple[Any, ...]:
+    """Those of many motions: columns of all of them, from columns of the parameters, V and d."""
+    theta0, *rest = values
+    # One by one, so that no bit of a motion depends on where it stands in an array.
+    return np.array(list(map(np.cos, theta0.tolist()))), np.array(list(map(np.sin, theta0.tolist()))), *rest
+
+
+def parameters_of(constants: Any) -> Parameters:
+    """Those of the statics, from the constants of one or of many motions, which hold θ₀ by its cosine and sine."""
+    cos0, sin0, mu0, kappa, alpha, sigma, beta, _, _ = constants
+    return Parameters(theta0=np.arctan2(sin0, cos0), mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
 
 
 def check_start(theta0: float, x0: float, y0: float) -> None:

@@ -98,7 +98,7 @@ def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDA
 
 def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     """At rest in the neighbourhood of an equilibrium that keeps it there, or decaying to one."""
-    still = abs(course.last[0] - course.first[0]) <= 4 * tol and np.ptp(course.x_extrema) <= 4 * tol
+    still = bool(is_still(course.last[0] - course.first[0], course.reach[1] - course.reach[0], tol))
     decaying = len(course.maxima) >= FEW and not _kinks(course, problem)
     if not (still or decaying):
         return None
@@ -119,6 +119,11 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
     return None
 
 
+def is_still(moved: Any, extent: Any, tol: float) -> Any:
+    """Whether x has hardly moved between the ends of a motion, nor in between."""
+    return (np.abs(moved) <= 4 * tol) & (extent <= 4 * tol)
+
+
 def _kinks(course: Course, problem: Problem) -> bool:
     """Whether the motion passed a kink: on a belt that stands still the law of friction is smooth where x' changes its sign."""
     felt = course.events if problem.belt > 0 else course.events[[Event.CONTACT_LOST, Event.CONTACT_REGAINED]]
@@ -131,12 +136,13 @@ def _decays(course: Course, rest: Rest) -> bool:
     The squares of the two halves are compared under Hann windows, which hide unfinished beats.
     """
     modes = np.abs(np.linalg.solve(rest.vectors, (course.maxima - rest.state).T)) ** 2
-    share = (course.maxima_t - course.begin) / (course.end - course.begin)
+    window = course.end - course.since
+    share = (course.maxima_t - course.since) / window
     if not FEW // 2 - 1 <= np.count_nonzero(share < 0.5) <= len(share) - FEW // 2 + 1:
         return False
     hann = np.sin(2 * np.pi * share) ** 2
     first, second = ((hann * part * modes).sum(axis=1) / (hann * part).sum() for part in (share < 0.5, share >= 0.5))
-    expected = first * np.exp(rest.values.real * (course.end - course.begin))  # two times half the window
+    expected = first * np.exp(rest.values.real * window)  # two times half the window
     before, after, linear = first.sum(), second.sum(), expected.sum()
     # A decay that is too slow to show in the window does not count: the first of the three conditions.
     return bool(linear < before * (1 - VISIBLE) and after > 0 and 0.5 < np.log(after / before) / np.log(linear / before) < 2)

@@ -58,10 +58,10 @@ def _layer(reach: float) -> Border:
 
 
 def _initial_mode(reach: float) -> Callable[..., Mode]:
-    def mode(state: Sequence[float], constants: Sequence[float]) -> Mode:
+    def mode(state: Sequence[Any], constants: Sequence[Any]) -> Any:
         _, y, vx, _ = state
         V, d = constants[-2:]
-        return int(y <= 0), 1 if vx <= V else -1, int(d * abs(V - vx) <= reach)
+        return 1 * (y <= 0), 2 * (vx <= V) - 1, 1 * (d * abs(V - vx) <= reach)
 
     return mode
 
@@ -90,5 +90,5 @@ def field(reach: float) -> Field:
         lambda q, c, mode, xp: _call(jacobian, q, c, mode, xp),
         lambda q, c, mode, xp: _call(_by_parameters, q, c, mode, xp),
         (_CONTACT, _SLIP, _layer(reach)), _initial_mode(reach),
-        tuple(itertools.product((1, 0), (1, -1), (1, 0))), _no_check, lambda *_: None,
+        tuple(itertools.product((1, 0), (1, -1), (1, 0))), _no_check, lambda *_: None, columns=True,
     )  # fmt: skip

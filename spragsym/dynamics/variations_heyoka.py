@@ -29,10 +29,10 @@ MAX_STEPS, CHUNK = 2_000_000, 20_000
 class Compiled:
     """One compiled integrator of a field, used again and again: constants, mode and directions are its ``par[]``."""
 
-    def __init__(self, field: Field, derivatives: bool) -> None:
+    def __init__(self, field: Field, derivatives: bool, directions: int) -> None:
         import heyoka as hy
 
-        self.field, self.m, self.derivatives = field, field.size, derivatives
+        self.field, self.m, self.derivatives, self.directions = field, field.size, derivatives, directions
         n, m = len(field.coordinates), field.size
         state = hy.make_vars(*(f"q{i}" for i in range(m)))
         self.constants = len(field.constants([1.0] * len(field.parameters)))
@@ -44,7 +44,7 @@ class Compiled:
         if derivatives:
             jacobian = field.jacobian(state, constants, mode, hy)
             slopes = field.by_parameters(state, constants, mode, hy)
-            for column in range(m + 2):
+            for column in range(m + directions):
                 part = hy.make_vars(*(f"d{i}_{column}" for i in range(m)))
                 rates = [_dot(row, part) for row in jacobian]
                 if column >= m:
@@ -95,7 +95,8 @@ class Compiled:
         m = self.m
         if not self.derivatives:
             return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
-        columns = values[m:].reshape(m + 2, m).T / UNIT
+        columns = np.zeros((m, m + 2))
+        columns[:, : m + self.directions] = values[m:].reshape(m + self.directions, m).T / UNIT
         return values[:m].copy(), columns[:, :m], columns[:, m:]
 
     def _begin(self, state: FloatArray, constants: tuple[float, ...], directions: FloatArray) -> None:
@@ -156,9 +157,10 @@ def _dot(one: Any, other: Any) -> Any:
 _CACHE = threading.local()
 
 
-def compiled(field: Field, derivatives: bool = True) -> Compiled:
-    """Compiled once per field and thread."""
-    known: dict[tuple[str, bool], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
-    if (field.name, derivatives) not in known:
-        known[field.name, derivatives] = Compiled(field, derivatives)
-    return known[field.name, derivatives]
+def compiled(field: Field, derivatives: bool = True, directions: int = 2) -> Compiled:
+    """Compiled once per field and thread; without ``directions``, derivatives by parameters are 0."""
+    known: dict[tuple[str, bool, int], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
+    key = field.name, derivatives, directions
+    if key not in known:
+        known[key] = Compiled(field, derivatives, directions)
+    return known[key]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import dataclass
 from functools import partial
 from types import SimpleNamespace
 from typing import Any, TypeAlias
@@ -11,10 +12,9 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .course import Course
 from .field import GAP, Border, Field, Mode
 from .lobatto import unit_points
-from .problem import Event, Problem, event_at, initial_mode, out_of_range, too_many_steps
+from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
@@ -24,56 +24,71 @@ CHUNK = 20_000
 Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
 
-class Compiled:
-    """A compiled Taylor integrator, used again and again: parameters and mode are its ``par[]``.
+@dataclass(frozen=True)
+class Equations:
+    """A field for heyoka: constants and mode are its ``par[]``.
 
-    With ``watch`` it also carries the integrals of a :class:`Course` and notes where x' = 0. The integrals are scaled so
-    that they stay below the states: heyoka's error is relative to the largest of all.
+    Attributes
+    ----------
+    system : list
+        Variables with their derivatives in time: the state, and with ``watch`` the integrals of a
+        :class:`~spragsym.dynamics.course.Course`, scaled by the last parameter so that they stay below the states: heyoka's
+        error is relative to the largest of all. The parameter before is x(begin).
+    seen : tuple
+        State, constants and mode.
+    numbers : int
+        How many parameters there are.
     """
 
-    def __init__(self, field: Field, constants: int, rtol: float, watch: bool) -> None:
+    system: list[Any]
+    seen: tuple[Any, Any, Any]
+    numbers: int
+
+    @classmethod
+    def of(cls, field: Field, constants: int, *, watch: bool) -> Equations:
+        """Those of a field with so many constants."""
         import heyoka as hy
 
-        self.field, self.n, n = field, len(field.coordinates), len(field.coordinates)
-        self.modes = slice(constants, constants + len(field.modes[0]))
-        names = field.coordinates
+        names, n = field.coordinates, len(field.coordinates)
+        end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
-        known = [hy.par[i] for i in range(constants)]
-        mode = [hy.par[i] for i in range(self.modes.start, self.modes.stop)]
+        known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
         accelerations = field.acceleration(state, known, mode, SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
+        system = list(zip(state, [*state[n:], *accelerations], strict=True))
+        if watch:
+            shift, scale = state[0] - hy.par[end], hy.par[end + 1]
+            sums = hy.make_vars("s", "ss", *(f"s{name}" for name in names[1:]))
+            sums = sums if isinstance(sums, list | tuple) else [sums]
+            system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
+        return cls(system, (state, known, mode), end + 2 * watch)
+
+
+class Compiled:
+    """A compiled Taylor integrator, used again and again."""
+
+    def __init__(self, field: Field, constants: int, rtol: float) -> None:
+        import heyoka as hy
+
+        equations = Equations.of(field, constants, watch=False)
+        self.field, self.modes = field, slice(constants, constants + len(field.modes[0]))
         self.log: list[Crossing] = []
         self.kinds = {(row, up): event_at(border, upward=up) for row, border in enumerate(field.borders) for up in (False, True)}
         self.mode: Mode = field.modes[0]
         self.stray: float | None = None
-        #: Times and values of all that is carried, where the first coordinate is largest, and where it is least.
-        self.tops: list[tuple[float, ...]] = []
-        self.lows: list[tuple[float, ...]] = []
-        system, turns = list(zip(state, [*state[n:], *accelerations], strict=True)), []
-        if watch:
-            shift, scale = state[0] - hy.par[self.modes.stop], hy.par[self.modes.stop + 1]
-            sums = hy.make_vars("s", "ss", *(f"s{name}" for name in names[1:]))
-            sums = sums if isinstance(sums, list | tuple) else [sums]
-            system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
-            turns = [hy.nt_event(1e-3 * state[n], self._turn)]
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            system, [0.0] * len(system), pars=[0.0] * (self.modes.stop + 2 * watch), tol=rtol, nt_events=turns,
+            equations.system, [0.0] * field.size, pars=[0.0] * equations.numbers, tol=rtol,
             t_events=[
-                hy.t_event(watched(border, state, known, mode), callback=partial(self._cross, row), cooldown=0.0)
+                hy.t_event(watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0)
                 for row, border in enumerate(field.borders)
             ],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars, self.reset = self.solver.state, self.solver.pars, self.solver.reset_cooldowns
-        self.rest = len(self.state) - 2 * self.n
 
     def __deepcopy__(self, _: object) -> Compiled:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
         return self
-
-    def _turn(self, solver: Any, t: float, direction: int) -> None:
-        solver.update_d_output(t)
-        (self.tops if direction < 0 else self.lows).append((t, *solver.d_output.tolist()))
 
     def _cross(self, row: int, solver: Any, direction: int) -> bool:
         """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
@@ -85,21 +100,15 @@ class Compiled:
         self.pars[self.modes] = self.mode
         kind = self.kinds[row, direction > 0]
         if kind is not None:
-            self.log.append(Crossing(solver.time, tuple(self.state[: 2 * self.n].tolist()), kind))
+            self.log.append(Crossing(solver.time, tuple(self.state.tolist()), kind))
         return True
 
     def begin(self, problem: Problem) -> None:
-        """Stand at the start of a motion."""
-        self.place(0.0, problem.start, problem.constants, initial_mode(problem))
-
-    def place(self, t: float, state: Any, constants: Any, mode: Any) -> None:
-        """Start from any time and state in a mode, with no events recorded."""
-        self.log, self.tops, self.lows, self.stray, self.mode = [], [], [], None, mode
-        self.solver.time = t
-        self.state[: 2 * self.n] = state
-        if self.rest:
-            self.state[2 * self.n :] = 0.0
-        self.pars[: self.modes.stop] = (*constants, *mode)
+        """Stand at the start of a motion, with no events recorded."""
+        self.log, self.stray, self.mode = [], None, initial_mode(problem)
+        self.solver.time = 0.0
+        self.state[:] = problem.start
+        self.pars[:] = (*problem.constants, *self.mode)
         self.reset()
 
     def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
@@ -122,7 +131,7 @@ class Compiled:
             if outcome == hy.taylor_outcome.err_nf_state:
                 raise out_of_range()
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}; use backend='scipy'")
-        if not problem.field.is_inside(self.state[: 2 * self.n].tolist(), problem.constants, self.mode):
+        if not problem.field.is_inside(self.state.tolist(), problem.constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
 
@@ -148,47 +157,20 @@ def _sampled(output: Any) -> Samples:
 _CACHE = threading.local()
 
 
-def compiled_for(problem: Problem, watch: bool) -> Compiled:
+def compiled_for(problem: Problem) -> Compiled:
     """Compiled once per model, tolerance and thread."""
-    known: dict[tuple[str, float, bool], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
-    key = problem.field.name, problem.rtol, watch
+    known: dict[tuple[str, float], Compiled] = _CACHE.__dict__.setdefault("compiled", {})
+    key = problem.field.name, problem.rtol
     if key not in known:
-        known[key] = Compiled(problem.field, len(problem.constants), problem.rtol, watch)
+        known[key] = Compiled(problem.field, len(problem.constants), problem.rtol)
     return known[key]
 
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
-    compiled = compiled_for(problem, watch=False)
+    compiled = compiled_for(problem)
     compiled.begin(problem)
     steps = compiled.go(problem, problem.t_record)[0] if problem.t_record > 0 else 0
     _, pieces = compiled.go(problem, problem.t_end, steps, record=True)
     times, states = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     return assembled(times, states, compiled.log, problem.t_record)
-
-
-def watch(problem: Problem) -> Course:
-    """What follows ``t_record``, measured by heyoka on the way: no continuous output, which costs a compilation a motion."""
-    watching, steps = compiled_for(problem, watch=True), 0
-    if problem.t_record > 0:
-        plain = compiled_for(problem, watch=False)
-        plain.begin(problem)
-        steps, _ = plain.go(problem, problem.t_record)
-        watching.place(problem.t_record, plain.state, problem.constants, plain.mode)
-    else:
-        watching.begin(problem)
-    size = problem.field.size
-    first = watching.state[:size].copy()
-    scale = 1e-3 / (problem.t_end - problem.t_record)
-    watching.pars[watching.modes.stop :] = first[0], scale
-    watching.go(problem, problem.t_end, steps)
-    last = watching.state.tolist()
-    tops = np.array([*watching.tops, (problem.t_end, *last)])
-    lows = np.array([row[1 : 1 + size] for row in watching.lows]).reshape(-1, size)
-    events = np.array([0] * len(Event))
-    for crossing in watching.log:
-        events[crossing.kind] += 1
-    return Course(
-        problem.t_record, problem.t_end, first, tops[-1, 1 : 1 + size], tops[:-1, 0], tops[:-1, 1 : 1 + size],
-        tops[:, 1 + size :] / scale, lows, events,
-    )  # fmt: skip

@@ -70,7 +70,11 @@ class Affine:
     __rmul__ = __mul__
 
     def __truediv__(self, other: Any) -> Affine:
-        return self.__mul__(other.reciprocal() if isinstance(other, Affine) else 1.0 / other)
+        if isinstance(other, Affine):
+            return self.__mul__(other.reciprocal())
+        value, terms = self.value / other, self.terms / other
+        rounding = UNIT * (np.abs(value) + np.abs(terms).sum(axis=0))
+        return Affine(value, terms, (self.error / np.abs(other) + rounding) * _SLACK + _TINY)
 
     def __rtruediv__(self, other: Any) -> Affine:
         return self.reciprocal().__mul__(other)
@@ -83,11 +87,11 @@ class Affine:
         reach = self.radius()
         least = np.abs(self.value) - reach
         slope = -inverse * inverse
-        beyond = (reach * inverse) ** 2 / np.abs(least)
-        terms = slope * self.terms
-        rounding = 4 * UNIT * (np.abs(inverse) + np.abs(terms).sum(axis=0))
-        error = (np.abs(slope) * self.error * _SLACK + beyond + rounding) * _SLACK + _TINY
-        return Affine(inverse, terms, np.where(least > 0, error, np.inf))
+        beyond = (reach * inverse) ** 2 / least
+        # What the terms lose is below three of these units where they are small, and below what is of second order elsewhere.
+        rounding = 4 * UNIT * np.abs(inverse)
+        error = (np.abs(slope) * self.error + beyond + rounding) * _SLACK + _TINY
+        return Affine(inverse, slope * self.terms, np.where(least > 0, error, np.inf))
 
     def rows(self, index: Any) -> Affine:
         """Those of some boxes."""

@@ -36,6 +36,14 @@ def _size(value: Ball) -> int:
     return (abs(value.mid) + value.rad).bit_length() + value.exp
 
 
+def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
+    """Of a ball, or of a jet of balls."""
+    if not isinstance(angle, Jet):
+        return _BALLS.cos_sin(angle)
+    pair = _BALLS.cos_sin(angle.value)
+    return angle.cos(pair), angle.sin(pair)
+
+
 class Functions:
     """``xp`` for balls."""
 

@@ -78,6 +78,67 @@ def positive_roots(coefficients: list[Rounded], size: int) -> Roots:
     return _refined(parts, undecided)
 
 
+@dataclass(frozen=True)
+class Signs:
+    """Of many polynomials on a part each: the sign at its lower end; whether all of it is negative, or some of it positive.
+
+    What the bounds leave open is 0 and neither.
+    """
+
+    at_low: NDArray[np.int8]
+    negative: NDArray[np.bool_]
+    positive: NDArray[np.bool_]
+
+
+def signs_between(coefficients: list[Rounded], low: FloatArray, high: FloatArray, off: FloatArray, *, halvings: int = 6) -> Signs:
+    """What signs each of many polynomials has between two places.
+
+    Parameters
+    ----------
+    coefficients : list of Rounded
+        Lowest power first, each an array of the size of ``low`` or one number.
+    low, high : ndarray
+        Ends in w = t/(t + ``SCALE``), 0 ≤ low ≤ high ≤ 1.
+    off : ndarray
+        How far the true ends may be from those: signs hold for them.
+    halvings : int
+        How often a part is cut in two before its signs are left open.
+    """
+    size = low.size
+    whole = _beginning(coefficients, size)
+    with np.errstate(all="ignore"):
+        upper = _cut(whole.value, low)[1]
+        value = _cut(upper, np.clip((high - low) / (1 - low), 0.0, 1.0))[0]
+    # Two cuts round as often as two evaluations. A place off by ε moves a value by 2 · degree · ε times the largest coefficient.
+    largest = np.abs(whole.value).max(axis=0)
+    noise = whole.error.max(axis=0) + (len(value) - 1) * (16 * UNIT + 2 * off) * largest
+    at_low = np.asarray(value[0] > noise, dtype=np.int8) - np.asarray(value[0] < -noise, dtype=np.int8)
+    negative, positive = np.isfinite(noise), np.zeros(size, dtype=np.bool_)
+    row = np.flatnonzero(negative)
+    value = value[:, row]
+    for halving in range(halvings + 1):
+        limit = noise[row] * (1 + 0.1 * halving)
+        positive[row[(value[0] > limit) | (value[-1] > limit)]] = True
+        pending = ~((value < -limit).all(axis=0) | positive[row])
+        row = row[pending]
+        if halving == halvings or not row.size:
+            break
+        value = np.concatenate(_de_casteljau(value[:, pending]), axis=1)
+        row = np.tile(row, 2)
+    negative[row] = False
+    return Signs(at_low, negative & ~positive, positive)
+
+
+def _cut(value: FloatArray, place: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Coefficients on both sides of a place between 0 and 1, by de Casteljau's rule."""
+    upper, lower = value.copy(), np.empty_like(value)
+    lower[0] = upper[0]
+    for step in range(1, len(value)):
+        upper[:-step] += (upper[1 : len(value) - step + 1] - upper[:-step]) * place
+        lower[step] = upper[0]
+    return lower, upper
+
+
 def _beginning(coefficients: list[Rounded], size: int) -> Parts:
     degree = len(coefficients) - 1
     value, error = np.empty((degree + 1, size)), np.empty((degree + 1, size))

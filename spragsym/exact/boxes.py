@@ -32,6 +32,8 @@ ENOUGH = 0.6
 NARROW = 2.0**-44
 #: Relative width of boxes that are given up where rounding moves the root by as much as :data:`SPREAD`.
 SMALL = 2.0**-12
+#: Width of boxes around a pole of F that are not halved any more.
+POLE = 2.0**-7
 #: A node is halved if its parameters move the root by more than this part of the box.
 SPREAD = 0.35
 
@@ -57,6 +59,9 @@ class System(Protocol):
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
 
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """Boxes up to a width that halving would never decide, as around a pole of F, shape (N,)."""
+
 
 class Plain:
     """Defaults of a system that knows only its residuals and their slopes."""
@@ -80,6 +85,10 @@ class Plain:
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The boxes themselves."""
         return unknowns.ends
+
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """No box."""
+        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
 
 @dataclass(frozen=True)
@@ -214,9 +223,11 @@ class _Search:
         empty = np.logical_or.reduce(ends[0] + ends[1] < 0)
         boxes = Intervals(_with_room(ends, given.ends, 0.0))
         values = self.system.residuals(boxes, parameters)
-        keep = np.logical_and.reduce(values.holds_zero()) & ~empty & ~self.system.hopeless(boxes, parameters)
-        rows = np.flatnonzero(keep)
-        return given[rows], Pairs(boxes.ends, given.nodes)[rows], parameters[:, rows]
+        rows = np.flatnonzero(np.logical_and.reduce(values.holds_zero()) & ~empty)
+        boxes, parameters = boxes[:, rows], parameters[:, rows]
+        left = np.flatnonzero(~self.system.hopeless(boxes, parameters)) if rows.size else rows
+        rows = rows[left]
+        return given[rows], Pairs(boxes.ends[:, :, left], given.nodes[rows]), parameters[:, left]
 
     def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
@@ -228,9 +239,11 @@ class _Search:
         scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
         stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
         stuck |= np.logical_and.reduce(widths <= self.narrow * scale)
-        self.undecided.append(now[single & (spent | stuck)])
-        split_node = ~single & (spent | ~np.logical_and.reduce(noise < SPREAD * widths))
-        again = ~split_node & ~(single & (spent | stuck))
+        hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
+        done = hard | (single & (spent | stuck))
+        self.undecided.append(now[done])
+        split_node = ~single & ~hard & (spent | ~np.logical_and.reduce(noise < SPREAD * widths))
+        again = ~split_node & ~done
         better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < ENOUGH)
         halve = np.flatnonzero(again & ~better)
         places, children = self.points.children(now.nodes[split_node])

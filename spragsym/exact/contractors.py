@@ -41,10 +41,8 @@ class Newton:
 
 def excluded(values: Intervals, slopes: Intervals, reach: FloatArray) -> NDArray[np.bool_]:
     """Boxes without a root by the mean value theorem: F(m), shape (n, N), J, shape (n, n, N), and r, shape (n, N)."""
-    steps = slopes.magnitude * reach[None]
-    total = steps.sum(axis=1)
-    bound = total * (1 + (2 * reach.shape[0] + 2) * EPS) + TINY
-    out: NDArray[np.bool_] = (values.mignitude > bound).any(axis=0)
+    bound = _reached(slopes.magnitude, reach)
+    out: NDArray[np.bool_] = np.logical_or.reduce(values.mignitude > bound)
     return out
 
 
@@ -64,7 +62,7 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     magnitude = np.maximum(A[0], A[1])
     diagonal = np.arange(n)
     magnitude[diagonal, diagonal] = 0.0
-    around = (magnitude * reach[None]).sum(axis=1) * (1 + (2 * n + 2) * EPS) + TINY
+    around = _reached(magnitude, reach)
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
     dominant = least > 0
     ends = raised(b[::-1] + around)
@@ -72,6 +70,13 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     ends = raised(ends + np.stack([-middle, middle]))
     noise = 0.5 * (b[0] + b[1])
     return Newton(np.where(dominant, ends, np.inf), noise, dominant)
+
+
+def _reached(magnitude: FloatArray, reach: FloatArray) -> FloatArray:
+    """Not less than Σ_j m_ij r_j, each row's sum of products of numbers that are not negative."""
+    # Products and sums lose at most n/2 units, the bound itself another one; twice as much is added.
+    out: FloatArray = (magnitude * reach[None]).sum(axis=1) * (1 + 2 * (len(reach) + 1) * EPS) + TINY
+    return out
 
 
 def no_unit_vector(rest: Intervals, factors: Intervals) -> NDArray[np.bool_]:
@@ -124,10 +129,9 @@ def inverse(matrices: FloatArray) -> FloatArray:
 
 def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     stacked = np.moveaxis(matrices, -1, 0)
-    regular = np.logical_and.reduce(np.isfinite(stacked), axis=(1, 2))
-    stacked = np.where(regular[:, None, None], stacked, np.eye(matrices.shape[0]))
     scale = np.abs(stacked).max(axis=(1, 2))
-    regular &= np.abs(np.linalg.det(stacked / scale[:, None, None])) > 1e-200
+    # Of what is not finite or all zeros the determinant is no number.
+    regular = np.abs(np.linalg.det(stacked / scale[:, None, None])) > 1e-200
     safe = np.where(regular[:, None, None], stacked, np.eye(matrices.shape[0]))
     out: FloatArray = np.moveaxis(np.linalg.inv(safe), 0, -1)
     return out

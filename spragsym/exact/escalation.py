@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from ..errors import ConvergenceError
 from .intervals import Arithmetic, Interval, sign
-from .polynomials import Undecided
+from .polynomials import Undecided, exact_sign
 
 #: Bits of the first try and of the last.
 FIRST_BITS, MAXIMUM_BITS = 192, 6144
@@ -60,11 +60,11 @@ def as_floats(arith: Arithmetic, intervals: Iterable[Interval]) -> tuple[list[fl
         try:
             values.append(float(middle))
         except OverflowError:
-            values.append(math.inf if middle > 0 else -math.inf)
+            values.append(exact_sign(middle) * math.inf)
     if worst > _LARGEST_ERROR:
         raise Undecided("an interval wider than a float may be off")
-    # Half a unit in the last place of a float, and what is lost in this sum.
-    return values, float(worst) * (1 + 2.0**-40) + 1.2e-16
+    # Half a unit in the last place of a float, 1.11e-16, and what is lost where the first term is rounded and in the sum, 1e-30.
+    return values, float(worst) + 1.2e-16
 
 
 def angle(arith: Arithmetic, cosine: Interval, sine: Interval) -> Interval:

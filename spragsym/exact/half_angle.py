@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -29,3 +29,12 @@ def in_t(function: Callable[[Any, Any], Any], degree: int) -> Callable[[Fraction
         return Fraction(function(c, s) * scale**degree)
 
     return value
+
+
+def of_sine_in_t(polynomial: Sequence[int]) -> tuple[int, ...]:
+    """(1 + t²)^degree times a polynomial in sin θ, lowest power first: its coefficients in t."""
+    value, scale = [polynomial[-1]], [1]
+    for coefficient in reversed(polynomial[:-1]):  # Horner's rule, times 1 + t² at each step
+        scale = [one + other for one, other in zip([*scale, 0, 0], [0, 0, *scale], strict=True)]
+        value = [2 * one + coefficient * other for one, other in zip([0, *value, 0], scale, strict=True)]
+    return tuple(value)

@@ -165,6 +165,8 @@ class Intervals:
 
     def _times(self, factor: float) -> Intervals:
         ends = self.ends if factor >= 0 else self.ends[::-1]
+        if factor == 0:  # exactly, unless an end bounds nothing
+            return Intervals(ends * 0.0)
         return Intervals(ends if abs(factor) == 1 else raised(ends * abs(factor)))
 
     def __truediv__(self, other: Any) -> Intervals:

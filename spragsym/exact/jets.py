@@ -152,14 +152,14 @@ class Jet:
     def __abs__(self) -> Jet:
         return self.composed([abs(self.value), self.value.sign(), *(_flat(self.value) for _ in range(self.order - 1))])
 
-    def cos(self) -> Jet:
-        """Cosine."""
-        c, s = cos(self.value), sin(self.value)
+    def cos(self, pair: tuple[Any, Any] | None = None) -> Jet:
+        """Cosine; ``pair`` is cosine and sine of the value, for numbers that have no functions for them."""
+        c, s = pair or (cos(self.value), sin(self.value))
         return self.composed(_wave([c, -s, -c, s], self.order))
 
-    def sin(self) -> Jet:
-        """Sine."""
-        c, s = cos(self.value), sin(self.value)
+    def sin(self, pair: tuple[Any, Any] | None = None) -> Jet:
+        """Sine; ``pair`` as for the cosine."""
+        c, s = pair or (cos(self.value), sin(self.value))
         return self.composed(_wave([s, c, -s, -c], self.order))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from importlib import resources
 
 from ..assumed import D, V
-from .page import about_units, asset, filled, page, points
+from .page import asset, filled, motion_part, page, parameter_part, points
 from .presets import Preset, article_presets
 from .units import Units
 
@@ -47,7 +47,7 @@ def explorer_page(presets: Sequence[Preset] = (), *, V: float = V, d: float = D,
     )
     parts = {
         "MOTION": motion_part("Solid: x; dashed: y.", assumed),
-        "UNITS": about_units(units),
+        "PARAMETERS": parameter_part(units),
         "SCALES": "Lengths in units of L₀, forces in k_c L₀."
         if units is None
         else "Error bounds are those of the model's own numbers.",
@@ -62,8 +62,3 @@ def explorer_page(presets: Sequence[Preset] = (), *, V: float = V, d: float = D,
         {"drive": {"V": V, "d": d}, "presets": points((*presets, *article_presets())), "units": units and units.data()},
         worker="worker.js",
     )
-
-
-def motion_part(lines: str, assumed: str) -> str:
-    """The part of a page on the motion in time, with words on its lines and on what is assumed."""
-    return filled(asset("motion.html"), {"LINES": lines, "ASSUMED": assumed})

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import ParameterError
-from .article import motion_part
-from .page import about_units, asset, escaped, filled, page, points
+from .page import asset, escaped, filled, motion_part, page, parameter_part, points
 from .presets import Preset
 from .units import Units
 
@@ -73,7 +72,7 @@ def model_page(model: Model, derived: Derived, presets: Sequence[Preset] = (), u
         "SUMMARY": escaped(about["summary"]),
         "WORDS": _words(about["drawing"]),
         "DRAWING": derived.drawing,
-        "UNITS": about_units(units),
+        "PARAMETERS": parameter_part(units),
         "MOTION": motion_part(f"Lines: {lines}.", ""),
     }
     return page(

@@ -75,8 +75,12 @@ def points(presets: Sequence[Preset]) -> list[dict[str, Any]]:
     return [{"name": preset.name, "point": dict(preset.point)} for preset in presets]
 
 
-def about_units(units: Units | None) -> str:
-    """A paragraph on the units of the reader's own, if there are any."""
-    if units is None:
-        return ""
-    return f'<p class="note" id="units">Beside the dimensionless numbers: {escaped(units.source)}</p>'
+def parameter_part(units: Units | None) -> str:
+    """The part of a page with parameters, presets and the link, and a paragraph on the units of the reader's own, if any."""
+    about = f'<p class="note" id="units">Beside the dimensionless numbers: {escaped(units.source)}</p>' if units else ""
+    return filled(asset("parameters.html"), {"UNITS": about}).rstrip()
+
+
+def motion_part(lines: str, assumed: str) -> str:
+    """The part of a page on the motion in time, with words on its lines and on what is assumed."""
+    return filled(asset("motion.html"), {"LINES": lines, "ASSUMED": assumed})

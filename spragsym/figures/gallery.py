@@ -26,7 +26,7 @@ GALLERY: Mapping[str, tuple[str, str, str, Between]] = {
 @styled
 def gallery_figure(model: Model) -> Sheet:
     """What the gallery shows of a shipped model: on fewer lines where a line takes seconds."""
-    n = 60 if len(model.coordinates) < 3 else 10
+    n = 60 if len(model.coordinates) < 3 else 24
     kind, *vary, between = GALLERY.get(model.name, ("folds", "theta0", "mu0", {"mu0": (0.0, 1.0)}))
     p = model.Parameters(**dict.fromkeys(set(vary) & {"theta0"}, 1.0))
     if kind == "folds":

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -58,18 +59,36 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     return line
 
 
+@dataclass(frozen=True)
+class Units:
+    """What one unit of length and of time of a motion is in the units of a picture, and what those are called."""
+
+    length: float
+    time: float
+    length_name: str
+    time_name: str = "s"
+
+
 @styled
-def motion_figure(motion: Trajectory, transient: float = 0.0) -> Sheet:
-    """x over time; what follows the transient in the plane of x and x′, and its spectrum."""
+def motion_figure(motion: Trajectory, transient: float = 0.0, units: Units | None = None) -> Sheet:
+    """x over time; what follows the transient in the plane of x and x′, and its spectrum; with ``units`` not dimensionless."""
     figure, (axes,) = panels(1, 3, DOUBLE, 2.4)
     late = motion.after(transient)
-    draw_motion(motion, ax=axes[0])
-    draw_phase(late, ax=axes[1])
-    draw_spectrum(late, ax=axes[2])
+    length, time = (1.0, 1.0) if units is None else (units.length, units.time)
+    over_time = phase = spectrum = None
+    belt, after = f"belt speed V = {motion.V:g}, steepness d = {motion.d:g}", f"{transient:g}"
+    if units is not None:
+        x, t = f"$x$ ({units.length_name})", units.time_name
+        over_time, phase = (f"$t$ ({t})", x), (x, f"$x'$ ({units.length_name}/{t})")
+        spectrum = "frequency (Hz)" if t == "s" else f"frequency (1/{t})", f"amplitude of {x}"
+        belt, after = f"belt speed {motion.V * length / time:.4g} {units.length_name}/{t}", f"{transient * time:.4g} {t}"
+    draw_motion(motion, ax=axes[0], length=length, time=time, labels=over_time)
+    draw_phase(late, ax=axes[1], length=length, speed=length / time, labels=phase)
+    draw_spectrum(late, ax=axes[2], length=length, frequency=1 / time, labels=spectrum)
     found = late.spectrum(0.0)
     return figure.describe(
-        f"""A motion, belt speed V = {motion.V:g}, steepness d = {motion.d:g}. (a) Displacement along the belt over time. (b)
-        Speed over displacement and (c) spectrum, both after the time {transient:g}. Dotted: the speed of the belt.""",
-        a={"t": motion.t, "x": motion.x}, b={"x": late.x, "vx": late.vx},
-        c={"frequency": found.frequency, "amplitude": found.amplitude},
+        f"""A motion, {belt}. (a) Displacement along the belt over time. (b)
+        Speed over displacement and (c) spectrum, both after the time {after}. Dotted: the speed of the belt.""",
+        a={"t": time * motion.t, "x": length * motion.x}, b={"x": length * late.x, "vx": length / time * late.vx},
+        c={"frequency": found.frequency / time, "amplitude": length * found.amplitude},
     )  # fmt: skip

@@ -186,6 +186,10 @@ def _sealed(data: bytes) -> bytes:
     return data + _TRAILER % _sha256(data)
 
 
+#: Windows neither renames nor removes a file that is open; elsewhere it stays open, and locked, until it is in place.
+_OPEN_FILES_STAY = os.name != "posix"
+
+
 def _replace(path: Path, data: bytes) -> None:
     """Put a file in place, in one step: what was there before stays until the new one is on the disk."""
     temporary = path.with_name(path.name + ".new")
@@ -195,17 +199,22 @@ def _replace(path: Path, data: bytes) -> None:
                 file.truncate(0)  # left by a killed process
                 write_all(file, data)
                 os.fsync(file.fileno())
-                if os.name == "posix":
-                    os.replace(temporary, path)
+                if _OPEN_FILES_STAY:
+                    file.close()
+                os.replace(temporary, path)
             except BaseException:
+                if _OPEN_FILES_STAY:
+                    file.close()
                 with suppress(OSError):
                     temporary.unlink()
                 raise
-        if os.name != "posix":  # where an open file can't be renamed
-            os.replace(temporary, path)
         _settle(path.parent)
     except StoreError:
         raise
+    except PermissionError as error:  # on Windows also while a spreadsheet shows the file that was there
+        raise StoreError(
+            f"{path} cannot be written: {error.strerror}; close what has it open, or give a path where you may write"
+        ) from error
     except OSError as error:
         raise StoreError(f"{path} cannot be written: {error.strerror}; make room, or give another path") from error
 

@@ -12,9 +12,11 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import constant, gradient, variables
 from .balance import Balance, matrix
+from .laws import XP
 
 
 class Condition(Protocol):
@@ -34,38 +36,45 @@ class State:
     """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
 
     def __init__(
-        self, balance: Balance, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], upright: Sequence[int] = ()
+        self,
+        balance: Balance,
+        q: Sequence[Any],
+        values: Mapping[str, Any],
+        shape: tuple[int, ...],
+        upright: Sequence[int] = (),
+        xp: Any = XP,
     ) -> None:
-        self.balance, self.q, self.values, self.shape = balance, q, values, shape
-        self.directions = balance.directions(q, values, shape, upright)
+        self.balance, self.q, self.values, self.shape, self.xp = balance, q, values, shape, xp
+        boxes = xp is XP
+        self.directions = balance.directions(q, values, shape, upright) if boxes else balance.plain_directions(q, values, xp)
         self._stiffness: Any = None
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""
-        rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values)
+        rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values, self.xp)
         return rows
 
     def stiffness(self) -> list[list[Any]]:
         """K."""
         if self._stiffness is None:
-            self._stiffness = self.balance.call("forces_jacobian", self.q, self.directions, self.values)
+            self._stiffness = self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
         return [list(row) for row in self._stiffness]
 
     def gap(self) -> Any:
         """The gap of the contact."""
-        return self.balance.gap(self.q, self.values)
+        return self.balance.gap(self.q, self.values, self.xp)
 
     def mass(self) -> list[list[Any]]:
         """M."""
-        return [list(row) for row in self.balance.mass(self.q, self.values)]
+        return [list(row) for row in self.balance.mass(self.q, self.values, self.xp)]
 
     def damping(self) -> list[list[Any]]:
         """C: dampers and slope of the friction law."""
-        return [list(row) for row in self.balance.damping(self.q, self.directions, self.values)]
+        return [list(row) for row in self.balance.damping(self.q, self.directions, self.values, xp=self.xp)]
 
     def slope(self) -> Any:
         """Slope of the friction law."""
-        return self.balance.slope(self.values)
+        return self.balance.slope(self.values, self.xp)
 
 
 class Augmented:
@@ -118,6 +127,12 @@ class Augmented:
         at = self.state(list(unknowns), parameters, shape)
         out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(at)
         return out
+
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """As for the balance."""
+        n, shape = self.balance.n, unknowns.shape[1:]
+        values = self.balance.arguments(parameters, dict(zip(self.vary, list(unknowns)[n:], strict=True)))
+        return self.balance.at_poles(list(unknowns)[:n], values, shape, width)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""

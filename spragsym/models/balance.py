@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact import contractors, jets
+from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
 from .directions import direction
@@ -47,6 +48,12 @@ class Balance:
         self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
         self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
         self.angles: dict[str, Sequence[str]] = dict(about["angles"])
+        #: Parameters that may be 0.
+        self.may_vanish = [
+            entry["name"]
+            for entry in about["parameters"]
+            if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
+        ]
         self.codes = [code for name in self.parameters for code in self.angles.get(name, (name,))]
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
@@ -72,8 +79,12 @@ class Balance:
         return stacked(parts, bounds.shape[1:])
 
     def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """By name; ``changed`` are parameters that are unknowns, of any number type."""
+        """By name; ``changed`` are parameters that are unknowns, of any number type.
+
+        A parameter that is 0 everywhere, and may be, is the number 0: products with it and exponentials of it are exact.
+        """
         values: dict[str, Any] = {code: prepared[place] for place, code in enumerate(self.codes)}
+        values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
         for name, value in (changed or {}).items():
             if name in self.angles:
                 cosine, sine = self.angles[name]
@@ -97,6 +108,14 @@ class Balance:
         steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
         return [part for dx, dy in steps for part in direction(dx, dy, shape)]
 
+    def plain_directions(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any) -> list[Any]:
+        """Cosine, sine and length of every spring, for numbers that are narrow: quotients."""
+        directions: list[Any] = []
+        for dx, dy, _ in undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=xp):
+            length = xp.sqrt(dx**2 + dy**2)
+            directions += [dx / length, dy / length, length]
+        return directions
+
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """A function of ``statics`` that has the arguments of ``forces``."""
         mu = self.friction(values, xp)
@@ -107,22 +126,24 @@ class Balance:
         """The friction coefficient at steady sliding."""
         return undecorated(getattr(self.model.statics, self.law))(*self._listed(values, "motion"), xp=xp)
 
-    def mass(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
+    def mass(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """M of the kinetic energy."""
-        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=XP)
+        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=xp)
 
-    def damping(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None) -> Any:
+    def damping(
+        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None, xp: Any = XP
+    ) -> Any:
         """C of dampers and of the slope of the friction law."""
         function = undecorated(self.model.linearization.damping)
-        return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=XP)
+        return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=xp)
 
     def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Slope of the friction law at steady sliding."""
         return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
 
-    def gap(self, q: Sequence[Any], values: Mapping[str, Any]) -> Any:
+    def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The gap of the contact."""
-        return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=XP)
+        return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=xp)
 
     def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
         """The image of a state in the model's mirror."""
@@ -175,6 +196,23 @@ class Balance:
         directions[place] = directions[place + 1] = Intervals(np.zeros((2, *shape)))
         G = stacked(self.call("forces", q, directions, values), shape)
         return contractors.no_unit_vector(G, M)
+
+    def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
+        """Small boxes around the anchor of a spring that resists turning: its force has no bound there."""
+        return self.at_poles(*self._taken(unknowns, parameters), width)
+
+    def at_poles(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], width: float) -> NDArray[np.bool_]:
+        """The same, of coordinates and arguments, for boxes up to a width."""
+        out = np.zeros(shape, dtype=np.bool_)
+        if self._lengths:
+            for dx, dy in self.anchors(q, values, shape):
+                out |= dx.holds_zero() & dy.holds_zero() & (np.maximum(dx.width, dy.width) < width)
+        return out
+
+    def anchors(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[tuple[Intervals, Intervals]]:
+        """The vectors from the mass to the anchors of all springs."""
+        rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
+        return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in rows]
 
     # -------------------------------------------------------------------------------------------- contraction
 
@@ -233,3 +271,7 @@ def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
     """Rows of entries as one array of intervals, shape (rows, columns, …)."""
     entries = stacked([entry for row in rows for entry in row], shape)
     return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))
+
+
+def _is_nothing(values: Intervals) -> bool:
+    return values.ends.size > 0 and not values.ends.any()

@@ -17,6 +17,7 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
 from .columns import Columns
+from .polar import around_anchors
 from .precise import settled
 from .regions import region
 
@@ -148,7 +149,9 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
         return Roots(none, none, nowhere, none, nowhere), around, whole
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
-    return settled(balance, given, around, found), around, whole
+    found = around_anchors(balance, given, around, found)
+    found = settled(balance, given, around, found)
+    return around_anchors(balance, given, around, found, 0.0), around, whole
 
 
 def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:

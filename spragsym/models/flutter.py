@@ -142,8 +142,7 @@ def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArr
     with np.errstate(all="ignore"):
         for end in span:
             point = np.where(np.isnan(given), end, given)
-            there = balance.slope(balance.arguments(balance.prepared(Intervals.point(point))))
-            if not stacked([there], (1,)).magnitude.max() <= NOTHING:
+            if not slope_vanishes(balance, vary, point, end):
                 continue
             wide = np.repeat(point, left.shape[2], axis=1)
             low, high = wide.copy(), wide.copy()
@@ -154,6 +153,16 @@ def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArr
             dropped |= ~stacked(change, left.shape[2:])[0].holds_zero()
     roots = found.roots
     return replace(found, roots=replace(roots, left=left[:, :, ~dropped], left_point=roots.left_point[~dropped]))
+
+
+def slope_vanishes(balance: Balance, vary: str, point: FloatArray, end: float) -> bool:
+    """Whether the slope of the friction law is 0 at this end of the range."""
+    exactly = {} if end or vary in balance.angles else {vary: 0}
+    try:
+        there = balance.slope(balance.arguments(balance.prepared(Intervals.point(point)), exactly))
+    except ZeroDivisionError:  # a law that has no value there
+        return False
+    return bool(stacked([there], (1,)).magnitude.max() <= NOTHING)
 
 
 # ------------------------------------------------------------------------------------------------------- frequencies

@@ -7,9 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from ..exact.interval_arrays import FloatArray
+from .augmented import Augmented
 from .balance import Balance, Model
 from .conditions import Fold
-from .points import ModelPoints, arranged, given_column, ranges, search
+from .ends import vanishes
+from .points import Found, ModelPoints, arranged, given_column, merged, ranges, search
 from .symmetry import with_pitchforks
 
 
@@ -44,5 +47,20 @@ def folds(model: Model, p: Any, vary: str, *, between: Mapping[str, tuple[float,
     given = given_column(p, balance.parameters, (vary,))
     found = search(balance, (vary,), Fold(), given, spans)
     found, pitchforks = with_pitchforks(balance, vary, given, spans[0], found)
+    found = merged(found)
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
-    return arranged(balance, (vary,), given, found, kind)
+    return arranged(balance, (vary,), given, found, kind, remarks=_remarks(balance, vary, given, spans[0], found))
+
+
+def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[str, ...]:
+    """Of boxes that are left at an end of the range where det K is 0 whatever the state."""
+    left, system = found.roots.left, Augmented(balance, (vary,), Fold())
+    remarks = []
+    for end in span if left.shape[2] else ():
+        here = left[:, :, (-left[0, -1] <= end) & (end <= left[1, -1])]
+        if here.shape[2] and vanishes(system, given, float(end), here).any():
+            remarks.append(
+                f"at {vary} = {end:g} det K is 0 in every state: equilibria there form curves, or there are none; "
+                f"for folds beside it give between with another end for {vary}"
+            )
+    return tuple(remarks)

@@ -22,8 +22,26 @@ class LawFunctions(Functions):
     def sqrt(value: Any) -> Any:
         """Square root of the part that is not negative."""
         if isinstance(value, Jet):
-            return Jet({**value.terms, (): _not_negative(value.value)}, value.order).sqrt()
-        return _not_negative(value).sqrt() if isinstance(value, Intervals) else np.sqrt(value)
+            value = Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
+            return value.sqrt()
+        return _not_negative(_enclosed(value)).sqrt()
+
+    @staticmethod
+    def exp(value: Any) -> Any:
+        """Exponential: 1 of the number 0."""
+        if isinstance(value, Jet):
+            return value.exp(LawFunctions.exp(value.value))
+        return 1 if isinstance(value, int | float) and value == 0 else _enclosed(value).exp()
+
+    @staticmethod
+    def sign(value: Any) -> Any:
+        """−1, 0, 1."""
+        return _enclosed(value).sign()
+
+
+def _enclosed(value: Any) -> Any:
+    """A number as an interval, so that a function of it is one that is rounded outward."""
+    return Intervals.point([float(value)]) if isinstance(value, int | float) else value
 
 
 def _not_negative(value: Any) -> Any:

@@ -113,7 +113,8 @@ def _module(folder: Path, where: str, part: str) -> ModuleType:
     """A module of the model: of the package for a shipped one, else of a package of the folder's own."""
     if where == folder.name:
         return importlib.import_module(f"spragsym.generated.models.{where}.{part}")
-    digest = hashlib.sha256((where + (folder / "model.json").read_text(encoding="utf-8")).encode()).hexdigest()[:16]
+    # A path may hold bytes that are no text in the locale.
+    digest = hashlib.sha256(os.fsencode(where) + (folder / "model.json").read_bytes()).hexdigest()[:16]
     package = f"spragsym_model_{digest}"
     if package not in sys.modules:
         parent = ModuleType(package)

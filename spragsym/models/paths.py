@@ -50,8 +50,18 @@ class ModelJump(Result):
     value: float  #: of the parameter, at the fold or on the border
     kind: str  #: ``"fold"``, or ``"border"`` where the state leaves the contact
     before: Mapping[str, float]  #: coordinates there
-    after: Mapping[str, float]  #: coordinates right behind it
+    after: Mapping[str, float]  #: coordinates there of the state that it jumps to
     stability_after: Stability
+    error: float  #: bound on the error of ``value``
+
+
+@dataclass(frozen=True)
+class ModelEnd(Result):
+    """Where a state vanishes at a fold or leaves the contact."""
+
+    value: float  #: of the parameter, at the fold or on the border
+    kind: str  #: ``"fold"``, or ``"border"`` where the state leaves the contact
+    before: Mapping[str, float]  #: coordinates there
     error: float  #: bound on the error of ``value``
 
 
@@ -122,6 +132,21 @@ def quasi_static_path(
             out.append(way.state(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
     return ModelPath(vary, along, np.array([state[1] for state in out], dtype=np.int8), tuple(jumps), coordinates)
+
+
+def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
+    """Where a state that is followed from the first value of a span to the last one vanishes first; None if it does not.
+
+    Arguments and errors as for :func:`quasi_static_path`; whether there is another state behind it is not asked.
+    """
+    way = _Way(model, p, vary, np.array(span))
+    place = way.begin(start)
+    for stop in range(1, way.stops.size):
+        following = way.followed(stop, place)
+        if following is None:
+            return way.end(stop)
+        place = following
+    return None
 
 
 #: Where two equilibria meet on a value, instead of the slot of one.
@@ -316,14 +341,19 @@ class _Way:
 
     def moved(self, stop: int, place: int, choose: Choice | None) -> tuple[int, ModelJump | None]:
         """The slot at a stop of the state that was in a slot at the one before, with the jump if it vanishes on the way."""
+        following = self.followed(stop, place)
+        return self.jump(stop, choose) if following is None else (following, None)
+
+    def followed(self, stop: int, place: int) -> int | None:
+        """The slot at a stop of the state that was in a slot at the one before; None if it vanishes on the way."""
         links = self.links[stop - 1]
         if place == MET:
             begun = [slot for slot in range(int(self.eq.count[stop])) if slot not in links.values()]
             stable = [slot for slot in begun if self.eq.stability[stop, slot] == Stability.STABLE]
-            return (stable[0], None) if stable else self.jump(stop, choose)
+            return stable[0] if stable else None
         if place in links:
-            return links[place], None
-        return (MET, None) if self._met(stop) is not None else self.jump(stop, choose)
+            return links[place]
+        return MET if self._met(stop) is not None else None
 
     def state(self, stop: int, slot: int) -> tuple[list[float], int]:
         """Coordinates and stability."""
@@ -336,23 +366,39 @@ class _Way:
 
     def jump(self, stop: int, choose: Choice | None) -> tuple[int, ModelJump]:
         """The slot behind the fold that ends the branch."""
-        number = int(np.abs(self.at - self.stops[stop]).argmin())
-        before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
+        end = self.end(stop)
+        before = end.before
         eq = equilibria(self.model, self.p.replace(**{self.vary: float(self.stops[stop])}))
         count = int(eq.count)
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
-                raise ConvergenceError(f"nothing stable is left at {self.vary} = {self.at[number]:.17g}; give after_jump")
+                raise ConvergenceError(f"nothing stable is left at {self.vary} = {end.value:.17g}; give after_jump")
             slot = min(stable, key=lambda k: sum((float(eq.coordinates[name][k]) - before[name]) ** 2 for name in before))
         else:
             slot = choose(eq, before)
             if not 0 <= slot < count:
                 raise ParameterError(f"after_jump returned {slot!r}; there are {count} equilibria, slots 0 to {count - 1}")
-        after = {name: float(eq.coordinates[name][slot]) for name in before}
+        behind = np.array([float(eq.coordinates[name][slot]) for name in before])
+        after = dict(zip(before, self._at_end(end, behind), strict=True))
         kind = Stability(int(eq.stability[slot]))
-        error, why = float(self._column("error")[number]), str(self._column("kind")[number])
-        return slot, ModelJump(float(self.at[number]), why, before, after, kind, error)
+        return slot, ModelJump(end.value, end.kind, before, after, kind, end.error)
+
+    def _at_end(self, end: ModelEnd, behind: FloatArray) -> list[float]:
+        """Coordinates at the end of a branch of the state that has these at the stop behind it."""
+        eq = equilibria(self.model, self.p.replace(**{self.vary: end.value}))
+        states = np.array([eq.coordinates[name][: int(eq.count)] for name in end.before])
+        if not eq.complete or not states.size:
+            return [float(value) for value in behind]
+        nearest = np.linalg.norm(states - behind[:, None], axis=0).argmin()
+        return [float(value) for value in states[:, nearest]]
+
+    def end(self, stop: int) -> ModelEnd:
+        """The fold or border on this side of a stop, where a branch ends."""
+        number = int(np.abs(self.at - self.stops[stop]).argmin())
+        before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
+        error, kind = float(self._column("error")[number]), str(self._column("kind")[number])
+        return ModelEnd(float(self.at[number]), kind, before, error)
 
 
 def _by_sign(pairs: Mapping[int, int], begin: FloatArray, end: FloatArray) -> dict[int, int]:

@@ -16,10 +16,14 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
 from .columns import Columns
+from .ends import shared
+from .precise_points import settled
 from .regions import region
 
 #: Boxes looked at for one search of up to three unknowns, and of more.
 BUDGET, LARGE_BUDGET = 200_000, 1_000_000
+#: Boxes left that are listed one by one.
+MANY = 200
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
 FAR = 10.0
 
@@ -45,7 +49,10 @@ class ModelPoints(Columns, held_in="values"):
     complete : bool
         Whether every box of the region is decided: then there are no other points in it.
     undecided : ndarray
-        Lower and upper ends of the boxes that are not, shape (boxes, unknowns, 2).
+        Lower and upper ends of the boxes that are not, shape (boxes, unknowns, 2); many of them as the boxes around those whose
+        ranges of the parameter touch.
+    remarks : tuple of str
+        What is known of these boxes.
     """
 
     vary: tuple[str, ...]
@@ -56,6 +63,7 @@ class ModelPoints(Columns, held_in="values"):
     complete: bool
     undecided: FloatArray
     values: Mapping[str, FloatArray] = field(repr=False)
+    remarks: tuple[str, ...] = ()
 
     def __len__(self) -> int:
         return int(self.error.size)
@@ -123,7 +131,24 @@ def search(
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET
     outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
-    return Found(certified_roots.roots(system, outcome, around, fixed, fixed), around, whole)
+    roots = certified_roots.roots(system, outcome, around, fixed, fixed)
+    if len(vary) == 1 and given.shape[1] == 1:
+        roots = settled(system, fixed, around, roots)
+        dropped = shared(system, given, spans[0], roots.left)
+        roots = replace(roots, left=roots.left[:, :, ~dropped], left_point=roots.left_point[~dropped])
+    return Found(roots, around, whole)
+
+
+def merged(found: Found) -> Found:
+    """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands cover a line of equilibria."""
+    left = found.roots.left
+    if left.shape[2] <= MANY:
+        return found
+    left = left[:, :, np.argsort(-left[0, -1])]
+    low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
+    begins = np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]]))
+    hulls = np.maximum.reduceat(left, begins, axis=2)
+    return replace(found, roots=replace(found.roots, left=hulls, left_point=np.zeros(begins.size, dtype=np.int64)))
 
 
 def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
@@ -145,6 +170,7 @@ def arranged(
     found: Found,
     kind: NDArray[np.str_],
     more: Mapping[str, FloatArray] | None = None,
+    remarks: tuple[str, ...] = (),
 ) -> ModelPoints:
     """The points as a result, sorted by the parameters that vary; given parameters of shape (parameters, 1)."""
     n, middle = balance.n, found.roots.middle
@@ -155,4 +181,20 @@ def arranged(
     values |= {name: column[order] for name, column in (more or {}).items()}
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
     left = np.moveaxis(np.stack([-found.roots.left[0], found.roots.left[1]], axis=-1), 1, 0)
-    return ModelPoints(tuple(vary), kind[order], found.roots.error[order], box, found.whole, not left.shape[0], left, values)
+    error, complete = found.roots.error[order], not left.shape[0]
+    remarks += _at_anchors(balance, vary, given, found.roots.left)
+    return ModelPoints(tuple(vary), kind[order], error, box, found.whole, complete, left, values, remarks)
+
+
+def _at_anchors(balance: Balance, vary: Sequence[str], given: FloatArray, left: FloatArray) -> tuple[str, ...]:
+    """Of boxes that are left around the anchor of a spring that resists turning."""
+    n, count = balance.n, left.shape[2]
+    if not count:
+        return ()
+    with np.errstate(all="ignore"):
+        unknowns = list(Intervals(left))
+        fixed = balance.prepared(Intervals.point(np.repeat(np.nan_to_num(given), count, axis=1)))
+        values = balance.arguments(fixed, dict(zip(vary, unknowns[n:], strict=True)))
+        there = int(balance.at_poles(unknowns[:n], values, (count,), np.inf).sum())
+    text = "hold an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
+    return (f"{there} of {count} undecided boxes {text}",) if there else ()

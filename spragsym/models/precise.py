@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse.csgraph import connected_components
 
 from ..exact import certified_roots, contractors, many_reductions
 from ..exact.ball_functions import XP
+from ..exact.boxes import POLE, System
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Ball, Balls
 from ..exact.polynomials import Undecided
-from ..exact.reduction import Reduced, reduced_roots
-from .balance import Balance, undecorated
+from ..exact.reduction import Evaluate, Reduced, reduced_roots
+from .balance import Balance
 from .wide import WideBalance
 
 #: Ends of parameters that lie in a range.
@@ -28,6 +31,8 @@ Known: TypeAlias = tuple[FloatArray, FloatArray] | None
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
 TOLERANCE = 1e-12
+#: Boxes that are compared with each other at once.
+TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
 AROUND = 2.0**-13
 
@@ -51,12 +56,7 @@ class PreciseBalance:
 
     def forces(self, q: Sequence[Any]) -> Sequence[Any]:
         """The balance."""
-        statics = self.balance.model.statics
-        names = self.balance.model.about["arguments"]["statics"]
-        directions: list[Any] = []
-        for dx, dy, _ in undecorated(statics.geometry)(*q, *(self.values[name] for name in names), xp=XP):
-            length = XP.sqrt(dx**2 + dy**2)
-            directions += [dx / length, dy / length, length]
+        directions = self.balance.plain_directions(q, self.values, XP)
         rows: Sequence[Any] = self.balance.call("forces", q, directions, self.values, XP)
         return rows
 
@@ -92,16 +92,15 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     if not points.size:
         return found
     regions = np.broadcast_to(around, (*around.shape[:2], given.shape[1]))
-    tasks = [(int(at), cluster) for at in points for cluster in clusters(_boxes_of(found, int(at)))]
-    reduced = _by_double_double(balance, given, tasks)
+    tasks = [(int(at), cluster) for at in points for cluster in clusters(boxes_of(found, int(at)))]
+    known = _by_double_double(balance, given, tasks)
     parts = [
-        _of_point(
-            balance,
-            given[:, at],
+        of_point(
             regions[:, :, at],
             found,
             int(at),
-            [(cluster, known) for (point, cluster), known in zip(tasks, reduced, strict=True) if point == at],
+            [(cluster, roots) for (point, cluster), roots in zip(tasks, known, strict=True) if point == at],
+            partial(_reduced, balance, given[:, at]),
         )
         for at in points
     ]
@@ -116,7 +115,7 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     return replaced(found, points, again)
 
 
-def _boxes_of(found: Roots, point: int) -> FloatArray:
+def boxes_of(found: Roots, point: int) -> FloatArray:
     """Boxes of a point that are left, and boxes around its roots that are known to few digits."""
     mine = np.flatnonzero(found.point == point)
     poor = mine[~(found.error[mine] <= TOLERANCE)]
@@ -146,22 +145,26 @@ def _by_double_double(balance: Balance, given: FloatArray, tasks: Sequence[tuple
     ]
 
 
-def _of_point(
-    balance: Balance, given: FloatArray, region: FloatArray, found: Roots, point: int, tasks: Sequence[tuple[FloatArray, Known]]
+def of_point(
+    region: FloatArray,
+    found: Roots,
+    point: int,
+    tasks: Sequence[tuple[FloatArray, Known]],
+    reduce: Callable[[FloatArray], Reduced],
 ) -> Roots:
-    """Roots and boxes left of one point."""
+    """Roots and boxes left of one point, whose clusters of boxes are known or reduced to one unknown."""
     mine = np.flatnonzero(found.point == point)
     good = mine[found.error[mine] <= TOLERANCE]
-    ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, balance.n, 0))]
+    ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, found.ends.shape[1], 0))]
     for cluster, known in tasks:
         if known is not None:
             ends.append(known[0])
             alone.append(known[1])
             continue
-        reduced = _reduced(balance, given, cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
-        ends += [_outward(box) for box in reduced.roots]
-        alone += [_outward(box) for box in reduced.alone]
-        left += [_outward(box) for box in reduced.left]
+        by_digits = reduce(cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
+        ends += [_outward(box) for box in by_digits.roots]
+        alone += [_outward(box) for box in by_digits.alone]
+        left += [_outward(box) for box in by_digits.left]
     every, only = np.concatenate(ends, axis=2), np.concatenate(alone, axis=2)
     order = np.argsort(-only[0, 0])
     every, only = every[:, :, order], only[:, :, order]
@@ -177,19 +180,25 @@ def _of_point(
 
 
 def _reduced(balance: Balance, given: FloatArray, cluster: FloatArray) -> Reduced:
-    """Roots in a cluster, with more bits if fewer leave something."""
+    """Equilibria in a cluster."""
+    return reduced(balance, given, cluster, lambda bits: PreciseBalance(balance, given, bits).forces)
+
+
+def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Callable[[int], Evaluate]) -> Reduced:
+    """Roots of a system in a cluster, with more bits if fewer leave something; ``precise`` gives it for a number of bits."""
     middle = Intervals(cluster).middle
-    parameters = balance.prepared(Intervals.point(given[:, None]))
     with np.errstate(all="ignore"):
-        slopes = balance.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
-    box = [(-float(cluster[0, i]), float(cluster[1, i])) for i in range(balance.n)]
+        parameters = system.prepared(Intervals.point(given[:, None]))
+        slopes = system.jacobian(Intervals.point(middle[:, None]), parameters).middle[:, :, 0]
+        pole = bool(system.given_up(Intervals(cluster[:, :, None]), parameters, 4 * POLE)[0])
+    box = [(-float(low), float(high)) for low, high in cluster.T]
     whole = [(Fraction(low), Fraction(high)) for low, high in box]
     out = Reduced([], [], [whole])
-    if not np.isfinite(slopes).all():
+    if pole or not np.isfinite(slopes).all():
         return out
     for bits in BITS:
         try:
-            out = reduced_roots(PreciseBalance(balance, given, bits).forces, box, slopes, bits)
+            out = reduced_roots(precise(bits), box, slopes, bits)
         except Undecided:
             continue
         if not out.left:
@@ -206,16 +215,21 @@ def _outward(box: Sequence[tuple[Fraction, Fraction]]) -> FloatArray:
 
 def clusters(boxes: FloatArray) -> list[FloatArray]:
     """Hulls of boxes, shape (2, n, N), that meet each other, until no two hulls meet."""
-    hulls: list[FloatArray] = []
-    for place in range(boxes.shape[2]):
-        hull = boxes[:, :, place]
-        while True:
-            widened = hull + 0.5 * (hull[0] + hull[1]) + 1e-8
-            near: NDArray[np.bool_] = np.array([not ((widened + other[::-1]) < 0).any() for other in hulls], dtype=np.bool_)
-            if not near.any():
-                break
-            for other in (other for other, close in zip(hulls, near, strict=True) if close):
-                hull = np.maximum(hull, other)
-            hulls = [other for other, close in zip(hulls, near, strict=True) if not close]
-        hulls.append(hull)
+    hulls = boxes
+    while True:
+        parts = [_hulls(hulls[:, :, begin : begin + TOGETHER]) for begin in range(0, hulls.shape[2], TOGETHER)]
+        merged = np.concatenate(parts, axis=2) if parts else hulls
+        if merged.shape[2] == hulls.shape[2]:
+            return list(np.moveaxis(merged, 2, 0))
+        hulls = merged
+
+
+def _hulls(boxes: FloatArray) -> FloatArray:
+    """One hull for all boxes that meet, directly or through others, each widened by half of itself."""
+    widened = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
+    meet = ~(widened[:, :, :, None] + boxes[::-1, :, None, :] < 0).any(axis=(0, 1))
+    count, label = connected_components(meet, directed=False)
+    order = np.argsort(label, kind="stable")
+    begins = np.searchsorted(label[order], np.arange(count))
+    hulls: FloatArray = np.maximum.reduceat(boxes[:, :, order], begins, axis=2)
     return hulls

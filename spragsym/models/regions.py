@@ -9,17 +9,19 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..exact.interval_arrays import FloatArray, Intervals
+from ..exact.interval_arrays import FloatArray, Intervals, raised
 from .balance import Balance
 
 #: The plane, as far as it is looked at.
 FAR = 1e60
 #: Half-width of the region where no bound can be shown, in units of the scale of length.
 NEAR = 10.0
+#: What the region is wider than it had to be, at each end.
+ROOM = 1e-6
 #: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
 ROUNDS = 12
-#: No more rounds where one leaves so much of all ends.
-ENOUGH = 0.999
+#: No more rounds where one leaves so much of all widths: before all are bounded, and then, since the search contracts on its own.
+ENOUGH, BOUNDED = 0.999, 0.8
 
 
 def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
@@ -42,8 +44,11 @@ def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
             before = ends
             ends = balance.by_rows(Intervals(ends), values, directions)
             ends = balance.with_directions(Intervals(ends), values, directions)
-            if (ends > ENOUGH * before).all():
+            widths, widths_before = ends.sum(axis=0), before.sum(axis=0)
+            if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break
     proved = np.logical_and.reduce(ends < FAR * 1e-6)
-    out: FloatArray = np.where(proved, ends, np.minimum(NEAR, balance.border[:, :, None]))
+    # With room, so that no equilibrium of a linear model lies on the end of a region without width.
+    wider = np.minimum(raised(ends + ROOM), balance.border[:, :, None])
+    out: FloatArray = np.where(proved, wider, np.minimum(NEAR, balance.border[:, :, None]))
     return out, bool(proved.all())

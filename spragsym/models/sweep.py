@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any
@@ -12,14 +12,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.integrators import OF_ANY_MODEL
-from ..dynamics.problem import MAX_STEPS, Problem
+from ..dynamics.motions import Motions
+from ..dynamics.problem import MAX_STEPS
 from ..dynamics.regimes import SETTLED
-from ..errors import ParameterTypeError
+from ..errors import ParameterError, ParameterTypeError
 from ..files import storage
 from ..parameters import FloatArray, ParameterSet
 from ..sweeps import code
 from ..sweeps.many import Plan, carried_out, settings_of
-from ..sweeps.measure import Settings
+from ..sweeps.measure import Settings, motions_at
 from ..sweeps.result import Results, Sweep
 from ..sweeps.workers import Workers
 from .describe import explained
@@ -83,16 +84,23 @@ class _ModelResults(Results):
         return ModelSweep(inputs, **vars(settings), **results, model=self.model)
 
 
-def problem_of(model: Model, settings: Settings, point: tuple[float, ...]) -> Problem:
-    """The motion of a point of a sweep."""
-    count = len(model.parameters)
-    p = model.Parameters(**dict(zip(model.parameters, point[:count], strict=True)))
-    constants = tuple(float(value) for value in model.arguments(p, "motion"))
-    start = point[count:]
-    check_start(model, constants, start)
-    return Problem(
-        constants, start, settings.t_end, settings.transient, settings.rtol, settings.max_steps, partial(field_of, model)
-    )
+def motions_of(
+    model: Model, settings: Settings, points: Sequence[tuple[float, ...]]
+) -> tuple[Motions | None, dict[int, Exception]]:
+    """The motions of points of a sweep, and why points have none."""
+    count, errors = len(model.parameters), dict[int, Exception]()
+    constants, starts = [], []
+    for i, point in enumerate(points):
+        p = model.Parameters(**dict(zip(model.parameters, point[:count], strict=True)))
+        values, start = tuple(float(value) for value in model.arguments(p, "motion")), point[count:]
+        try:
+            check_start(model, values, start)
+        except ParameterError as error:
+            errors[i] = error
+            continue
+        constants.append(values)
+        starts.append(start)
+    return motions_at(settings, constants, starts, field_of=partial(field_of, model)), errors
 
 
 def rms_sweep(
@@ -115,4 +123,4 @@ def rms_sweep(
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **start_of(model, None, single)}
     settings = settings_of(t_end, transient, rtol, backend, max_steps, OF_ANY_MODEL)
-    return carried_out(Plan(inputs, settings, partial(problem_of, model), _ModelResults(model)), workers, progress, store)
+    return carried_out(Plan(inputs, settings, partial(motions_of, model), _ModelResults(model)), workers, progress, store)

@@ -64,7 +64,7 @@ def turned(balance: Balance, given: FloatArray, span: FloatArray) -> list[int]:
     return [balance.coordinates.index(name) for name in about["turned"]]
 
 
-class _OnMirror:
+class _OnMirror(boxes.Plain):
     """States on the mirror at which the block of K that belongs to the turned coordinates is singular."""
 
     def __init__(self, balance: Balance, vary: str, odd: Sequence[int]) -> None:
@@ -111,10 +111,6 @@ class _OnMirror:
         shape = unknowns.shape[1:]
         at = self.completed(list(unknowns), parameters, shape)
         return self.balance.beyond_border(at.q, at.values, shape)
-
-    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
-        """The boxes themselves."""
-        return unknowns.ends
 
 
 def pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, odd: Sequence[int]) -> Pitchforks:

@@ -14,7 +14,7 @@ import numpy as np
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.wide_balls import XP, WideBalls, cosine_and_sine
 from ..generated.double_double import Wide
-from .balance import Balance, undecorated
+from .balance import Balance
 
 
 class WideBalance(Balance):
@@ -48,13 +48,7 @@ class WideBalance(Balance):
 
     def wide_forces(self, q: Sequence[Any], values: dict[str, WideBalls]) -> Any:
         """Forces of balls, or of jets of balls."""
-        statics = self.model.statics
-        given = [values[name] for name in self.model.about["arguments"]["statics"]]
-        directions: list[Any] = []
-        for dx, dy, _ in undecorated(statics.geometry)(*q, *given, xp=XP):
-            length = XP.sqrt(dx**2 + dy**2)
-            directions += [dx / length, dy / length, length]
-        return self.call("forces", q, directions, values, XP)
+        return self.call("forces", q, self.plain_directions(q, values, XP), values, XP)
 
 
 def _as_intervals(row: Any, count: int) -> Intervals:

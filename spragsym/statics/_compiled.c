@@ -66,27 +66,47 @@ static spragsym_parameters parameters_at(const Py_buffer given[PARAMETERS], Py_s
     return here;
 }
 
-/* A block of parameters, the rest of it filled with a harmless point; refused: those that are no parameters. */
+/* A parameter of a block of points, 0 behind the last one. */
+static void load_column(const Py_buffer *given, Py_ssize_t start, int points, double column[BLOCK]) {
+    const double *const values = (const double *)given->buf;
+    if (given->len == (Py_ssize_t)sizeof(double)) {
+        for (int i = 0; i < points; i++) {
+            column[i] = values[0];
+        }
+    } else {
+        memcpy(column, values + start, (size_t)points * sizeof(double));
+    }
+    for (int i = points; i < BLOCK; i++) {
+        column[i] = 0.0;
+    }
+}
+
+/* Points that are no parameters are refused and give way to a harmless one. */
+CLONED static void refuse_columns(point_columns *p, int refused[BLOCK]) {
+    for (int i = 0; i < BLOCK; i++) {
+        const spragsym_parameters here = {p->theta0[i], p->mu0[i], p->kappa[i], p->alpha[i], p->sigma[i], p->beta[i]};
+        const int good = allowed(&here);
+        p->theta0[i] = good ? here.theta0 : 1.0;
+        p->mu0[i] = good ? here.mu0 : 1.0;
+        p->kappa[i] = good ? here.kappa : 1.0;
+        p->alpha[i] = good ? here.alpha : 1.0;
+        p->sigma[i] = good ? here.sigma : 1.0;
+        p->beta[i] = good ? here.beta : 1.0;
+        refused[i] = !good;
+    }
+}
+
+/* A block of points. What lies behind the last one is refused, since theta0 is 0 there. */
 static void load_columns(const Py_buffer given[PARAMETERS], double nbar, Py_ssize_t start, int points, point_columns *p,
     int refused[BLOCK]) {
+    double *const columns[PARAMETERS] = {p->theta0, p->mu0, p->kappa, p->alpha, p->sigma, p->beta};
+    for (int k = 0; k < PARAMETERS; k++) {
+        load_column(&given[k], start, points, columns[k]);
+    }
     for (int i = 0; i < BLOCK; i++) {
-        spragsym_parameters one = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-        refused[i] = 1;
-        if (i < points) {
-            const spragsym_parameters here = parameters_at(given, start + i);
-            if (allowed(&here)) {
-                one = here;
-                refused[i] = 0;
-            }
-        }
-        p->theta0[i] = one.theta0;
-        p->mu0[i] = one.mu0;
-        p->kappa[i] = one.kappa;
-        p->alpha[i] = one.alpha;
-        p->sigma[i] = one.sigma;
-        p->beta[i] = one.beta;
         p->nbar[i] = nbar;
     }
+    refuse_columns(p, refused);
 }
 
 static void store(const Py_buffer columns[COLUMNS], Py_ssize_t place, double theta, const Root *root) {
@@ -285,12 +305,6 @@ typedef struct {
     int filled;
 } waiting;
 
-static Point point_at(const point_columns *p, int i) {
-    const Point point = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i],
-        p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
-    return point;
-}
-
 CLONED static void single_columns(point_columns *p, int flags[BLOCK]) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(p->theta0[i]);
@@ -320,20 +334,44 @@ static void count_waiting(waiting *some, signed char *counts) {
     some->filled = 0;
 }
 
-static void wait_for_block(const point_columns *p, int i, Py_ssize_t place, waiting *some, signed char *counts) {
+/* Which points of a block are neither refused nor certainly single, ascending; how many. */
+static int open_points(int points, const int flags[BLOCK], const int refused[BLOCK], int open[BLOCK]) {
+    int number = 0;
+    for (int i = 0; i < points; i++) {
+        open[number] = i;
+        number += !(flags[i] | refused[i]);
+    }
+    return number;
+}
+
+static void pick(const double column[BLOCK], const int *which, int number, double *picked) {
+    for (int i = 0; i < number; i++) {
+        picked[i] = column[which[i]];
+    }
+}
+
+/* Open points of a block, which begins at `start`, join those that wait. */
+static void wait_for_block(const point_columns *p, Py_ssize_t start, const int *open, int number, waiting *some,
+    signed char *counts) {
     point_columns *const q = &some->points;
-    const int j = some->filled++;
-    const Point point = point_at(p, i);
-    q->theta0[j] = p->theta0[i];
-    q->mu0[j] = point.mu0;
-    q->kappa[j] = point.kappa;
-    q->alpha[j] = point.alpha;
-    q->sigma[j] = point.sigma;
-    q->beta[j] = point.beta;
-    q->nbar[j] = point.nbar;
-    some->place[j] = place;
-    if (some->filled == BLOCK) {
-        count_waiting(some, counts);
+    while (number > 0) {
+        const int first = some->filled;
+        const int joining = (number < BLOCK - first) ? number : BLOCK - first;
+        pick(p->theta0, open, joining, q->theta0 + first);
+        pick(p->mu0, open, joining, q->mu0 + first);
+        pick(p->kappa, open, joining, q->kappa + first);
+        pick(p->alpha, open, joining, q->alpha + first);
+        pick(p->sigma, open, joining, q->sigma + first);
+        pick(p->beta, open, joining, q->beta + first);
+        for (int i = 0; i < joining; i++) {
+            some->place[first + i] = start + open[i];
+        }
+        some->filled += joining;
+        if (some->filled == BLOCK) {
+            count_waiting(some, counts);
+        }
+        open += joining;
+        number -= joining;
     }
 }
 
@@ -342,17 +380,19 @@ static void count_all(const Py_buffer given[PARAMETERS], Py_ssize_t points, sign
     waiting some;
     int refused[BLOCK];
     int flags[BLOCK];
+    int open[BLOCK];
     memset(&some, 0, sizeof some);
+    for (int i = 0; i < BLOCK; i++) {
+        some.points.nbar[i] = 1.0;
+    }
     for (Py_ssize_t start = 0; start < points; start += BLOCK) {
         const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
         load_columns(given, 1.0, start, length, &p, refused);
         single_columns(&p, flags);
         for (int i = 0; i < length; i++) {
-            counts[start + i] = (signed char)(flags[i] && !refused[i]);
-            if (!flags[i] && !refused[i]) {
-                wait_for_block(&p, i, start + i, &some, counts);
-            }
+            counts[start + i] = (signed char)(flags[i] & !refused[i]);
         }
+        wait_for_block(&p, start, open, open_points(length, flags, refused, open), &some, counts);
     }
     count_waiting(&some, counts);
 }

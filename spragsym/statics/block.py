@@ -51,7 +51,7 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
     if pairs.size:
         t = [upper] if contact else [large, small]
         one, other, _ = kernel.root_pair(halves.p2[pairs], halves.q2[pairs])
-        roots = np.sort(np.stack([*(value[pairs] for value in t), one, other]), axis=0)
+        roots = _ascending([*(value[pairs] for value in t), one, other])
         settled[pairs] = _some(roots, rows_of(point, pairs), rows_of(line, pairs), out, begin + pairs, u)
     return np.flatnonzero(~settled)
 
@@ -77,6 +77,15 @@ def solve_widely(values: list[NDArray[np.float64]], contact: bool, out: Slots, b
 
 def _stacked(values: list[DoubleDouble]) -> DoubleDouble:
     return DoubleDouble(np.stack([value.high for value in values]), np.stack([value.low for value in values]))
+
+
+def _ascending(values: list[NDArray[Any]]) -> NDArray[Any]:
+    """Some values of each point in ascending order along the first axis; NaN anywhere, where one of them is."""
+    for end in range(len(values) - 1, 0, -1):
+        for k in range(end):
+            one, other = values[k : k + 2]
+            values[k : k + 2] = np.minimum(one, other), np.maximum(one, other)
+    return np.stack(values)
 
 
 def rows_of(record: Any, rows: NDArray[np.int64]) -> Any:
@@ -116,16 +125,11 @@ def _some(
     t: Any, point: kernel.Point, line: kernel.Balance, out: Slots, rows: NDArray[np.int64], u: np.floating[Any]
 ) -> NDArray[np.bool_]:
     """Points with several roots, in ascending order along the first axis: all roots are examined in one call."""
-    roots, points = t.shape
-    every = np.tile(np.arange(points), roots)
-    flat = t.each(np.ravel) if isinstance(t, DoubleDouble) else t.ravel()
-    root = kernel.at_root(flat, rows_of(point, every), rows_of(line, every), u)
-    sure = (_sure(t, root) | root.outsider).reshape(t.shape)
-    radius = np.broadcast_to(root.radius, every.shape).reshape(t.shape)
+    root = kernel.at_root(t, point, line, u)  # what depends on the point alone is computed once for all of its roots
+    sure = _sure(t, root) | root.outsider
     # Two proved roots are different when the intervals that hold them are.
-    settled: NDArray[np.bool_] = sure.all(axis=0) & kernel.apart(t[:-1], radius[:-1], t[1:], radius[1:]).all(axis=0)
-    columns = {name: values.reshape(t.shape) for name, values in _columns(flat, root).items()}
-    count, packed = gathered(root.member.reshape(t.shape), columns, out.slots)
+    settled: NDArray[np.bool_] = sure.all(axis=0) & kernel.apart(t[:-1], root.radius[:-1], t[1:], root.radius[1:]).all(axis=0)
+    count, packed = gathered(root.member, _columns(t, root), out.slots)
     if point.nbar > 0:
         settled &= (count % 2 == 1) & (t[0] > 0.0)
     out.put(rows, np.where(settled, count, 0), packed)

@@ -81,15 +81,22 @@ def empty(slots: int, points: int) -> dict[str, NDArray[Any]]:
 
 def gathered(members: NDArray[np.bool_], candidates: Columns, slots: int) -> tuple[NDArray[np.int64], dict[str, NDArray[Any]]]:
     """Move the members among the candidates of each point, shape (candidates, points), to the front; and count them."""
-    pattern = np.left_shift(members, np.arange(len(members))[:, None], dtype=np.int64).sum(axis=0)
+    pattern = np.zeros(members.shape[1], dtype=np.uint8)
+    for place, row in enumerate(members):
+        pattern |= row.view(np.uint8) << place
     order, number = _orders(len(members), slots)
     count = number[pattern]
     partial = np.flatnonzero(count < len(members))
-    chosen, free = order[pattern[partial]].T, np.arange(slots)[:, None] >= count[partial]
-    packed = empty(slots, members.shape[1])
-    for name, table in packed.items():
+    free = np.arange(slots)[:, None] >= count[partial]
+    # Where they are and where they go in a table that is read as one row.
+    begins = members.shape[1] * np.arange(slots)[:, None]
+    target, chosen = begins + partial, members.shape[1] * order[pattern[partial]].T + partial
+    packed: dict[str, NDArray[Any]] = {}
+    for name, kind in _TYPES.items():
+        table = packed[name] = np.empty((slots, members.shape[1]), dtype=kind)
         table[: len(members)] = candidates[name]
-        table[:, partial] = np.where(free, _NOTHING[name], np.take_along_axis(table[:, partial], chosen, axis=0))
+        table[len(members) :] = _NOTHING[name]
+        table.put(target, np.where(free, _NOTHING[name], table.take(chosen)))
     return count, packed
 
 

@@ -336,7 +336,6 @@ def _solve_widely(
         values = [value[begin : begin + WIDE_BLOCK] for value in given]
         with np.errstate(all="ignore"):
             left.append(begin + solve(values, contact, again, begin, values[0].size))
-    again.clear()
     out.put(rows, again.count, {name: again.padded(name).T for name in COLUMNS})
     return np.concatenate(left)
 

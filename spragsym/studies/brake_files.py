@@ -12,6 +12,7 @@ from typing import Any
 
 from ..dynamics.problem import BELT_SPEED
 from ..errors import ParameterError, SpragsymError
+from ..files.text import decoded
 from ..generated.quantities import QUANTITIES
 from ..names import hint
 from ..parameters import RANGES, PhysicalParameters, degrees, physical_ranges, shown
@@ -24,6 +25,8 @@ QUANTITY_UNITS: Mapping[str, str] = {
     field.name: QUANTITIES[f"{field.name}_dim" if field.name in ("V", "d") else field.name].unit
     for field in fields(PhysicalParameters)
 }
+#: Quantities that are not of the size that others of the same unit have.
+_EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
 #: Bytes; a larger file is no file of this kind.
 _LARGEST = 1 << 20
 
@@ -93,7 +96,7 @@ def _text(path: Path, name: str) -> str:
     try:
         if path.stat().st_size > _LARGEST:
             raise ParameterError(f"{name} has more than {_LARGEST} bytes; give a file with the table [brake] and nothing else")
-        return path.read_bytes().decode("utf-8-sig")
+        return decoded(path.read_bytes())
     except UnicodeDecodeError as error:
         raise ParameterError(f"{name} is not text in UTF-8 (byte {error.start}); save it as UTF-8, or write +- for ±") from error
     except OSError as error:
@@ -108,8 +111,9 @@ def _table(text: str, lines: _Lines) -> dict[str, Any]:
     if "brake" not in content:
         other = next(iter(content), None)
         where = lines.path if other is None else lines.table(other) if isinstance(content[other], dict) else lines.of(other)
-        remark = f"{where}: the key {other!r} stands outside of it" if other is not None else f"{lines.path} is empty"
-        raise ParameterError(f"{remark}; the table [brake] is missing: begin with a line [brake]{hint(str(other), ['brake'])}")
+        what = f"the table [{other}] is" if isinstance(content.get(str(other)), dict) else f"the key {other!r} stands"
+        remark = f"{lines.path} is empty: " if other is None else f"{where}: {what} there, but "
+        raise ParameterError(f"{remark}[brake] is missing; begin with a line [brake]{hint(str(other), ['brake'])}")
     table = content["brake"]
     if not isinstance(table, dict):
         raise ParameterError(f"{lines.of('brake')}: brake = {table!r} is no table; begin with a line [brake]")
@@ -130,12 +134,14 @@ def _syntax(message: str, lines: _Lines) -> str:
     if "overwrite" in message:
         remedy = f"{key} is there twice; keep one of the two"
     else:
-        remedy = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{_example(key)}"'
+        example = _example(key, QUANTITY_UNITS.get(key, "kg"))
+        remedy = f'text stands in quotes, as in {key if key.isidentifier() else "m"} = "{example}"'
     return f"{lines.path}, line {number}: {line!r} is not TOML ({said[:1].lower()}{said[1:]}); {remedy}"
 
 
-def _example(key: str) -> str:
-    return EXAMPLES.get(QUANTITY_UNITS.get(key, "kg"), "0.35 kg")
+def _example(key: str, unit: str) -> str:
+    """How an engineer would write a quantity."""
+    return _EXAMPLES.get(key) or EXAMPLES.get(unit, f"1 {unit}")
 
 
 def _model(table: dict[str, Any], lines: _Lines) -> str:
@@ -162,11 +168,9 @@ def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:
     if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
         given = f"[{given[0]!r}, {given[1]!r}]"
     if isinstance(given, bool) or not isinstance(given, str | int | float):
-        raise ParameterError(
-            f'{where}: {key} = {given!r} is neither text nor a number; write {key} = "{EXAMPLES.get(unit, "1 " + unit)}"'
-        )
+        raise ParameterError(f'{where}: {key} = {given!r} is neither text nor a number; write {key} = "{_example(key, unit)}"')
     if not isinstance(given, str) and unit != "1":
-        example = EXAMPLES.get(unit, "1 " + unit).split(" ", 1)[1]
+        example = _example(key, unit).split(" ", 1)[1]
         raise ParameterError(f'{where}: {key} = {given!r} has no unit; write for instance {key} = "{given} {example}"')
     try:
         found = read(given if isinstance(given, str) else repr(given), unit)
@@ -185,15 +189,15 @@ def _check_range(key: str, found: Measured, given: Any, where: str, unit: str) -
         if not allowed.contains(end):
             what = "" if end == found.value else f" reaches {_in_words(end, found.unit, unit)}, which"
             low = "above" if allowed.open_low else "at least"
-            limits = f"{low} 0" if unit != "rad" else "between 0 deg and 180 deg"
+            limits = f"{low} 0" if unit != "rad" else "between 0 deg and 180 deg, without these two"
             word = "is not" if what else "must be"
             text = f"{key} = {given!r}{what} {word} {limits}"
             remedy = "" if unit == "rad" else allowed.remedy or _remedy(key)
+            if key == "V":
+                remedy = "a belt that runs the other way is the mirror image: give the supplement of theta0"
             if what and allowed.contains(found.value) and not remedy:
                 remedy = f'give the two ends, as in {key} = "{_ends(found, unit, allowed.open_low)}"'
-            raise ParameterError(
-                f"{where}: {text}; " + (remedy or f'write for instance {key} = "{EXAMPLES.get(unit, "1 " + unit)}"')
-            )
+            raise ParameterError(f"{where}: {text}; " + (remedy or f'write for instance {key} = "{_example(key, unit)}"'))
 
 
 def _ends(found: Measured, si: str, open_low: bool) -> str:
@@ -239,7 +243,7 @@ def _check_complete(found: Mapping[str, Measured], units: Mapping[str, str], mod
     optional = {"V", "d"}
     missing = [key for key in units if key not in found and key not in optional]
     if missing:
-        wanted = ", ".join(f'{key} = "{EXAMPLES.get(units[key], "1 " + units[key])}"' for key in missing)
+        wanted = ", ".join(f'{key} = "{_example(key, units[key])}"' for key in missing)
         raise ParameterError(f"{lines.table('brake')}: [brake] is without {', '.join(missing)}; add lines such as {wanted}")
 
 

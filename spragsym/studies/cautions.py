@@ -16,6 +16,9 @@ FAR = 0.5
 FULL = 0.95
 #: Rms of what a fitted friction law leaves, over μ₀, from which on another law is needed.
 POOR = 0.1
+#: d times the slowest measured speed from which on no measurement is on the rising part of the friction law, and d times the
+#: fastest one up to which none is on its level part.
+STEEP, FULL_AT = 8.0, 0.1
 #: Speeds in m/s that no belt has: the number was probably meant in mm/s.
 FAST = 100.0
 #: Degrees up to which an inclination looks like radians.
@@ -78,7 +81,7 @@ def _stiffness(study: Study) -> Iterator[str]:
 
 
 def _friction(study: Study) -> Iterator[str]:
-    mu0, fit = study.values["mu0"], study.fit
+    mu0 = study.values["mu0"]
     missing = [name for name in ("V", "d") if name not in study.quantities]
     if missing:
         yield (
@@ -86,11 +89,7 @@ def _friction(study: Study) -> Iterator[str]:
             "friction law's damping is left out of what is called stable, and no oscillation is looked for; add both, as in "
             'V = "1.2 m/s", d = "10 s/m"'
         )
-    if fit is not None and fit.rms > POOR * fit.mu0:
-        yield (
-            f"the law mu0 (1 - exp(-d v)) is {100 * fit.rms / fit.mu0:.0f} % off the measured friction on average: it rises with "
-            "speed and levels off; if what was measured falls with speed, the model kang_nam has no such law"
-        )
+    yield from _fit(study)
     if study.fraction < FULL:
         yield (
             f"the belt is so slow that friction works at {100 * study.fraction:.3g} % of mu0: {study.friction[1]:.4g} in place "
@@ -98,6 +97,29 @@ def _friction(study: Study) -> Iterator[str]:
         )
     if study.quantities["mu0"].high > 2:
         yield f"mu0 = {study.quantities['mu0'].high:g} is more than any brake has; write 45 % or 0.45 for 0.45"
+
+
+def _fit(study: Study) -> Iterator[str]:
+    fit = study.fit
+    if fit is None:
+        return
+    if fit.rms > POOR * fit.mu0:
+        yield (
+            f"the law mu0 (1 - exp(-d v)) is {100 * fit.rms / fit.mu0:.0f} % off the measured friction on average: it rises with "
+            "speed and levels off; if what was measured falls with speed, the model kang_nam has no such law"
+        )
+    elif fit.d * fit.slowest > STEEP:
+        yield (
+            f"the measured friction is level from {fit.slowest:.3g} m/s on: any d above {STEEP / fit.slowest:.3g} s/m fits, and "
+            f"d = {fit.d:.3g} s/m is one of them; measure at slower sliding"
+        )
+    if fit.points == 2:
+        yield "two measurements are met exactly by mu0 and d, so that how far those are off is not known; measure at more speeds"
+    if fit.d * fit.fastest < FULL_AT:
+        yield (
+            f"the measured friction still rises in proportion to the speed at {fit.fastest:.3g} m/s: only mu0 d = "
+            f"{fit.mu0 * fit.d:.3g} s/m is known, not each of the two; measure at faster sliding, and check their unit"
+        )
 
 
 def _units(study: Study) -> Iterator[str]:
@@ -119,7 +141,12 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
     for state in found:
         if study.moves and state.current and state.statics == "stable":
             least = min(state.damping_ratio, default=0.0)
-            if abs(least) < NEUTRAL:
+            if state.growth_per_s == 0:
+                yield (
+                    "nothing damps here, since the friction does not change with the speed; whether a disturbance dies out is up "
+                    "to the damping of the real brake, which the model leaves out"
+                )
+            elif abs(least) < NEUTRAL:
                 what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
                 yield (
                     f"the only damping here is the friction law's, with a damping ratio of {least:.1g}, {what}; that is next to "

@@ -30,8 +30,8 @@ def model_states(model: Any, p: Any, scales: Mapping[str, float], current: Mappi
             "current": here, "stable": kind == Stability.STABLE and growth <= 0, "statics": kind.name.lower(),
             **{f"{name}_{'mm' if unit == 'm' else 'deg'}": value * (1e3 * scales["length"] if unit == "m" else math.degrees(1.0))
                for (name, unit), value in zip(units.items(), place.values(), strict=True)},
-            "spring_force_N": _spring_force(model, p, place, scales["force"]),
-            "contact_force_N": _contact_force(model, p, place, scales["force"]),
+            "spring_force_N": spring_force(model, p, place, scales["force"]),
+            "contact_force_N": contact_force(model, p, place, scales["force"]),
             "frequencies_hz": [float(rate.imag) / (2 * math.pi) for rate in upper],
             "damping_ratio": [float(-rate.real / abs(rate)) for rate in upper], "growth_per_s": growth,
         })  # fmt: skip
@@ -63,18 +63,20 @@ def _rates(model: Any, p: Any, place: Mapping[str, float]) -> FloatArray:
     return np.asarray(roots(M, C, K)[0])
 
 
-def _contact_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
-    """The contact's share of the balance: with it less without it, and without friction."""
+def contact_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
+    """The contact's share of the balance: with it less without it, and without friction; 0 where it is lifted off."""
     if model.about["contact"]["gap"] is None:
         return None
     values = _values(model, p)
     given = [values[name] for name in model.about["arguments"]["statics"]]
+    if model.about["contact"]["unilateral"] and float(model.statics.contact_gap(*place.values(), *given)) > 0:
+        return 0.0
     taken = [*place.values(), *_directions(model, place, values), *given]
     with_it, without = (np.array(model.statics.forces(*taken, 0.0, pushing), dtype=float) for pushing in (1, 0))
     return float(np.linalg.norm(with_it - without)) * unit
 
 
-def _spring_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
+def spring_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
     """σ (L − 1) of the spring whose stiffness is the quantity k, in which forces are linear; negative where it pushes."""
     spring = next((entry["name"] for entry in model.about["parameters"] if entry["quantity"] == "k"), None)
     if spring is None or len(model.about["springs"]) != 1:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,13 +14,23 @@ from ..display import Result
 from ..errors import ConvergenceError, SpragsymError
 from ..models.load import load
 from . import other_models
-from .model_states import model_states
+from .model_states import contact_force, model_states, spring_force
+from .other_tolerances import certificate_of
 from .study import Study
 
 #: Angles in degrees between which a jump is looked for.
 _ANGLES = (0.5, 179.0)
-#: Keys of a report that are computed for the article's model only, with the reason.
-_ONLY = ("certificate", "probability", "sobol", "redesign")
+#: What is computed for the article's model only, and why.
+_LEFT_OUT = (
+    "probability, sobol and redesign are null with this model: they ask for the jump at thousands of points, which takes half a "
+    "second each here; a certificate is refuted or undecided, never proved"
+)
+#: What the names of numbers are called in the text.
+_WORDS = {
+    "statics": "without damping", "x_mm": "x, mm", "y_mm": "y, mm", "spring_force_N": "force of the spring, N",
+    "contact_force_N": "force of the contact, N", "frequencies_hz": "frequencies, Hz", "damping_ratio": "damping ratios",
+    "growth_per_s": "growth, 1/s", "frequency_hz": "frequency, Hz", "amplitude_mm": "amplitude along the belt, mm",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -43,6 +53,8 @@ class ModelReport(Result):
     folds : tuple of float
         Friction coefficients at which states meet.
     oscillation : dict or None
+    certificate : dict or None
+        Of "no jump" for everything within the tolerances: refuted by a brake within them, or undecided; nothing is proved here.
     complete : bool
         Whether states and folds are proved to be all there are.
     warnings : tuple of str
@@ -57,40 +69,53 @@ class ModelReport(Result):
     states: tuple[dict[str, Any], ...]
     folds: tuple[float, ...]
     oscillation: dict[str, Any] | None
+    certificate: dict[str, Any] | None
     complete: bool
     warnings: tuple[str, ...]
     verdict: str
 
     def to_dict(self) -> dict[str, Any]:
         """The keys of a report; None for what is not computed for this model."""
+        lives = self.oscillation or {}
         here: Mapping[str, Any] = next((state for state in self.states if state["current"]), {})
         return {
             "mu_jump": self.mu_jump, "theta0_jump_deg": self.theta0_jump_deg, "mu_cusp": self.mu_cusp,
             "mu_effective": self.mu_effective, "margin_percent": self.margin_percent, "states": list(self.states),
             "frequencies_hz": here.get("frequencies_hz"),
-            "spring_force_N": {"rest": here.get("spring_force_N"), "oscillation": None},
-            "contact_force_N": {"rest": here.get("contact_force_N"), "oscillation": None},
+            "spring_force_N": {"rest": here.get("spring_force_N"), "oscillation": lives.get("spring_force_N")},
+            "contact_force_N": {"rest": here.get("contact_force_N"), "oscillation": lives.get("contact_force_N")},
             "displacement_mm": {
                 "rest": [here.get("x_mm"), here.get("y_mm")] if here else None,
                 "oscillation_amplitude": self.oscillation["amplitude_mm"] if self.oscillation else None,
             },
-            "oscillation": self.oscillation, "certificate": None, "probability": None, "sobol": None, "redesign": [],
+            "oscillation": self.oscillation, "certificate": self.certificate, "probability": None, "sobol": None, "redesign": [],
             "warnings": list(self.warnings),
         }  # fmt: skip
 
     def text(self) -> str:
         """The verdict, the warnings, the numbers and the states."""
+        blocks = [self.verdict, *(f"warning: {one}" for one in self.warnings)]
+        for heading, rows in self.sections():
+            blocks.append("\n".join([heading, *(f"  {name:<34}{value}" for name, value in rows)]))
+        return "\n\n".join(blocks)
+
+    def sections(self) -> Iterator[tuple[str, list[tuple[str, str]]]]:
+        """Headings, each with rows of a name and a value."""
         numbers = {
             "jump at friction": self.mu_jump, "jump at angle, deg": self.theta0_jump_deg, "lowest cusp at friction": self.mu_cusp,
             "friction at the belt's speed": self.mu_effective, "margin to the largest friction, %": self.margin_percent,
         }  # fmt: skip
-        jump = [f"  {name:<34}{'unknown' if value is None else _shown(value)}" for name, value in numbers.items()]
-        blocks = [self.verdict, *(f"warning: {one}" for one in self.warnings), "\n".join(["Jump", *jump])]
-        rows = [", ".join(f"{name} = {_shown(value)}" for name, value in state.items()) for state in self.states]
-        blocks.append("\n".join(["States", *rows]))
+        yield "Jump", [(name, "unknown" if value is None else _shown(value)) for name, value in numbers.items()]
+        for state in self.states:
+            heading = "State" if state["current"] else "Another state"
+            yield heading, [(_WORDS.get(name, name), _shown(value)) for name, value in state.items() if name != "current"]
+        if self.certificate:
+            rows = [("no jump within all of them", self.certificate["outcome"])]
+            for name, one in (self.certificate["counterexample"] or {}).items():
+                rows.append((f"a brake that jumps: {name}", f"{one['value']:.5g} {one['unit']}".strip()))
+            yield "Tolerances", rows
         if self.oscillation:
-            blocks.append("\n".join(["Oscillation", *(f"  {name:<34}{_shown(one)}" for name, one in self.oscillation.items())]))
-        return "\n\n".join(blocks)
+            yield "Oscillation", [(_WORDS.get(name, name), _shown(one)) for name, one in self.oscillation.items()]
 
     def __str__(self) -> str:
         return self.text()
@@ -102,7 +127,7 @@ def _shown(value: Any) -> str:
     return "[" + ", ".join(_shown(one) for one in value) + "]" if isinstance(value, list) else str(value)
 
 
-def model_report(study: Study, oscillation: bool = True) -> ModelReport:
+def model_report(study: Study, oscillation: bool = True, certificate: bool = True) -> ModelReport:
     """All states in contact at the friction that works, where the state of small deformation jumps, and the cycle."""
     model = load(study.model)
     p, scales = other_models.dimensionless(study.model, study.values)
@@ -123,10 +148,12 @@ def model_report(study: Study, oscillation: bool = True) -> ModelReport:
     cycle = _oscillation(model, p, scales, warnings) if oscillation and {"V", "d"} <= _known(study) else None
     if not complete:
         warnings.append("that these are all states and folds is not proved here")
-    warnings.append(f"{', '.join(_ONLY)} are computed for the model kang_nam only, and are null here")
+    reached = certificate_of(study) if certificate and "mu0" in model.parameters else None
+    warnings.append(_LEFT_OUT)
     return ModelReport(
         jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), fraction * full,
-        100 * (jump / high - 1) if jump is not None and high > 0 else None, states, turns, cycle, complete, tuple(warnings),
+        100 * (jump / high - 1) if jump is not None and high > 0 else None,
+        states, turns, cycle, reached, complete, tuple(warnings),
         _verdict(study, jump, high, states),
     )  # fmt: skip
 
@@ -205,12 +232,27 @@ def _oscillation(model: Any, p: Any, scales: Mapping[str, float], warnings: list
         except (ConvergenceError, SpragsymError) as error:
             reason = reason or error
             continue
+        spring, contact = _forces(model, p, found.trajectory(), scales["force"])
         return {
             "kind": "cycle", "stable": bool(found.stable), "frequency_hz": 1 / (float(found.period) * scales["time"]),
-            "amplitude_mm": float(found.amplitude) * 1e3 * scales["length"], "start": word,
+            "amplitude_mm": float(found.amplitude) * 1e3 * scales["length"], "spring_force_N": spring, "contact_force_N": contact,
+            "start": word, "lifts_off": contact is not None and contact[0] <= 0,
         }  # fmt: skip
     warnings.append(f"no oscillation was found: {reason}")
     return None
+
+
+def _forces(model: Any, p: Any, motion: Any, unit: float) -> tuple[list[float] | None, list[float] | None]:
+    """Least and largest force of the spring and of the contact over the samples of a motion."""
+    places = [
+        dict(zip(model.coordinates, column, strict=True)) for column in zip(*motion.state[: len(model.coordinates)], strict=True)
+    ]
+    found = []
+    for force in (spring_force, contact_force):
+        values = [force(model, p, place, unit) for place in places]
+        known = [value for value in values if value is not None]
+        found.append([min(known), max(known)] if known else None)
+    return found[0], found[1]
 
 
 def _folds(model: Any, p: Any) -> tuple[tuple[float, ...], bool]:

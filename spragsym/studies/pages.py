@@ -4,16 +4,19 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from html import escape
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import numpy as np
 
 from .reports import Report
 from .study import Study
 from .texts import sections
+
+if TYPE_CHECKING:
+    from .other_reports import ModelReport
 
 _STYLE = """
 body{font:16px/1.5 system-ui,sans-serif;color:#1a1a1a;background:#fff;max-width:58rem;margin:2rem auto;padding:0 1rem}
@@ -37,6 +40,15 @@ def write_page(study: Study, report: Report, path: Path) -> None:
 
 def page(study: Study, report: Report) -> str:
     """The page as text."""
+    return document(study, report, pictures(study, report), sections(report))
+
+
+#: A heading with rows of a name and a value.
+Section: TypeAlias = tuple[str, Iterable[tuple[str, str]]]
+
+
+def document(study: Study, report: Report | ModelReport, drawn: Iterable[tuple[str, str]], headed: Iterable[Section]) -> str:
+    """A page from its verdict and warnings, pictures as SVG with captions, and sections."""
     sprags = " sprags" if report.verdict.startswith("It sprags") else ""
     title = f"Sprag-slip report{': ' + study.source if study.source else ''}"
     parts = [
@@ -45,8 +57,8 @@ def page(study: Study, report: Report) -> str:
         f"<title>{escape(title)}</title>", f"<style>{_STYLE}</style></head><body>", f"<h1>{escape(title)}</h1>",
         f'<p class="verdict{sprags}">{escape(report.verdict)}</p>',
         *(f'<p class="warning">{escape(one)}</p>' for one in report.warnings),
-        *(f"<figure>{svg}<figcaption>{escape(caption)}</figcaption></figure>" for svg, caption in pictures(study, report)),
-        *(_section(heading, rows) for heading, rows in sections(report)), _section("Data", _data(study)), "</body></html>", "",
+        *(f"<figure>{svg}<figcaption>{escape(caption)}</figcaption></figure>" for svg, caption in drawn),
+        *(_section(heading, rows) for heading, rows in headed), _section("Data", _data(study)), "</body></html>", "",
     ]  # fmt: skip
     return "\n".join(parts)
 
@@ -70,19 +82,19 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
     p, angles = study.dimensionless.replace(mu0=working), study.quantities["theta0"]
     millimetre = 1e3 * study.scales.length
     yield (
-        _svg(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), report.mu_jump, ax=ax)),
+        picture(lambda ax: brakes.draw_operating_point(p, (angles.low, angles.high), (low, high), report.mu_jump, ax=ax)),
         "Where the brake works (dot) and its tolerances (box). Shaded: three states of sliding; on the lines two of them meet. "
         "Cross: the friction at which the state of small deformation jumps at this angle.",
     )
     yield (
-        _svg(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=millimetre, label="x in mm")),
+        picture(lambda ax: brakes.draw_rising_friction(p, (low, high), ax=ax, length=millimetre, label="x in mm")),
         "The displacement along the belt as the friction rises from 0 (red, with its jumps); grey: all states, full where "
         "stable. Shaded: the friction within its tolerances.",
     )
     if report.probability is not None and not all(np.isnan(one[1]) for one in report.probability.sobol.values()):
         shares = report.probability.sobol
         yield (
-            _svg(lambda ax: brakes.draw_shares(shares, ax=ax)),
+            picture(lambda ax: brakes.draw_shares(shares, ax=ax)),
             "Which tolerance decides whether it jumps: Sobol' indices with their 95 % intervals.",
         )
     if report.oscillation is not None and report.oscillation.kind != "none":
@@ -97,18 +109,18 @@ def _of_motion(study: Study, report: Report) -> Iterator[tuple[str, str]]:
     motion = found.trajectory(8) if report.oscillation.kind == "cycle" else found
     length, speed = 1e3 * scales.length, scales.length / scales.time
     yield (
-        _svg(lambda ax: motion_pictures.draw_phase(motion, ax=ax, length=length, speed=speed,
+        picture(lambda ax: motion_pictures.draw_phase(motion, ax=ax, length=length, speed=speed,
                                                    labels=("x in mm", "speed along the belt in m/s"))),
         "The oscillation: speed over place along the belt. Dotted: the speed of the belt.",
     )  # fmt: skip
     yield (
-        _svg(lambda ax: motion_pictures.draw_spectrum(motion, ax=ax, length=length, frequency=1 / scales.time,
+        picture(lambda ax: motion_pictures.draw_spectrum(motion, ax=ax, length=length, frequency=1 / scales.time,
                                                       labels=("frequency in Hz", "amplitude of x in mm"))),
         "Its spectrum.",
     )  # fmt: skip
 
 
-def _svg(draw: Callable[[Any], Any]) -> str:
+def picture(draw: Callable[[Any], Any]) -> str:
     """A picture of one panel, without the head of a file, its ids its own."""
     from ..figures import FORMATS
     from ..figures.style import Sheet, house_style

@@ -16,12 +16,14 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from ..design import redesign
+from ..design.events import have_jumped
 from ..design.jump_values import first_jumps
 from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
 from ..errors import SpragsymError
 from ..parameters import FloatArray, Parameters, PhysicalParameters
 from .study import Study
+from .tolerances import friction_at
 from .units import factor
 
 #: What may be changed, one at a time.
@@ -85,27 +87,29 @@ def _scale(study: Study, name: str) -> float:
     return _SHARE * (study.values[name] or study.values["k_x"] or 0.01 * study.values["k_c"])
 
 
-def _jump(study: Study, changed: Mapping[str, Any]) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Where designs jump, and for which of them that is known."""
+def _designs(study: Study, changed: Mapping[str, Any]) -> Parameters:
     shape = np.shape(next(iter(changed.values())))
     values = {name: np.broadcast_to(changed.get(name, study.values[name]), shape) for name in PHYSICAL}
-    parameters = {name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()}
-    found = first_jumps(Parameters(**parameters), "mu0")
-    known = np.ones(math.prod(shape), dtype=np.bool_)
-    known[list(found.reasons)] = False
-    return found.value.reshape(shape), known.reshape(shape)
+    return Parameters(**{name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()})
+
+
+def _free(study: Study, changed: Mapping[str, Any], friction: FloatArray | float) -> NDArray[np.bool_]:
+    """Which designs are known not to jump at a friction or below it."""
+    designs = _designs(study, changed)
+    found = have_jumped(designs.replace(mu0=np.broadcast_to(friction, designs.shape)))
+    free = ~found.jumped
+    free.flat[list(found.reasons)] = False
+    return free
 
 
 def _kept(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
     """Which designs jump at the target at the earliest, and at the corners of their tolerances beyond the largest friction."""
-    jump, known = _jump(study, changed)
-    kept = known & ~(jump < target)
+    kept = _free(study, changed, target)
     left = np.flatnonzero(kept)
     corners = _shares(study, corners=True)
     if left.size and len(corners):
         some = {name: np.asarray(value)[left] for name, value in changed.items()}
-        jump, known = _jump(study, _about(study, some, corners))
-        kept[left] = (known & ~(jump <= study.friction[2])).all(axis=0)
+        kept[left] = _free(study, _about(study, some, corners), study.friction[2]).all(axis=0)
     return kept
 
 
@@ -114,13 +118,15 @@ def _wide(study: Study) -> list[str]:
 
 
 def _shares(study: Study, corners: bool) -> FloatArray:
-    """Corners of the unit cube of all tolerances but the friction's, or points within it; a sample where the corners are many."""
+    """Corners of the unit cube of all tolerances but the friction's, a sample where they are many; or points of that and of the
+    tolerances of mu0, V and d.
+    """
     wide = _wide(study)
     if not wide:
         return np.empty((0, 0))
     if corners and len(wide) <= _CORNERS:
         return np.array(list(product((0.0, 1.0), repeat=len(wide))))
-    points = qmc.Sobol(len(wide) + (not corners), rng=1).random(1 << (_CORNERS if corners else 10))
+    points = qmc.Sobol(len(wide) + (0 if corners else 3), rng=1).random(1 << (_CORNERS if corners else 10))
     return np.round(points) if corners else np.asarray(points)
 
 
@@ -141,12 +147,11 @@ def _about(study: Study, changed: Mapping[str, Any], shares: FloatArray) -> dict
 def _probability(study: Study, changed: Mapping[str, float]) -> float:
     """The share of Sobol' points within the tolerances about a design that jump at their friction."""
     shares = _shares(study, corners=False)
-    low, _, high = study.friction
     if not len(shares):
         return math.nan
-    jump, known = _jump(study, _about(study, {name: np.array([value]) for name, value in changed.items()}, shares))
-    friction = low + shares[:, -1, None] * (high - low)
-    return float((~known | (jump <= friction)).mean())
+    about = _about(study, {name: np.array([value]) for name, value in changed.items()}, shares)
+    friction = friction_at(study, dict(zip(("mu0", "V", "d"), shares[:, -3:].T, strict=True)))
+    return float(1 - _free(study, about, friction[:, None]).mean())
 
 
 def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:
@@ -207,7 +212,7 @@ def _verified(study: Study, after: Mapping[str, float], target: float, scale: Ma
     for further in range(4):
         rounded = {name: _rounded(study, name, before[name], value, further) for name, value in after.items()}
         if _kept(study, {name: np.array([value]) for name, value in rounded.items()}, target)[0]:
-            jump = float(_jump(study, {name: np.array([value]) for name, value in rounded.items()})[0][0])
+            jump = float(first_jumps(_designs(study, {name: np.array(value) for name, value in rounded.items()}), "mu0").value)
             moved = {name: value for name, value in rounded.items() if value != before[name]}
             size = math.hypot(*((value - before[name]) / scale[name] for name, value in moved.items()))
             return Change({name: before[name] for name in moved}, moved, jump, size, _probability(study, moved))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+import sys
+from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -94,14 +95,41 @@ class Report(Result):
         self.study.to_html(path, self)
 
 
-def report(study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int) -> Report:
+#: Says what is computed now; nothing, for an empty text.
+Tell = Callable[[str], None]
+
+
+def teller(show: bool) -> Tell:
+    """On a terminal one line, written over and over."""
+
+    def tell(part: str) -> None:
+        if show:
+            line = f"computing {part}" if part else ""
+            sys.stderr.write(f"\r{line:<72}" + ("" if part else "\r"))
+            sys.stderr.flush()
+
+    return tell
+
+
+def report(
+    study: Study, *, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int, progress: bool
+) -> Report:
     """The report of a study; see :meth:`Study.report`."""
+    tell = teller(progress)
+    try:
+        return _report(study, probability, redesign, oscillation, safety, n, tell)
+    finally:
+        tell("")
+
+
+def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, safety: float, n: int, tell: Tell) -> Report:
     low, working, high = study.friction
     if high == 0 and study.quantities["mu0"].high > 0:
         raise ParameterError(
             f"V = {study.shown('V', study.values['V'])}: nothing slides at that speed, and the friction law has no friction "
             "there; give the speed of the belt, or leave V and d out for friction at full slip"
         )
+    tell("jumps, cusp and states")
     p = study.dimensionless
     mu_jump = float(jump_value(p, "mu0"))
     theta0_jump = float(jump_value(p.replace(mu0=working), "theta0"))
@@ -109,9 +137,14 @@ def report(study: Study, *, probability: bool, redesign: bool, oscillation: bool
     found = states(study)
     margin = 100 * (mu_jump / high - 1) if high > 0 else math.inf
     target = safety * high
+    tell("the proof for all within the tolerances")
     reached = certificate(study) if probability else None
-    lives = oscillation_of(study) if oscillation and study.moves else None
+    moving = oscillation and study.moves
+    tell("the oscillation (--no-oscillation leaves it out)" if moving else "the probability of a jump")
+    lives = oscillation_of(study) if moving else None
+    tell("the probability of a jump")
     odds = chance(study, n) if probability else None
+    tell("what to change")
     needed = redesign and target > 0 and (mu_jump < target or (odds is not None and odds.probability > 0))
     turns = {"mu0": folds(p, "mu0"), "theta0": folds(p.replace(mu0=working), "theta0")}
     parts: dict[str, Any] = dict(

@@ -15,6 +15,8 @@ from ..parameters import NAMES, FloatArray, Parameters
 from ..statics.solver import Stability, equilibria
 from .study import Study
 
+#: What the eigenvalues of a matrix of four rows are off by, relative to the largest, generously.
+ROUNDING = 1e-14
 #: Damping ratio below which a state is neither damped nor driven to speak of.
 NEUTRAL = 1e-3
 
@@ -85,9 +87,11 @@ def _state(
     scales = study.scales
     rate = np.asarray(roots, dtype=complex) / scales.time
     size = float(np.abs(rate).max())
+    # Where nothing damps, as without friction, the sign of the real part is the rounding's.
+    rate = np.where(np.abs(rate.real) <= ROUNDING * size, 1j * rate.imag, rate)
     upper = sorted((root for root in rate if root.imag > 1e-9 * size), key=lambda root: float(root.imag))
     growth = float(rate.real.max())
-    stable = growth < 0 if study.moves else kind == Stability.STABLE
+    stable = growth < 0 if study.moves and growth else kind == Stability.STABLE
     (sigma,) = p.scalars("sigma")
     millimetre = 1e3 * scales.length
     return State(

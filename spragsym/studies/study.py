@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -163,8 +163,9 @@ class Study:
     # ---------------------------------------------------------------------------------------------------------- the answers
 
     def report(
-        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2, n: int = 4096
-    ) -> Report:
+        self, *, probability: bool = True, redesign: bool = True, oscillation: bool = True, safety: float = 1.2, n: int = 4096,
+        progress: bool = False,
+    ) -> Report:  # fmt: skip
         """Everything that can be said of this brake.
 
         Parameters
@@ -179,6 +180,8 @@ class Study:
             What is changed keeps the jump at this many times the largest friction.
         n : int
             Points for the probability.
+        progress : bool
+            Say on stderr what is being computed.
 
         Returns
         -------
@@ -189,21 +192,29 @@ class Study:
         if self.model != "kang_nam":
             raise ParameterError(f"model = {self.model!r}: this report is of kang_nam; call model_report()")
         return report(
-            self, probability=probability, redesign=redesign, oscillation=oscillation, n=n,
+            self, probability=probability, redesign=redesign, oscillation=oscillation, n=n, progress=progress,
             safety=as_number("safety", safety, physical_ranges()["k"]),
         )  # fmt: skip
 
-    def model_report(self, oscillation: bool = True) -> ModelReport:
-        """The report with any model: jump, cusp, states, forces and the cycle; what is not answered is None, with the reason."""
+    def model_report(self, oscillation: bool = True, certificate: bool = True) -> ModelReport:
+        """The report with any model: jump, cusp, states, forces and the cycle; what is not answered is None, with the reason.
+
+        ``certificate = False`` leaves out the search for a brake within the tolerances that jumps.
+        """
         from .other_reports import model_report
 
-        return model_report(self, oscillation)
+        return model_report(self, oscillation, certificate)
 
-    def to_html(self, path: str | os.PathLike[str], report: Report | None = None) -> None:
+    def to_html(self, path: str | os.PathLike[str], report: Report | ModelReport | None = None) -> None:
         """Write the report as one page with its pictures, which needs no other file (extra ``plot``)."""
-        from .pages import write_page
+        if self.model == "kang_nam":
+            from .pages import write_page
 
-        write_page(self, self.report() if report is None else report, Path(path))
+            write_page(self, cast("Report", self.report() if report is None else report), Path(path))
+        else:
+            from .other_pages import write_other_page
+
+            write_other_page(self, cast("ModelReport", self.model_report() if report is None else report), Path(path))
 
     def __repr__(self) -> str:
         return f"Study({', '.join(f'{name}={self.shown(name, one.value)}' for name, one in self.quantities.items())})"

@@ -8,9 +8,13 @@ from itertools import product
 from typing import Any
 
 import numpy as np
+from scipy.optimize import brentq
 from scipy.stats import qmc
 
-from ..design import certify, jump_probability, jump_value
+from ..catastrophe.sliding import sliding_friction
+from ..design import certify, jump_probability
+from ..design.events import have_jumped
+from ..design.probability import BELT
 from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
 from ..parameters import NAMES, Parameters
@@ -18,6 +22,8 @@ from .study import Study
 
 #: Slices of the contact's stiffness, on which all groups depend: more of them until the claim is decided.
 _SLICES = (1, 4, 16, 48)
+#: Every so many-th slice is looked at first.
+_SPREAD = 8
 #: Boxes for one slice, and points at which counterexamples are looked for.
 _BOXES, _POINTS = 400, 1024
 
@@ -27,7 +33,7 @@ class BoxCertificate(Result):
     """What is known of "nothing jumps" for every brake within the tolerances.
 
     ``outcome`` is ``"proved"``, ``"refuted"`` or ``"undecided"``; ``counterexample`` is a brake within the tolerances that jumps,
-    in SI; ``undecided`` is the share of the slices of the box that is left open.
+    in SI; ``undecided`` is the share of the slices of the box that is not proved.
     """
 
     claim: str
@@ -43,6 +49,28 @@ def ends(study: Study) -> dict[str, tuple[float, float]]:
     return found | {"mu0": (study.friction[0], study.friction[2])}
 
 
+def friction_at(study: Study, shares: Mapping[str, Any]) -> Any:
+    """The friction that works at shares of the tolerances of mu0, V and d; 1 is the upper end."""
+    values = {}
+    for name in ("mu0", *BELT) if study.moves else ("mu0",):
+        one = study.quantities[name]
+        values[name] = np.clip(one.low + np.asarray(shares.get(name, 0.0)) * (one.high - one.low), one.low, one.high)
+    return sliding_friction(*values.values()) if study.moves else values["mu0"]
+
+
+def belt_at(study: Study, friction: float) -> dict[str, float]:
+    """mu0, V and d within their tolerances, all at one share of them, at which the friction that works is a given one."""
+    wide = [name for name in ("mu0", *BELT) if name in study.tolerances and (name == "mu0" or study.moves)]
+
+    def off(share: float) -> float:
+        return float(friction_at(study, dict.fromkeys(wide, share))) - friction
+
+    low, high = off(0.0), off(1.0)
+    share = 0.0 if low >= 0 else 1.0 if high <= 0 else float(brentq(off, 0.0, 1.0, xtol=1e-15))
+    ends = {name: study.quantities[name] for name in {"mu0", *wide}}
+    return {name: float(np.clip(one.low + share * (one.high - one.low), one.low, one.high)) for name, one in ends.items()}
+
+
 def certificate(study: Study) -> BoxCertificate:
     """Prove that nothing jumps within the tolerances, or find a brake within them that does.
 
@@ -55,17 +83,20 @@ def certificate(study: Study) -> BoxCertificate:
     box = ends(study)
     point = _counterexample(box)
     if point is not None:
-        return BoxCertificate("no jump", "refuted", point, 0.0, 0)
+        return BoxCertificate("no jump", "refuted", point | belt_at(study, point["mu0"]), 0.0, 0)
     seen, left = 0, 1.0
     for slices in _SLICES:
         cuts = np.linspace(*box["k_c"], slices + 1)
         low_k, high_k = cuts[:-1], cuts[1:]
         open_ones = 0
-        for low, high in zip(low_k, high_k, strict=True):
-            found = certify(*_corners(box | {"k_c": (float(low), float(high))}), "no jump", max_boxes=_BOXES)
+        # From all parts of the range first: where each of these is open, so are the others, or nearly.
+        order = sorted(range(slices), key=lambda i: i % _SPREAD)
+        for done, i in enumerate(order, 1):
+            found = certify(*_corners(box | {"k_c": (float(low_k[i]), float(high_k[i]))}), "no jump", max_boxes=_BOXES)
             seen += found.boxes
             open_ones += found.outcome != "proved"
-            if open_ones and slices != _SLICES[-1]:
+            if open_ones and (slices != _SLICES[-1] or open_ones == done == slices // _SPREAD):
+                open_ones += slices - done
                 break
         left = open_ones / slices
         if not open_ones:
@@ -86,9 +117,7 @@ def _counterexample(box: Mapping[str, tuple[float, float]]) -> dict[str, float] 
     for j, name in enumerate(wide):
         low, high = box[name]
         values[name] = np.clip(low + inside[:, j] * (high - low), low, high)
-    jump = jump_value(Parameters(**dimensionless(values)))
-    with np.errstate(invalid="ignore"):
-        jumping = np.flatnonzero(jump <= values["mu0"])
+    jumping = np.flatnonzero(have_jumped(Parameters(**dimensionless(values))).jumped)
     return {name: float(value[jumping[0]]) for name, value in values.items()} if jumping.size else None
 
 
@@ -121,7 +150,8 @@ class Chance(Result):
 
 def chance(study: Study, n: int) -> Chance | None:
     """How probable a jump is if every value within the tolerances is as probable; None where nothing has a tolerance."""
-    box = ends(study)
+    names = PHYSICAL + (BELT if study.moves else ())
+    box = {name: (study.quantities[name].low, study.quantities[name].high) for name in names}
     if all(low == high for low, high in box.values()):
         return None
     found = jump_probability({name: low if low == high else (low, high) for name, (low, high) in box.items()}, n=n, rng=0)

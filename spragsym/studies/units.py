@@ -86,7 +86,8 @@ def factor(unit: str, si: str) -> float:
         return 0.01 if unit == "%" else 1.0
     wanted, given = registry().parse_units(si), parsed(unit)
     if dimension(given) != dimension(wanted):
-        raise ParameterError(f"the unit {unit!r} measures {described(given)}, and this is {described(wanted)}")
+        name = f" ({given})" if str(given) != unit else ""
+        raise ParameterError(f"the unit {unit!r}{name} measures {described(given)}, and this is {described(wanted)}")
     size: Any = registry().Quantity(1.0, given).to(wanted).magnitude
     return float(size)
 
@@ -173,7 +174,7 @@ def read(text: str, si: str) -> Measured:
     both = _BRACKETED.fullmatch(plain)
     found = _PLAIN.fullmatch(both.expand(r"\g<value> \g<unit> \g<sign> \g<off> \g<unit>") if both else plain)
     if not found:
-        raise ParameterError(f"{text!r} can't be read{_why(text, si)}; write {_example(si)}")
+        raise ParameterError(f"{text!r} can't be read{_with_remedy(_why(text, si), si)}")
     number, unit = float(found["value"]), (found["unit"] or "").strip()
     off, of = found["off"], _PERCENT.get((found["of"] or "").strip(), (found["of"] or "").strip())
     if not unit and si != "1" and of and "%" not in of:
@@ -216,9 +217,8 @@ def _scale(unit: str, si: str, text: str) -> float:
     try:
         return factor(unit, si)
     except ParameterError as error:
-        raise ParameterError(
-            f"{text!r}: {_two_numbers(text, si) or _without_sign(text) or error}; write {_example(si)}"
-        ) from error
+        remark = _two_numbers(text, si) or _without_sign(text) or str(error)
+        raise ParameterError(f"{text!r}: {_with_remedy(remark, si)}") from error
 
 
 def _finite(number: float, scale: float, text: str) -> float:
@@ -235,6 +235,11 @@ def _example(si: str) -> str:
     return f'for instance "{EXAMPLES.get(si, "1 " + si)}"'
 
 
+def _with_remedy(remark: str, si: str) -> str:
+    """A remark that does not say what to write, with an example."""
+    return remark if "; write" in remark else f"{remark}; write {_example(si)}"
+
+
 def _why(text: str, si: str) -> str:
     if not text.strip():
         return ": it is empty"
@@ -245,7 +250,9 @@ def _why(text: str, si: str) -> str:
     if re.match(r"\s*[+-]?\d+\s+\d", text):
         return ": there is a blank inside of the number"
     if "[" in text or "]" in text:
-        return f": a range is two numbers in brackets, as in {RANGE_EXAMPLES.get(si, '[150, 210] N/mm')}"
+        return f": {_range_remark(si)}"
+    if re.match(rf"\s*\(\s*{_NUMBER}[^±]*,", text):
+        return f": {_range_remark(si)}"
     if re.search(rf",\s*{_SIGN}", text):
         return ": leave out the comma before ±"
     if not re.match(rf"\s*{_NUMBER}", text):
@@ -258,17 +265,24 @@ def _why(text: str, si: str) -> str:
 def _without_sign(text: str) -> str:
     """What to say of a second number without ± before it."""
     found = re.fullmatch(rf"\s*(?P<first>{_NUMBER}\s*{_UNIT})\s+(?P<off>{_NUMBER}\s*(?:%|{_UNIT}))\s*", text)
-    return f"± is missing before {found['off']}: {found['first']} ± {found['off']}" if found else ""
+    return f'± is missing before {found["off"]}; write "{found["first"]} ± {found["off"]}"' if found else ""
 
 
 def _two_numbers(text: str, si: str) -> str:
     """What to say of two ends that are not in brackets."""
-    example = RANGE_EXAMPLES.get(si, "[150, 210] N/mm")
     if re.match(rf"\s*{_NUMBER}\s*(?:\.\.+|…|-|–|to)\s*\d", text):
-        return f"a range is two numbers in brackets, as in {example}"
+        return _range_remark(si)
     if re.search(rf"\+\s*{_NUMBER}.*[^eE]-\s*{_NUMBER}", text):
-        return f"for different tolerances up and down give the two ends in brackets, as in {example}"
+        return f'tolerances that differ up and down are given by their two ends; write for instance "{_range_example(si)}"'
     return ""
+
+
+def _range_remark(si: str) -> str:
+    return f'a range is two numbers in brackets; write for instance "{_range_example(si)}"'
+
+
+def _range_example(si: str) -> str:
+    return RANGE_EXAMPLES.get(si, f"[1, 2] {si}")
 
 
 def shown_in(value: float, unit: str, si: str, digits: int = 4) -> str:

@@ -7,21 +7,26 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..dynamics import integrators
+from ..dynamics import integrators, lanes
 from ..dynamics.problem import BELT_SPEED, CREEP, MAX_STEPS, RELATIVE_TOLERANCE, as_steps
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record, clear, journal
 from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, common_shape
 from . import workers as processes
-from .measure import INPUTS, ProblemOf, Settings, article_problem, article_wells, measured
+from .measure import INPUTS, MotionsOf, Settings, article_motions, measured
 from .result import Results, Sweep
 from .workers import Workers
+
+#: Motions of one task at most, and their time in all; a few points are one task each.
+TOGETHER, TOGETHER_FOR = 1024, 2e5
+
+#: Tasks that every worker gets at least, where there are points enough.
+PARTS = 16
 
 
 def rms_sweep(
@@ -92,11 +97,11 @@ def rms_sweep(
     >>> import numpy as np
     >>> import spragsym as ss
     >>> from spragsym.sweeps import Regime, rms_sweep
-    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 42])), V=0.5, d=10.0)
+    >>> sweep = rms_sweep(ss.Parameters.article(theta0=np.radians([40, 41, 44])), V=0.5, d=10.0)
     >>> np.round(sweep.rms, 1)
-    array([0.1, 0.2, 1.6])
+    array([0.1, 0.2, 1.7])
     >>> [Regime(code).name for code in sweep.regime]
-    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'APPROACHES_CYCLE']
+    ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
     p.require(*NAMES)
     given = {name: getattr(p, name) for name in NAMES}
@@ -104,11 +109,7 @@ def rms_sweep(
     given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
     inputs = {name: given[name] for name in INPUTS}
     settings = settings_of(t_end, transient, rtol, backend, max_steps)
-    return carried_out(Plan(inputs, settings, article_problem, Results(), article_wells), workers, progress, store)
-
-
-def _nothing(points: list[tuple[float, ...]]) -> list[tuple[Any, ...]]:
-    return [()] * len(points)
+    return carried_out(Plan(inputs, settings, article_motions, Results()), workers, progress, store)
 
 
 @dataclass(frozen=True)
@@ -117,10 +118,8 @@ class Plan:
 
     inputs: dict[str, FloatArray]
     settings: Settings
-    problem_of: ProblemOf
+    motions_of: MotionsOf
     result: Results
-    #: What is told to every motion besides its inputs, found for many points at once.
-    further: Callable[[list[tuple[float, ...]]], list[tuple[Any, ...]]] = _nothing
 
 
 def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.PathLike[str] | None) -> Sweep:
@@ -179,18 +178,29 @@ def _records(
     """Every record: those that are done, and the others, stored as they are computed."""
     keep = done.__setitem__ if keep is None else keep
     left = [i for i in range(len(points)) if i not in done]
-    further = plan.further([points[i] for i in left])
-    missing = {i: (*points[i], *known) for i, known in zip(left, further, strict=True)}
-    found = processes.results(workers, partial(measured, plan.problem_of, plan.settings), missing, partial(_told, plan))
+    size = _together(plan.settings, len(left), 1 if callable(workers) else processes.count(workers))
+    parts = [left[begin : begin + size] for begin in range(0, len(left), size)]
+    tasks = {number: tuple(points[i] for i in part) for number, part in enumerate(parts)}
+    found = processes.results(workers, partial(measured, plan.motions_of, plan.settings), tasks, partial(_told, plan))
     with advance(progress, len(points), len(done)) as step, closing(found):
-        for i, record in found:
-            keep(i, record)
-            step()
+        for number, records in found:
+            for i, record in zip(parts[number], records, strict=True):
+                keep(i, record)
+                step()
     return [done[i] for i in range(len(points))]
 
 
-def _told(plan: Plan, point: tuple[Any, ...]) -> str:
-    return ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, point, strict=False))
+def _together(settings: Settings, count: int, workers: int) -> int:
+    """How many motions are one task: what a kill loses, and what every worker gets many of. No result depends on it."""
+    if settings.backend != "heyoka":  # which alone carries many at a time
+        return 1
+    lasting = max(lanes.LANES, int(TOGETHER_FOR / settings.t_end))
+    return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
+
+
+def _told(plan: Plan, points: tuple[tuple[float, ...], ...]) -> str:
+    first = ", ".join(f"{name} = {value:.17g}" for name, value in zip(plan.inputs, points[0], strict=True))
+    return first if len(points) == 1 else f"one of {len(points)} points, of which the first is {first}"
 
 
 @contextmanager

@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 
-from ..dynamics import flows, integrators
-from ..dynamics.classify import classify
-from ..dynamics.course import Course
-from ..dynamics.lift_off import wells
-from ..dynamics.problem import MAX_STEPS, Problem, check_start, constants_of, out_of_range
-from ..errors import ConvergenceError, ParameterError
+from ..dynamics import integrators
+from ..dynamics.classify import classified
+from ..dynamics.motions import Measured, Motions
+from ..dynamics.problem import MAX_STEPS, Constants, check_start, constants_of_many, out_of_range
+from ..dynamics.regimes import Regime
+from ..errors import ParameterError
 from ..files.journal import Record
-from ..parameters import NAMES, Parameters
+from ..parameters import NAMES, FloatArray
 
 #: What is measured of every motion after its transient.
 AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
@@ -44,63 +43,72 @@ class Settings:
     max_steps: int = MAX_STEPS
 
 
-#: The motion of a point whose values were validated with the whole sweep's; to be sent to other processes.
-ProblemOf: TypeAlias = Callable[[Settings, tuple[Any, ...]], Problem]
+#: Motions of points whose values were validated with the whole sweep's, and why points have none, by their numbers; the
+#: motions are those of the other points, in order. To be sent to other processes.
+MotionsOf: TypeAlias = Callable[[Settings, Sequence[tuple[float, ...]]], tuple[Motions | None, dict[int, Exception]]]
 
 
-def measured(problem_of: ProblemOf, settings: Settings, point: tuple[Any, ...]) -> Record:
-    """One record. What the motion itself makes impossible is its reason; whatever else goes wrong is raised."""
-    try:
-        problem = problem_of(settings, point)
-    except ParameterError as error:  # arrays were validated before: what is left is a start at the anchor
-        return _no_result(error)
-    try:
+def measured(motions_of: MotionsOf, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
+    """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
+    motions, reasons = motions_of(settings, points)
+    records: list[Record] = [_no_result(reasons[i]) if i in reasons else ([], "") for i in range(len(points))]
+    if motions is not None:
         with np.errstate(all="ignore"):  # numbers out of range show in the result
-            values = _values(problem, settings.backend)
-    except ConvergenceError as error:
-        return _no_result(error)
-    except ArithmeticError:
-        return _no_result(out_of_range())
-    needed = [value for name, value in zip(AVERAGES, values, strict=False) if name != "mean_y" or len(problem.start) > 2]
-    if not np.isfinite(needed).all():
-        return _no_result(out_of_range())
-    return values, ""
+            table, errors = _values(motions, settings.backend)
+        places = (i for i in range(len(points)) if i not in reasons)
+        for row, (i, values) in enumerate(zip(places, table.tolist(), strict=True)):
+            records[i] = _no_result(errors[row]) if row in errors else (values, "")
+    return records
 
 
 def _no_result(error: Exception) -> Record:
+    error = out_of_range() if isinstance(error, ArithmeticError) else error
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def article_problem(settings: Settings, point: tuple[Any, ...]) -> Problem:
-    """The motion of a point of the article's model: its inputs, and its wells above the belt where they are known."""
-    *parameters, V, d, x0, y0, vx0, vy0 = point[: len(INPUTS)]
-    check_start(parameters[0], x0, y0)
-    constants, known = constants_of(tuple(parameters), V, d), point[len(INPUTS) :]
-    return Problem(
-        constants, (x0, y0, vx0, vy0), settings.t_end, settings.transient, settings.rtol, settings.max_steps,
-        wells=known[0] if known else None,
-    )  # fmt: skip
+def article_motions(settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
+    """Motions of the article's model."""
+    values = np.array(points, dtype=np.float64)
+    constants, starts = np.array(constants_of_many(values[:, :8].T)).T, values[:, 8:]
+    errors: dict[int, Exception] = {}
+    for i in np.flatnonzero((constants[:, :2] == starts[:, :2]).all(axis=1)).tolist():
+        try:
+            check_start(*points[i][:1], *points[i][8:10])
+        except ParameterError as error:
+            errors[i] = error
+    kept = [i for i in range(len(points)) if i not in errors]
+    return motions_at(settings, constants[kept], starts[kept], known=Constants._make), errors
 
 
-def article_wells(points: list[tuple[float, ...]]) -> list[tuple[Any, ...]]:
-    """What points of the article's model are told besides their inputs: all wells at once."""
-    if not points:
-        return []
-    values = np.array(points).T
-    return [(known,) for known in wells(Parameters(**dict(zip(NAMES, values, strict=False))))]
+def motions_at(settings: Settings, constants: Any, starts: Any, **how: Any) -> Motions | None:
+    """The motions of a sweep with such constants and starts; None for no motions."""
+    if not len(starts):
+        return None
+    columns = np.array(constants, dtype=np.float64), np.array(starts, dtype=np.float64)
+    return Motions(*columns, settings.t_end, settings.transient, settings.rtol, settings.max_steps, **how)
 
 
-def _values(problem: Problem, backend: str) -> list[float]:
-    """The measured values of a motion, in the order of MEASURED."""
-    course = integrators.measure(problem, backend)
-    outcome = classify(course, problem, flows.onward(problem, backend))
-    return [*_averages(course), *(float(getattr(outcome, name)) for name in MEASURED[len(AVERAGES) :])]
+def _values(motions: Motions, backend: str) -> tuple[FloatArray, dict[int, Exception]]:
+    """The measured values of motions, in the order of MEASURED, and why there are none."""
+    found = integrators.measure(motions, backend)
+    table, errors = np.full((len(motions), len(MEASURED)), np.nan), found.errors.copy()
+    table[:, : len(AVERAGES)] = _averages(found).T
+    table[:, MEASURED.index("regime")] = Regime.UNSETTLED
+    needed = [i for i, name in enumerate(AVERAGES) if name != "mean_y" or motions.starts.shape[1] > 2]
+    for row in np.flatnonzero(~np.isfinite(table[:, needed]).all(axis=1)).tolist():
+        errors.setdefault(row, out_of_range())
+    for row, outcome in classified(found, motions, backend):
+        if isinstance(outcome, Exception):
+            errors.setdefault(row, outcome)
+        else:
+            table[row, len(AVERAGES) :] = [getattr(outcome, name) for name in MEASURED[len(AVERAGES) :]]
+    return table, errors
 
 
-def _averages(course: Course) -> list[float]:
+def _averages(found: Measured) -> FloatArray:
     """The measured values after the transient, in the order of AVERAGES."""
-    mean, spread = course.moments()
-    amplitude = max(map(abs, course.x_extrema.tolist()))
-    mean_y = float(course.integrals[-1, 2]) / (course.end - course.begin) if len(course.first) > 2 else math.nan
-    lost, _, *reversals = course.events.tolist()
-    return [math.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)]
+    mean, spread, *others = found.averages
+    mean_y = others[0] if others else np.full(len(mean), np.nan)
+    lost, _, *reversals = found.events.T
+    amplitude = np.maximum(np.abs(found.low), np.abs(found.high))
+    return np.array([np.hypot(mean, spread), spread, amplitude, mean, mean_y, lost, sum(reversals)])

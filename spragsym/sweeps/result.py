@@ -158,7 +158,7 @@ class Results:
         results: dict[str, Any] = {name: measured[name] for name in REPORTED}
         results["regime"] = np.where(np.isnan(measured["regime"]), Regime.FAILED, measured["regime"]).astype(np.int8)
         results["equilibrium"] = self.equilibrium(inputs, measured["rest_x"], measured["rest_y"])
-        results["reason"] = np.array([storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
+        results["reason"] = np.array([reason and storage.plain(reason) for _, reason in records], dtype=np.str_).reshape(shape)
         return self.sweep(inputs, settings, results)
 
     def loaded(self, path: Path, key: str, inputs: dict[str, FloatArray], shape: tuple[int, ...], settings: Settings) -> Sweep:

@@ -63,7 +63,8 @@ class Target:
     """A language.
 
     Its name on the command line, its title, its folder below ``generated/``, how its files are made, and the names of those that are
-    exported, with ``{library}`` for that of the library and ``*`` for any text; of these a model without an example, say, may lack some.
+    exported, with ``{library}`` for that of the library and ``*`` for any text. Files that a model does not have, an example say, are
+    left out.
     """
 
     language: str

@@ -33,6 +33,7 @@ def module() -> Module:
         for symbol in nm.PARAMETERS
     )  # fmt: skip
     friction, quartic, quartic_names = _fold_quartic(s0, c0)
+    events, events_without_alpha, conic_names, line_names = _fold_events()
     sextic, sextic_names = _fold_sextic()
     cusp_polynomial, cusp_names = _cusp_polynomial()
     cusp_s0, cusp_ratio = _cusp_angles()
@@ -55,6 +56,13 @@ def module() -> Module:
                      "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), quartic, "e0, e1, e2, e3, e4", quartic_names),
             Function("fold_conic", "All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.",
                      "f = f′ = 0", (*ANGLE, nm.kappa, *STIFFNESS), _fold_conic(), "E0, E1, E2, Ec", contact),
+            Function("fold_events", "Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and "
+                     "where one has μ₀ = 0. Needs α > 0.", "f = f′ = 0", (nm.s, nm.kappa, *STIFFNESS), events,
+                     "meeting, border, frictionless", {**contact, **conic_names}),
+            Function("fold_events_without_alpha", "The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where "
+                     "they meet at π/2.", "f = f′ = 0", (nm.s, nm.kappa, nm.sigma, nm.beta), events_without_alpha,
+                     "meeting, border, middle",
+                     {name: sp.sympify(value).subs({nm.p: nm.sigma, nm.alpha: 0}) for name, value in {**contact, **line_names}.items()}),
             Function("fold_quadratic", "The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.", "f = f′ = 0",
                      (*ANGLE, nm.kappa, nm.sigma, nm.beta),
                      tuple(sp.factor(value.subs({nm.p: nm.sigma})) for value in catastrophe.fold_quadratic()),
@@ -90,22 +98,52 @@ def module() -> Module:
 
 
 def _fold_conic() -> tuple[sp.Expr, ...]:
-    """The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1, which has no pole and no c0², s0 c0."""
+    """The fold relations are lines in M, so that M drops out of u1 w2 − u2 w1, which has no pole and no c0², s0 c0.
+
+    But for the last one, which has the factor cos θ, the coefficients are polynomials in sin θ.
+    """
     a = nm.fa
-    threshold = nm.kappa + nm.sigma * nm.s * (1 + nm.c**2)
+    threshold = nm.kappa + nm.sigma * nm.s * (2 - nm.s**2)
     gap = nm.kappa * nm.p - a * nm.s**3
-    lever = nm.sigma * nm.s**2 * nm.c
     conic = (
-        gap * threshold - a * nm.c**3 * lever,
+        nm.kappa * nm.p * threshold - a * nm.s**2 * (nm.sigma + nm.kappa * nm.s),
         nm.p * nm.B * threshold - nm.sigma * gap,
         -nm.p * nm.B * nm.sigma,
-        -nm.q * nm.alpha * lever,
+        -nm.q * nm.alpha * nm.sigma * nm.s**2 * nm.c,
     )
-    spelled = [relation.subs(nm.fa, elimination.f_coefficients()[nm.fa]) for relation in catastrophe.fold_residuals()]
-    (u1, w1), (u2, w2) = ((relation.subs(nm.M, 0), sp.diff(relation, nm.M)) for relation in spelled)
-    ours = conic[0] + conic[1] * nm.s0 + conic[2] * nm.s0**2 + conic[3] * nm.c0
-    require_same("fold conic", (ours.subs(a, elimination.f_coefficients()[a]),), (u1 * w2 - u2 * w1,))
+    require_same("fold conic", conic, catastrophe.fold_conic(), {a: elimination.f_coefficients()[a]})
     return conic
+
+
+def _fold_events() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...], dict[sp.Symbol, sp.Expr], dict[sp.Symbol, sp.Expr]]:
+    """What is 0 at an event, for α > 0 and for α = 0, in the coefficients of the conic, and names for these.
+
+    With v = tan(θ₀/2) the conic is a quartic, and 27 times its discriminant is 4 P³ − Q²; the cosine enters by its square.
+    """
+    e0, e1, e2, square, middle, product, P, Q = sp.symbols("e0 e1 e2 ec_2 middle product P Q")
+    conic = _fold_conic()
+    names = {
+        **dict(zip((e0, e1, e2), conic, strict=False)),
+        square: (conic[3] / nm.c) ** 2 * (1 - nm.s**2),
+        product: e0**2 - square,
+        middle: 4 * e2 + 2 * e0,
+        P: 12 * product - 12 * e1**2 + middle**2,
+        Q: 72 * product * middle + 36 * e1**2 * middle - 216 * e1**2 * e0 - 2 * middle**3,
+    }
+    sine, cosine = nm.fa * nm.s**3 - nm.kappa * nm.p, nm.fa * (1 - nm.s**2)
+    rest = (nm.q * nm.alpha * sine) ** 2 + (1 - nm.s**2) * (nm.p * nm.B * cosine) ** 2 - (nm.p * nm.B * nm.q * nm.alpha) ** 2
+    events = (4 * P**3 - Q**2, product, rest)
+    derived = catastrophe.fold_events((e0, e1, e2, square))
+    named = {name: value for name, value in names.items() if name in (product, middle, P, Q)}
+    require_same("meetings of folds, and their borders", events[:2], derived[:2], named)
+    require_same("folds without friction", events[2:], derived[2:], {nm.fa: elimination.f_coefficients()[nm.fa]})
+    s, k, B = nm.s, nm.kappa, nm.B  # e0 + e1 + e2, in which little is lost
+    at_middle = nm.sigma * (k**2 + (1 - s) * (k * B * (1 + s + s**2) - k * nm.sigma * (1 - s - s**2) - B * nm.sigma * (1 - s)))
+    kept = {name: value for name, value in names.items() if name in (e0, e1, e2)}
+    spelled = {**kept, nm.fa: nm.sigma * nm.B, nm.p: nm.sigma}
+    require_same("folds at θ₀ = π/2", (at_middle,), ((e0 + e1 + e2).subs(spelled).subs(spelled).subs(nm.alpha, 0),))
+    without_alpha = (e1**2 - 4 * e0 * e2, e0, at_middle)
+    return events, without_alpha, names, kept
 
 
 def _changes() -> tuple[tuple[sp.Expr, ...], ...]:

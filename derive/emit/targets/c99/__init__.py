@@ -72,7 +72,7 @@ def _spoken(text: str, words: Mapping[str, str]) -> str:
 
 
 def _filled(text: str, parts: Mapping[str, str]) -> str:
-    """Put emitted text in the places that ``/* @name@ */`` marks, of which a part may have others."""
+    """Put emitted text in the places marked ``/* @name@ */``; a text that is put in may hold further such places."""
     for name, part in parts.items():
         text = text.replace(f"/* @{name}@ */\n", f"{part}\n" if part else "")
     return text

@@ -1,7 +1,7 @@
 """Layout of C as clang-format has it with the project's settings: where a long line is broken, and how comments are spelled.
 
 Lines are broken only where clang-format leaves a break: after an operator outside of all brackets, or after a comma of the outermost
-ones. What stands deeper stays on its line, however long.
+ones. Text inside further brackets stays on one line, however long.
 """
 
 from __future__ import annotations

@@ -32,12 +32,14 @@
 #error "spragsym: the groups must have room for every root of a block"
 #endif
 
+/* Without branches, so that columns of points are looked at side by side; written so that a NaN fails. */
 static int allowed(const spragsym_parameters *given) {
     const double pi = 3.14159265358979323846;
-    /* Written so that a NaN fails. */
-    return given->theta0 > 0.0 && given->theta0 < pi && given->mu0 >= 0.0 && given->kappa > 0.0 && given->alpha >= 0.0 &&
-        given->sigma > 0.0 && given->beta >= 0.0 && isfinite(given->mu0) && isfinite(given->kappa) &&
-        isfinite(given->alpha) && isfinite(given->sigma) && isfinite(given->beta);
+    const int inside = (given->theta0 > 0.0) & (given->theta0 < pi) & (given->mu0 >= 0.0) & (given->kappa > 0.0) &
+        (given->alpha >= 0.0) & (given->sigma > 0.0) & (given->beta >= 0.0);
+    const int finite = (given->mu0 <= DBL_MAX) & (given->kappa <= DBL_MAX) & (given->alpha <= DBL_MAX) &
+        (given->sigma <= DBL_MAX) & (given->beta <= DBL_MAX);
+    return inside & finite;
 }
 
 spragsym_status spragsym_prepare(const spragsym_parameters *parameters, spragsym_model *model) {

@@ -10,21 +10,17 @@ function [result1, result2, result3, result4] = fold_conic(cos, sin, kappa, alph
 %  sigma: stiffness ratio k / k_c
 %  beta: stiffness ratio k_y / k_c
 %
-%  Source: f = f′ = 0. Operations: 31.
+%  Source: f = f′ = 0. Operations: 32.
   B = beta + 1;
   a_f = sigma.*(B - alpha);
   p = alpha + sigma;
   q = B + sigma;
-  cos_2 = cos.*cos;
-  cos_4 = cos_2.*cos_2;
   sin_2 = sin.*sin;
-  w0 = sigma.*sin_2;
-  w1 = kappa + sigma.*sin.*(cos_2 + 1);
+  w0 = kappa + sigma.*sin.*(2 - sin_2);
   sin_3 = sin.*sin_2;
-  w2 = -a_f.*sin_3 + kappa.*p;
-  w3 = B.*p;
-  result1 = -a_f.*cos_4.*w0 + w1.*w2;
-  result2 = -sigma.*w2 + w1.*w3;
-  result3 = -sigma.*w3;
-  result4 = -alpha.*cos.*q.*w0;
+  w1 = B.*p;
+  result1 = -a_f.*sin_2.*(kappa.*sin + sigma) + kappa.*p.*w0;
+  result2 = -sigma.*(-a_f.*sin_3 + kappa.*p) + w0.*w1;
+  result3 = -sigma.*w1;
+  result4 = -alpha.*cos.*q.*sigma.*sin_2;
 end

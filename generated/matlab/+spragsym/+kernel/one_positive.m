@@ -1,6 +1,6 @@
 function result = one_positive(line, u)
-%ONE_POSITIVE  Whether certainly one root in t is positive, and not three: Descartes' rule with e0 < 0 < e4,
-%  e2 ≤ 0 and e1 < 0.
+%ONE_POSITIVE  Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0
+%  and e1 < 0.
   % a count of roundings
   COUNT_E1 = 10.0;
   [~, e1] = spragsym.algebra.t_quartic(line.a, line.b, line.d, line.m);

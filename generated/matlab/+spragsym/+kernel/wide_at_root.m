@@ -5,11 +5,11 @@ function result = wide_at_root(t, point, line, u)
 %  σ/q + R/(q sin θ), y = (σ (sin θ₀ − sin θ) − κ)/q and x = cos θ₀ − L cos θ over that radius: sin θ changes
 %  by at most radius (|cos θ| + radius), cos θ by radius (|sin θ| + radius), and 1/sin θ as sin θ does, over
 %  sin² θ, but for some thousandths.
+  INFINITY = Inf;
   % The largest h = |f| max|f″| / f′² for which a root is taken as proved: Kantorovich's theorem asks for 1/2.
   LARGEST_H = 0.4;
   % The largest radius around θ, over sin θ, for which the bounds on the state below hold.
   LARGEST_RADIUS = 0.001;
-  INFINITY = Inf;
   % a count of roundings
   COUNT_F = 21.0;
   % a count of roundings

@@ -1,6 +1,6 @@
 function result = wide_one_positive(line, u)
-%WIDE_ONE_POSITIVE  Whether certainly one root in t is positive, and not three: Descartes' rule with e0 < 0 <
-%  e4, e2 ≤ 0 and e1 < 0.
+%WIDE_ONE_POSITIVE  Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2
+%  ≤ 0 and e1 < 0.
   % a count of roundings
   COUNT_E1 = 10.0;
   t_quartic_results = spragsym.kernel.wide_t_quartic(line.a, line.b, line.d, line.m);

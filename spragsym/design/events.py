@@ -1,0 +1,98 @@
+"""Whether the state of small deformation has jumped at the friction of each of many points: the event, not where it is.
+
+Along the surface f = 0 is μ₀ a function of θ, since f is linear in it, and a fold is where that has no slope. Let θ₁ be the
+first equilibrium at μ₀ beyond the state without friction. If nothing has jumped, μ₀(θ) rises all the way between the two; and if
+it rises all the way, nothing has. So one polynomial's signs between two directions decide, and no fold need be found.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..catastrophe.fold_arrays import friction_sextic
+from ..exact import bernstein
+from ..exact.rounded import UNIT
+from ..parameters import NAMES, FloatArray, Parameters
+from ..statics.solver import Stability, equilibria
+from .jump_values import BLOCK, first_jumps, small
+
+#: Radians between an equilibrium and the state without friction below which float64 does not say which comes first.
+_NEAR = 1e-9
+
+
+@dataclass(frozen=True)
+class Jumped:
+    """For many points whether the state has jumped; ``reasons`` says of which, by position in ``.flat``, that is not known."""
+
+    jumped: NDArray[np.bool_]
+    reasons: Mapping[int, str]
+
+
+def have_jumped(p: Parameters) -> Jumped:
+    """Whether the state of small deformation jumps at a friction up to that of each point: ``jump_value(p) <= p.mu0``.
+
+    Parameters
+    ----------
+    p : Parameters
+        Any shape.
+
+    Notes
+    -----
+    Source: f′ f_μ₀ − f f_μ₀′, in which μ₀ cancels; it is negative where μ₀(θ) rises. Points that its signs do not decide are
+    asked by :func:`spragsym.design.jump_values.first_jumps`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> have_jumped(Parameters.article(theta0=np.radians(40.0), mu0=[0.5, 0.6, 0.7])).jumped
+    array([False,  True,  True])
+    """
+    p.require("theta0", "mu0")
+    size = math.prod(p.shape)
+    given = {name: np.broadcast_to(getattr(p, name), p.shape).reshape(-1) for name in NAMES}
+    jumped = np.zeros(size, dtype=np.bool_)
+    reasons: dict[int, str] = {}
+    for begin in range(0, size, BLOCK):
+        part = {name: column[begin : begin + BLOCK] for name, column in given.items()}
+        yes, left = _decided(part)
+        if left.size:
+            some = {name: column[left] for name, column in part.items()}
+            found = first_jumps(Parameters(**some), "mu0", apart_from=some["mu0"])
+            yes[left] = found.value <= some["mu0"]
+            reasons |= {begin + int(left[i]): reason for i, reason in found.reasons.items()}
+        jumped[begin : begin + BLOCK] = yes
+    return Jumped(jumped.reshape(p.shape), reasons)
+
+
+def _decided(given: Mapping[str, FloatArray]) -> tuple[NDArray[np.bool_], NDArray[np.intp]]:
+    """Which points have jumped, and those of which the signs do not tell."""
+    bare = equilibria(Parameters(**{**given, "mu0": np.zeros_like(given["mu0"])}))
+    full = equilibria(Parameters(**given))
+    slot = small(bare)[:, None]
+    first, error = (np.take_along_axis(one, slot, axis=-1) for one in (bare.theta, bare.error))
+    kind = np.take_along_axis(bare.stability, slot, axis=-1)
+    off = full.theta - first
+    with np.errstate(invalid="ignore"):
+        later = np.where(off > 0, full.theta, np.inf).min(axis=-1)
+        near = (np.abs(off) <= _NEAR).any(axis=-1)
+        clear = ~near & (kind[:, 0] == Stability.STABLE)
+    clear &= np.isfinite(later) & ~bare.undecided & ~full.undecided & ~bare.fold & ~full.fold
+    ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
+    # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are the rounding of w.
+    off = np.where(clear, 4.0 * np.maximum(error[:, 0], np.nan_to_num(full.error, nan=0.0).max(axis=-1)), 0.0) + 8 * UNIT
+    signs = bernstein.signs_between(friction_sextic(given), ends[0], np.maximum(*ends), off)
+    # Where it falls at the beginning the state moves the other way as the friction rises.
+    clear &= signs.at_low < 0
+    left = ~(clear & (signs.negative | signs.positive)) & (given["mu0"] > 0)
+    return clear & signs.positive, np.flatnonzero(left)
+
+
+def _place(theta: FloatArray) -> FloatArray:
+    """w = t/(t + τ) with t = tan(θ/2)."""
+    s, c = np.sin(0.5 * theta), np.cos(0.5 * theta)
+    return np.asarray(s / (s + bernstein.SCALE * c))

@@ -1,0 +1,65 @@
+"""Folds and onsets with many digits: where two of them lie so near to each other that float64 does not tell them apart.
+
+Near a cusp two folds meet, and where a curve of folds only touches the line of the parameter that varies they do too. There the
+forces and the condition, as one system in coordinates and parameter, are nearly singular, and :mod:`spragsym.exact.reduction`
+brings them down to one unknown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ..exact.ball_functions import XP, cosine_and_sine
+from ..exact.certified_roots import Roots
+from ..exact.interval_arrays import FloatArray
+from .augmented import Augmented, State
+from .precise import PreciseBalance, boxes_of, clusters, of_point, reduced, replaced, unsettled
+
+#: Boxes beyond which they lie around no points.
+MANY = 400
+#: Clusters of boxes that are looked at.
+CLUSTERS = 12
+
+
+def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roots) -> Roots:
+    """What a search along one parameter has left open, or knows to few digits only, looked at again with many digits.
+
+    Parameters
+    ----------
+    given : ndarray
+        Parameters, shape (parameters, 1), the one that varies included, whose value is not used.
+    region : ndarray
+        Shape (2, n + 1, 1).
+    """
+    points = unsettled(found)
+    if not points.size or system.condition.order or found.left.shape[2] > MANY:
+        return found
+    hulls = clusters(boxes_of(found, 0))
+    if len(hulls) > CLUSTERS:
+        return found
+
+    def precise(bits: int) -> Any:
+        return partial(_values, system, PreciseBalance(system.balance, given[:, 0], bits))
+
+    again = of_point(
+        region[:, :, 0], found, 0, [(hull, None) for hull in hulls], lambda hull: reduced(system, given[:, 0], hull, precise)
+    )
+    return replaced(found, points, replace(again, point=np.zeros_like(again.point), left_point=np.zeros_like(again.left_point)))
+
+
+def _values(system: Augmented, base: PreciseBalance, unknowns: Sequence[Any]) -> Sequence[Any]:
+    """Forces and condition, of balls or jets of balls."""
+    n = system.balance.n
+    values = dict(base.values)
+    for name, value in zip(system.vary, unknowns[n:], strict=True):
+        if name in system.balance.angles:
+            values |= zip(system.balance.angles[name], cosine_and_sine(value), strict=True)
+        else:
+            values[name] = value
+    at = State(system.balance, unknowns[:n], values, (), xp=XP)
+    return [*at.forces(), *system.condition.equations(at)]

@@ -1,0 +1,292 @@
+"""Numbers that carry the bound of their error: every number that they stand for, exactly, against the bound of each operation."""
+
+from __future__ import annotations
+
+import operator
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from spragsym.exact import affine, rounded
+from spragsym.exact.affine import Affine
+from spragsym.exact.rounded import UNIT, Rounded
+from tests.support import as_fraction
+
+OPERATIONS = [operator.add, operator.sub, operator.mul, operator.truediv]
+NUMBERS = [3, -7, 0.1, 1e-8]
+#: Errors, as shares of the value, from none at all to what lets a divisor vanish.
+ERRORS = [0.0, 1e-17, 1e-15, 1e-6, 0.3, 1.5]
+
+
+def fractions(values: Any) -> list[Fraction]:
+    return [Fraction(float(value)) for value in values]
+
+
+@pytest.fixture(autouse=True)
+def _silent() -> Any:
+    with np.errstate(all="ignore"):
+        yield
+
+
+# ---------------------------------------------------------------------------------------------------------- rounded
+
+
+def rounded_ones(seed: int, count: int = 160, size: float = 1.0) -> Rounded:
+    """Values with errors of many sizes; the first ones are powers of two and their neighbours, whose results are halfway."""
+    rng = np.random.default_rng(seed)
+    values = rng.choice([-1, 1], count) * rng.uniform(1, 2, count) * 2.0 ** rng.integers(-2, 3, count) * size
+    values[:60] = rng.choice([1.0, 2.0, np.nextafter(1, 0), np.nextafter(1, 2), -1.0, 1 + 2.0**-30], 60) * size
+    return Rounded(values, np.abs(values) * rng.choice(ERRORS, count))
+
+
+def members(x: Rounded, side: int) -> list[Fraction]:
+    return [value + side * error for value, error in zip(fractions(x.value), fractions(x.error), strict=True)]
+
+
+def check(found: Rounded, exact: list[Fraction | None]) -> None:
+    for value, error, number in zip(found.value, found.error, exact, strict=True):
+        assert number is None or not np.isfinite(error) or abs(Fraction(float(value)) - number) <= Fraction(float(error))
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+@pytest.mark.parametrize("size", [1.0, 2.0**-537, 2.0**-1060])
+def test_every_number_that_a_result_stands_for_is_within_its_error(operation: Any, size: float) -> None:
+    x, y = rounded_ones(1, size=size), rounded_ones(2, size=1.0 if operation is operator.truediv else size)
+    found = operation(x, y)
+    for one in (-1, 0, 1):
+        for other in (-1, 0, 1):
+            pairs = zip(members(x, one), members(y, other), strict=True)
+            check(found, [operation(a, b) if b or operation is not operator.truediv else None for a, b in pairs])
+        for number in NUMBERS:
+            check(operation(x, number), [operation(a, Fraction(number)) for a in members(x, one)])
+            if operation is not operator.truediv:
+                check(operation(number, x), [operation(Fraction(number), a) for a in members(x, one)])
+            elif size == 1:
+                check(number / x, [Fraction(number) / a if a else None for a in members(x, one)])
+
+
+def test_errors_of_rounded_numbers_are_not_larger_than_needed() -> None:
+    """To first order they are what calculus says; a divisor or a root that may be 0 has an infinite one."""
+    x, y = Rounded(np.array([3.0]), np.array([1e-6])), Rounded(np.array([-2.0]), np.array([1e-7]))
+    for found, error in (
+        (x + y, 1.1e-6),
+        (x - y, 1.1e-6),
+        (x * y, 2e-6 + 3e-7),
+        (x / y, 0.5e-6 + 0.75e-7),
+        (x * -4, 4e-6),
+        (x / 8, 1.25e-7),
+    ):
+        assert found.error[0] == pytest.approx(error, rel=1e-5)
+    assert x.sqrt().error[0] <= 1e-6 / np.sqrt(3) * (1 + 1e-6)
+    exact = Rounded(np.array([3.0]))
+    for found in (exact + 0.1, exact * 0.1, exact / 7, exact.sqrt()):
+        assert found.error[0] <= UNIT * abs(found.value[0]) * (1 + 1e-12)
+    for gone in (Rounded(np.array([1.0, -1.0, 0.0]), np.array([1.0, 1.5, 0.0])),):
+        assert (1 / gone).error.tolist() == [np.inf] * 3
+        assert gone.sqrt().error.tolist() == [np.inf] * 3
+    assert Rounded(np.array([-4.0])).sqrt().error[0] == np.inf
+
+
+def test_roots_of_rounded_numbers() -> None:
+    for size in (1.0, 2.0**-600):
+        x = rounded_ones(3, size=size)
+        x = Rounded(np.abs(x.value), x.error)
+        found = x.sqrt()
+        with mpmath.workprec(200):
+            for side in (-1, 0, 1):
+                check(
+                    found,
+                    [
+                        as_fraction(mpmath.sqrt(mpmath.mpf(a.numerator) / a.denominator)) if a > 0 else None
+                        for a in members(x, side)
+                    ],
+                )
+
+
+def test_signs_and_ends_of_rounded_numbers() -> None:
+    x = Rounded(np.array([1.0, -1.0, 1.0, -1.0, 0.0, np.nan, 1.0]), np.array([0.5, 0.5, 1.0, 1.0, 0.0, 0.0, np.nan]))
+    assert x.sign().tolist() == [1, -1, 0, 0, 0, 0, 0]
+    assert (-x).sign().tolist() == [-1, 1, 0, 0, 0, 0, 0]
+    y = rounded_ones(4)
+    for low, high, least, most in zip(y.low(), y.high(), members(y, -1), members(y, 1), strict=True):
+        assert least - Fraction(1, 2**40) < Fraction(float(low)) <= least
+        assert most <= Fraction(float(high)) < most + Fraction(1, 2**40)
+    assert y.rows([3, 1]).value.tolist() == [y.value[3], y.value[1]]
+    assert y.rows([3, 1]).error.tolist() == [y.error[3], y.error[1]]
+    assert Rounded(np.arange(3.0), 0.5).rows([2]).error.tolist() == [0.5]
+    number = Rounded(2.0, 0.1)
+    assert number.rows([0, 1]) is number
+
+
+def test_cosines_of_angles() -> None:
+    angles = np.concatenate([np.linspace(-4, 4, 300), [0.0, np.pi, np.pi / 2, 1e-9, 1e-300]])
+    cosine, sine = rounded.cosine_and_sine(angles)
+    with mpmath.workprec(200):
+        check(cosine, [as_fraction(mpmath.cos(mpmath.mpf(angle))) for angle in angles])
+        check(sine, [as_fraction(mpmath.sin(mpmath.mpf(angle))) for angle in angles])
+    assert cosine.error.max() < 4e-15
+    assert sine.sign()[-1] == 1
+
+
+# ----------------------------------------------------------------------------------------------------------- affine
+
+
+def affine_ones(seed: int, count: int = 90, size: float = 1.0) -> Affine:
+    """Values, terms and errors, each of them 0 in some places."""
+    rng = np.random.default_rng(seed)
+    x = rounded_ones(seed, count, size)
+    terms = x.value * rng.uniform(-1, 1, (3, count)) * rng.choice([0.0, 1e-16, 1e-3, 0.2, 0.6], (3, count))
+    return Affine(x.value, terms, np.where(rng.integers(0, 2, count), x.error, 0.0))
+
+
+def linear(x: Affine, at: np.ndarray) -> list[Fraction]:
+    """value + Σ terms ε, exactly."""
+    return [
+        Fraction(float(value)) + sum(Fraction(float(term)) * int(sign) for term, sign in zip(terms, signs, strict=True))
+        for value, terms, signs in zip(x.value, x.terms.T, at.T, strict=True)
+    ]
+
+
+def affine_members(x: Affine, at: np.ndarray, side: int) -> list[Fraction]:
+    return [one + side * error for one, error in zip(linear(x, at), fractions(x.error), strict=True)]
+
+
+def check_affine(found: Affine, at: np.ndarray, exact: list[Fraction | None]) -> None:
+    """At the same ε all that it stands for is within the error of its linear part."""
+    for here, error, number in zip(linear(found, at), found.error, exact, strict=True):
+        assert number is None or not np.isfinite(error) or abs(here - number) <= Fraction(float(error))
+
+
+@pytest.mark.parametrize("operation", OPERATIONS)
+@pytest.mark.parametrize("size", [1.0, 2.0**-537])
+def test_every_number_of_a_box_is_within_the_error_of_the_linear_part(operation: Any, size: float) -> None:
+    rng = np.random.default_rng(5)
+    x, y = affine_ones(6, size=size), affine_ones(7, size=1.0 if operation is operator.truediv else size)
+    divides = operation is operator.truediv
+    found = operation(x, y)
+    for _ in range(3):
+        at = rng.choice([-1, 1, 0], (3, 90))
+        one, other = rng.choice([-1, 0, 1], 2)
+        pairs = zip(affine_members(x, at, one), affine_members(y, at, other), strict=True)
+        check_affine(found, at, [operation(a, b) if b or not divides else None for a, b in pairs])
+        for number in NUMBERS:
+            check_affine(operation(x, number), at, [operation(a, Fraction(number)) for a in affine_members(x, at, one)])
+            if not divides or size == 1:
+                check_affine(
+                    operation(number, x),
+                    at,
+                    [operation(Fraction(number), a) if a or not divides else None for a in affine_members(x, at, one)],
+                )
+
+
+@pytest.mark.parametrize("size", [1.0, 2.0**-1060, 2.0**1015])
+def test_numbers_without_width_are_rounded_too(size: float) -> None:
+    """An exact number, or terms and no error, times and over an exact number: roundings are all that the error is."""
+    rng = np.random.default_rng(15)
+    x, y = rounded_ones(16, 90, size), rounded_ones(17, 90)
+    none, terms = np.zeros((3, 90)), x.value * rng.uniform(-1, 1, (3, 90))
+    exact, wide, other = Affine(x.value, none), Affine(x.value, terms, np.zeros(90)), Affine(y.value, none, np.zeros(90))
+    at = rng.choice([-1, 1], (3, 90))
+    for one in (exact, wide) if size <= 1 else ():
+        for number in NUMBERS:
+            check_affine(one * number, at, [a * Fraction(number) for a in linear(one, at)])
+            check_affine(one / number, at, [a / Fraction(number) for a in linear(one, at)])
+            check_affine(one + number, at, [a + Fraction(number) for a in linear(one, at)])
+        check_affine(one * other, at, [a * b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
+        check_affine(other * one, at, [a * b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
+        check_affine(one + other, at, [a + b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
+    if size >= 1:
+        check_affine(1 / exact, at, [1 / a for a in linear(exact, at)])
+
+
+def test_the_error_of_a_reciprocal_is_met() -> None:
+    """At the end that is nearest to 0 it is what the formula says, so that nothing may be left out."""
+    rng = np.random.default_rng(18)
+    value, share = rng.choice([-1, 1], 90) * rng.uniform(1, 2, 90), rng.uniform(0.05, 0.5, 90)
+    for error in (np.zeros(90), np.abs(value) * rng.uniform(0.01, 0.3, 90)):
+        x = Affine(value, np.stack([value * share]), error)
+        at = -np.ones((1, 90), dtype=int)
+        members = [a - Fraction(float(np.sign(v))) * e for a, v, e in zip(linear(x, at), value, fractions(error), strict=True)]
+        check_affine(1 / x, at, [1 / a for a in members])
+
+
+def test_what_is_linear_loses_nothing_and_what_is_not_a_second_order() -> None:
+    x = Affine(np.array([3.0]), np.array([[0.25], [0.0]]), np.array([0.0]))
+    y = Affine(np.array([-2.0]), np.array([[0.125], [0.5]]), np.array([0.0]))
+    for found, value, terms, error in (
+        (x + y, 1.0, [0.375, 0.5], 0.0),
+        (x - y, 5.0, [0.125, -0.5], 0.0),
+        (-x, -3.0, [-0.25, 0.0], 0.0),
+        (x * y, -6.0, [0.375 - 0.5, 1.5], 0.25 * 0.625),
+        (x * 4, 12.0, [1.0, 0.0], 0.0),
+        (x / 4, 0.75, [0.0625, 0.0], 0.0),
+        (1 - x, -2.0, [-0.25, 0.0], 0.0),
+        (1 / y, -0.5, [-0.03125, -0.125], (0.625 / 2) ** 2 / 1.375),
+    ):
+        assert found.value[0] == value
+        assert np.abs(found.terms[:, 0] - terms).max() < 1e-15
+        assert error <= found.error[0] <= error * (1 + 1e-9) + 5e-15
+    assert (x - x).radius()[0] < 1e-14
+    wide = Affine(np.array([1.0, 1.0, 1.0]), np.array([[0.5, 0.5, 0.25]]), np.array([0.5, 0.6, 0.5]))
+    assert (1 / wide).error[:2].tolist() == [np.inf, np.inf]
+    assert np.isfinite((1 / wide).error[2])
+    carried = Affine(np.array([2.0]), np.array([[0.0]]), np.array([1e-6]))
+    assert (1 / carried).error[0] == pytest.approx(0.25e-6, rel=1e-5)
+    assert (carried * carried).error[0] == pytest.approx(4e-6, rel=1e-5)
+    assert (carried * -3).error[0] == pytest.approx(3e-6, rel=1e-9)
+    assert (carried / -8).error[0] == pytest.approx(1.25e-7, rel=1e-9)
+
+
+def test_signs_and_rows_of_affine_numbers() -> None:
+    x = Affine(
+        np.array([1.0, -1.0, 1.0, -1.0, 1.0]), np.array([[0.25, -0.25, -0.5, 0.5, np.nan], [0.25, 0.25, 0.25, -0.25, 0.0]]), 0.25
+    )
+    assert x.sign().tolist() == [1, -1, 0, 0, 0]
+    assert (np.abs(x.radius()[:4] - [0.75, 0.75, 1.0, 1.0]) < 1e-12).all()
+    assert (x.radius()[:4] > [0.75, 0.75, 1.0, 1.0]).all()
+    assert Affine(np.zeros(1), np.zeros((2, 1)), np.zeros(1)).sign().tolist() == [0]
+    some = x.rows([3, 0])
+    assert some.value.tolist() == [-1, 1]
+    assert some.terms.tolist() == [[0.5, 0.25], [-0.25, 0.25]]
+    assert some.error.tolist() == [0.25, 0.25]
+
+
+def test_sides_hold_their_boxes() -> None:
+    rng = np.random.default_rng(8)
+    low = rng.normal(size=(3, 200)) * 10.0 ** rng.integers(-8, 8, (3, 200))
+    high = low + 10.0 ** rng.uniform(-20, 1, (3, 200)) * rng.integers(0, 2, (3, 200))
+    high[0, 100:] = np.nextafter(low[0, 100:], np.inf)
+    made = affine.sides(low, high)
+    assert [side.error.shape for side in made] == [(200,)] * 3
+    for j, side in enumerate(made):
+        assert not side.error.any()
+        assert not np.delete(side.terms, j, axis=0).any()
+        for value, half, least, most in zip(*map(fractions, (side.value, side.terms[j], low[j], high[j])), strict=True):
+            assert value - half <= least
+            assert value + half >= most
+            assert 2 * half <= (most - least) * (1 + Fraction(1, 2**48)) + 4 * Fraction(float(np.spacing(float(abs(most)))))
+            assert half or least == most
+            assert least < most or not half
+
+
+def test_cosines_over_boxes() -> None:
+    """At the same ε within the error of the linear part, wide, narrow and without width; of second order in the width."""
+    rng = np.random.default_rng(9)
+    angles = Affine(
+        rng.uniform(-4, 4, 200),
+        rng.uniform(-1, 1, (3, 200)) * rng.choice([0.0, 1e-15, 1e-3, 0.3], (3, 200)),
+        rng.choice([0.0, 1e-16, 1e-3], 200),
+    )
+    angles.value[:3] = 0.0, np.pi / 2, np.pi
+    cosine, sine = affine.cosine_and_sine(angles)
+    with mpmath.workprec(200):
+        for _ in range(5):
+            at = rng.choice([-1, 1, 0], (3, 200))
+            turns = [mpmath.mpf(a.numerator) / a.denominator for a in affine_members(angles, at, int(rng.choice([-1, 0, 1])))]
+            check_affine(cosine, at, [as_fraction(mpmath.cos(turn)) for turn in turns])
+            check_affine(sine, at, [as_fraction(mpmath.sin(turn)) for turn in turns])
+    reach = angles.radius()
+    assert (np.maximum(cosine.error, sine.error) <= 0.5 * reach**2 * (1 + 1e-9) + angles.error * (1 + 1e-9) + 1e-14).all()

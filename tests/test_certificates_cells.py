@@ -1,0 +1,302 @@
+"""Certificates over boxes: that cells cover every direction, halves every point, and that shares and counts add up."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.design import cells, certificates
+from spragsym.design.cells import Boxes, Ground, Line, Verdict
+from spragsym.design.claims import Claim
+from spragsym.parameters import NAMES
+from tests.support import as_fraction
+
+BASE = ss.Parameters.article(theta0=0.5, mu0=0.6)
+
+
+def random_boxes(seed: int, count: int) -> Boxes:
+    rng = np.random.default_rng(seed)
+    low = rng.uniform(0.1, 1.5, (6, count))
+    high = low + rng.uniform(0, 0.3, (6, count)) * rng.integers(0, 2, (6, count))
+    return Boxes(low, high, rng.uniform(0, 1, count))
+
+
+# ------------------------------------------------------------------------------------------------------------- cells
+
+
+def test_rows_middles_and_lines() -> None:
+    boxes = random_boxes(1, 5)
+    some = boxes.rows(np.array([4, 0]))
+    assert some.low.tolist() == boxes.low[:, [4, 0]].tolist()
+    assert some.high.tolist() == boxes.high[:, [4, 0]].tolist()
+    assert some.share.tolist() == boxes.share[[4, 0]].tolist()
+    middle = boxes.middle()
+    assert list(middle) == list(NAMES)
+    assert np.abs(middle["kappa"] - (boxes.low[2] + boxes.high[2]) / 2).max() < 1e-15
+    one, two = Line(np.array([1.0, 2.0]), np.array([[0.5, -3.0], [-1.0, 0.25]])), cells.constant(7.0, 2)
+    assert one.reach().tolist() == [1.5, 3.25]
+    assert two.value.tolist() == [7.0, 7.0]
+    assert two.slopes.shape == (6, 2)
+    assert not two.slopes.any()
+    other = Line(two.value, np.zeros((2, 2)))
+    mixed = one.where(np.array([True, False]), other)
+    assert mixed.value.tolist() == [1.0, 7.0]
+    assert mixed.slopes.tolist() == [[0.5, 0.0], [-1.0, 0.0]]
+    assert one.rows(np.array([1])).slopes.tolist() == [[-3.0], [0.25]]
+
+
+def value_at(number: Any, at: np.ndarray, k: int) -> Fraction:
+    """value + Σ terms ε of box k, exactly."""
+    terms = zip(number.terms[:, k], at, strict=True)
+    return Fraction(float(number.value[k])) + sum(Fraction(float(term)) * as_fraction(mpmath.mpf(share)) for term, share in terms)
+
+
+@pytest.mark.parametrize("fixed", [True, False])
+def test_the_ground_holds_every_point_of_a_cell(fixed: bool) -> None:
+    """cos θ and sin θ at the shares of the way that the cell has, θ₀ and the parameters at those of the box."""
+    boxes = random_boxes(2, 20)
+    rng = np.random.default_rng(3)
+    low = Line(rng.uniform(0, 1, 20), rng.uniform(-0.1, 0.1, (6, 20)))
+    high = Line(low.value + rng.uniform(0, 1, 20), rng.uniform(-0.1, 0.1, (6, 20)))
+    begin = rng.choice([0.0, 0.25, 0.5], 20)
+    end = begin + 0.25
+    ground = cells.at(boxes, low) if fixed else cells.over(boxes, low, high, begin, end)
+    with mpmath.workprec(150):
+        for k in range(20):
+            for at in rng.choice([-1.0, 1.0, 0.0, 0.5], (6, 7)):
+                ends = [value.slopes[:, k] @ at[:6] + value.value[k] for value in (low, high)]
+                share = begin[k] + (end[k] - begin[k]) * (1 + at[6]) / 2
+                theta = ends[0] if fixed else ends[0] + share * (ends[1] - ends[0])
+                middle, half = (boxes.low[:, k] + boxes.high[:, k]) / 2, (boxes.high[:, k] - boxes.low[:, k]) / 2
+                point = middle + half * at[:6]
+                given = {"c": mpmath.cos(theta), "s": mpmath.sin(theta), "c0": mpmath.cos(point[0]), "s0": mpmath.sin(point[0])}
+                for name, true in given.items():
+                    number = getattr(ground, name)
+                    assert abs(as_fraction(true) - value_at(number, at, k)) <= Fraction(float(number.error[k])) + Fraction(
+                        1, 10**15
+                    )
+                for name, true in zip(NAMES, point, strict=True):
+                    number = ground.parameters[name]
+                    assert abs(as_fraction(mpmath.mpf(true)) - value_at(number, at, k)) <= Fraction(1, 10**15)
+    assert [one is ground.parameters[name] for one, name in zip(ground.others(), NAMES[1:], strict=True)] == [True] * 5
+    assert max(ground.c.error.max(), ground.s.error.max()) < (0.13 if fixed else 0.6)
+
+
+def whole(count: int) -> Boxes:
+    return Boxes(np.full((6, count), 0.5), np.full((6, count), 0.5), np.ones(count))
+
+
+def flat(ends: Any) -> Line:
+    values = np.array(ends, dtype=float)
+    return Line(values, np.zeros((6, values.size)))
+
+
+def test_every_direction_is_looked_at() -> None:
+    """A claim that fails in a narrow stretch fails for the boxes whose directions have it, wherever that is."""
+    begin, end = flat([0.0, 0.0, 0.31, 0.0, 0.29, 0.5, 0.2999]), flat([1.0, 0.29, 1.0, 0.301, 0.31, 0.6, 0.3])
+
+    def test(ground: Ground) -> Verdict:
+        angle = np.arctan2(ground.s.value, ground.c.value)
+        reach = np.maximum(ground.c.radius(), ground.s.radius()) * 1.5 + 1e-9
+        return Verdict(np.abs(angle - 0.3) > reach + 1e-4, (ground.c,))
+
+    assert cells.covered(whole(7), begin, end, test)[0].tolist() == [False, True, True, False, False, True, False]
+
+
+def test_cells_cover_the_way_between_two_directions() -> None:
+    """What the test is asked of first are four cells of each box from end to end; of an open one both halves."""
+    asked: list[list[tuple[float, float]]] = []
+
+    def test(ground: Ground) -> Verdict:
+        angle, reach = np.arctan2(ground.s.value, ground.c.value), np.abs(ground.s.terms).sum(axis=0) / np.abs(ground.c.value)
+        asked.append(sorted(zip(np.round(angle - reach, 6).tolist(), np.round(angle + reach, 6).tolist(), strict=True)))
+        return Verdict(reach < 0.11, (ground.c,))
+
+    proved, _ = cells.covered(whole(1), flat([0.0]), flat([1.0]), test)
+    assert proved.tolist() == [True]
+    assert asked[0] == [(0.0, 0.25), (0.25, 0.5), (0.5, 0.75), (0.75, 1.0)]
+    assert asked[1] == [(k / 8, (k + 1) / 8) for k in range(8)]
+    assert len(asked) == 2
+
+
+def test_hopeless_boxes_are_given_up_and_others_are_not() -> None:
+    """What is open because of a side of the box is, once cells are fine; what is open because of the direction is halved on."""
+    boxes = Boxes(np.tile([[0.2], [0.3]], (3, 3)), np.tile([[0.2], [0.7]], (3, 3)), np.ones(3))  # μ₀, α and β have width
+    calls = 0
+
+    def test(ground: Ground) -> Verdict:
+        nonlocal calls
+        calls += 1
+        friction, rest = ground.parameters["mu0"], ground.parameters["beta"]
+        slope = ground.c * 1.0
+        narrow = np.abs(ground.c.terms[-1]) < 1e-3
+        return Verdict(narrow, (slope * 1e-9 + friction * 2 + rest,))
+
+    proved, weight = cells.covered(boxes, flat([0.2] * 3), flat([0.9] * 3), test)
+    assert not proved.any()
+    assert calls == cells._ALWAYS + 1
+    assert np.abs(weight[1] - 2 / 3).max() < 1e-6
+    assert np.abs(weight[5] - 1 / 3).max() < 1e-6
+    assert np.abs(weight[[0, 2, 3, 4]]).max() < 1e-6
+
+
+def test_a_direction_that_is_open_for_ever_ends() -> None:
+    """At one direction the sign is 0: its cells are halved to the last, and the box is given up."""
+    calls = 0
+
+    def test(ground: Ground) -> Verdict:
+        nonlocal calls
+        calls += 1
+        value = ground.c - float(np.cos(0.3))
+        return Verdict(value.sign() != 0, (value,))
+
+    proved, _ = cells.covered(whole(1), flat([0.1]), flat([0.9]), test)
+    assert proved.tolist() == [False]
+    assert calls == cells._HALVINGS + 1
+
+
+def test_a_stretch_that_is_open_ends_soon_and_spares_the_others() -> None:
+    asked: list[int] = []
+
+    def test(ground: Ground) -> Verdict:
+        asked.append(ground.c.value.size)
+        angle = np.arctan2(ground.s.value, ground.c.value)
+        return Verdict((angle > 1) & (np.abs(ground.c.terms[-1]) < 0.02), (ground.c,))
+
+    proved, _ = cells.covered(whole(2), flat([0.1, 1.1]), flat([0.9, 1.3]), test)
+    assert proved.tolist() == [False, True]
+    assert max(asked) <= 2 * cells._OPEN + 16
+    assert len(asked) <= 7
+
+
+# ------------------------------------------------------------------------------------------------------ certificates
+
+
+def test_halves_make_up_the_box() -> None:
+    boxes = random_boxes(4, 60)
+    boxes.high[:, 0] = boxes.low[:, 0]  # a point
+    weight = np.abs(np.random.default_rng(5).normal(size=(6, 60)))
+    weight[:, 20:40] = 0.0  # nothing is known
+    halves = certificates.halved(boxes, weight)
+    assert np.abs(halves.share - np.tile(boxes.share / 2, 2)).max() < 1e-16
+    lower, upper = halves.rows(np.arange(60)), halves.rows(np.arange(60, 120))
+    assert (lower.low == boxes.low).all()
+    assert (upper.high == boxes.high).all()
+    changed = lower.high != boxes.high
+    assert (changed == (upper.low != boxes.low)).all()
+    assert (lower.high == upper.low)[changed].all()
+    assert np.abs(lower.high - (boxes.low + boxes.high) / 2)[changed].max() < 1e-15
+    width = boxes.high - boxes.low
+    for k in range(60):
+        if not width[:, k].any():
+            assert not changed[:, k].any()
+        else:
+            assert changed[:, k].sum() == 1
+            matters = weight[:, k] * (width[:, k] > 0) if k < 20 or k >= 40 else width[:, k] / boxes.high[:, k]
+            assert changed[:, k].argmax() == matters.argmax()
+
+
+def claim(holds: Any, counterexample: Any = None, from_above: tuple[str, ...] = ()) -> Claim:
+    """One about μ₀ and θ₀, proved where a box's upper corner satisfies it."""
+
+    def prove(boxes: Boxes) -> tuple[Any, Any]:
+        weight = np.zeros((6, boxes.share.size))
+        weight[NAMES.index("mu0")] = 1.0
+        return holds(boxes), weight
+
+    return Claim(prove, counterexample or (lambda boxes: None), from_above)
+
+
+def certified(monkeypatch: pytest.MonkeyPatch, made: Claim, high: ss.Parameters, **options: Any) -> ss.Certificate:
+    monkeypatch.setitem(certificates.CLAIMS, "this", made)
+    return ss.certify(BASE, high, "this", **options)
+
+
+def test_shares_and_counts_add_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """μ₀ from 0.6 to 1.0, of which boxes up to 0.9 are proved: a half, a half of the rest, and then nothing more."""
+    high = BASE.replace(mu0=1.0)
+    made = claim(lambda boxes: boxes.high[1] <= 0.9)
+    # Looked at are 1 + 2 + 2 + 2 + 4 boxes, generation by generation.
+    for most, looked, share in ((1, 1, 1.0), (2, 3, 0.5), (3, 3, 0.5), (4, 5, 0.25), (5, 5, 0.25), (7, 7, 0.25), (8, 11, 0.25)):
+        found = certified(monkeypatch, made, high, max_boxes=most)
+        assert (found.claim, found.outcome, found.counterexample) == ("this", "undecided", None)
+        assert (found.boxes, found.undecided) == (looked, share)
+    found = certified(monkeypatch, claim(lambda boxes: boxes.high[1] - boxes.low[1] < 0.11), high)
+    assert (found.outcome, found.undecided, found.boxes) == ("proved", 0.0, 7)
+    assert certified(monkeypatch, claim(lambda boxes: boxes.high[1] > 0), high).boxes == 1
+    assert certified(monkeypatch, claim(lambda boxes: boxes.high[1] > 0), BASE, max_boxes=1).outcome == "proved"
+
+
+def test_many_boxes_come_in_batches(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each box of the last generation is asked for once, whatever a batch holds."""
+    monkeypatch.setattr(certificates, "_BATCH", 3)
+    seen: list[tuple[float, float]] = []
+
+    def holds(boxes: Boxes) -> Any:
+        assert boxes.share.size <= 3
+        done = boxes.high[1] - boxes.low[1] < 0.03
+        seen.extend(zip(boxes.low[1][done].tolist(), boxes.high[1][done].tolist(), strict=True))
+        return done
+
+    found = certified(monkeypatch, claim(holds), BASE.replace(mu0=1.0))
+    assert (found.outcome, found.undecided, found.boxes) == ("proved", 0.0, 31)
+    edges = np.sort(np.array(seen), axis=0)
+    assert len(seen) == 16
+    assert edges[0, 0] == 0.6
+    assert edges[-1, 1] == 1.0
+    assert (edges[1:, 0] == edges[:-1, 1]).all()
+    # 1 + 2 + 3 + 3 boxes, beside which 4 wait; then 3 more, of which one is open still, and so on.
+    for most, looked in ((13, 9), (14, 12)):
+        found = certified(monkeypatch, claim(holds), BASE.replace(mu0=1.0), max_boxes=most)
+        assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, looked)
+
+
+def test_a_counterexample_ends_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    def find(boxes: Boxes) -> ss.Parameters | None:
+        return BASE if (boxes.high[1] - boxes.low[1] < 0.11).any() else None
+
+    half = claim(lambda boxes: boxes.high[1] <= 0.8 + 1e-12, find)
+    found = certified(monkeypatch, half, BASE.replace(mu0=1.0))
+    assert (found.outcome, found.counterexample, found.boxes) == ("refuted", BASE, 5)
+    assert found.undecided == 0.5
+    monkeypatch.setattr(certificates, "_BATCH", 1)
+    found = certified(monkeypatch, claim(lambda boxes: boxes.high[1] < 0, find), BASE.replace(mu0=1.0))
+    assert found.outcome == "refuted"
+    assert found.undecided == 1.0
+
+
+def test_of_some_parameters_only_the_upper_end_counts(monkeypatch: pytest.MonkeyPatch) -> None:
+    for names, width in (((), 0.4), (("mu0",), 0.0)):
+        seen: list[float] = []
+
+        def holds(boxes: Boxes, seen: list[float] = seen) -> Any:
+            seen.append(float(boxes.high[1, 0] - boxes.low[1, 0]))
+            assert boxes.high[1, 0] == 1.0
+            assert boxes.low[0, 0] == BASE.theta0
+            assert boxes.high[0, 0] == 0.7
+            return np.ones(1, dtype=bool)
+
+        certified(monkeypatch, claim(holds, from_above=names), BASE.replace(mu0=1.0, theta0=0.7))
+        assert seen == [pytest.approx(width)]
+
+
+@pytest.mark.parametrize("wrong", [0, -1, True, 2.5, "3"])
+def test_numbers_of_boxes_that_are_none(wrong: Any) -> None:
+    with pytest.raises(ss.ParameterError, match="is not a number of boxes"):
+        ss.certify(BASE, BASE, "no jump", max_boxes=wrong)
+    assert ss.certify(BASE, BASE, "one equilibrium", max_boxes=np.int64(1)).boxes == 1
+
+
+def test_corners_in_the_wrong_order_or_with_a_shape() -> None:
+    with pytest.raises(ss.ParameterError, match=r"^low\.mu0 = 0\.6 is above high\.mu0 = 0\.5; exchange the two$"):
+        ss.certify(BASE, BASE.replace(mu0=0.5), "no jump")
+    for low, high, name in ((BASE, BASE.replace(mu0=[0.6, 0.7]), "high"), (BASE.replace(mu0=[0.6]), BASE, "low")):
+        with pytest.raises(ss.ParameterError, match=f"^{name} has the shape"):
+            ss.certify(low, high, "no jump")
+    with pytest.raises(ss.ParameterError, match="'one equilibrium', 'no flutter'"):
+        ss.certify(BASE, BASE, "no sprag")

@@ -1,0 +1,172 @@
+"""Motions in lanes: each as if it were alone, whatever runs beside it, ends before it, or breaks off."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.dynamics import Event, course, integrators, lanes, motions, simulate
+from spragsym.dynamics.field import Field
+from spragsym.dynamics.motions import Measured, Motions
+from spragsym.dynamics.problem import Problem, prepare
+from spragsym.dynamics.with_heyoka import compiled_for
+from spragsym.sweeps import Regime, rms_sweep
+
+pytest.importorskip("heyoka")
+BELT = {"V": 0.5, "d": 10.0}
+RNG = np.random.default_rng(15)
+
+
+def problems(count: int, t_end: float = 60.0, t_record: float = 20.0, **options: int) -> list[Problem]:
+    """Of different kinds and lengths in steps: some lift off, some stick, some slide."""
+    found = []
+    low, high = [0.1, 0.1, *[-0.3] * 4], [3.0, 1.0, *[0.3] * 4]
+    for theta0, mu0, *start in RNG.uniform(low, high, (count, 6)).tolist():
+        p = ss.Parameters.article(theta0=theta0, mu0=mu0)
+        found.append(prepare(p, **BELT, start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options))
+    return found
+
+
+def broken(problem: Problem) -> Problem:
+    """A motion whose numbers overflow."""
+    return Problem(problem.constants, (0.1, 0.1, 1e200, 0.0), problem.t_end, problem.t_record, problem.rtol, problem.max_steps)
+
+
+def assert_same(one: Measured, row: int, other: Measured, place: int) -> None:
+    """To the last bit, turning points and all."""
+    left, right = one.course(row), other.course(place)
+    for name in ("first", "last", "maxima_t", "maxima", "integrals", "minima", "events"):
+        np.testing.assert_array_equal(getattr(left, name), getattr(right, name), err_msg=name)
+    assert left.reach == right.reach
+    for name in ("first", "last", "integrals", "low", "high", "maxima", "events"):
+        np.testing.assert_array_equal(getattr(one, name)[row], getattr(other, name)[place], err_msg=name)
+
+
+@pytest.mark.parametrize("burst", [5, lanes.BURST])
+def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
+    monkeypatch.setattr(lanes, "BURST", burst)  # the shorter it is, the more often some lanes are filled while others go on
+    some = problems(21)  # more than two fillings, and a rest
+    together = lanes.watch(Motions.of(some))
+    order = RNG.permutation(len(some)).tolist()
+    shuffled = lanes.watch(Motions.of([some[row] for row in order]))
+    for place, row in enumerate(order):
+        assert_same(together, row, shuffled, place)
+    for row in (0, 7, 20):
+        assert_same(together, row, lanes.watch(Motions.of([some[row]])), 0)
+
+
+@pytest.mark.parametrize("burst", [5, lanes.BURST])
+def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
+    monkeypatch.setattr(lanes, "BURST", burst)
+    good = problems(19)
+    some = good.copy()
+    for place in (0, 3, 4, 12, len(some)):
+        some.insert(place, broken(good[0]))
+    found, expected = lanes.watch(Motions.of(some)), lanes.watch(Motions.of(good))
+    bad = [row for row, problem in enumerate(some) if problem.start[2] == 1e200]
+    assert sorted(found.errors) == bad
+    assert all("left the range of numbers" in str(error) for error in found.errors.values())
+    assert np.isnan(found.last[bad]).all()
+    for place, row in enumerate(row for row in range(len(some)) if row not in bad):
+        assert_same(found, row, expected, place)
+
+
+def test_nothing_but_broken_motions() -> None:
+    one = problems(1)[0]
+    assert sorted(lanes.watch(Motions.of([broken(one)] * 9)).errors) == list(range(9))
+
+
+def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A motion that begins in another mode than its own passes y = 0 in the wrong direction."""
+    some = problems(9)
+    some[4] = replace(some[4], start=(0.0, 0.2, 0.0, -0.3))
+    expected, initial_modes = lanes.watch(Motions.of(some)), Field.initial_modes
+
+    def wrong(*arguments: Any) -> list[tuple[int, ...]]:
+        modes = initial_modes(*arguments)
+        return [*modes[:4], (1, *modes[4][1:]), *modes[5:]]
+
+    monkeypatch.setattr(Field, "initial_modes", wrong)
+    found = lanes.watch(Motions.of(some))
+    assert "missed a kink" in str(found.errors.pop(4))
+    assert not found.errors
+    for row in (0, 1, 2, 3, 5, 6, 7, 8):
+        assert_same(found, row, expected, row)
+
+
+#: Some motions to 60 need more steps than this.
+LIMIT = 95
+
+
+def test_too_many_steps_are_counted_for_each() -> None:
+    some = problems(12, max_steps=LIMIT)
+    counted = [simulate_steps(problem) for problem in some]
+    found = lanes.watch(Motions.of(some))
+    # A lane's steps may differ by a few from those of the integrator of one motion: none is so close to the limit.
+    assert all(abs(steps - LIMIT) > 1 for steps in counted)
+    assert sorted(found.errors) == [row for row, steps in enumerate(counted) if steps > LIMIT] != []
+    assert len(found.errors) < 12
+    assert all(f"max_steps = {LIMIT} steps were made by t = " in str(error) for error in found.errors.values())
+
+
+def simulate_steps(problem: Problem) -> int:
+    """Steps of the integrator of one motion."""
+    compiled = compiled_for(problem)
+    compiled.begin(problem)
+    free = replace(problem, max_steps=10**6)
+    return compiled.go(free, free.t_end, compiled.go(free, free.t_record)[0])[0]
+
+
+def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
+    some = problems(9, t_end=40.0, t_record=10.0)
+    found = lanes.watch(Motions.of(some))
+    for row, problem in enumerate(some):
+        p = ss.Parameters.article(theta0=np.arctan2(problem.constants.sin0, problem.constants.cos0), mu0=problem.constants.mu0)
+        x0, y0, vx0, vy0 = problem.start
+        tr = simulate(p, **BELT, x0=x0, y0=y0, vx0=vx0, vy0=vy0, t_end=40.0, rtol=1e-12, backend="scipy").after(10.0)
+        np.testing.assert_allclose(found.last[row], tr.state[:, -1], atol=1e-7)
+        assert found.averages[0, row] == pytest.approx(tr.mean(0.0), abs=1e-8)
+        assert found.averages[2, row] == pytest.approx(tr.mean(0.0, of="y"), abs=1e-8)
+        assert max(abs(found.low[row]), abs(found.high[row])) == pytest.approx(tr.amplitude(0.0), abs=1e-8)
+        assert found.events[row].tolist() == [len(tr.events.of(kind)) for kind in Event]
+        np.testing.assert_allclose(found.course(row).maxima, tr.course().maxima, atol=1e-7)
+
+
+def test_a_long_motion_keeps_its_latest_turning_points_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = problems(1, t_end=600.0, t_record=10.0)[0]
+    whole = lanes.watch(Motions.of([problem])).course(0)
+    assert len(whole.maxima) > 15
+    assert whole.since == whole.begin
+    for module in (course, motions):
+        monkeypatch.setattr(module, "KEPT", 12)
+    for backend in ("heyoka", "scipy"):
+        short = integrators.measure(Motions.of([problem]), backend).course(0)
+        assert len(short.maxima) == len(short.maxima_t) == len(short.integrals) - 1 == 12
+        assert short.since == short.maxima_t[0] > short.begin
+        np.testing.assert_allclose(short.maxima, whole.maxima[-12:], atol=1e-6)
+        np.testing.assert_allclose(short.integrals, whole.integrals[-13:], rtol=1e-6, atol=1e-6)
+        np.testing.assert_allclose(short.reach, whole.reach, atol=1e-6)
+
+
+@pytest.mark.parametrize("together", [1, 3, 1000])
+def test_how_many_motions_are_one_task_does_not_show(monkeypatch: pytest.MonkeyPatch, together: int) -> None:
+    p = ss.Parameters.article(theta0=np.linspace(0.2, 2.9, 40))
+    expected = rms_sweep(p, **BELT, t_end=60.0, backend="heyoka")
+    monkeypatch.setattr("spragsym.sweeps.many._together", lambda *_: together)
+    anchored = rms_sweep(p, **BELT, t_end=60.0, backend="heyoka")
+    for name in ("rms", "spread", "amplitude", "mean_y", "regime", "rate", "contact_lost"):
+        np.testing.assert_array_equal(getattr(anchored, name), getattr(expected, name))
+
+
+def test_starts_at_the_anchor_fail_alone_in_a_task(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("spragsym.sweeps.many._together", lambda *_: 5)
+    p = ss.Parameters.article(theta0=1.0)
+    x0 = np.array([0.0, np.cos(1.0), 0.1, 0.2, np.cos(1.0), 0.3, 0.4])
+    found = rms_sweep(p, **BELT, x0=x0, y0=np.where(x0 == np.cos(1.0), np.sin(1.0), 0.0), t_end=20.0)
+    assert (found.regime == Regime.FAILED).tolist() == (x0 == np.cos(1.0)).tolist()
+    alone = rms_sweep(p, **BELT, x0=0.3, t_end=20.0)
+    assert found.rms[5] == alone.rms

@@ -1,0 +1,125 @@
+"""Degenerate points of models: ends of ranges, folds beside a cusp, lines of equilibria."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from spragsym.cli import cli
+
+
+def test_a_region_without_width_holds_its_equilibrium():
+    # x = μ at rest, and μ = 0: the springs' pull bounds x by 0 on both sides.
+    model = ss.load("stick_slip")
+    eq = model.equilibria(model.Parameters(mu_s=[0.0, 0.3], V=[0.5, 0.0]))
+    assert eq.complete
+    assert eq.count.tolist() == [1, 1]
+    assert eq.x.tolist() == [[0.0], [0.0]]
+
+
+@pytest.mark.parametrize(
+    ("name", "vary", "onsets"), [("kang_nam", "sigma", 2), ("stribeck", "sigma", 2), ("mode_coupling", "sigma", 1)]
+)
+def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, onsets):
+    # At σ = 0 nothing damps the direction across the belt, in any state.
+    model = ss.load(name)
+    p = model.Parameters(**({"theta0": 1.0} if "theta0" in model.parameters else {}))
+    found = model.flutter_onsets(p, vary)
+    assert found.complete
+    assert len(found) == onsets
+    assert (getattr(found, vary) > 1e-3).all()
+
+
+def test_a_belt_at_rest_has_no_onset():
+    model = ss.load("stribeck")
+    assert model.flutter_onsets(model.Parameters(V=0.0), "theta0").complete
+    assert model.flutter_onsets(model.Parameters(theta0=1.0), "d").complete
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-14, -1e-12, 1e-9])
+@pytest.mark.parametrize("vary", ["mu0", "theta0"])
+def test_folds_beside_a_cusp(vary, off):
+    model = ss.load("kang_nam")
+    given = {"mu0": {"theta0": 1.1871896863225868 + off}, "theta0": {"mu0": 0.20093178180509016 + off}}[vary]
+    found = model.folds(model.Parameters(**given), vary)
+    known = ss.folds(ss.Parameters.article(**({"theta0": None} | given)), vary)
+    assert found.complete
+    assert np.allclose(getattr(found, vary), getattr(known, vary), rtol=0, atol=1e-12)
+    # Two whose parameter is the same float have no order.
+    assert np.allclose(np.sort(found.x), np.sort(known.x), rtol=0, atol=1e-12)
+    assert (found.error <= 1e-12).all()
+
+
+def test_a_line_of_equilibria_is_said_in_a_line():
+    # Without friction, spring along the belt and inclined spring nothing holds the mass along the belt.
+    model = ss.load("mode_coupling")
+    p = model.Parameters(mu0=0.0, alpha=0.0)
+    found = model.folds(p, "sigma")
+    assert not found.complete
+    assert len(found.undecided) < 5
+    assert any("sigma = 0 det K is 0 in every state" in remark for remark in found.remarks)
+
+
+@pytest.mark.parametrize("kappa", [3.07122127441096e-3, 4.770632327080111e-10])
+def test_a_mass_that_almost_hangs_on_a_circle(kappa):
+    # A stiff spring and next to nothing else: near-equilibria all around its anchor, which only its angle tells apart.
+    values = {"theta0": 1.8525980882017512, "mu0": 1.75, "alpha": 1.548e-3, "sigma": 7.8, "beta": 0.0, "kappa": kappa}
+    model = ss.load("kang_nam")
+    eq = model.equilibria(model.Parameters(**values), contact=False)
+    known = ss.equilibria(ss.Parameters(**values), contact=False)
+    assert eq.complete
+    assert int(eq.count) == int(known.count)
+    assert np.allclose(eq.x, np.sort(known.x)[: int(known.count)], rtol=0, atol=1e-12)
+    assert eq.error.max() <= 1e-12
+
+
+def test_a_circle_that_many_digits_leave_open():
+    # The one point of 10⁵ of benchmarks.families that was left undecided.
+    values = {
+        "theta0": 2.6739550310885836, "mu0": 0.0, "kappa": 0.19734271659075414, "alpha": 0.002747021913709797,
+        "sigma": 2.9289279863232807, "beta": 0.0,
+    }  # fmt: skip
+    model = ss.load("kang_nam")
+    eq = model.equilibria(model.Parameters(**values))
+    assert eq.complete
+    assert np.allclose(eq.x, np.sort(ss.equilibria(ss.Parameters(**values)).x), rtol=0, atol=1e-12)
+
+
+# -------------------------------------------------------------------------------------------------- the command line
+
+
+def printed(*words):
+    result = CliRunner().invoke(cli, [*words, "--json"])
+    assert result.exit_code == 0, result.output
+    return json.loads(result.stdout)
+
+
+def test_commands_for_a_model_say_what_the_articles_own_say():
+    folds = printed("folds", "--model", "kang_nam", "--vary", "theta0")
+    want = printed("folds", "--theta0", "40", "--vary", "theta0")["folds"]
+    assert folds["complete"]
+    assert np.allclose(np.degrees([row["theta0"] for row in folds["points"]]), [row["theta0_deg"] for row in want], atol=1e-10)
+    first = printed("critical", "--model", "kang_nam", "--theta0", "40")
+    assert abs(first["jump"]["mu0"] - printed("critical", "--theta0", "40")["jump"]["up"]) < 1e-12
+    assert (first["from"], first["to"], first["jump"]["kind"]) == (0.0, 10.0, "fold")
+
+
+def test_a_path_of_a_model_says_what_the_articles_own_says():
+    words = ("path", "--theta0", "40", "--to", "0.9", "--points", "3")
+    one, two = printed(*words, "--model", "kang_nam"), printed(*words)
+    assert np.allclose([row["x"] for row in one["states"]], [row["x"] for row in two["states"]], atol=1e-12)
+    assert np.allclose([row["x_after"] for row in one["jumps"]], [row["x_after"] for row in two["jumps"]], atol=1e-9)
+    assert len(one["jumps"]) == 1
+
+
+def test_what_is_undecided_is_listed():
+    told = printed("folds", "--model", "mode_coupling", "--mu0", "0", "--alpha", "0", "--vary", "sigma")
+    assert not told["complete"]
+    assert set(told["undecided"][0]) == {"x", "y", "sigma"}
+    text = CliRunner().invoke(cli, ["folds", "--model", "mode_coupling", "--mu0", "0", "--alpha", "0", "--vary", "sigma"]).stdout
+    assert "boxes are undecided, within x in [" in text
+    assert "det K is 0 in every state" in text

@@ -1,6 +1,6 @@
 """The search for cycles behind docs/oscillation.md: from many starts, along the inclination, and from period doublings.
 
-``python -m benchmarks.search_cycles FOLDER [STARTS [POINTS]]`` (16 starts and 100 points a branch each way unless given):
+``python -m benchmarks.search_cycles FOLDER [STARTS [POINTS]]`` (16 starts and 70 points a branch each way unless given):
 
 1. motions from rest and from random starts at each of 22 inclinations, judged at τ = 6000 by the cycle that they approach;
 2. every distinct cycle of these, unless it lies on a branch that is known, is followed over the inclination;
@@ -163,7 +163,7 @@ def main() -> None:
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    starts, points = (int(text) for text in (*sys.argv[2:], *("16", "100")[len(sys.argv) - 2 :]))
+    starts, points = (int(text) for text in (*sys.argv[2:], *("16", "70")[len(sys.argv) - 2 :]))
     sweep = motions(folder, starts)
     path = folder / "branches.jsonl"
     lines = journal(path)

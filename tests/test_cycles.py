@@ -336,6 +336,15 @@ def test_the_branches_that_the_diagram_draws_are_of_cycles() -> None:
         assert {event[0] for event in line["events"]} <= kinds
 
 
+@pytest.mark.thorough
+def test_the_end_of_a_range_is_reached_along_the_branch() -> None:
+    """At 44 degrees the branch has another sheet, behind two folds and a doubling, which a step to the end must not skip."""
+    start = ss.cycle(at(49.0), **BELT, near=(3.178893595172, 2.120311377456, 0.0, 0.035253616447), patient=False)
+    branch = ss.cycle_branch(start, "theta0", np.radians([44.0, 60.0]), points=100)
+    assert np.degrees([event.value for event in branch.of("fold")]) == pytest.approx([45.5602, 44.2501], abs=1e-3)
+    assert np.degrees([event.value for event in branch.of("period_doubling")]) == pytest.approx([45.2146], abs=1e-3)
+
+
 def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     doubled = branch.switch(doubling)

@@ -1,11 +1,11 @@
 """The search for cycles behind docs/oscillation.md: from many starts, along the inclination, and from period doublings.
 
-``python -m benchmarks.search_cycles FOLDER [STARTS [POINTS]]`` (16 starts and 100 points a branch each way unless given):
+``python -m benchmarks.search_cycles FOLDER [STARTS [POINTS]]`` (16 starts and 70 points a branch each way unless given):
 
 1. motions from rest and from random starts at each of 22 inclinations, judged at τ = 6000 by the cycle that they approach;
 2. every distinct cycle of these, unless it lies on a branch that is known, is followed over the inclination;
 3. where its period doubles, the doubled cycle is followed as well if it is stable there, and again from its doublings, twice at
-   most: a motion may come to it.
+   most: a motion may come to it. Each time half as many points are followed.
 
 It shows its progress, may be interrupted, and goes on where it was when it is called again: motions stand in ``motions.nc`` and
 branches, one a line, in ``branches.jsonl`` of the folder. What it prints is the table of branches: where each is stable, and its
@@ -73,15 +73,14 @@ def told(branch: ss.CycleBranch, name: str) -> dict[str, Any]:
 
 
 def known_at(lines: list[dict[str, Any]], cycle: ss.Cycle) -> bool:
-    """Whether a cycle lies on a branch that is known: Newton's method from the branch's nearest cycle leads to it."""
+    """Whether a cycle lies on a branch that is known: its period and root mean square are those between two of its points."""
     theta0 = cycle.values[0]
     for line in lines:
-        values, periods = np.array(line["theta0"]), np.array(line["period"])
+        values, periods, sizes = (np.array(line[name]) for name in ("theta0", "period", "rms"))
         for i in np.flatnonzero((values[:-1] - theta0) * (values[1:] - theta0) <= 0):
             share = (theta0 - values[i]) / (values[i + 1] - values[i] or 1.0)
-            period = periods[i] + share * (periods[i + 1] - periods[i])
-            state = np.array(line["states"][i]) + share * (np.array(line["states"][i + 1]) - np.array(line["states"][i]))
-            if abs(period / cycle.period - 1) < 0.01 and np.abs(state - cycle.state).max() < 0.1:
+            period, size = (column[i] + share * (column[i + 1] - column[i]) for column in (periods, sizes))
+            if abs(period / cycle.period - 1) < 2e-3 and abs(size / cycle.rms - 1) < 5e-3:
                 return True
     return False
 
@@ -113,7 +112,7 @@ def follow(path: Path, lines: list[dict[str, Any]], cycle: ss.Cycle, name: str, 
         if found.stable:
             doubled.append(found)
     for number, other in enumerate(doubled):
-        follow(path, lines, other, f"{name}, doubled {number + 1}", points, depth + 1)
+        follow(path, lines, other, f"{name}, doubled {number + 1}", max(points // 2, 1), depth + 1)
     lines.append(told(branch, name))  # last, so that an interruption repeats the branch with what begins on it
     with path.open("a", encoding="utf-8") as file:
         file.write(json.dumps(lines[-1]) + "\n")
@@ -128,7 +127,7 @@ def record(sweep: ss.Sweep, lines: list[dict[str, Any]]) -> dict[str, Any]:
         "branches": [
             {
                 "name": line["name"], **{name: [float(f"{value:.7g}") for value in line[name]] for name in kept},
-                "stable": [int(stable) for stable in line["stable"]],
+                "at": _middle(line), "stable": [int(stable) for stable in line["stable"]],
                 "events": [
                     [kind, *(float(f"{number:.10g}") for number in numbers), how]
                     for kind, *numbers, how in line["events"] if kind != "grazing"
@@ -137,6 +136,13 @@ def record(sweep: ss.Sweep, lines: list[dict[str, Any]]) -> dict[str, Any]:
             for line in lines
         ],
     }  # fmt: skip
+
+
+def _middle(line: dict[str, Any]) -> list[float]:
+    """Inclination, period and state of one cycle of a branch: a stable one if there is one."""
+    stable = np.flatnonzero(line["stable"])
+    i = int(stable[len(stable) // 2]) if stable.size else len(line["period"]) // 2
+    return [float(f"{value:.12g}") for value in (line["theta0"][i], line["period"][i], *line["states"][i])]
 
 
 def stretches(line: dict[str, Any]) -> str:
@@ -157,7 +163,7 @@ def main() -> None:
         sys.exit(__doc__)
     folder = Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
-    starts, points = (int(text) for text in (*sys.argv[2:], *("16", "100")[len(sys.argv) - 2 :]))
+    starts, points = (int(text) for text in (*sys.argv[2:], *("16", "70")[len(sys.argv) - 2 :]))
     sweep = motions(folder, starts)
     path = folder / "branches.jsonl"
     lines = journal(path)

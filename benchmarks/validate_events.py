@@ -18,9 +18,16 @@ import numpy as np
 
 import spragsym as ss
 from benchmarks import validate_cycles
-from spragsym.figures.oscillation import SEEDS
 
 BELT = {"V": 0.5, "d": 10.0}
+
+#: Degrees, and a state near a cycle of each branch.
+SEEDS: dict[str, tuple[float, tuple[float, float, float, float]]] = {
+    "34": (42.0, (2.538161566773, 3.361504868710, 0.0, 0.361278176249)),
+    "165": (49.0, (3.178893595172, 2.120311377456, 0.0, 0.035253616447)),
+    "75": (80.0, (3.002656, 0.40497029, 0.0, 0.13983899)),
+    "26": (90.0, (2.32939917, 1.34003954, 0.0, 0.25152749)),
+}
 
 #: Branches, and their ranges in degrees.
 BRANCHES = {"34": (1.0, 75.0), "165": (44.0, 60.0), "26": (55.0, 95.0), "75": (70.0, 95.0)}

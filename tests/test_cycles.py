@@ -318,6 +318,33 @@ def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
     assert gap < 1e-4  # between samples it is 0
 
 
+def test_the_branches_that_the_diagram_draws_are_of_cycles() -> None:
+    """One cycle of each, found again: its period, and that it is stable where the committed search says so."""
+    pytest.importorskip("matplotlib")
+    from spragsym.figures.oscillation import found_cycles
+
+    found = found_cycles()
+    assert (found["V"], found["d"]) == (BELT["V"], BELT["d"])
+    kinds = {"fold", "period_doubling", "torus", "homoclinic", "end"}
+    for line in found["branches"]:
+        theta0, period, *state = line["at"]
+        again = ss.cycle(ss.Parameters.article(theta0=theta0), **BELT, near=state, patient=False)
+        assert again.period == pytest.approx(period, rel=1e-10), line["name"]
+        nearest = int(np.argmin(np.abs(np.array(line["theta0"]) - theta0) + np.abs(np.array(line["period"]) - period)))
+        assert again.rms == pytest.approx(line["rms"][nearest], rel=1e-6)
+        assert again.stable == bool(line["stable"][nearest])
+        assert {event[0] for event in line["events"]} <= kinds
+
+
+@pytest.mark.thorough
+def test_the_end_of_a_range_is_reached_along_the_branch() -> None:
+    """At 44 degrees the branch has another sheet, behind two folds and a doubling, which a step to the end must not skip."""
+    start = ss.cycle(at(49.0), **BELT, near=(3.178893595172, 2.120311377456, 0.0, 0.035253616447), patient=False)
+    branch = ss.cycle_branch(start, "theta0", np.radians([44.0, 60.0]), points=100)
+    assert np.degrees([event.value for event in branch.of("fold")]) == pytest.approx([45.5602, 44.2501], abs=1e-3)
+    assert np.degrees([event.value for event in branch.of("period_doubling")]) == pytest.approx([45.2146], abs=1e-3)
+
+
 def test_the_doubled_cycle_and_where_it_comes_from(branch: ss.CycleBranch) -> None:
     (doubling,) = branch.of("period_doubling")
     doubled = branch.switch(doubling)

@@ -53,8 +53,7 @@ PANELS = {
 }  # fmt: skip
 QUICK: dict[str, dict[str, Any]] = {
     "7": {"step_deg": 30.0}, "11": {"detail": 0.3}, "14": {"detail": 0.3}, "cusp-friction": {"n": 4},
-    "cycles": {"seeds": ("34",), "to_deg": (41.5, 42.5), "points": 3},
-    "cycles-plane": {"points": 1, "frictions": (), "curves": ()},
+    "cycles-plane": {"frictions": (), "curves": ()},
     "rms-map": {"step_deg": 45.0, "step_mu0": 0.5, "levels": 1}, "sensitivity": {"step_deg": 10.0},
 }  # fmt: skip
 

@@ -118,6 +118,14 @@ def between(setting: Setting, one: Point, other: Point) -> float:
     return float((way * weights) @ (one.tangent * weights))
 
 
+def aligned(setting: Setting, one: Point, other: Point) -> float:
+    """The smaller cosine between the chord from one point to the other and the tangents at its ends; 1 for the same point."""
+    weights = setting.weights(len(one.loop.guess.states))
+    way = weights * (other.loop.guess.coordinates(setting.free) - one.loop.guess.coordinates(setting.free))
+    length = float(np.linalg.norm(way))
+    return min(float(way @ (weights * each.tangent)) / length for each in (one, other)) if length > 0 else 1.0
+
+
 def started(setting: Setting, guess: Guess) -> Point:
     """The first point of a branch, from a closed orbit."""
     loop = looped(setting.field, setting.fly, guess, setting.free)

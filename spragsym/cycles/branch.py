@@ -13,7 +13,7 @@ from ..dynamics.flows import carrier
 from ..dynamics.shooting import Guess, Loop, extent, looped, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
-from .arclength import Point, Setting, angle, between, corrected, cut_finer, fixed, point_of, started
+from .arclength import Point, Setting, aligned, angle, between, corrected, cut_finer, fixed, point_of, started
 from .inspection import Finding, Seen, findings, halved, repeats
 from .orbit import Cycle, cycle_of
 
@@ -229,6 +229,9 @@ class _Trace:
                 continue
             stop = self._beyond(point, ahead)
             if stop is not None:
+                if aligned(setting, point, stop) < STRAIGHT and length > 1e-6:
+                    length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
+                    continue
                 ahead = stop
             if repeats(ahead.loop) and not repeats(point.loop):
                 # A long step has gone over the place where the branch ends, on to a shorter cycle twice round.

@@ -148,12 +148,15 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
         root = float(brentq(value, 0.0, length, xtol=LOCATED, rtol=8.9e-16))
     except (ConvergenceError, ValueError):
         merged = None
-        if kind == "fold":
+        if kind in ("fold", "crossing"):
             merged = halved(setting, min((one.point, other.point), key=lambda point: abs(float(point.tangent[-1]))).loop)
         if merged is not None:
             yield Finding("merging", merged, 1e-11)
         else:
-            yield Finding(kind, other.point.loop, abs(_value(one) - _value(other)))
+            crossed = other.point.tangent if kind == "crossing" else None
+            yield Finding(
+                "fold" if kind == "crossing" else kind, other.point.loop, abs(_value(one) - _value(other)), crossed=crossed
+            )
         return
     point = known[root] if root in known else corrected(setting, one.point, root)
     if kind == "torus" and not is_complex_pair(point.loop):

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import json
+from importlib import resources
+from typing import Any, NamedTuple
+
 import numpy as np
 from matplotlib.axes import Axes
+from numpy.typing import NDArray
 
 from ..assumed import D, V
 from ..catastrophe import BifurcationSet, bifurcation_set, folds, sliding_friction
@@ -19,6 +24,7 @@ from .style import (
     GREY,
     ORANGE,
     PURPLE,
+    SKY,
     VERMILION,
     Sheet,
     Table,
@@ -28,57 +34,62 @@ from .style import (
     write_along,
 )
 
-#: States near a cycle of each branch that 16 random starts at each of 22 inclinations came to: degrees, then x, y, x', y'.
-SEEDS: dict[str, tuple[float, tuple[float, float, float, float]]] = {
-    "34": (42.0, (2.538161566773, 3.361504868710, 0.0, 0.361278176249)),
-    "165": (49.0, (3.178893595172, 2.120311377456, 0.0, 0.035253616447)),
-    "130": (54.0, (3.09475195, 1.43390171, 0.0, 0.11289679)),
-    "75": (80.0, (3.002656, 0.40497029, 0.0, 0.13983899)),
-    "26": (90.0, (2.32939917, 1.34003954, 0.0, 0.25152749)),
-}
+#: A state on the cycle of period 34 at 42 degrees.
+ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
 
 #: |x| of one equilibrium changes by less than this from one inclination to the next.
 LEAP = 0.1
 
-#: Those whose doubled cycles are followed as well.
-DOUBLED = ("34",)
+#: Of branches, in the order in which they were found; doubled ones have the colour of those that they come from.
+COLOURS = (BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY)
 
-_COLOURS = {"34": BLUE, "165": VERMILION, "130": GREEN, "75": PURPLE, "26": ORANGE}
+#: Unstable cycles beyond this are left to the table.
+HIGHEST = 2.15
+
+#: A label stands this far above its curve.
+LIFTED = 0.035
+
+#: Doubled cycles are labelled if they are stable over more degrees than this.
+WIDE = 10.0
+
+#: Of events of cycles.
+MARKERS = {"period_doubling": "o", "fold": "s", "torus": "^"}
 
 
-def branches_of(seeds: tuple[str, ...], to_deg: tuple[float, float], points: int) -> dict[str, list[CycleBranch]]:
-    """The branches through the seeds, each with those of the doubled cycles that begin on it."""
-    found: dict[str, list[CycleBranch]] = {}
-    low, high = np.radians(to_deg)
-    for name in seeds:
-        angle, state = SEEDS[name]
-        first = cycle(Parameters.article(theta0=np.radians(angle)), V=V, d=D, near=state, patient=False)
-        branch = cycle_branch(first, "theta0", (low, high), points=points)
-        found[name] = [branch]
-        for event in branch.of("period_doubling") if name in DOUBLED else ():
-            found[name].append(cycle_branch(branch.switch(event), "theta0", (low, high), points=points))
+def found_cycles() -> dict[str, Any]:
+    """The branches that ``python -m benchmarks.search_cycles`` found, with how they were looked for."""
+    text = resources.files(__package__).joinpath("cycles.json").read_text(encoding="utf-8")
+    found: dict[str, Any] = json.loads(text)
     return found
 
 
 @styled
-def figure_cycles(
-    *, seeds: tuple[str, ...] = tuple(SEEDS), to_deg: tuple[float, float] = (1.0, 179.0), points: int = 100
-) -> Sheet:  # fmt: skip
+def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
     """Root mean square of x over θ₀, of equilibria and of cycles: what Figure 7b samples by one motion."""
-    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
+    figure, ((ax,),) = panels(1, 1, DOUBLE, 4.2)
     tables: dict[str, Table] = {"a_equilibria": _draw_rest(ax, to_deg)}
-    for name, family in branches_of(seeds, to_deg, points).items():
-        for i, branch in enumerate(family):
-            _draw_branch(ax, branch, _COLOURS[name], thin=i > 0)
-            key = f"a_{name}" + (f"_doubled_{i}" if i else "")
-            tables[key] = {
-                "theta0_deg": np.degrees(branch.values), "period": branch.periods, "rms_x": branch.rms, "stable": branch.stable,
-            }  # fmt: skip
-            tables[key + "_events"] = {
-                "kind": [event.kind for event in branch.events],
-                "theta0_deg": [np.degrees(event.value) for event in branch.events],
-                "how": [event.how for event in branch.events],
-            }
+    found = found_cycles()
+    families = list(dict.fromkeys(line["name"].partition(",")[0] for line in found["branches"]))
+    for line in found["branches"]:
+        family, _, doubled = line["name"].partition(",")
+        colour = COLOURS[families.index(family) % len(COLOURS)]
+        angles = np.degrees(line["theta0"])
+        _draw_stretches(ax, angles, np.array(line["rms"]), np.array(line["stable"], dtype=bool), colour, 0.9 if doubled else 1.4)
+        value, period, *_ = line["at"]
+        height = _height(line)
+        if to_deg[0] < np.degrees(value) < to_deg[1] and (not doubled or np.ptp(angles[np.array(line["stable"]) == 1]) > WIDE):
+            write_along(ax, f"{period:.0f}", float(np.degrees(value)), height + LIFTED, color=colour, ha="center", fontsize=7)
+        events = [event for event in line["events"] if event[0] in MARKERS]
+        for kind, value, _, rms, _ in events:
+            ax.plot(np.degrees(value), rms, MARKERS[kind], color=colour, markersize=3, markerfacecolor="white")
+    columns = {"theta0_deg": "theta0", "period": "period", "rms_x": "rms", "stable": "stable"}
+    tables["a_branches"] = _columns(found["branches"], columns)
+    events = [(line["name"], *event) for line in found["branches"] for event in line["events"]]
+    names = ("branch", "kind", "theta0_deg", "period", "rms_x", "how")
+    tables["a_events"] = {
+        name: np.degrees(column).tolist() if name == "theta0_deg" else list(column)
+        for name, column in zip(names, zip(*events, strict=True), strict=True)
+    }
     fold = float(np.degrees(folds(Parameters.article()).theta0[0]))
     sliding = float(np.degrees(folds(Parameters.article(mu0=sliding_friction(0.5, V, D))).theta0[0]))
     fate = fate_boundary(Parameters.article(), vary="theta0", bracket=(np.radians(41.0), np.radians(42.0)), V=V, d=D)
@@ -90,7 +101,7 @@ def figure_cycles(
         angle_axis(ax)
     else:
         angle_axis(ax, *to_deg, step=1.0)
-    ax.set(ylabel=r"RMS of $x$", ylim=(0, None))
+    ax.set(ylabel=r"RMS of $x$", ylim=(0, HIGHEST))
     tables["a_lines"] = {"what": ["fate of rest", "fold at mu0", "fold at mu(V)"], "theta0_deg": [rest, fold, sliding]}
     return figure.describe(
         f"""Dynamic bifurcation diagram that Figure 7b samples, μ₀ = 0.5, {BASE_TEXT}, belt speed V = {V}, steepness
@@ -98,16 +109,44 @@ def figure_cycles(
         zero over one period; full where stable, equilibria by (27), dashed where not; thin: cycles that period doublings
         begin. Circles: period doublings; squares: folds of cycles; triangles: tori. Dashed vertical line: where the motion from
         rest changes its fate, {rest:.4f}°; dotted: the fold of the statics at μ₀, {fold:.4f}°; full: at μ(V), {sliding:.4f}°.
-        Cycles were looked for from 16 random starts at each of 22 inclinations, and from doublings; they are not proved to be
-        all.""",
+        Cycles were looked for from {found["starts"]} starts at each of {len(found["inclinations_deg"])} inclinations, along
+        their branches, and from stable doublings; they are not proved to be all, and branches that end in the open were not
+        followed farther. Numbers: a period on the stable part. Some unstable cycles lie above the frame.""",
         **tables,
     )
 
 
+def _columns(branches: list[dict[str, Any]], names: dict[str, str]) -> Table:
+    """All points of all branches as one table."""
+    columns: dict[str, Any] = {"branch": [line["name"] for line in branches for _ in line["theta0"]]}
+    for title, name in names.items():
+        values = np.concatenate([line[name] for line in branches])
+        columns[title] = np.degrees(values) if title.endswith("_deg") else values
+    return columns
+
+
+def _height(line: dict[str, Any]) -> float:
+    """The root mean square of the cycle at which a branch is labelled."""
+    nearest = int(np.argmin(np.abs(np.array(line["theta0"]) - line["at"][0]) + np.abs(np.array(line["period"]) - line["at"][1])))
+    return float(line["rms"][nearest])
+
+
+def _draw_stretches(
+    ax: Axes, values: FloatArray, heights: FloatArray, stable: NDArray[np.bool_], colour: str, width: float
+) -> None:  # fmt: skip
+    """A branch: full where stable, dashed where not, without a gap between."""
+    for wanted, style in ((True, "-"), (False, (0, (3, 1.5)))):
+        ends = stable == wanted
+        shown = ends | np.append(False, ends[:-1] & ~ends[1:])
+        ax.plot(np.where(shown, values, np.nan), np.where(shown, heights, np.nan), color=colour, linestyle=style, linewidth=width)
+
+
 def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
     """Equilibria at μ(V): |x| is their root mean square."""
-    angles = np.linspace(*to_deg, 1201)
     friction = sliding_friction(0.5, V, D)
+    edges = np.degrees(folds(Parameters.article(mu0=friction)).theta0)
+    near = np.concatenate([fold + side * np.geomspace(1e-7, 0.3, 40) for fold in edges for side in (-1, 1)])
+    angles = np.unique(np.concatenate([np.linspace(*to_deg, 1201), near[(to_deg[0] <= near) & (near <= to_deg[1])]]))
     found = equilibria(Parameters.article(theta0=np.radians(angles), mu0=friction))
     size = np.abs(found.x)
     for kind, style in ((Stability.STABLE, "-"), (Stability.DIVERGENT, (0, (3.5, 1.6)))):
@@ -119,31 +158,15 @@ def _draw_rest(ax: Axes, to_deg: tuple[float, float]) -> Table:
     return {"theta0_deg": np.repeat(angles, size.shape[-1]), "abs_x": size.ravel(), "stability": found.stability.ravel()}
 
 
-def _draw_branch(ax: Axes, branch: CycleBranch, colour: str, *, thin: bool) -> None:
-    angles, width = np.degrees(branch.values), 0.8 if thin else 1.4
-    for wanted, style in ((True, "-"), (False, (0, (3, 1.5)))):
-        ends = branch.stable == wanted
-        shown = ends | np.append(False, ends[:-1] & ~ends[1:])
-        ax.plot(np.where(shown, angles, np.nan), np.where(shown, branch.rms, np.nan), color=colour, linestyle=style,
-                linewidth=width)  # fmt: skip
-    for kind, marker in (("period_doubling", "o"), ("fold", "s"), ("torus", "^")):
-        events = branch.of(kind)
-        ax.plot([np.degrees(e.value) for e in events], [e.cycle.rms for e in events], marker, color=colour, markersize=3,
-                markerfacecolor="white", linestyle="none")  # fmt: skip
-
-
 @styled
 def branch_figure(branch: CycleBranch) -> Sheet:
     """Root mean square of x and period along one branch."""
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     unit = np.degrees(1.0) if branch.vary == "theta0" else 1.0
     for ax, values, label in ((left, branch.rms, r"RMS of $x$"), (right, branch.periods, "period")):
-        for wanted, style in ((True, "-"), (False, (0, (3, 1.5)))):
-            ends = branch.stable == wanted
-            shown = ends | np.append(False, ends[:-1] & ~ends[1:])
-            ax.plot(np.where(shown, unit * branch.values, np.nan), np.where(shown, values, np.nan), color=BLUE, linestyle=style)
+        _draw_stretches(ax, unit * branch.values, values, branch.stable, BLUE, 1.3)
         ax.set(xlabel=r"$\theta_0$ (deg)" if branch.vary == "theta0" else branch.vary, ylabel=label)
-    for kind, marker in (("period_doubling", "o"), ("fold", "s"), ("torus", "^"), ("grazing", "|")):
+    for kind, marker in {**MARKERS, "grazing": "|"}.items():
         for event in branch.of(kind):
             for ax, value in ((left, event.cycle.rms), (right, event.cycle.period)):
                 ax.plot(unit * event.value, value, marker, color=BLACK, markersize=4, markerfacecolor="white")
@@ -154,27 +177,58 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     )
 
 
+class _Curve(NamedTuple):
+    """Where on a branch the event is from which a curve is followed, how far, and where its label stands."""
+
+    vary: str
+    kind: str
+    nearest: float
+    points: int
+    label: str
+    place: tuple[float, float]
+
+
+#: Events of the cycle of period 34, from its branches at 42 degrees over the friction and at friction 0.5 over the angle.
+CURVES = {
+    "doubling": _Curve("mu0", "period_doubling", 0.49, 22, "period doubling", (5.0, 0.455)),
+    "lower_doubling": _Curve("mu0", "period_doubling", 0.32, 25, "period doubling", (96.0, 0.43)),
+    "fold": _Curve("theta0", "fold", np.radians(69.8), 20, "fold of cycles", (78.0, 0.515)),
+    "lower_fold": _Curve("mu0", "fold", 0.096, 36, "fold of cycles", (20.0, 0.04)),
+}
+
+
+#: At which the fate of rest is looked for.
+FRICTIONS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8)
+
+
+def _along(vary: str) -> CycleBranch:
+    """The branch of the cycle of period 34 from 42 degrees and friction 0.5."""
+    first = cycle(Parameters.article(theta0=np.radians(42.0)), V=V, d=D, near=ON_CYCLE, patient=False)
+    if vary == "theta0":
+        return cycle_branch(first, vary, (np.radians(41.0), np.radians(72.0)))
+    return cycle_branch(first, vary, (0.05, 0.5), points=90)
+
+
 @styled
 def figure_cycles_plane(
-    *, points: int = 20, frictions: tuple[float, ...] = (0.45, 0.5, 0.55, 0.6),
-    curves: tuple[str, ...] = ("fold", "period_doubling"),
+    *, frictions: tuple[float, ...] = FRICTIONS, curves: tuple[str, ...] = tuple(CURVES)
 ) -> Sheet:  # fmt: skip
     """Events of the cycle of period 34, folds of the statics and fates of rest in the plane of θ₀ and μ₀."""
-    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
-    first = cycle(Parameters.article(theta0=np.radians(42.0)), V=V, d=D, near=SEEDS["34"][1], patient=False)
-    branch = cycle_branch(first, "theta0", (np.radians(38.0), np.radians(72.0)))
+    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.6)
     tables: dict[str, Table] = {}
-    for kind, colour, label in (("period_doubling", BLUE, "period doubling"), ("fold", VERMILION, "fold of cycles")):
-        if kind in curves:
-            found = cycle_events(branch.of(kind)[0], ("theta0", "mu0"), to={"theta0": (0.05, 3.09), "mu0": (0.01, 1.0)},
-                                 points=points)  # fmt: skip
-            angles, friction = np.degrees(found.values[:, 0]), found.values[:, 1]
-            ax.plot(angles, friction, color=colour)
-            middle = len(angles) // 2
-            write_along(ax, label, float(angles[middle]) + 4, float(friction[middle]) - 0.03, color=colour)
-            tables[f"a_{kind}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
-    still = bifurcation_set(Parameters.article())
-    tables["a_statics"] = _draw_statics(ax, still)
+    branches = {vary: _along(vary) for vary in dict.fromkeys(CURVES[name].vary for name in curves)}
+    for name in curves:
+        curve = CURVES[name]
+        events = branches[curve.vary].of(curve.kind)
+        event = events[int(np.argmin([abs(each.value - curve.nearest) for each in events]))]
+        limits = {"theta0": (0.02, 3.12), "mu0": (0.01, 1.0)}
+        found = cycle_events(event, ("theta0", "mu0"), to=limits, points=curve.points)
+        angles, friction = np.degrees(found.values[:, 0]), found.values[:, 1]
+        colour = BLUE if curve.kind == "period_doubling" else VERMILION
+        ax.plot(angles, friction, color=colour)
+        write_along(ax, curve.label, *curve.place, color=colour)
+        tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
+    tables["a_statics"] = _draw_statics(ax, bifurcation_set(Parameters.article()))
     fates = []
     for mu0 in frictions:
         fold = float(folds(Parameters.article(mu0=mu0)).theta0[0])
@@ -184,16 +238,20 @@ def figure_cycles_plane(
     tables["a_fates"] = {"theta0_deg": np.degrees(fates), "mu0": np.array(frictions)}
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
-    words = {
-        "period_doubling": "Blue: the period doubling of the cycle of period 34.",
-        "fold": "Orange: its fold, where it ends.",
-    }
     return figure.describe(
         f"""Events in the plane of inclination and friction, {BASE_TEXT}, V = {V}, d = {D:g} (our assumption). Grey: folds of the
-        equilibria, at μ₀. {" ".join(words[kind] for kind in curves)} Dots: where the motion from rest at x = y = 0 changes its
-        fate. Other cycles have curves of their own.""",
+        equilibria, at μ₀. {_words(curves)}
+        At 42° this cycle is stable for 0.096 < μ₀ < 0.320 and above 0.491. Dots: where the motion from rest at x = y = 0
+        changes its fate, about 3° before the fold of the equilibria at every friction. Other cycles have curves of their own.""",
         **tables,
     )
+
+
+def _words(curves: tuple[str, ...]) -> str:
+    """What the curves in colours are."""
+    if not curves:
+        return ""
+    return "Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed."
 
 
 def _draw_statics(ax: Axes, still: BifurcationSet) -> Table:

@@ -1,16 +1,19 @@
 """Jump values against paths of states, certificates against samples, probabilities against plain samples and their own truth.
 
 Run ``python -m benchmarks.validate_jumps [what] [number] [seed] [store] [seconds]``, with ``what`` one of values, boxes,
-probability, coverage, cluster, speed. Finished parts go to the file ``store``, and a second call goes on from there.
+probability, coverage, samples, cluster, speed. Finished parts go to the file ``store``, and a second call goes on from there.
 """
 
 from __future__ import annotations
 
 import itertools
+import subprocess
 import sys
+import tempfile
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -172,6 +175,34 @@ def validate_coverage(studies: int, seed: int = 5, store: str = "", seconds: flo
     return int(held < 0.88 * len(found))
 
 
+def memory() -> float:
+    """Largest memory that this process has had, in megabytes."""
+    import resource
+
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def validate_samples(number: int, seed: int = 6, store: str = "", seconds: float = np.inf) -> int:
+    """Rate and memory of one study that is killed when a part of it is done, and gone on with; 10⁹ is its full size."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(store) if store else Path(folder) / "samples.json"
+        journal = Path(f"{path}.partial")
+        call = f"ss.jump_probability(v.TOLERANCES, n={number}, rng={seed}, sobol=False, store={str(path)!r})"
+        child = subprocess.Popen([sys.executable, "-c", f"import spragsym as ss, benchmarks.validate_jumps as v; {call}"])
+        while child.poll() is None and not (journal.is_file() and len(journal.read_bytes().splitlines()) > 16):
+            time.sleep(0.1)
+        child.kill()
+        child.wait()
+        kept = len(journal.read_bytes().splitlines()) - 1 if journal.is_file() else 0
+        begin = time.process_time()
+        found = ss.jump_probability(TOLERANCES, n=number, rng=seed, sobol=False, store=path)
+        spent = time.process_time() - begin
+        again = ss.jump_probability(TOLERANCES, n=number, rng=seed, sobol=False) if number <= 1 << 22 else found
+    print(f"killed with {kept} parts done; the rest took {spent:.1f} s of the processor, at most {memory():.0f} MB")
+    print(f"{found.low:.6f} to {found.high:.6f} of {found.n}; {'the same' if again == found else 'not the same'} without a kill")
+    return int(again != found)
+
+
 def validate_cluster(number: int, seed: int = 4, **_: Any) -> int:
     """Whether a dask cluster of two local processes, chunk by chunk, gives the bits of one process."""
     from dask.distributed import Client, LocalCluster
@@ -189,6 +220,7 @@ CHECKS: dict[str, tuple[Callable[..., int], int]] = {
     "boxes": (validate_boxes, 200),
     "probability": (validate_probability, 100_000_000),
     "coverage": (validate_coverage, 100),
+    "samples": (validate_samples, 1_000_000_000),
     "cluster": (validate_cluster, 1 << 13),
 }
 

@@ -88,6 +88,9 @@ def test_errors_of_rounded_numbers_are_not_larger_than_needed() -> None:
         assert (1 / gone).error.tolist() == [np.inf] * 3
         assert gone.sqrt().error.tolist() == [np.inf] * 3
     assert Rounded(np.array([-4.0])).sqrt().error[0] == np.inf
+    small = Rounded(np.array([0.01]), np.array([1e-4]))
+    assert (1 / small).error[0] == pytest.approx(1 / 0.0099 - 100, rel=1e-6)
+    assert small.sqrt().error[0] < 0.0011
 
 
 def test_roots_of_rounded_numbers() -> None:
@@ -129,6 +132,7 @@ def test_cosines_of_angles() -> None:
         check(sine, [as_fraction(mpmath.sin(mpmath.mpf(angle))) for angle in angles])
     assert cosine.error.max() < 4e-15
     assert sine.sign()[-1] == 1
+    assert rounded.cosine_and_sine(np.array([5e-324]))[1].error[0] >= 8 * 5e-324  # whose unit is no smaller
 
 
 # ----------------------------------------------------------------------------------------------------------- affine
@@ -199,18 +203,19 @@ def test_numbers_without_width_are_rounded_too(size: float) -> None:
         check_affine(other * one, at, [a * b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
         check_affine(one + other, at, [a + b for a, b in zip(linear(one, at), linear(other, at), strict=True)])
     if size >= 1:
-        check_affine(1 / exact, at, [1 / a for a in linear(exact, at)])
+        check_affine(exact.reciprocal(), at, [1 / a for a in linear(exact, at)])
 
 
-def test_the_error_of_a_reciprocal_is_met() -> None:
+@pytest.mark.parametrize("scale", [1.0, 2.0**700, 2.0**-300])
+def test_the_error_of_a_reciprocal_is_met(scale: float) -> None:
     """At the end that is nearest to 0 it is what the formula says, so that nothing may be left out."""
     rng = np.random.default_rng(18)
-    value, share = rng.choice([-1, 1], 90) * rng.uniform(1, 2, 90), rng.uniform(0.05, 0.5, 90)
+    value, share = rng.choice([-1, 1], 90) * rng.uniform(1, 2, 90) * scale, rng.uniform(0.05, 0.5, 90)
     for error in (np.zeros(90), np.abs(value) * rng.uniform(0.01, 0.3, 90)):
         x = Affine(value, np.stack([value * share]), error)
         at = -np.ones((1, 90), dtype=int)
         members = [a - Fraction(float(np.sign(v))) * e for a, v, e in zip(linear(x, at), value, fractions(error), strict=True)]
-        check_affine(1 / x, at, [1 / a for a in members])
+        check_affine(x.reciprocal(), at, [1 / a for a in members])
 
 
 def test_what_is_linear_loses_nothing_and_what_is_not_a_second_order() -> None:
@@ -230,6 +235,7 @@ def test_what_is_linear_loses_nothing_and_what_is_not_a_second_order() -> None:
         assert np.abs(found.terms[:, 0] - terms).max() < 1e-15
         assert error <= found.error[0] <= error * (1 + 1e-9) + 5e-15
     assert (x - x).radius()[0] < 1e-14
+    assert (Affine(np.array([3.0]), np.array([[0.0]])) + 1).error[0] < 1e-15
     wide = Affine(np.array([1.0, 1.0, 1.0]), np.array([[0.5, 0.5, 0.25]]), np.array([0.5, 0.6, 0.5]))
     assert (1 / wide).error[:2].tolist() == [np.inf, np.inf]
     assert np.isfinite((1 / wide).error[2])

@@ -262,7 +262,7 @@ def test_events_are_isolated_until_nothing_touches(monkeypatch: pytest.MonkeyPat
 
 @pytest.mark.parametrize("fixed", [Fixed(0.25, 0.5, 0.5, 0.0), Fixed(1.0, 1.0, 1.0, 0.0), Fixed(0.5, 0.5, 1.0, 0.0)], ids=str)
 def test_what_happens_at_90_degrees_or_everywhere_is_no_event(fixed: Fixed) -> None:
-    """κ (α + σ) = σ (1 + β − α): one passes 0 and its mirror image π at θ = π/2; α = κ = 1 + β: no θ has a fold without friction."""
+    """κ (α + σ) = σ (1 + β − α): one passes 0 at θ = π/2, its mirror image π; α = κ = 1 + β: no θ has a fold without friction."""
     parts = fold_events.stretches(fixed)
     assert all(part.low < part.inside < part.high for part in parts)
     for part in parts:
@@ -287,7 +287,8 @@ def test_without_alpha_curves_lie_on_either_side_alike_and_friction_is_positive(
 
 @pytest.mark.parametrize(
     ("sines", "kept"), [((-0.5, 0.5), [0.5]), ((0.0, 0.5), [0.0, 0.5]), ((1.0, 0.5), [0.5, 1.0]), ((0.2, 0.7), [0.2, 0.7]),
-                        ((1e-13, 0.9), [1e-13, 0.9]), ((-0.1, 2.0), []), ((-1e-13, 0.9), [0.9])],
+                        ((1e-13, 0.9), [1e-13, 0.9]), ((-0.1, 2.0), []), ((-1e-13, 0.9), [0.9]), ((0.9, 1.2), [0.9]),
+                        ((1.2, 0.9), [0.9])],
 )  # fmt: skip
 @pytest.mark.parametrize("sign", [1, -2])
 def test_sines_between_0_and_1_are_kept(
@@ -313,6 +314,8 @@ def test_sines_between_0_and_1_are_kept(
         ([-1.0, 2.0, 3.0 + 1e-9j, 3.0 - 1e-9j], 3, [2.0, 3.0, 3.0]),
         ([3.0 + 1j, 3.0 - 1j, -1e-9, 2.0], 1, [2.0]),
         ([3.0 + 1j, 3.0 - 1j, 2.0, 1.0], 0, []),
+        # 0 is real, and positive enough.
+        ([0.0, 2.0, 3.0 + 1j, 3.0 - 1j], 2, [0.0, 2.0]),
         ([2.0, 1.0, -3.0 + 1j, -3.0 - 1j], 2, [1.0, 2.0]),
         ([-3.0 + 1j, -3.0 - 1j, 2.0, 1.0], 2, [1.0, 2.0]),
     ],
@@ -446,6 +449,7 @@ def test_events_in_any_order_are_followed(monkeypatch: pytest.MonkeyPatch, enter
     for strand in pair:
         v = np.tan(strand.theta0 / 2)
         np.testing.assert_allclose((v - 2) ** 2, strand.theta - born, atol=1e-9)
+        assert v[strand.theta == born] == pytest.approx(2, abs=1e-12)  # both at once
         assert (np.diff(v) > 0).all() or (np.diff(v) < 0).all()
 
 
@@ -602,7 +606,7 @@ def test_angles_are_shared_out_by_length_and_by_angle(monkeypatch: pytest.Monkey
             for (a, m), (b, n) in list(zip(*ends, strict=True))[:number]
         ]
         longest.append(max([step for step in steps if not math.isnan(step)], default=0.0))
-    share = np.diff(coarse) / (coarse[-1] - coarse[0])
+    share = np.diff(coarse) / (math.pi / 2)
     measure = np.cumsum([0.0, *(np.array(longest) / sum(longest) + 0.5 * share)])
     added = found[~np.isin(found, coarse)]
     assert added.size == pytest.approx(4270 - coarse.size, abs=3)
@@ -628,8 +632,8 @@ def test_strands_are_cut_where_friction_vanishes(monkeypatch: pytest.MonkeyPatch
     zeros = [math.pi / 10 * k for k in (1, 3)]
     events = [0.2, zeros[0], 0.5, zeros[1], 1.3]
     ends = [strand.theta[-1 if backwards else 0], *zeros, strand.theta[0 if backwards else -1]]
-    for side, wanted in ((1.0, [(ends[0], ends[1]), (ends[2], ends[3])]), (-1.0, [(ends[1], ends[2])])):
-        pieces = fold_curves._one_sign(strand, events, FAMILY, side)
+    for positive, wanted in ((True, [(ends[0], ends[1]), (ends[2], ends[3])]), (False, [(ends[1], ends[2])])):
+        pieces = fold_curves._one_sign(strand, events, FAMILY, positive=positive)
         pieces = pieces[::-1] if backwards else pieces
         assert len(pieces) == len(wanted)
         for piece, (low, high) in zip(pieces, wanted, strict=True):
@@ -638,7 +642,7 @@ def test_strands_are_cut_where_friction_vanishes(monkeypatch: pytest.MonkeyPatch
             assert theta[[0, -1]].tolist() == [low, high]
             np.testing.assert_allclose(piece.theta0, 1 + piece.theta, atol=1e-12)
             np.testing.assert_allclose(piece.mu0, np.cos(5 * piece.theta), atol=1e-9)
-            assert (side * piece.mu0 >= 0).all()
+            assert (piece.mu0 >= 0).all() if positive else (piece.mu0 <= 0).all()
             inner = strand.theta[(strand.theta > low) & (strand.theta < high)]
             assert np.isin(inner, piece.theta).all()
 
@@ -647,20 +651,30 @@ def test_a_change_of_sign_without_an_event_gets_no_point(monkeypatch: pytest.Mon
     """It is rounding, as it is for α = 0, where no fold is without friction."""
     strand = _drawn(monkeypatch, lambda theta: 1.0 + 0 * theta)
     turned = fold_curves.Strand(strand.theta, strand.theta0, np.where(np.arange(41) == 20, -1.0, 1.0))
-    elsewhere = [0.2, 1.3]
-    assert fold_curves._one_sign(turned, elsewhere, FAMILY, -1.0) == []  # one point is no curve
-    assert [piece.theta.size for piece in fold_curves._one_sign(turned, elsewhere, FAMILY, 1.0)] == [20, 20]
+    elsewhere = [0.2, 1.3, *turned.theta[19:21]]  # points that are events are ends of curves
+    assert fold_curves._one_sign(turned, elsewhere, FAMILY, positive=False) == []  # one point is no curve
+    assert [piece.theta.size for piece in fold_curves._one_sign(turned, elsewhere, FAMILY, positive=True)] == [20, 20]
     here = [float(turned.theta[19:21].mean())]
-    assert [piece.theta.size for piece in fold_curves._one_sign(turned, here, FAMILY, 1.0)] == [21, 20]
-    assert [piece.theta.size for piece in fold_curves._one_sign(turned, here, FAMILY._replace(alpha=0.0), 1.0)] == [20, 20]
+    assert [piece.theta.size for piece in fold_curves._one_sign(turned, here, FAMILY, positive=True)] == [21, 20]
+    assert [piece.theta.size for piece in fold_curves._one_sign(turned, here, FAMILY._replace(alpha=0.0), positive=True)] == [
+        20,
+        20,
+    ]
 
 
-@pytest.mark.parametrize("side", [1.0, -1.0])
-def test_where_friction_only_touches_0_a_strand_goes_on(monkeypatch: pytest.MonkeyPatch, side: float) -> None:
+@pytest.mark.parametrize("positive", [True, False])
+def test_where_friction_only_touches_0_a_strand_goes_on(monkeypatch: pytest.MonkeyPatch, positive: bool) -> None:
     at = np.linspace(0.1, 1.4, 41)[20]
-    touching = _drawn(monkeypatch, lambda theta: side * (theta - at) ** 2)
-    [whole] = fold_curves._one_sign(touching, [at], FAMILY, side)
+    touching = _drawn(monkeypatch, lambda theta: (1 if positive else -1) * (theta - at) ** 2)
+    [whole] = fold_curves._one_sign(touching, [at], FAMILY, positive=positive)
     assert whole.theta.tolist() == touching.theta.tolist()
+
+
+def test_an_event_is_in_no_stretch() -> None:
+    parts = _parts([0.0, 0.5, math.pi / 2], lambda _: 1, lambda _: (1, 1))
+    first, second = fold_curves._by_stretch(parts, np.array([0.0, 0.3, 0.5, 0.7, math.pi / 2]))
+    assert first.tolist() == [0.25, 0.3]
+    assert second.tolist() == [0.7, parts[1].inside, math.pi / 2]
 
 
 def test_curves_without_friction_end_there(fixed: Fixed) -> None:

@@ -44,9 +44,10 @@ def run(command: str, folder: Path) -> str:
     if os.name != "posix" or not shutil.which("bash"):
         pytest.skip("needs bash")
     environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
+    environment["PYTHONIOENCODING"] = "utf-8"  # as it is read here
     environment.pop("FORCE_COLOR", None)
     done = subprocess.run(
-        ["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, capture_output=True, text=True, timeout=300
+        ["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, capture_output=True, encoding="utf-8", timeout=300
     )
     assert done.returncode == 0, done.stderr
     return done.stdout

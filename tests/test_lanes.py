@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import Event, course, integrators, lanes, motions, simulate
+from spragsym.dynamics import Event, course, flows, integrators, lanes, motions, simulate
+from spragsym.dynamics.classify import classified, classify
 from spragsym.dynamics.field import Field
 from spragsym.dynamics.motions import Measured, Motions
 from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.with_heyoka import compiled_for
+from spragsym.errors import SweepError
+from spragsym.statics.solver import equilibria
 from spragsym.sweeps import Regime, rms_sweep
 
 pytest.importorskip("heyoka")
@@ -63,6 +66,8 @@ def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyP
 def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
     monkeypatch.setattr(lanes, "BURST", burst)
     good = problems(19)
+    enough = max(simulate_steps(problem) for problem in good) + 5  # steps before a new beginning do not count
+    good = [replace(problem, max_steps=enough) for problem in good]
     some = good.copy()
     for place in (0, 3, 4, 12, len(some)):
         some.insert(place, broken(good[0]))
@@ -170,3 +175,43 @@ def test_starts_at_the_anchor_fail_alone_in_a_task(monkeypatch: pytest.MonkeyPat
     assert (found.regime == Regime.FAILED).tolist() == (x0 == np.cos(1.0)).tolist()
     alone = rms_sweep(p, **BELT, x0=0.3, t_end=20.0)
     assert found.rms[5] == alone.rms
+
+
+def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
+    """What every regime asks for first is asked of all at once: it must pass over none that the classifier would tell of."""
+    rest = equilibria(ss.Parameters.article(theta0=0.6, mu0=0.5 * (1 - np.exp(-5.0))))
+    start = (float(rest.x[0]), float(rest.y[0]), 0.0, 0.0)
+    still = prepare(ss.Parameters.article(theta0=0.6), **BELT, start=start, t_end=60.0, t_record=20.0, rtol=1e-10)
+    high = replace(still, start=(0.0, 0.4, 0.0, 0.0))
+    some = Motions.of([still, high, *problems(60)])
+    found = lanes.watch(some)
+    told = dict(classified(found, some, "heyoka"))
+    assert told[0].regime == Regime.EQUILIBRIUM
+    assert 0 < len(told) < len(some)
+    for row in range(len(some)):
+        problem = some.problem(row)
+        alone = classify(found.course(row), problem, flows.onward(problem, "heyoka"))
+        assert (told[row].regime if row in told else Regime.UNSETTLED) == alone.regime
+
+
+def test_a_cycle_is_told_from_few_turns() -> None:
+    problem = prepare(
+        ss.Parameters.article(theta0=np.radians(42)), **BELT, start=(0, 0, 0, 0), t_end=2000, t_record=1850, rtol=1e-10
+    )
+    found = lanes.watch(Motions.of([problem]))
+    assert found.maxima[0] < 10
+    ((_, outcome),) = classified(found, Motions.of([problem]), "heyoka")
+    assert outcome.regime == Regime.APPROACHES_CYCLE
+    assert outcome.period == pytest.approx(34.26737, abs=1e-5)
+
+
+def test_a_failure_of_the_machine_names_the_task(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("spragsym.sweeps.many._together", lambda *_: 5)
+
+    def fails(*_: object) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(integrators, "measure", fails)
+    p = ss.Parameters.article(theta0=np.linspace(0.5, 1.0, 7))
+    with pytest.raises(SweepError, match=r"stopped at one of 5 points, of which the first is theta0 = 0\.5, .*: MemoryError"):
+        rms_sweep(p, **BELT, t_end=10.0)

@@ -27,7 +27,7 @@ from spragsym.files import storage
 from spragsym.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
-from tests.support import needs_posix
+from tests.support import needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -98,6 +98,7 @@ def test_a_point_that_fails_is_nan_with_its_reason_and_stops_nothing() -> None:
     assert (found.reason[~failed] == "").all()
 
 
+@needs_a_quick_integrator
 def test_rms_jumps_where_the_motion_first_passes_the_middle_equilibrium() -> None:
     # Not at the fold, 44.56 degrees: from rest at x = y = 0 the mass overshoots the middle one before that.
     theta0 = np.radians(np.arange(40.0, 44.1, 0.5))
@@ -122,6 +123,7 @@ def test_the_limit_cycle_of_figure_7_comes_late() -> None:
     assert late.period == pytest.approx(float(later.period), rel=1e-5)
 
 
+@needs_a_quick_integrator
 def test_basin() -> None:
     p = ss.Parameters.article(theta0=np.radians(30))
     found = basin(p, 0.5, 4.0, x=[0.0, 0.1, 1.6], vx=[0.0, 0.01], t_end=2e4, transient=1.9e4)
@@ -131,6 +133,7 @@ def test_basin() -> None:
     assert found.attractors[found.attractor[0, 0]][:2] == (Regime.EQUILIBRIUM, 0)
 
 
+@needs_a_quick_integrator
 def test_sensitivity_brackets_the_jump() -> None:
     p = ss.Parameters.article(theta0=np.radians([38.0, 40.0, 42.0, 44.0]))
     table = sensitivity(p, V=[0.5, 1.0], d=[10.0], refine=4)

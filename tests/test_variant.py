@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shutil
 import subprocess
@@ -68,7 +69,8 @@ def _variant(tmp_path: Path, *changes: tuple[str, str, str]) -> subprocess.Compl
         assert text.count(before) == 1, before
         path.write_text(text.replace(before, after), encoding="utf-8")
     command = [sys.executable, "-m", "derive", "--variant", "--out", "variant"]
-    return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=300, check=False)
+    environment = {**os.environ, "PYTHONIOENCODING": "utf-8"}
+    return subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, encoding="utf-8", timeout=300, check=False)
 
 
 @pytest.mark.thorough

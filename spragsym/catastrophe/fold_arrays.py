@@ -215,19 +215,21 @@ def _squares(values: list[Rounded]) -> list[Rounded]:
     width = alpha * (beta + 1 + sigma)
     scale = (alpha + sigma) * (beta + 1) * width
     sines, cosines = ([_as_rounded(part) for part in row] for row in _cubics(*values))
-    powers = _product(sines, sines)
-    others = _product(cosines, cosines)
+    powers, others = _square(sines), _square(cosines)
     result = [width * width * one + other for one, other in zip(powers, others, strict=True)]
     for half, binomial in enumerate((1, 6, 15, 20, 15, 6, 1)):
         result[2 * half] = result[2 * half] - scale * scale * binomial
     return result
 
 
-def _product(one: list[Rounded], other: list[Rounded]) -> list[Rounded]:
-    result: list[Any] = [0] * (len(one) + len(other) - 1)
+def _square(one: list[Rounded]) -> list[Rounded]:
+    """The square of a polynomial, each pair of different powers multiplied once."""
+    result: list[Any] = [0] * (2 * len(one) - 1)
     for i, left in enumerate(one):
-        for j, right in enumerate(other):
-            result[i + j] = left * right + result[i + j]
+        result[2 * i] = left * left + result[2 * i]
+        double = left + left
+        for j in range(i + 1, len(one)):
+            result[i + j] = double * one[j] + result[i + j]
     return result
 
 

@@ -40,8 +40,7 @@ class Strand:
 
 def positive_roots(theta: FloatArray, number: int, fixed: Fixed) -> FloatArray:
     """v = tan(θ₀/2) > 0 (≤ 1 for α = 0) of the folds at each θ, of which there are ``number``: a column each, ascending."""
-    columns = np.broadcast_arrays(*fold_polynomial((np.cos(theta), np.sin(theta)), fixed))
-    coefficients = np.stack(columns, axis=-1) / np.abs(columns).max(axis=0)[..., None]
+    coefficients = np.stack(np.broadcast_arrays(*fold_polynomial((np.cos(theta), np.sin(theta)), fixed)), axis=-1)
     roots = eigenvalues(coefficients)
     # Rounding moves roots off the real axis, and beyond the ends: those that lie closest to where they must are the ones.
     beyond = roots.real - np.clip(roots.real, 0.0, np.inf if fixed.alpha else 1.0)
@@ -66,11 +65,11 @@ def strands(fixed: Fixed, n: int) -> list[Strand]:
     Folds with 0 < θ ≤ π/2 and friction of either sign are all there are: (θ, θ₀, μ) → (π − θ, π − θ₀, −μ) gives the rest.
     """
     parts = stretches(fixed)
-    events = [part.low for part in parts[1:]]
+    events = [part.low for part in parts]
     with np.errstate(all="ignore"):
         found = _trace(parts, _refined(parts, fixed, n), fixed)
-        ahead = [piece for strand in found for piece in _one_sign(strand, events, fixed, 1.0)]
-        mirrored = [_mirrored(piece) for strand in found for piece in _one_sign(strand, events, fixed, -1.0)]
+        ahead = [piece for strand in found for piece in _one_sign(strand, events, fixed, positive=True)]
+        mirrored = [_mirrored(piece) for strand in found for piece in _one_sign(strand, events, fixed, positive=False)]
         if fixed.alpha == 0:  # where sin θ f + cos θ f′ = 0 and f = 0 leave no negative friction at cos θ > 0
             ahead += [Strand(piece.theta, np.pi - piece.theta0, piece.mu0) for piece in ahead]
         return _joined(ahead, mirrored)
@@ -89,7 +88,7 @@ def _refined(parts: list[Stretch], fixed: Fixed, n: int) -> list[FloatArray]:
     theta = np.concatenate(coarse)
     lengths = [_lengths(values, part.number, fixed) for part, values in zip(parts, coarse, strict=True)]
     length = np.concatenate(lengths)[:-1]
-    weight = length / max(float(length.sum()), 1e-300) + 0.5 * np.diff(theta) / (theta[-1] - theta[0])
+    weight = length / max(float(length.sum()), 1e-300) + 0.5 * np.diff(theta) / theta[-1]
     cumulative = np.concatenate([[0.0], np.cumsum(weight)])
     fresh = np.interp(np.linspace(0, cumulative[-1], max(n - theta.size, 0)), cumulative, theta)
     return _by_stretch(parts, np.concatenate([theta, fresh]))
@@ -101,7 +100,7 @@ def _lengths(theta: FloatArray, number: int, fixed: Fixed) -> FloatArray:
     mu0 = friction(theta[:, None], theta0, fixed)
     plane = np.stack([theta0 / np.pi, mu0 / (1 + np.abs(mu0))])
     steps = np.hypot(*np.diff(plane, axis=1, append=plane[:, -1:]))
-    return np.nan_to_num(steps).max(axis=-1, initial=0.0)  # type: ignore[no-any-return]  # NumPy gives Any
+    return np.nan_to_num(steps).max(axis=1, initial=0.0)  # type: ignore[no-any-return]  # NumPy gives Any
 
 
 #: Chunks of points (θ, v), each of shape (2, k), in order; a curve grows at both ends.
@@ -164,7 +163,7 @@ def _passing(before: Stretch, after: Stretch) -> tuple[int, int]:
     """
     at_zero, at_end = before.at_zero != after.at_zero, before.at_end != after.at_end
     change = after.number - before.number
-    if at_zero and at_end and change == 0:
+    if at_zero and change == 0:
         return -after.at_zero, after.at_zero
     way = 1 if change > 0 else -1
     return way * at_zero, way * at_end
@@ -209,9 +208,9 @@ def _pair(theta: float, fixed: Fixed, open_ends: list[_End], finished: list[_Cur
 # ------------------------------------------------------------------------------------------------------ pieces
 
 
-def _one_sign(strand: Strand, events: list[float], fixed: Fixed, side: float) -> list[Strand]:
-    """The parts of a strand with ``side`` · μ₀ ≥ 0, each cut where μ₀ = 0."""
-    good = side * strand.mu0 >= 0
+def _one_sign(strand: Strand, events: list[float], fixed: Fixed, *, positive: bool) -> list[Strand]:
+    """The parts of a strand with μ₀ ≥ 0, or with μ₀ ≤ 0, each cut where μ₀ = 0."""
+    good = strand.mu0 >= 0 if positive else strand.mu0 <= 0
     changes = np.flatnonzero(good[1:] != good[:-1]) + 1
     parts = []
     for begin, end in zip([0, *changes], [*changes, good.size], strict=True):
@@ -233,7 +232,7 @@ def _concatenated(chunks: list[Strand]) -> Strand:
 def _zero_friction(strand: Strand, place: int, events: list[float], fixed: Fixed) -> Strand | None:
     """Where a strand crosses μ₀ = 0 between a point and the next: at the one event there; without one it is rounding."""
     low, high = sorted(strand.theta[place : place + 2])
-    between = [theta for theta in events if low <= theta <= high]
+    between = [theta for theta in events if low < theta < high]
     if not between or fixed.alpha == 0:
         return None
     c, s = np.cos(between[0]), np.sin(between[0])

@@ -66,9 +66,7 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach
     return Closed(place, loop.guess.period, slope)
 
 
-def nearly_closed(
-    field: Field, ends: Ends, state: FloatArray, period: float, reach: float, precision: float
-) -> Loop:
+def nearly_closed(field: Field, ends: Ends, state: FloatArray, period: float, reach: float, precision: float) -> Loop:
     """The loop to a precision, by the plain flow and its forward differences: where that fails, it fails cheaply."""
     m = field.size
 

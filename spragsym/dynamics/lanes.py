@@ -139,19 +139,16 @@ class Lanes:
 
     def carry(self, stage: Stage, begin: float, end: float) -> None:
         """Carry all motions of a stage on from ``begin`` to ``end`` but those that have stopped, or stop on the way."""
-        import heyoka as hy
-
-        ended = [hy.taylor_outcome.time_limit] * LANES
         run = self._run(stage, end - begin)
         while run.waiting or run.running:
             if len(run.running) < LANES:
                 self._fill(run, begin, end)
             self.solver.propagate_until(end, max_steps=BURST)
-            results = self.solver.propagate_res
-            if not self.strays and [result[0] for result in results] == ended:
+            results, times = self.solver.propagate_res, self.solver.time.tolist()
+            if not self.strays and times.count(end) == LANES:
                 self._arrive(run, sorted(run.running), results)
             else:
-                self._sort_out(run, results, end)
+                self._sort_out(run, results, [lane for lane in run.running if times[lane] == end])
         stage.carried, stage.modes, stage.steps = run.carried, run.modes, run.steps
         stage.turns, stage.counts = run.turns, run.counts
         self._check(stage, end)
@@ -213,7 +210,7 @@ class Lanes:
             run.stage.errors[row] = too_many_steps(run.stage.motions.problem(row), float(self.solver.time[lane]))
         return many
 
-    def _sort_out(self, run: _Run, results: Any, end: float) -> None:
+    def _sort_out(self, run: _Run, results: Any, arrived: list[int]) -> None:
         """What has ended makes room; where a motion broke off, the others go back to their beginning."""
         import heyoka as hy
 
@@ -229,8 +226,6 @@ class Lanes:
             running.clear()
             self.strays.clear()
             return
-        times = self.solver.time.tolist()  # the outcome of a lane that has ended is that of the others
-        arrived = [lane for lane in running if times[lane] == end]
         if arrived:
             self._arrive(run, arrived, results)
         for lane, row in list(running.items()):
@@ -241,7 +236,7 @@ class Lanes:
         """Refuse motions that stand outside their modes."""
         states, constants, modes = stage.carried[:, : self.size].T, stage.motions.constants.T, np.array(stage.modes).T
         for row in np.flatnonzero(~stage.motions.field.are_inside(states, constants, modes)).tolist():
-            stage.errors.setdefault(row, _missed(end))
+            stage.errors.setdefault(row, _missed(end) if np.isfinite(states[:, row]).all() else out_of_range())
 
 
 def _span(rows: list[int]) -> Any:

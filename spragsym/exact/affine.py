@@ -86,12 +86,11 @@ class Affine:
         inverse = 1.0 / self.value
         reach = self.radius()
         least = np.abs(self.value) - reach
-        slope = -inverse * inverse
+        size = np.abs(inverse)  # its square may be below the smallest float
         beyond = (reach * inverse) ** 2 / least
         # What the terms lose is below three of these units where they are small, and below what is of second order elsewhere.
-        rounding = 4 * UNIT * np.abs(inverse)
-        error = (np.abs(slope) * self.error + beyond + rounding) * _SLACK + _TINY
-        return Affine(inverse, slope * self.terms, np.where(least > 0, error, np.inf))
+        error = (size * (size * self.error) + beyond + 4 * UNIT * size) * _SLACK
+        return Affine(inverse, -inverse * (inverse * self.terms), np.where(least > 0, error, np.inf))
 
     def rows(self, index: Any) -> Affine:
         """Those of some boxes."""

@@ -29,6 +29,8 @@ ROUNDS, PIECES = 120, 24
 LEVELS = 6
 #: Steps of interval Newton on one root.
 STEPS = 6
+#: No further step where the last one has left more than this part, or less than that width, relatively.
+MUCH, DONE = 0.5, 2.0**-56
 
 
 @dataclass(frozen=True)
@@ -151,8 +153,9 @@ class _Group:
         for _ in range(NARROWINGS):
             image = self._newton(where, u, current)
             better = np.logical_and.reduce([one.radius < other.radius for one, other in zip(image, current, strict=True)])
+            much = np.logical_or.reduce([one.radius < MUCH * other.radius for one, other in zip(image, current, strict=True)])
             current = [WideBalls.where(better, one, other) for one, other in zip(image, current, strict=True)]
-            if not better.any():
+            if not (better & much).any():
                 break
         return current
 
@@ -188,7 +191,10 @@ class _Group:
             ends = raised(np.stack([step[1] - middle, step[0] + middle]))
             new = np.fmin(ends, np.stack([-one, two]))
             narrower = new[0] + new[1] < two - one
+            more = (new[0] + new[1] < MUCH * (two - one)) & (new[0] + new[1] > DONE * np.maximum(1.0, np.abs(centre)))
             one, two = np.where(narrower, -new[0], one), np.where(narrower, new[1], two)
+            if not more.any():
+                break
         return self._boxed(centre, one, two, self._narrowed(box, _around(centre, one, two), others))
 
     def _boxed(self, centre: FloatArray, one: FloatArray, two: FloatArray, others: list[WideBalls]) -> FloatArray:

@@ -62,7 +62,7 @@ class Rounded:
         value = self.value / divisor.value
         least = np.abs(divisor.value) - divisor.error
         # |a/b − v/w| ≤ (|δa| + |v/w| |δb|) / (|w| − |δb|), and v/w is rounded.
-        carried = (self.error + np.abs(value) * _SLACK * divisor.error) / np.abs(least)
+        carried = (self.error + np.abs(value) * divisor.error) / least
         error = (carried + UNIT * np.abs(value)) * _SLACK**3 + _TINY
         return Rounded(value, np.where(least > 0, error, np.inf))
 
@@ -76,7 +76,7 @@ class Rounded:
         least = self.value - self.error
         value = np.sqrt(np.maximum(self.value, 0.0))
         # |√a − √m| ≤ |a − m|/√m
-        error = (self.error / value + UNIT * value) * _SLACK**2 + _TINY
+        error = (self.error / value + UNIT * value) * _SLACK**2
         return Rounded(value, np.where(least > 0, error, np.inf))
 
     def rows(self, index: Any) -> Rounded:

@@ -36,7 +36,7 @@ def path_of(target: Path) -> Path:
 def journal(target: Path, fingerprint: str, total: int) -> Iterator[tuple[dict[int, Record], Callable[[int, Record], None]]]:
     """Finished points of an earlier run to ``target``, and a function that stores one more.
 
-    Every line is out of this process before the next point is asked for. A line that a kill cut short is
+    Every line is out of this process before the next task is asked for. A line that a kill cut short is
     dropped; a damaged one is dropped with a :class:`~spragsym.errors.DamageWarning`. The journal is removed when
     the body ends well, which must have written the target; whatever else ends the body says how many points are
     kept.

@@ -195,7 +195,7 @@ def _check_range(key: str, found: Measured, given: Any, where: str, unit: str) -
             remedy = "" if unit == "rad" else allowed.remedy or _remedy(key)
             if key == "V":
                 remedy = "a belt that runs the other way is the mirror image: give the supplement of theta0"
-            if what and allowed.contains(found.value) and not remedy:
+            if what and allowed.contains(found.value) and (end < 0 or not remedy):
                 remedy = f'give the two ends, as in {key} = "{_ends(found, unit, allowed.open_low)}"'
             raise ParameterError(f"{where}: {text}; " + (remedy or f'write for instance {key} = "{_example(key, unit)}"'))
 

@@ -97,5 +97,5 @@ def _state(
     return State(
         math.degrees(theta), x * millimetre, y * millimetre, L * millimetre, sigma * (L - 1.0) * scales.force, -y * scales.force,
         kind.name.lower(), bool(stable), tuple(float(root.imag) / (2 * math.pi) for root in upper),
-        tuple(float(-root.real / abs(root)) for root in upper), growth, current,
+        tuple(float(-root.real / abs(root)) + 0.0 for root in upper), growth, current,
     )  # fmt: skip

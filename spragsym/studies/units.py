@@ -84,12 +84,29 @@ def factor(unit: str, si: str) -> float:
         if unit not in ("", "1", "%"):
             raise ParameterError(f"the unit {unit!r} is too much: this is a number without unit")
         return 0.01 if unit == "%" else 1.0
+    if unit in _TWO_MEANINGS:
+        raise ParameterError(f"the unit {unit!r} {_TWO_MEANINGS[unit]}")
     wanted, given = registry().parse_units(si), parsed(unit)
     if dimension(given) != dimension(wanted):
         name = f" ({given})" if str(given) != unit else ""
-        raise ParameterError(f"the unit {unit!r}{name} measures {described(given)}, and this is {described(wanted)}")
+        remark = f"measures {described(given)}, and this is {described(wanted)}{_weight(unit, wanted)}"
+        raise ParameterError(f"the unit {unit!r}{name} {remark}")
     size: Any = registry().Quantity(1.0, given).to(wanted).magnitude
     return float(size)
+
+
+#: Units that mean one thing here and another there.
+_TWO_MEANINGS = {
+    "grad": "may be the degree or the 400th part of a circle; write deg or gon",
+    "Grad": "would be a thousand million radians; write deg",
+}
+
+
+def _weight(unit: str, wanted: pint.Unit) -> str:
+    """The unit of weight where one of mass was given in its place."""
+    meant = re.sub(r"(?<![A-Za-z])(lb|kg)(?![A-Za-z])", r"\1f", unit)
+    found = _by_pint(meant)
+    return f"; did you mean {meant}?" if meant != unit and found is not None and dimension(found) == dimension(wanted) else ""
 
 
 def parsed(unit: str) -> pint.Unit:
@@ -106,9 +123,10 @@ def parsed(unit: str) -> pint.Unit:
 
 
 def _alike(unit: str) -> tuple[str, ...]:
-    """What may have been meant: small letters, the newton as N, and powers with their sign."""
-    newton = re.sub(r"(?<![A-Za-z])n(?![A-Za-z])", "N", unit)
-    return unit.lower(), newton, re.sub(r"([A-Za-z])(\d)", r"\1^\2", newton)
+    """What may have been meant: kilo with a small letter, the newton as N, powers with their sign, and small letters."""
+    kilo = re.sub(r"(?<![A-Za-z])K(?=[A-Za-z])", "k", unit)
+    newton = re.sub(r"(?<![A-Za-z])(k?)n(?![A-Za-z])", r"\1N", kilo)
+    return kilo, newton, re.sub(r"([A-Za-z])(-?\d)", r"\1^\2", newton), unit.lower()
 
 
 def _by_pint(unit: str) -> pint.Unit | None:
@@ -190,8 +208,10 @@ def read(text: str, si: str) -> Measured:
         width = abs(value) * size / 100
     elif of == "%":
         width = abs(value) * size / 100 if unit != "%" else size / 100
-    elif not of and si != "1":
-        raise ParameterError(f"{text!r} has a tolerance without unit; write ± {off} % or ± {off} {unit}")
+    elif not of and (si != "1" or unit == "%"):
+        raise ParameterError(
+            f"{text!r} has a tolerance without unit; write ± {off} %{'' if unit == '%' else f' or ± {off} {unit}'}"
+        )
     else:
         width = _finite(size, _scale(of, si, text), text)
     return Measured(value, value - width, value + width, unit)
@@ -243,7 +263,7 @@ def _with_remedy(remark: str, si: str) -> str:
 def _why(text: str, si: str) -> str:
     if not text.strip():
         return ": it is empty"
-    if re.match(r"\s*[+-]?\d+,\d", text):
+    if re.match(r"\s*[+-]?[\d.]*\d,\d", text):
         return ": a comma is no decimal point"
     if remark := _two_numbers(text, si) or _without_sign(text):
         return f": {remark}"

@@ -64,12 +64,13 @@ def rms_sweep(
     max_steps : int
         As for :func:`~spragsym.simulate`; a motion that needs more has failed.
     workers : int or map-like callable
-        Processes, −1 for one a core; or ``map(function, points)`` of an engine, which may give results or
-        futures with a ``result()``, in any order. Results are the same to the last bit for any.
+        Processes, −1 for one a core; or ``map(function, tasks)`` of an engine, which may give results or
+        futures with a ``result()``, in any order. A task is a point; of many points that heyoka integrates, up to 1024 of them.
+        Results are the same to the last bit for any.
     progress : bool
         Show a bar with the estimated end on stderr.
     store : path, optional
-        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` as they come. The same call resumes
+        ``*.nc`` or ``*.csv``. Finished points go to ``<store>.partial`` task by task. The same call resumes
         from there after a kill, and loads the file when it is finished. One process at a time may write to it.
 
     Returns

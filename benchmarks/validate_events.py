@@ -35,6 +35,9 @@ BRANCHES = {"34": (1.0, 75.0), "165": (44.0, 60.0), "26": (55.0, 95.0), "75": (7
 #: To either side of an event.
 ASIDE = float(np.radians(0.02))
 
+#: To either side of a grazing: another one may be near.
+CLOSE = float(np.radians(0.002))
+
 ROUNDS, KICK = 12, 1e-5
 
 
@@ -82,10 +85,11 @@ def seen(branch: ss.CycleBranch, event: ss.CycleEvent, backend: str) -> tuple[bo
         end, matrix = validate_cycles.once_round(event.cycle)
         off = float(np.abs(end - event.cycle.state).max())
         gap = float(np.sort(np.abs(np.linalg.eigvals(matrix) - 1))[1])  # a double one: the root of the error
-        other = branch.switch(event)
+        other = branch.switch(event, step=0.005)
         first = critical(other, "fold")[0].real
         return gap < 1e-3 and off < 1e-9, f"closed by the other driver to {off:.1e}; 1 ± {gap:.0e} twice; {first:.6f} beyond it"
-    low, high = (ss.cycle(parameters(event.value + side * ASIDE), **BELT, near=event.cycle) for side in (-1, 1))
+    aside = CLOSE if event.kind == "grazing" else ASIDE
+    low, high = (ss.cycle(parameters(event.value + side * aside), **BELT, near=event.cycle) for side in (-1, 1))
     if event.kind == "grazing":
         counts = crossings(low, backend), crossings(high, backend)
         return abs(counts[0] - counts[1]) == 2, f"{counts[0]} and {counts[1]} crossings"

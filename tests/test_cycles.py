@@ -710,6 +710,14 @@ def test_a_loaded_model_is_proved() -> None:
     assert found.stable
     with mpmath.workdps(40):
         assert abs(found.period - mpmath.mpf("34.267370010976864587950659")) < 1e-23
+    # Where the mass sticks deviations shrink by e^−30: an enclosure that does not shrink with them proves nothing.
+    model = ss.load("stick_slip")
+    cycle = model.cycle(model.Parameters(V=0.2))
+    stiff = ss.precise.prove_cycle(cycle, digits=20)
+    assert stiff.proved, stiff.reason
+    assert stiff.stable
+    assert abs(float(stiff.period) - cycle.period) < 1e-12
+    assert stiff.multipliers[1][1] < 1e-11
 
 
 def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:

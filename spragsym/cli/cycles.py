@@ -70,7 +70,7 @@ def cycles(
       spragsym cycles --theta0 42
       spragsym cycles --data brake.toml
       spragsym cycles --theta0 42 --vary theta0 --from 38 --to 60 --plot branch.pdf
-      spragsym cycles --model stick_slip --V 0.2 --vary V --from 0.08 --to 0.3
+      spragsym cycles --model stick_slip -V 0.2 --vary V --from 0.08 --to 0.3
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.

@@ -303,6 +303,17 @@ def test_sines_between_0_and_1_are_kept(
         np.testing.assert_allclose(row, np.tan(0.5 * np.arcsin(kept)), rtol=1e-12, atol=1e-15)
 
 
+def test_a_sine_beyond_1_is_kept_only_as_rounding_of_1(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever the order in which roots come; what is left is a right angle."""
+    monkeypatch.setattr(fold_curves, "polished", lambda _, values: values)
+    for roots in ([1.2, 0.9], [0.9, 1.2]):
+        monkeypatch.setattr(fold_curves, "eigenvalues", lambda _, roots=roots: np.array([roots], dtype=complex))
+        one = fold_curves.positive_roots(np.array([0.5]), 1, FAMILY._replace(alpha=0.0))
+        np.testing.assert_allclose(one, [[math.tan(math.asin(0.9) / 2)]], rtol=1e-15)
+    two = fold_curves.positive_roots(np.array([0.5]), 2, FAMILY._replace(alpha=0.0))
+    np.testing.assert_allclose(two, [[math.tan(math.asin(0.9) / 2), 1.0]], rtol=1e-15)
+
+
 @pytest.mark.parametrize(
     ("roots", "number", "wanted"),
     [

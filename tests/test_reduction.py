@@ -13,6 +13,7 @@ from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.intervals import Ball, Balls
 from spragsym.exact.jets import Jet, variables
 from spragsym.exact.reduction import reduced_roots
+from spragsym.models.directions import direction
 
 
 def bent(roots):
@@ -77,6 +78,24 @@ def test_jets_have_the_derivatives_of_their_functions():
             enclosure = got.derivative(*[0] * order[0], *[1] * order[1])
             assert enclosure.low[0] <= want <= enclosure.high[0], order
             assert enclosure.width[0] < 1e-11
+
+
+def test_roots_of_jets_have_all_of_their_terms():
+    """Also beyond the fourth; of a spring's direction too."""
+    x, y = variables([Intervals.point([0.7]), Intervals.point([-0.4])], 7)
+    root, (c, s, length) = x.sqrt(), direction(x, y, (1,))
+    with mp.workdps(60):
+        for order in range(8):
+            wanted = (
+                mp.diff(mp.sqrt, mp.mpf(0.7), order),
+                *(mp.diff(function, mp.mpf(0.7), order) for function in (
+                    lambda t: t / mp.hypot(t, mp.mpf(-0.4)), lambda t: -mp.mpf(0.4) / mp.hypot(t, mp.mpf(-0.4)),
+                    lambda t: mp.hypot(t, mp.mpf(-0.4)))),
+            )  # fmt: skip
+            for jet, want in zip((root, c, s, length), wanted, strict=True):
+                enclosure = jet.derivative(*[0] * order) if order else jet.value
+                assert enclosure.low[0] - 1e-12 <= want <= enclosure.high[0] + 1e-12
+                assert enclosure.width[0] < 1e-6 * max(1, abs(want))
 
 
 @pytest.mark.parametrize("value", [0.0, 1.0, -1.0, 1e-30, -40.5, 300.25, 2.0**-40])

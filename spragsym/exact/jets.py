@@ -7,6 +7,8 @@ coefficients are numbers of any type: arrays of intervals give enclosures of der
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from functools import cache
 from math import comb, factorial
 from typing import Any, TypeAlias
 
@@ -138,7 +140,8 @@ class Jet:
     def sqrt(self, root: Any = None) -> Jet:
         """Square root; ``root`` is that of the value, for numbers that have no method for it."""
         root = self.value.sqrt() if root is None else root
-        return self.composed([root, *(factor / root**power for factor, power in _ROOTS[: self.order])])
+        factors = binomial_series(Fraction(1, 2), self.order)[1:]
+        return self.composed([root, *(factor / root ** (2 * k - 1) for k, factor in enumerate(factors, 1))])
 
     def exp(self, value: Any = None) -> Jet:
         """Exponential; ``value`` is that of the value, for numbers that have no method for it."""
@@ -163,8 +166,19 @@ class Jet:
         return self.composed(_wave([s, c, -s, -c], self.order))
 
 
-#: Coefficients of √(a + h): factor / √a^power h^k for k = 1, 2, ….
-_ROOTS = ((0.5, 1), (-0.125, 3), (0.0625, 5), (-0.0390625, 7))
+@cache
+def binomial_series(exponent: Fraction, order: int) -> tuple[float, ...]:
+    """Coefficients of (1 + h)^exponent up to that order; for half-integers they are binary fractions, hence exact.
+
+    Examples
+    --------
+    >>> binomial_series(Fraction(1, 2), 3)
+    (1.0, 0.5, -0.125, 0.0625)
+    """
+    series = [Fraction(1)]
+    for k in range(order):
+        series.append(series[-1] * (exponent - k) / (k + 1))
+    return tuple(map(float, series))
 
 
 def variables(values: Sequence[Any], order: int) -> list[Jet]:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Any
 
 from ..exact.interval_arrays import Intervals, stacked
 from ..exact.interval_functions import length, unit_vector
-from ..exact.jets import Jet, constant
-
-#: Coefficients of (1 + w)^½ and (1 + w)^−½.
-_ROOT = (1, 0.5, -0.125, 0.0625, -0.0390625)
-_INVERSE_ROOT = (1, -0.5, 0.375, -0.3125, 0.2734375)
+from ..exact.jets import Jet, binomial_series, constant
 
 
 def direction(dx: Any, dy: Any, shape: tuple[int, ...]) -> tuple[Any, Any, Any]:
@@ -30,7 +27,7 @@ def direction(dx: Any, dy: Any, shape: tuple[int, ...]) -> tuple[Any, Any, Any]:
     hx, hy = (_change(part, order) for part in (dx, dy))
     u, v = (hx * c + hy * s) / L, (hy * c - hx * s) / L
     w = u * 2 + u**2 + v**2
-    root, inverse = (Jet(w.terms, order).composed(series[: order + 1]) for series in (_ROOT, _INVERSE_ROOT))
+    root, inverse = (Jet(w.terms, order).composed(binomial_series(Fraction(way, 2), order)) for way in (1, -1))
     cosine, sine = (u + 1) * inverse, v * inverse
     return cosine * c - sine * s, cosine * s + sine * c, root * L
 

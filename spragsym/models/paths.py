@@ -1,46 +1,36 @@
 """A state of a model followed as one parameter moves slowly: where it goes, where it vanishes, and what it jumps to.
 
 All folds along the parameter are known and proved beforehand. Between two of them a step is taken from one value to the next
-only if boxes of states are proved to hold exactly one equilibrium for every value in between: two states in one such box lie on
-one branch. The two that meet at a fold nearby differ in the sign of det K, which no branch changes between folds. A step that
-is too wide for that is halved.
+only to the state that is proved to lie on the same branch: see :mod:`spragsym.models.branches`.
 """
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
-from ..exact import boxes, certified_roots
-from ..exact.interval_arrays import FloatArray, Intervals
+from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
 from ..statics.solver import Stability
 from .balance import Balance, Model
+from .branches import Along, links
 from .columns import Columns
 from .conditions import Touch
 from .equilibria import ModelEquilibria, columns, equilibria
 from .folds import folds
 from .points import ModelPoints, arranged, given_column, search
-from .regions import region
 from .stability import linearization
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
 BESIDE = 1e-3
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
-#: Times a step is halved.
-HALVINGS = 40
-#: Boxes looked at for one step, and their least width, before it is halved.
-BUDGET, NARROW = 300, 2.0**-10
-#: Values of the parameter at the beginning and the end of a step.
-Step: TypeAlias = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -153,14 +143,6 @@ def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, sta
 MET = -1
 
 
-@dataclass(frozen=True)
-class _States:
-    """Equilibria at one value, shape (n, number), and the signs of det K."""
-
-    q: FloatArray
-    signs: FloatArray
-
-
 class _Way:
     """Values and the stops beside each fold, the equilibria at all of them, and which of two neighbours lie on one branch."""
 
@@ -186,7 +168,7 @@ class _Way:
         if not self.eq.complete:
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
-        self.links = self._links()
+        self.links = links(Along(self.balance, p, vary, self.at, self.kinds), self.stops, self.eq)
 
     def _column(self, name: str) -> NDArray[Any]:
         """A column of all points at which states vanish on the way."""
@@ -221,89 +203,6 @@ class _Way:
         order = np.argsort(stops)
         order = order if along[-1] > along[0] else order[::-1]
         return stops[order], wanted[order]
-
-    def _links(self) -> list[dict[int, int]]:
-        """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one."""
-        states = {float(value): self._states(self.eq, stop) for stop, value in enumerate(self.stops)}
-        steps = list(itertools.pairwise(map(float, self.stops)))
-        proved: dict[Step, dict[int, int]] = {}
-        halved: dict[Step, float] = {}
-        pending = steps
-        for _ in range(HALVINGS if steps else 0):
-            found = self._by_boxes(pending, states)
-            proved |= found
-            failed = [step for step in pending if step not in found]
-            if not failed:
-                return [_joined(step, proved, halved) for step in steps]
-            # Not in the middle, where the fold is.
-            middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
-            halved |= middles
-            eq = equilibria(self.model, self.p.replace(**{self.vary: np.array(list(middles.values()))}))
-            states |= {middle: self._states(eq, k) for k, middle in enumerate(middles.values())}
-            pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
-        if not steps:
-            return []
-        raise ConvergenceError(
-            f"branches between {self.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart"
-        )
-
-    def _states(self, eq: ModelEquilibria, stop: int) -> _States:
-        """Equilibria at a stop."""
-        count = int(eq.count[stop])
-        q = np.array([eq.coordinates[name][stop, :count] for name in self.balance.coordinates])
-        given = np.repeat(columns(eq.parameters, self.balance.parameters)[:, stop : stop + 1], count, axis=1)
-        K = linearization(self.balance, q, given)[2] if count else np.zeros((1, 1, 0))
-        return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))))
-
-    def _by_boxes(self, steps: list[Step], states: Mapping[float, _States]) -> dict[Step, dict[int, int]]:
-        """Pairs of slots in boxes that hold exactly one equilibrium for each value of a step, where that is so for all states.
-
-        Over a fold only for those that go through.
-        """
-        low, high = (
-            columns(self.p.replace(**{self.vary: np.array([extreme(step) for step in steps])}), self.balance.parameters)
-            for extreme in (min, max)
-        )
-        around, _ = region(self.balance, Intervals.between(low, high))
-        outcome = boxes.search(self.balance, around, low, high, limits=self.balance.limits, budget=BUDGET, narrow=NARROW)
-        roots = certified_roots.roots(self.balance, outcome, around, low, high)
-        done = {}
-        for k, (one, two) in enumerate(steps):
-            begin, end = states[one].q, states[two].q
-            pairs = {}
-            for box in np.flatnonzero(roots.point == k):
-                slots = [np.flatnonzero(_holds(roots.alone[:, :, box], part)) for part in (begin, end)]
-                if slots[0].size == slots[1].size == 1:
-                    pairs[int(slots[0][0])] = int(slots[1][0])
-            if self._complete(pairs, (one, two), states[one], states[two]):
-                done[one, two] = pairs
-        return done
-
-    def _complete(self, pairs: dict[int, int], step: Step, begin: _States, end: _States) -> bool:
-        """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
-        within = (self.at >= min(step)) & (self.at <= max(step))
-        counts = int(begin.q.shape[1]), int(end.q.shape[1])
-        mirrored = bool((self.kinds == "pitchfork").any() and (self.kinds[within] == "pitchfork").all())
-        if mirrored and (bool(within.any()) or counts[0] == counts[1] == len(pairs) + 3):
-            return self._across_pitchfork(pairs, begin, end)
-        # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
-        over_fold = bool(((self.at > min(step)) & (self.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
-        if over_fold:
-            return len(pairs) == min(counts)
-        pairs |= _by_sign(pairs, begin.signs, end.signs)
-        return len(pairs) == counts[0] == counts[1]
-
-    def _across_pitchfork(self, pairs: dict[int, int], begin: _States, end: _States) -> bool:
-        """Pairs of the states that meet at a pitchfork: none crosses the mirror; of three that begin there the upper goes on."""
-        turned = self.balance.coordinates.index(self.balance.model.about["mirror"]["turned"][0])
-        one = [k for k in range(begin.q.shape[1]) if k not in pairs]
-        two = [k for k in range(end.q.shape[1]) if k not in pairs.values()]
-        one.sort(key=lambda k: float(begin.q[turned, k]))
-        two.sort(key=lambda k: float(end.q[turned, k]))
-        if not {len(one), len(two)} <= {1, 3}:
-            return not one and not two
-        pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[-1])
-        return True
 
     def begin(self, start: int | str) -> int:
         """The slot at the first value."""
@@ -399,29 +298,3 @@ class _Way:
         before = {name: float(self._column(name)[number]) for name in self.balance.coordinates}
         error, kind = float(self._column("error")[number]), str(self._column("kind")[number])
         return ModelEnd(float(self.at[number]), kind, before, error)
-
-
-def _by_sign(pairs: Mapping[int, int], begin: FloatArray, end: FloatArray) -> dict[int, int]:
-    """Pairs of slots that boxes do not tell apart: between folds no branch changes the sign of its det K, so one of each does."""
-    left = [[k for k in range(signs.size) if k not in taken] for signs, taken in ((begin, pairs.keys()), (end, pairs.values()))]
-    if not len(left[0]) == len(left[1]) <= 2:
-        return {}
-    places = [{signs[k]: k for k in part} for signs, part in zip((begin, end), left, strict=True)]
-    if any(len(place) != len(left[0]) for place in places) or places[0].keys() != places[1].keys():
-        return {}
-    return {places[0][sign]: places[1][sign] for sign in places[0]}
-
-
-def _joined(step: Step, proved: Mapping[Step, dict[int, int]], halved: Mapping[Step, float]) -> dict[int, int]:
-    """The pairs of a step, through those of its halves."""
-    if step in proved:
-        return proved[step]
-    middle = halved[step]
-    first, second = (_joined(part, proved, halved) for part in ((step[0], middle), (middle, step[1])))
-    return {slot: second[place] for slot, place in first.items() if place in second}
-
-
-def _holds(box: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
-    """Which states, shape (n, number), lie in a box, shape (2, n)."""
-    out: NDArray[np.bool_] = np.logical_and.reduce((-box[0][:, None] <= states) & (states <= box[1][:, None]))
-    return out

@@ -1,0 +1,165 @@
+"""Which equilibria of a model at two values of a parameter lie on one branch, proved by boxes.
+
+A box holds exactly one equilibrium for every value between the two: states in it are of one branch. The two that meet at a fold
+nearby differ in the sign of det K, which no branch changes between folds. A step that is too wide for that is halved.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ConvergenceError
+from ..exact import boxes, certified_roots
+from ..exact.interval_arrays import FloatArray, Intervals
+from .balance import Balance
+from .equilibria import ModelEquilibria, columns, equilibria
+from .regions import region
+from .stability import linearization
+
+#: Times a step is halved.
+HALVINGS = 40
+#: Boxes looked at for one step, and their least width, before it is halved.
+BUDGET, NARROW = 300, 2.0**-10
+#: Values of the parameter at the beginning and the end of a step.
+Step: TypeAlias = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Along:
+    """A model along one of its parameters, and the values and kinds of the points at which states vanish there."""
+
+    balance: Balance
+    p: Any
+    vary: str
+    at: FloatArray
+    kinds: NDArray[Any]
+
+    def equilibria(self, values: FloatArray) -> ModelEquilibria:
+        """All of them, at values of the parameter."""
+        return equilibria(self.balance.model, self.p.replace(**{self.vary: values}))
+
+
+@dataclass(frozen=True)
+class _States:
+    """Equilibria at one value, shape (n, number), and the signs of det K."""
+
+    q: FloatArray
+    signs: FloatArray
+
+
+def links(along: Along, stops: FloatArray, eq: ModelEquilibria) -> list[dict[int, int]]:
+    """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one."""
+    states = {float(value): _states(along, eq, stop) for stop, value in enumerate(stops)}
+    steps = list(itertools.pairwise(map(float, stops)))
+    proved: dict[Step, dict[int, int]] = {}
+    halved: dict[Step, float] = {}
+    pending = steps
+    for _ in range(HALVINGS if steps else 0):
+        found = _by_boxes(along, pending, states)
+        proved |= found
+        failed = [step for step in pending if step not in found]
+        if not failed:
+            return [_joined(step, proved, halved) for step in steps]
+        # Not in the middle, where the fold is.
+        middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
+        halved |= middles
+        between = along.equilibria(np.array(list(middles.values())))
+        states |= {middle: _states(along, between, k) for k, middle in enumerate(middles.values())}
+        pending = [part for (one, two), middle in middles.items() for part in ((one, middle), (middle, two))]
+    if not steps:
+        return []
+    raise ConvergenceError(f"branches between {along.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart")
+
+
+def _states(along: Along, eq: ModelEquilibria, stop: int) -> _States:
+    """Equilibria at a stop."""
+    count = int(eq.count[stop])
+    q = np.array([eq.coordinates[name][stop, :count] for name in along.balance.coordinates])
+    given = np.repeat(columns(eq.parameters, along.balance.parameters)[:, stop : stop + 1], count, axis=1)
+    K = linearization(along.balance, q, given)[2] if count else np.zeros((1, 1, 0))
+    return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))))
+
+
+def _by_boxes(along: Along, steps: list[Step], states: Mapping[float, _States]) -> dict[Step, dict[int, int]]:
+    """Pairs of slots in boxes that hold exactly one equilibrium for each value of a step, where that is so for all states.
+
+    Over a fold only for those that go through.
+    """
+    low, high = (
+        columns(along.p.replace(**{along.vary: np.array([extreme(step) for step in steps])}), along.balance.parameters)
+        for extreme in (min, max)
+    )
+    around, _ = region(along.balance, Intervals.between(low, high))
+    outcome = boxes.search(along.balance, around, low, high, limits=along.balance.limits, budget=BUDGET, narrow=NARROW)
+    roots = certified_roots.roots(along.balance, outcome, around, low, high)
+    done = {}
+    for k, (one, two) in enumerate(steps):
+        begin, end = states[one].q, states[two].q
+        pairs = {}
+        for box in np.flatnonzero(roots.point == k):
+            slots = [np.flatnonzero(_holds(roots.alone[:, :, box], part)) for part in (begin, end)]
+            if slots[0].size == slots[1].size == 1:
+                pairs[int(slots[0][0])] = int(slots[1][0])
+        if _complete(along, pairs, (one, two), states[one], states[two]):
+            done[one, two] = pairs
+    return done
+
+
+def _complete(along: Along, pairs: dict[int, int], step: Step, begin: _States, end: _States) -> bool:
+    """Whether all pairs of a step are known, after those are entered that signs or the mirror tell."""
+    within = (along.at >= min(step)) & (along.at <= max(step))
+    counts = int(begin.q.shape[1]), int(end.q.shape[1])
+    mirrored = bool((along.kinds == "pitchfork").any() and (along.kinds[within] == "pitchfork").all())
+    if mirrored and (bool(within.any()) or counts[0] == counts[1] == len(pairs) + 3):
+        return _across_pitchfork(along, pairs, begin, end)
+    # A fold that is a value of the path itself lies on the one side of that float or on the other, as the counts tell.
+    over_fold = bool(((along.at > min(step)) & (along.at < max(step))).any()) or (bool(within.any()) and counts[0] != counts[1])
+    if over_fold:
+        return len(pairs) == min(counts)
+    pairs |= _by_sign(pairs, begin.signs, end.signs)
+    return len(pairs) == counts[0] == counts[1]
+
+
+def _across_pitchfork(along: Along, pairs: dict[int, int], begin: _States, end: _States) -> bool:
+    """Pairs of the states that meet at a pitchfork: none crosses the mirror; of three that begin there the upper goes on."""
+    turned = along.balance.coordinates.index(along.balance.model.about["mirror"]["turned"][0])
+    one = [k for k in range(begin.q.shape[1]) if k not in pairs]
+    two = [k for k in range(end.q.shape[1]) if k not in pairs.values()]
+    one.sort(key=lambda k: float(begin.q[turned, k]))
+    two.sort(key=lambda k: float(end.q[turned, k]))
+    if not {len(one), len(two)} <= {1, 3}:
+        return not one and not two
+    pairs |= dict(zip(one, two, strict=True)) if len(one) == len(two) else dict.fromkeys(one, two[-1])
+    return True
+
+
+def _by_sign(pairs: Mapping[int, int], begin: FloatArray, end: FloatArray) -> dict[int, int]:
+    """Pairs of slots that boxes do not tell apart: between folds no branch changes the sign of its det K, so one of each does."""
+    left = [[k for k in range(signs.size) if k not in taken] for signs, taken in ((begin, pairs.keys()), (end, pairs.values()))]
+    if not len(left[0]) == len(left[1]) <= 2:
+        return {}
+    places = [{signs[k]: k for k in part} for signs, part in zip((begin, end), left, strict=True)]
+    if any(len(place) != len(left[0]) for place in places) or places[0].keys() != places[1].keys():
+        return {}
+    return {places[0][sign]: places[1][sign] for sign in places[0]}
+
+
+def _joined(step: Step, proved: Mapping[Step, dict[int, int]], halved: Mapping[Step, float]) -> dict[int, int]:
+    """The pairs of a step, through those of its halves."""
+    if step in proved:
+        return proved[step]
+    middle = halved[step]
+    first, second = (_joined(part, proved, halved) for part in ((step[0], middle), (middle, step[1])))
+    return {slot: second[place] for slot, place in first.items() if place in second}
+
+
+def _holds(box: FloatArray, states: FloatArray) -> NDArray[np.bool_]:
+    """Which states, shape (n, number), lie in a box, shape (2, n)."""
+    out: NDArray[np.bool_] = np.logical_and.reduce((-box[0][:, None] <= states) & (states <= box[1][:, None]))
+    return out

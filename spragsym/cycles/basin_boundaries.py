@@ -33,6 +33,9 @@ FARTHEST = 0.2
 #: A start as far off the curve as the square of a step is followed until it is off the saddle by no more than this.
 BENT = 0.1
 
+#: Cosine of the largest angle between a step and the curve's tangent.
+STRAIGHT = 0.95
+
 
 @dataclass(frozen=True, eq=False)
 class BasinBoundary(Result):
@@ -92,8 +95,9 @@ def basin_boundary(
     Notes
     -----
     A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
-    left eigenvector measures, is made zero at later and later times by Newton's method. The curve found is one piece of
-    the boundary; others may be elsewhere in the plane, and far folds of the manifold are not followed.
+    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the boundary; others
+    may be elsewhere in the plane, and far folds of the manifold are not followed. Where folds lie closer than ``step``, the walk
+    may pass from one to the next: a smaller step tells.
     """
     values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
     state = np.array([as_number("start", value, FINITE) for value in start])
@@ -239,7 +243,8 @@ class _Walk:
                 seen = float(np.linalg.norm(slope)) * step**2 / (BENT * float(np.abs(self.saddle.measure).max()))
                 ahead, error, later = self.refined(guess, normal, span - max(np.log(seen), 0.0) / self.saddle.growth)
                 moved = (ahead - state)[axes]
-                astray = bool(moved @ along < 0.3 * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step)
+                # Farther off the tangent it is another fold of the manifold.
+                astray = bool(moved @ along < STRAIGHT * np.linalg.norm(moved) or np.linalg.norm(moved) > 3 * step)
             except ConvergenceError:
                 astray = True
             if astray:

@@ -95,9 +95,9 @@ def basin_boundary(
     Notes
     -----
     A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
-    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the boundary; others
-    may be elsewhere in the plane, and far folds of the manifold are not followed. Where folds lie closer than ``step``, the walk
-    may pass from one to the next: a smaller step tells.
+    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the boundary;
+    others may be elsewhere in the plane, and far folds of the manifold are not followed. Where folds lie closer than ``step``,
+    the walk may pass from one to the next: a smaller step tells.
     """
     values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
     state = np.array([as_number("start", value, FINITE) for value in start])

@@ -160,9 +160,11 @@ def _refuses(library: Any, rows: Any, out: c_target.Solved, contact: bool, batch
     if batch:
         assert not again.count[places].any(), "count of what is refused"
         assert not any(again.equilibria[name][places].any() for name in again.equilibria.dtype.names or ()), "what is refused"
-    at_the_edge = np.array([[1.0, 0.0, 0.1, 0.0, 0.5, 0.0], [np.nextafter(np.pi, 0), 0.5, 0.1, 0.1, 0.5, 0.1]])
+    at_the_edge = np.full((7, 6), 0.5)
+    at_the_edge[:2] = [1.0, 0.0, 0.1, 0.0, 0.5, 0.0], [np.nextafter(np.pi, 0), 0.5, 0.1, 0.1, 0.5, 0.1]
+    at_the_edge[range(2, 7), range(1, 6)] = np.finfo(float).max
     c_target.solve(library, at_the_edge, again, contact, batch)
-    assert (again.status[:2] != REFUSED).all(), "a parameter at its limit"
+    assert (again.status[:7] != REFUSED).all(), "a parameter at its limit"
 
 
 def _sizes(library: Any, rows: Any, out: c_target.Solved, contact: bool) -> None:

@@ -466,3 +466,16 @@ def test_processes_of_tests_hear_ctrl_c_also_under_nohup(begin: Begin) -> None:
         assert process.wait(timeout=30) == -signal.SIGINT
     finally:
         signal.signal(signal.SIGINT, former)
+
+
+def test_without_a_place_for_what_is_compiled_nothing_is_said(tmp_path: Path) -> None:
+    """heyoka keeps compiled code in the home's cache; here its folder would have to lie in a file. It says so on stdout."""
+    pytest.importorskip("heyoka")
+    (tmp_path / "file").write_text("", encoding="utf-8")
+    motion = "ss.simulate(ss.Parameters.article(theta0=0.7), V=0.5, d=10.0, t_end=1.0, backend='heyoka')"
+    script = f"import spragsym as ss; {motion}"
+    environment = os.environ | {"HEYOKA_CACHE_DIR": str(tmp_path / "file" / "cache")}
+    done = subprocess.run(
+        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True, timeout=120
+    )
+    assert done.stdout + done.stderr == ""

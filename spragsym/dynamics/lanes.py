@@ -18,6 +18,7 @@ from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .course import Course
 from .field import Field, Mode
+from .heyoka_library import library
 from .motions import Measured, Motions, Turns
 from .problem import Event, event_at, out_of_range, too_many_steps
 from .with_heyoka import Equations, watched
@@ -83,7 +84,7 @@ class Lanes:
     """
 
     def __init__(self, field: Field, constants: int, rtol: float, watch: bool) -> None:
-        import heyoka as hy
+        hy = library()
 
         equations = Equations.of(field, constants, watch=watch)
         self.size, self.constants, self.watch = field.size, constants, watch

@@ -12,6 +12,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import Field, Mode
+from .heyoka_library import library
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
 from .with_heyoka import watched
@@ -30,7 +31,7 @@ class Compiled:
     """One compiled integrator of a field, used again and again: constants, mode and directions are its ``par[]``."""
 
     def __init__(self, field: Field, derivatives: bool, directions: int) -> None:
-        import heyoka as hy
+        hy = library()
 
         self.field, self.m, self.derivatives, self.directions = field, field.size, derivatives, directions
         n, m = len(field.coordinates), field.size

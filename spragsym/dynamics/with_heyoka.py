@@ -13,6 +13,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import GAP, Border, Field, Mode
+from .heyoka_library import library
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
@@ -67,7 +68,7 @@ class Compiled:
     """A compiled Taylor integrator, used again and again."""
 
     def __init__(self, field: Field, constants: int, rtol: float) -> None:
-        import heyoka as hy
+        hy = library()
 
         equations = Equations.of(field, constants, watch=False)
         self.field, self.modes = field, slice(constants, constants + len(field.modes[0]))

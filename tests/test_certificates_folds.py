@@ -151,6 +151,13 @@ def test_the_number_of_folds_at_a_direction_is_that_of_changes_of_sign_in_exact_
         assert all(seen[:1])
 
 
+def _closest_roots(theta: float, fixed: Fixed) -> float:
+    """The least gap of all complex roots over the largest, at θ."""
+    e0, e1, e2, ec = (float(value) for value in generated.fold_conic(math.cos(theta), math.sin(theta), *fixed))
+    roots = np.roots([e0 - ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 + ec])
+    return min(abs(one - two) for one, two in itertools.combinations(roots, 2)) / np.abs(roots).max()
+
+
 @pytest.mark.parametrize("index", range(len(SETS)))
 def test_events_are_where_something_happens(index: int) -> None:
     """At each of them two roots meet, one passes an end, or one has no friction; and neighbours join without a gap."""
@@ -176,14 +183,7 @@ def test_events_are_where_something_happens(index: int) -> None:
             gap = np.diff(np.append(roots, 1e9)).min() / roots.max()
             angles = generated.fold_angles(math.cos(theta), math.sin(theta), 0.0, *fixed)
             outside = abs(math.hypot(*angles) - 1) < 1e-9 and (angles[0] < 0 or rest < 1e-8)
-            assert outside or gap < 1e-5 or abs(fold_events_meeting(theta, fixed)) < 1e-6
-
-
-def fold_events_meeting(theta: float, fixed: Fixed) -> float:
-    """The least gap of all complex roots over the largest, at θ."""
-    e0, e1, e2, ec = (float(value) for value in generated.fold_conic(math.cos(theta), math.sin(theta), *fixed))
-    roots = np.roots([e0 - ec, 2 * e1, 4 * e2 + 2 * e0, 2 * e1, e0 + ec])
-    return min(abs(one - two) for one, two in itertools.combinations(roots, 2)) / np.abs(roots).max()
+            assert outside or gap < 1e-5 or abs(_closest_roots(theta, fixed)) < 1e-6
 
 
 def test_events_however_close_are_told_apart() -> None:

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
-from functools import partial
+from functools import cache, partial
 from typing import Any, NamedTuple
 
 from ..exact import descartes, polynomials
@@ -86,8 +86,13 @@ def _events(exact: Fixed) -> list[Root]:
 
 def _conditions(exact: Fixed) -> Iterator[Polynomial]:
     """Polynomials in t that are 0 at the events, and not at t = 0 and 1; multiple roots included."""
+    values = cache(partial(_values, exact))  # the three have nodes in common
+
+    def of_kind(place: int) -> Callable[[Fraction], Fraction]:
+        return lambda s: values(s)[place]
+
     for place, degree in enumerate(_DEGREES if exact.alpha else _DEGREES_WITHOUT_ALPHA):
-        in_sine = polynomials.interpolate(partial(_condition, exact, place), degree, Fraction)
+        in_sine = polynomials.interpolate(of_kind(place), degree, Fraction)
         if not any(in_sine):  # the same at every θ
             continue
         condition = of_sine_in_t(polynomials.primitive(in_sine))
@@ -96,11 +101,11 @@ def _conditions(exact: Fixed) -> Iterator[Polynomial]:
         yield condition
 
 
-def _condition(exact: Fixed, place: int, s: Fraction) -> Fraction:
-    """What is 0 at events of one of the three kinds, in sin θ."""
+def _values(exact: Fixed, s: Fraction) -> tuple[Fraction, ...]:
+    """What is 0 at events of each of the three kinds, in sin θ."""
     if exact.alpha:
-        return _catastrophe.fold_events(s, *exact)[place]  # type: ignore[no-any-return]  # any number type
-    return _catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta)[place]  # type: ignore[no-any-return]  # the same
+        return _catastrophe.fold_events(s, *exact)
+    return _catastrophe.fold_events_without_alpha(s, exact.kappa, exact.sigma, exact.beta)
 
 
 def _without_common_roots(conditions: Iterator[Polynomial]) -> Iterator[Polynomial]:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,8 +59,14 @@ class Course:
     def moments(self, row: int = -1) -> tuple[float, float]:
         """Mean of x and root mean square about it, from ``begin`` to the maximum ``row``, or to ``end``."""
         end = self.end if row == -1 else self.maxima_t[row]
-        shift, square, *_ = (self.integrals[row] / (end - self.begin)).tolist()
-        return float(self.first[0]) + shift, math.sqrt(max(square - shift * shift, 0.0))
+        shift, square, *_ = self.integrals[row] / (end - self.begin)
+        mean, spread = moments_of(self.first[0], shift, square)
+        return float(mean), float(spread)
+
+
+def moments_of(first: Any, shift: Any, square: Any) -> tuple[Any, Any]:
+    """Mean of x and root mean square about it, from x at the beginning and the means of u = x − x(begin) and of u²."""
+    return first + shift, np.sqrt(np.maximum(square - shift * shift, 0.0))
 
 
 #: Continue motions from states (k, 2 n) for a given time; an error where one of them cannot be continued.

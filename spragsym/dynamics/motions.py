@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..parameters import FloatArray
 from . import sprag
-from .course import KEPT, Course
+from .course import KEPT, Course, moments_of
 from .field import Field
 from .problem import Event, Problem, reach_of
 
@@ -129,4 +129,4 @@ class Measured:
     def averages(self) -> FloatArray:
         """Mean of x, root mean square about it, and means of the other coordinates: shape (n + 1, N)."""
         shift, square, *others = self.integrals.T / (self.end - self.begin)
-        return np.array([self.first[:, 0] + shift, np.sqrt(np.maximum(square - shift * shift, 0.0)), *others])
+        return np.array([*moments_of(self.first[:, 0], shift, square), *others])

@@ -11,7 +11,7 @@ from ..errors import ParameterError
 from .commands import command
 from .data import data, length, varied, vary
 from .options import Number, as_json, build, parameters, theta0
-from .tables import print_json, print_table
+from .tables import print_json, print_path, print_table
 from .with_model import ForModels, made_for, model_option
 
 
@@ -98,14 +98,7 @@ def path(
          "theta_after_deg": math.degrees(jump.theta_after), f"x_after{end}": size * jump.x_after}
         for jump in found.jumps
     ]  # fmt: skip
-    if json_output:
-        print_json({"vary": vary, "states": states, "jumps": jumps})
-        return
-    print_table("States", tuple(states[0]), [list(row.values()) for row in states])
-    if jumps:
-        print_table("Jumps", tuple(jumps[0]), [list(row.values()) for row in jumps])
-    else:
-        click.echo("No jumps")
+    print_path({"vary": vary}, states, jumps, json_output)
 
 
 @command(cls=ForModels)

@@ -11,7 +11,7 @@ import click
 from ..errors import ParameterError
 from .model_statics import axes, json_option, optional, points_of, print_points
 from .options import Number
-from .tables import print_json, print_table
+from .tables import print_json, print_path, print_table
 from .with_model import parameter_options, without
 
 if TYPE_CHECKING:
@@ -65,14 +65,7 @@ def path_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
              **{f"{name}_after": jump.after[name] for name in model.coordinates}}
             for jump in found.jumps
         ]  # fmt: skip
-        if json_output:
-            print_json({"model": model.name, "vary": vary, "states": states, "jumps": jumps})
-            return
-        print_table("States", tuple(states[0]), [list(row.values()) for row in states])
-        if jumps:
-            print_table("Jumps", tuple(jumps[0]), [list(row.values()) for row in jumps])
-        else:
-            click.echo("No jumps")
+        print_path({"model": model.name, "vary": vary}, states, jumps, json_output)
 
     count = click.Option(
         ["--points"], type=click.IntRange(2, 100_000), default=11, show_default=True, help="Values, the ends included."

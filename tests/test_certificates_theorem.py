@@ -11,28 +11,20 @@ import sympy as sp
 
 from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
+from tests.theorem_steps import balance, broken_steps, coefficients, derive_first, quartic, state
 
 FORM = elimination.f_form
-# The derivation as it is, also where a test puts something else in its place.
-quartic, coefficients, state, balance = (
-    elimination.quartic_in_t, elimination.f_coefficients, elimination.state, equilibrium.balance
-)  # fmt: skip
 
 
 @pytest.fixture(autouse=True, scope="module")
 def derived() -> None:
-    """Derived before anything is put in its place: each function keeps what it gave first."""
-    for function in (quartic, coefficients, state, balance):
-        function()
+    """Before anything is put in its place."""
+    derive_first()
 
 
 def deeper() -> sp.Expr:
     """A y that grows with the depth."""
     return sp.together(state()[nm.y] + 2 * (nm.kappa - nm.sigma * nm.s0) / nm.q)
-
-
-def _broken() -> list[str]:
-    return [step.claim for step in theorem.one_or_three() if not step.holds]
 
 
 @pytest.mark.parametrize(
@@ -63,7 +55,7 @@ def test_what_a_step_rules_out_is_noticed(
     module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, name, changed)
-    assert any(claim in broken for broken in _broken())
+    assert any(claim in broken for broken in broken_steps())
 
 
 @pytest.mark.parametrize(("signs", "number"), [((-1, 0, 0, 1), 1), ((1, 0, 1), 0), ((-1, 1, -1, 0, 1), 3), ((), 0), ((0, -1), 0)])

@@ -13,6 +13,7 @@ import sympy as sp
 from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, stability, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.generated import equilibrium as generated
+from tests.theorem_steps import balance, broken_steps, coefficients, derive_first, quartic, state
 
 
 def test_every_step_holds() -> None:
@@ -22,21 +23,10 @@ def test_every_step_holds() -> None:
     assert [step.claim for step in steps if not step.holds] == []
 
 
-def _broken_steps() -> list[str]:
-    return [step.claim for step in theorem.one_or_three() if not step.holds]
-
-
-# The derivation as it is, also where a test puts something else in its place.
-quartic, coefficients, state, balance = (
-    elimination.quartic_in_t, elimination.f_coefficients, elimination.state, equilibrium.balance
-)  # fmt: skip
-
-
 @pytest.fixture(autouse=True, scope="module")
 def derived() -> None:
-    """Derived before anything is put in its place: each function keeps what it gave first."""
-    for function in (quartic, coefficients, state, balance):
-        function()
+    """Before anything is put in its place."""
+    derive_first()
 
 
 def _coefficient(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[[], dict[sp.Symbol, sp.Expr]]:
@@ -88,7 +78,7 @@ def test_a_broken_assumption_is_noticed(
     module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, name, changed)
-    assert any(claim in broken for broken in _broken_steps())
+    assert any(claim in broken for broken in broken_steps())
 
 
 def test_slope_identity_notices_a_wrong_stiffness(monkeypatch: pytest.MonkeyPatch) -> None:

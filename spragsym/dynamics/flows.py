@@ -21,7 +21,7 @@ from .sprag import REACH
 #: Tolerances of flows that closed orbits are found with: for differences that stand for derivatives, and as fine as heyoka goes.
 FINE, FINEST = 1e-12, 1e-15
 
-#: Tolerance of SciPy's flow with derivatives but for the last of Newton's steps, and how nearly orbits close by it.
+#: Tolerance of SciPy's flow before the last of Newton's steps, and how nearly orbits close by it.
 LOOSE, NEAR = 1e-9, 1e-7
 
 #: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap derivatives, and how closely in the end.
@@ -31,6 +31,13 @@ PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN)
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
     """An integrator of a field: it has ``fly`` and ``sample``."""
     return variations_heyoka.compiled(field, derivatives) if backend == "heyoka" else variations_scipy.flight(field, derivatives)
+
+
+def follower(field: Field, backend: str) -> Any:
+    """The same without derivatives, for a motion that is followed to where Newton's method can begin."""
+    if backend == "scipy":
+        return variations_scipy.Flight(field, derivatives=False, rtol=LOOSE)
+    return flow(field, backend, derivatives=False)
 
 
 def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
@@ -71,7 +78,7 @@ def onward(problem: Problem, backend: str) -> Onward:
     def plain(ends: Ends) -> Fly:
         """The flow with derivatives that are cheap rather than right."""
         if backend == "scipy":
-            return variations_scipy.Flight(field(), directions=0, rtol=LOOSE).fly
+            return variations_scipy.Flight(field(), rtol=LOOSE).fly
         return by_forward_differences(field(), ends)
 
     def roughly(state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
@@ -92,7 +99,7 @@ def onward(problem: Problem, backend: str) -> Onward:
         if backend == "heyoka":
             return variations_heyoka.compiled(field(), directions=0).fly
         if backend == "scipy":
-            return variations_scipy.Flight(field(), directions=0).fly
+            return variations_scipy.Flight(field()).fly
         return by_differences(field(), fine)
 
     return Onward(courses, roughly, closed)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from typing import Any
 
@@ -27,7 +27,7 @@ _SEARCH = np.linspace(0.0, 1.0, 13)
 
 @dataclass(frozen=True)
 class Flight:
-    """A field, carried on by DOP853 with or without derivatives; without ``directions``, those by parameters are 0."""
+    """A field, carried on by DOP853 with or without derivatives; those by parameters are 0 where there are no directions."""
 
     field: Field
     derivatives: bool = True
@@ -36,6 +36,8 @@ class Flight:
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
         """Carry a state on for a while."""
+        if self.directions and not directions.any():
+            return replace(self, directions=0).fly(state, constants, duration, directions)
         m = self.field.size
         crossings: list[Crossing] = []
         turns: list[Turn] = []

@@ -324,7 +324,7 @@ def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.
         there = [row["x_mm"] for row in point["equilibria"] if row["state"] == "contact"]
         assert there == pytest.approx((38 * eq.x[: eq.count]).tolist(), rel=1e-9)
     target = tmp_path / "rms.csv"
-    told = printed("sweep", "--data", str(path), "--theta0", "45", "--t-end", "40", "-q", "-o", str(target))
+    told = printed("sweep", "--data", str(path), "--theta0", "45", "--t-end", "0.04", "-q", "-o", str(target))
     assert "lengths are in units of 38 mm, times in 0.000483046 s" in told
     half = json.loads(printed("simulate", "--data", str(path), "--json", "--t-end", "0.02", "--x0", "3.8"))
     tr = ss.simulate(brake(mu0=0.45).dimensionless(), **brake().belt(), t_end=0.02 / 0.000483045891, x0=0.1)

@@ -10,11 +10,11 @@ import numpy as np
 from ..dynamics import Trajectory
 from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
-from ..dynamics.flows import carrier, follower
+from ..dynamics.flows import NEAR, carrier, follower, scout
 from ..dynamics.passage import Fly, Turn
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import Regime
-from ..dynamics.shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
+from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
 from .orbit import Cycle, cycle_of
@@ -100,10 +100,10 @@ def cycle_near(
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
     if not np.isfinite(rate(field, start, constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
-    follow = follower(field, name)
+    follow, rough = follower(field, name), scout(field, name)
     for stage in STAGES if patient or settled else STAGES[:1]:
         passage = follow.fly(start, constants, stage, none)
-        found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
+        found = _by_returns(field, fly, rough, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
         if found is not None:
             return _checked(found, fly, name)
         if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
@@ -141,9 +141,9 @@ def _state(field: Field, near: Any) -> FloatArray:
 
 
 def _by_returns(
-    field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
+    field: Field, fly: Fly, rough: Fly | None, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
 ) -> Loop | None:
-    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
+    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike: roughly first, if told."""
     highest = [turn for turn in turns if turn.border == -1 and turn.direction < 0]
     tried = 0
     for first, second in _pairs(highest, from_start):
@@ -152,6 +152,8 @@ def _by_returns(
             break
         guess = Guess(first.state[None], second.t - first.t, values)
         try:
+            if rough is not None:
+                guess = _from_guess(field, rough, guess, NEAR).guess
             loop = _from_guess(field, fly, guess)
         except ConvergenceError:
             continue
@@ -181,7 +183,7 @@ def _pairs(highest: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]
             yield highest[-2 - k], highest[-1]
 
 
-def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
+def _from_guess(field: Field, fly: Fly, guess: Guess, closed: float = CLOSED) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
     size = field.size
     loop = looped(field, fly, guess)
@@ -192,6 +194,8 @@ def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
     turns = [turn.state for turn in loop.turns()]
     reach = 0.5 * float(np.ptp(turns, axis=0).max()) if turns else np.inf
     condition = across(field, loop.guess.states[0], loop.constants, pieces * size + 1)
+    if closed > CLOSED:
+        return solved(field, fly, loop.guess, condition, reach=reach, precision=closed, closed=closed)
     return solved(field, fly, loop.guess, condition, reach=reach)
 
 

@@ -246,6 +246,7 @@ def test_every_file_has_a_help_text() -> None:
             assert re.match(rf"%{path.stem.upper()}  \S", first), path
 
 
+@pytest.mark.thorough
 def test_examples_run_as_the_page_prints(package: Path) -> None:
     """Every program of the page with what it prints; the two examples are on it as exported. What is drawn are folds."""
     programs, outputs = fenced(PAGE, "matlab"), fenced(PAGE, "text")

@@ -86,7 +86,7 @@ def brake(**changes: float | None) -> ss.PhysicalParameters:
 
 def test_a_study_from_numbers_is_the_study_of_the_file(report: ss.Report) -> None:
     tolerance = {"k": "15 %", "k_x": 1350.0, "k_c": (1275e3, 1725e3), "theta0": "1 deg", "mu0": (0.3, 0.6)}
-    found = ss.Study(brake(mu0=0.45), tolerance=tolerance).report(oscillation=False, n=1024)
+    found = ss.Study(brake(mu0=0.45), tolerance=tolerance).report(oscillation=False, redesign=False, n=1024)
     assert found.to_dict()["mu_jump"] == pytest.approx(report.mu_jump, rel=1e-12)
     assert found.probability is not None
     assert report.probability is not None
@@ -379,6 +379,18 @@ def test_another_model_answers_what_the_article_s_answers_where_it_is_the_same(
     assert found["certificate"]["outcome"] == "undecided"
 
 
+@pytest.mark.parametrize(("friction", "outcome"), [(0.38, "refuted"), (0.0, "undecided")])
+def test_with_another_model_the_brake_as_drawn_is_looked_at_first(tmp_path: Path, friction: float, outcome: str) -> None:
+    """Its jump is at 0.366; without friction there is none, and nothing is proved."""
+    plain = BRAKE.replace(" ± 15 %", "").replace(" ± 1 deg", "").replace("kang_nam", "cubic_contact")
+    file = tmp_path / "brake.toml"
+    file.write_text(plain.replace("[0.3, 0.6]", f"[0, {friction}]" if friction else "0") + 'k_3 = "0 N/mm^3"\n', encoding="utf-8")
+    found = certificate_of(ss.Study.from_file(file))
+    assert found["outcome"] == outcome
+    assert found["counterexample"] == ({"mu0": {"value": friction, "unit": ""}} if friction else None)
+
+
+@pytest.mark.thorough
 def test_with_another_model_a_brake_within_the_tolerances_that_jumps_is_found(tmp_path: Path) -> None:
     rows = {"k": '"180 N/mm ± 15 %"', "k_x": '"9 N/mm ± 15 %"', "mu0": '"[0.3, 0.35]"'}
     rows |= {"k_3": '"0 N/mm^3"', "model": '"cubic_contact"'}

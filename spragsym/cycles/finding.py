@@ -92,15 +92,17 @@ def cycle_near(
     """As :func:`cycle`, of any field."""
     fly, name = carrier(field, backend)
     values = tuple(float(value) for value in values)
+    rough = scout(field, name)
     if isinstance(near, Cycle):
-        return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
+        known = near.loop.guess if rough is None else _towards(field, rough, near.loop.guess, values, NEAR).guess
+        return _checked(_towards(field, fly, known, values), fly, name)
     settled = isinstance(near, Trajectory)
     approached = near is None or settled
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
     if not np.isfinite(rate(field, start, constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
-    follow, rough = follower(field, name), scout(field, name)
+    follow = follower(field, name)
     for stage in STAGES if patient or settled else STAGES[:1]:
         passage = follow.fly(start, constants, stage, none)
         found = _by_returns(field, fly, rough, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
@@ -112,16 +114,18 @@ def cycle_near(
     raise ConvergenceError(_why(field, values, start, stage))
 
 
-def _towards(field: Field, fly: Fly, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
+def _towards(
+    field: Field, fly: Fly, known: Guess, values: tuple[float, ...], closed: float = CLOSED, halvings: int = 6
+) -> Loop:  # fmt: skip
     """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
     try:
-        return _from_guess(field, fly, Guess(known.states, known.period, values))
+        return _from_guess(field, fly, Guess(known.states, known.period, values), closed)
     except ConvergenceError:
         if halvings == 0 or values == known.values:
             raise
     middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
-    between = _towards(field, fly, known, middle, halvings - 1)
-    return _towards(field, fly, between.guess, values, halvings - 1)
+    between = _towards(field, fly, known, middle, closed, halvings - 1)
+    return _towards(field, fly, between.guess, values, closed, halvings - 1)
 
 
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:

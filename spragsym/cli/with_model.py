@@ -76,7 +76,10 @@ def parameter_options(model: Model, kind: Callable[[Range], Any], start: bool = 
             allowed = Range(math.degrees(allowed.low), math.degrees(allowed.high), allowed.open_low, "", allowed.closed_high)
             meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
         flags = _FLAGS.get(name, (f"--{name}", name))
-        given: dict[str, Any] = {"required": True} if default is None else {"default": default, "show_default": True}
+        given: dict[str, Any] = {"required": True}
+        if default is not None:
+            exact = float(f"{default:.7g}") == default
+            given = {"default": default, "show_default": exact or f"{default:.7g}"}
         options.append(click.Option(flags, type=kind(allowed), help=f"{meaning}.", **given))
     if start:
         options += [

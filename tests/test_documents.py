@@ -180,6 +180,13 @@ def test_command_line_page(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(DOCS / "command_line.md"))[command], run(command, tmp_path))
 
 
+def test_the_page_on_the_command_line_lists_every_command() -> None:
+    from spragsym.cli import COMMANDS
+
+    listed = re.findall(r"^\| `(\w+)` \|", (DOCS / "command_line.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(listed) == sorted(COMMANDS)
+
+
 def test_the_reference_has_every_public_name() -> None:
     """By itself, as a module, or among the errors, which come with theirs."""
     page = (DOCS / "api.md").read_text(encoding="utf-8")

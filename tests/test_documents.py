@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import importlib
+import inspect
 import os
 import pkgutil
 import re
@@ -79,6 +80,21 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     failed, _ = doctest.testmod(module, optionflags=OPTIONS)
     assert failed == 0
+
+
+FUNCTIONS = [name for name in spragsym.__all__ if inspect.isfunction(getattr(spragsym, name))]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_public_function_says_what_it_takes_gives_and_refuses(name: str) -> None:
+    function = getattr(spragsym, name)
+    text, signature = inspect.getdoc(function) or "", inspect.signature(function)
+    wanted = {"Examples"}
+    if signature.parameters:
+        wanted |= {"Parameters", "Raises"}
+    if signature.return_annotation not in (None, "None"):
+        wanted.add("Returns")
+    assert {section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text} == set()
 
 
 # -------------------------------------------------------------------------------------------------------- README

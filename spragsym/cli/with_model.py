@@ -118,6 +118,13 @@ def made_for(command: Any, module: str, function: str) -> None:
 
     def build(model: Model) -> click.Command:
         options, done, text = getattr(importlib.import_module(f".{module}", __package__), function)(model)
+        names = [option.name for option in options]
+        for name in model.parameters:
+            if names.count(name) > 1:
+                raise ParameterError(
+                    f"the parameter {name} of {model.name} has the name of an option of spragsym {command.name}; "
+                    "give it another one on the page, with becomes, and derive the page again; in Python it can be used as it is"
+                )
         summary = f"{text}\n\nOf the model {model.name}: {model.about['summary']}"
         return click.Command(
             command.name, params=list(options), callback=done, help=summary, context_settings=command.context_settings

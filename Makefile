@@ -15,6 +15,9 @@ TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
 ALL := $(VENV)/.all
 SOURCES := pyproject.toml constraints.txt Makefile
+# Bytecode is kept whatever the environment says: without it each process compiles the package anew, and each worker the tests.
+unexport PYTHONDONTWRITEBYTECODE
+
 # The compiled solver is made of these.
 COMPILED := spragsym/statics/_compiled.c spragsym/dynamics/_carried.c generated/c/spragsym.c generated/c/spragsym.h
 

@@ -70,6 +70,17 @@ def checked(once: Once, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     return rows
 
 
+@pytest.fixture(scope="session")
+def c_library(once: Once) -> ctypes.CDLL:
+    """The C target, without optimization: compiled fastest, and the same bits."""
+    from benchmarks import c_target
+
+    compiler = c_target.compiler()
+    if compiler is None:
+        pytest.skip("no C compiler on this machine")
+    return c_target.load(once("c_target", lambda: c_target.compiled(compiler, ("-O0", "-ffp-contract=off"))))
+
+
 @pytest.fixture(params=["integers", "Arb"])
 def arith(request: pytest.FixtureRequest) -> Arithmetic:
     """Both interval arithmetics: the package's and Arb's."""

@@ -169,6 +169,9 @@ WRITING = {
 }
 
 
+#: Those that compute for seconds once they may write.
+LONG_TO_WRITE = ("report", "cycles")
+
 #: Those that are told a folder.
 FOLDERS = ("figures", "export", "derive")
 
@@ -183,26 +186,37 @@ def test_every_option_that_names_a_file_is_known_here() -> None:
         assert bool(paths) == (name in WRITING) == ("--force" in flags)
 
 
+def in_the_way(command: str, folder: Path) -> tuple[list[str], Path]:
+    """A command and the file that it would write, which is there and holds something else."""
+    arguments, name = WRITING[command]
+    (folder / name).write_text("precious", encoding="utf-8")
+    return [*arguments, str(folder if command in FOLDERS else folder / name)], folder / name
+
+
 @pytest.mark.parametrize("command", WRITING)
 @pytest.mark.usefixtures("checked")
-def test_no_file_is_overwritten_without_force(
-    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_no_file_is_overwritten_without_force(command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("matplotlib")
-    if command == "cycles" and LONG_MOTIONS_TAKE_MINUTES:
-        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
-    arguments, name = WRITING[command]
-    target = tmp_path / name
-    place = str(tmp_path) if command in FOLDERS else str(target)
-    target.write_text("precious", encoding="utf-8")
-    assert invoke(*arguments, place) == USAGE
+    arguments, target = in_the_way(command, tmp_path)
+    assert invoke(*arguments) == USAGE
     shown, said = capsys.readouterr()
     assert (shown, said.count("\n")) == ("", 1)
     assert str(target) in said
     assert "--force" in said
     assert target.read_text(encoding="utf-8") == "precious"
-    assert [path.name for path in tmp_path.iterdir()] == [name]
-    assert invoke(*arguments, place, "--force") == DONE
+    assert [path.name for path in tmp_path.iterdir()] == [target.name]
+
+
+@pytest.mark.parametrize(
+    "command", [pytest.param(name, marks=pytest.mark.thorough) if name in LONG_TO_WRITE else name for name in WRITING]
+)
+@pytest.mark.usefixtures("checked")
+def test_a_file_is_overwritten_with_force(command: str, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib")
+    if command == "cycles" and LONG_MOTIONS_TAKE_MINUTES:
+        pytest.skip(LONG_MOTIONS_TAKE_MINUTES)
+    arguments, target = in_the_way(command, tmp_path)
+    assert invoke(*arguments, "--force") == DONE
     assert target.read_bytes()[:8] != b"precious"
 
 

@@ -182,7 +182,8 @@ def test_a_worker_that_fails_is_one_error_at_once(
     assert points_of(tmp_path / "rms.csv") == []
 
 
-def test_a_script_needs_no_guard(tmp_path: Path, begin: Begin) -> None:
+@pytest.mark.parametrize("way", ["file", pytest.param("standard input", marks=pytest.mark.thorough)])
+def test_a_script_needs_no_guard(tmp_path: Path, begin: Begin, way: str) -> None:
     script = (
         "print('once')\n"
         "import numpy as np, spragsym as ss\n"
@@ -191,13 +192,12 @@ def test_a_script_needs_no_guard(tmp_path: Path, begin: Begin) -> None:
     )
     path = tmp_path / "script.py"
     path.write_text(script, encoding="utf-8")
-    ways = [begin([sys.executable, str(path)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)]
     with path.open(encoding="utf-8") as file:  # as from a shell's here-document
-        ways.append(begin([sys.executable, "-"], stdin=file, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True))
+        call = [sys.executable, str(path) if way == "file" else "-"]
+        process = begin(call, stdin=file, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     p = ss.Parameters.article(theta0=np.radians([35.0, 40.0]))
     expected = rms_sweep(p, 0.5, 10.0, t_end=5.0, transient=1.0, backend="scipy").rms.tolist()
-    for process in ways:
-        assert process.communicate(timeout=60) == (f"once\n{expected}\n", "")
+    assert process.communicate(timeout=60) == (f"once\n{expected}\n", "")
 
 
 #: Stands before heyoka in a worker: the same package, but the fourth motion of the process is killed in its midst.

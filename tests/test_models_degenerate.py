@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 
+import mpmath as mp
 import numpy as np
 import pytest
 from click.testing import CliRunner
@@ -38,6 +40,33 @@ def test_a_belt_at_rest_has_no_onset():
     model = ss.load("stribeck")
     assert model.flutter_onsets(model.Parameters(V=0.0), "theta0").complete
     assert model.flutter_onsets(model.Parameters(theta0=1.0), "d").complete
+
+
+def test_a_law_that_would_jump_at_the_end_of_its_range():
+    # Where v_s goes to 0 the slope of Stribeck's law has a limit that is not 0, but no bound in a box that holds 0.
+    model = ss.load("stribeck")
+    found = model.flutter_onsets(model.Parameters(theta0=1.0), "v_s")
+    assert found.complete
+    assert 0 < found.region[-1, 0] < 1e-90
+    with mp.workdps(30):
+
+        def law(V, v_s):
+            return (mp.mpf("0.4") + mp.mpf("0.2") * mp.exp(-V / v_s)) * (1 - mp.exp(-10 * V))
+
+        slopes = [mp.diff(lambda V, at=at: law(V, at), 0.5) for at in map(mp.mpf, np.geomspace(1e-2, 10, 400))]
+        assert sum(one * two < 0 for one, two in itertools.pairwise(slopes)) == len(np.unique(found.v_s.round(9))) == 2
+        for v_s in found.v_s:
+            assert abs(mp.diff(lambda V, at=mp.mpf(float(v_s)): law(V, at), 0.5)) < 1e-13
+
+
+def test_a_slope_that_no_float_tells_from_0_is_said_to_be_one():
+    # Without friction at fast sliding the slope is a multiple of e^(−V/v_s).
+    model = ss.load("stribeck")
+    found = model.flutter_onsets(model.Parameters(theta0=2.5, mu_k=0.0, mu_s=0.4), "v_s")
+    assert not found.complete
+    assert any("slope of the friction law" in remark for remark in found.remarks)
+    assert found.undecided[:, -1].max() < 3e-3
+    assert len(found) == 1
 
 
 @pytest.mark.parametrize("off", [0.0, 1e-14, -1e-12, 1e-9])

@@ -10,7 +10,7 @@ import numpy as np
 from ..dynamics import Trajectory
 from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
-from ..dynamics.flows import carrier, flow
+from ..dynamics.flows import carrier, follower
 from ..dynamics.passage import Fly, Turn
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import Regime
@@ -100,7 +100,7 @@ def cycle_near(
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
     if not np.isfinite(rate(field, start, constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
-    follow = flow(field, name, derivatives=False)
+    follow = follower(field, name)
     for stage in STAGES if patient or settled else STAGES[:1]:
         passage = follow.fly(start, constants, stage, none)
         found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)

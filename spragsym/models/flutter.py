@@ -16,8 +16,8 @@ from ..exact.jets import Jet, gradient
 from . import stability
 from .augmented import Condition
 from .balance import NOTHING, Balance, Model, matrix
-from .conditions import Flutter, FrictionHopf, Hopf, NoSlope
-from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
+from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .points import Found, ModelPoints, arranged, given_column, merged, picked, ranges, search
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
@@ -239,4 +239,21 @@ def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part]) 
         np.concatenate([one.left_point for one in roots]),
     )
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
-    return arranged(balance, (vary,), given, replace(first, roots=every), kind, {"omega": omega})
+    remarks = _undamped(balance, vary, given, every.left)
+    found = merged(replace(first, roots=every))
+    return arranged(balance, (vary,), given, found, kind, {"omega": omega}, remarks)
+
+
+def _undamped(balance: Balance, vary: str, given: FloatArray, left: FloatArray) -> tuple[str, ...]:
+    """Of boxes that are left where the friction law is as good as flat."""
+    if balance.model.about["friction"] is None or not left.shape[2]:
+        return ()
+    place = balance.parameters.index(vary)
+    low, high = (np.repeat(given, left.shape[2], axis=1) for _ in range(2))
+    low[place], high[place] = -left[0, -1], left[1, -1]
+    with np.errstate(all="ignore"):
+        slope = balance.slope(balance.arguments(balance.prepared(Intervals.between(low, high))))
+        size = stacked([slope], left.shape[2:])[0].magnitude
+    flat = size <= FLAT
+    text = f"the slope of the friction law, and with it its damping, is at most {size[flat].max(initial=0.0):.0e}: too little for floats"
+    return (f"in {int(flat.sum())} of {flat.size} undecided boxes {text}",) if flat.any() else ()

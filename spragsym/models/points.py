@@ -16,7 +16,7 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
 from .columns import Columns
-from .ends import shared
+from .ends import LEAST, empty_beside_zero, shared
 from .precise_points import settled
 from .regions import region
 
@@ -43,7 +43,8 @@ class ModelPoints(Columns, held_in="values"):
     error : ndarray
         Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary.
     region : ndarray
-        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters.
+        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters. A parameter that is
+        larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of what is below.
     whole : bool
         Whether that box is proved to hold all equilibria for all parameters in it.
     complete : bool
@@ -133,9 +134,13 @@ def search(
     outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
     roots = certified_roots.roots(system, outcome, around, fixed, fixed)
     if len(vary) == 1 and given.shape[1] == 1:
+        nothing = empty_beside_zero(system, given, roots.left)
+        if nothing.any():
+            roots = without(roots, nothing)
+            around = np.concatenate([around[:, :-1], np.minimum(around[:, -1:], [[[-LEAST]], [[np.inf]]])], axis=1)
         roots = settled(system, fixed, around, roots)
         dropped = shared(system, given, spans[0], roots.left)
-        roots = replace(roots, left=roots.left[:, :, ~dropped], left_point=roots.left_point[~dropped])
+        roots = without(roots, dropped)
     return Found(roots, around, whole)
 
 
@@ -156,6 +161,11 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
     fixed = [name for name in names if name not in vary]
     values = dict(zip(fixed, p.scalars(*fixed), strict=True))
     return np.array([[values.get(name, np.nan)] for name in names])
+
+
+def without(roots: Roots, dropped: NDArray[np.bool_]) -> Roots:
+    """All roots, and the boxes that are left but for some."""
+    return replace(roots, left=roots.left[:, :, ~dropped], left_point=roots.left_point[~dropped])
 
 
 def picked(roots: Roots, which: NDArray[np.bool_]) -> Roots:

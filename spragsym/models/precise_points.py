@@ -16,7 +16,7 @@ import numpy as np
 
 from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.certified_roots import Roots
-from ..exact.interval_arrays import FloatArray
+from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, State
 from .precise import PreciseBalance, boxes_of, clusters, of_point, reduced, replaced, unsettled
 
@@ -39,6 +39,10 @@ def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roo
     points = unsettled(found)
     if not points.size or system.condition.order or found.left.shape[2] > MANY:
         return found
+    with np.errstate(all="ignore"):
+        fixed = system.prepared(Intervals.point(np.repeat(given, found.left.shape[2], axis=1)))
+        if system.given_up(Intervals(found.left), fixed).any():
+            return found  # no number of digits tells what is there
     hulls = clusters(boxes_of(found, 0))
     if len(hulls) > CLUSTERS:
         return found

@@ -168,5 +168,5 @@ def test_what_is_undecided_is_listed(with_a_line):
     assert not told["complete"]
     assert set(told["undecided"][0]) == {"x", "y", "sigma"}
     text = CliRunner().invoke(cli, ["folds", "--model", "mode_coupling", "--mu0", "0", "--alpha", "0", "--vary", "sigma"]).stdout
-    assert "boxes are undecided, within x in [" in text
+    assert "1 box is undecided, within x in [" in text
     assert "det K is 0 in every state" in text

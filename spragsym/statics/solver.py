@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: Points solved at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache. NumPy
-#: computes in place in arrays of 256 KB and more.
+#: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for NumPy to compute in place, which
+#: it does in arrays of 256 KB and more; few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 15
 #: Points that are worth a thread of their own, and the same where they are only counted.
 A_THREAD, A_COUNTING_THREAD = 1 << 13, 1 << 16
@@ -246,7 +246,7 @@ def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[
     given = [_column(p, name) for name in NAMES]
     size = math.prod(p.shape)
     threads = max(1, min(threads, size // a_thread))
-    length = max(1, math.ceil(size / (threads * math.ceil(size / (threads * BLOCK))))) if size else 1
+    length = max(1, math.ceil(size / (threads * max(1, size // (threads * BLOCK)))))
 
     def one(begin: int) -> T:
         end = min(begin + length, size)

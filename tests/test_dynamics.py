@@ -96,7 +96,7 @@ def test_events_lie_on_the_kinks_and_alternate(base: dict[str, Trajectory]) -> N
         np.testing.assert_allclose(tr(tr.events.t).T, tr.events.state, atol=1e-10)
 
 
-@pytest.mark.parametrize(("backend", "rtol", "t_end"), [("scipy", 1e-12, 2e3), ("heyoka", 1e-13, 1e4)])
+@pytest.mark.parametrize(("backend", "rtol", "t_end"), [("scipy", 1e-12, 4e2), ("heyoka", 1e-13, 1e4)])
 def test_energy_is_kept_without_friction(backend: str, rtol: float, t_end: float) -> None:
     if backend == "heyoka":
         pytest.importorskip("heyoka")
@@ -119,9 +119,9 @@ def test_energy_is_kept_in_each_regime() -> None:
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_energy_balance_closes_with_friction(backend: str) -> None:
-    tr = simulate(BASE, **BELT, rtol=1e-12, t_end=1000.0, backend=backend)
+    tr = simulate(BASE, **BELT, rtol=1e-12, t_end=400.0, backend=backend)
     work = tr.integral(tr.friction_power())
-    assert tr.integral(np.abs(tr.friction_power())) > 0.5
+    assert tr.integral(np.abs(tr.friction_power())) > 0.2
     assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-11)
 
 
@@ -203,7 +203,7 @@ def test_a_flight_between_two_points_of_the_search_is_found() -> None:
 
 def test_integrators_find_the_same_events_from_random_starts() -> None:
     rng = np.random.default_rng(5)
-    for _ in range(15):
+    for _ in range(8):
         p = ss.Parameters.article(theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5))
         start = dict(zip(("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True))
         belt = {"V": rng.uniform(0.02, 0.5), "d": rng.uniform(1, 30)}

@@ -11,6 +11,8 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals

@@ -66,16 +66,21 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach
     return Closed(place, loop.guess.period, slope)
 
 
-def nearly_closed(field: Field, ends: Ends, state: FloatArray, period: float, reach: float, precision: float) -> Loop:
-    """The loop to a precision, by the plain flow and its forward differences: where that fails, it fails cheaply."""
+def nearly_closed(field: Field, fly: Fly, state: FloatArray, period: float, reach: float, precision: float) -> Loop:
+    """The loop to a precision by a flow whose derivatives are cheap rather than right: where that fails, it fails cheaply."""
+    guess, condition = Guess(state[None], period, ()), at_rest_along(field, field.size + 1)
+    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
+
+
+def by_forward_differences(field: Field, ends: Ends) -> Fly:
+    """``fly`` of the plain flow, with its forward differences."""
     m = field.size
 
     def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
         last, *others = ends(np.vstack([state, state + COARSE * np.eye(m)]), duration)
         return Passage(last, (np.array(others) - last).T / COARSE, np.zeros((m, 2)), (), ())
 
-    guess, condition = Guess(state[None], period, ()), at_rest_along(field, m + 1)
-    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
+    return fly
 
 
 def by_differences(field: Field, courses: Courses) -> Fly:

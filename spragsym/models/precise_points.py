@@ -11,9 +11,11 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.certified_roots import Roots
-from ..exact.interval_arrays import FloatArray
+from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, State
 from .precise import PreciseBalance, assembled, boxes_of, clusters, reduced, replaced, unsettled, widened, with_digits
 
@@ -36,6 +38,10 @@ def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roo
     points = unsettled(found)
     if not points.size or system.condition.order or found.left.shape[2] > MANY:
         return found
+    with np.errstate(all="ignore"):
+        fixed = system.prepared(Intervals.point(np.repeat(given, found.left.shape[2], axis=1)))
+        if system.given_up(Intervals(found.left), fixed).any():
+            return found  # no number of digits tells what is there
     hulls, owner = clusters(*boxes_of(found))
     if owner.size > CLUSTERS:
         return found

@@ -330,7 +330,7 @@ def test_two_jumps_with_hysteresis_at_60_degrees_and_one_without_return_at_40() 
 
 def test_paths_are_continuous_between_jumps() -> None:
     rng = np.random.default_rng(16)
-    for _ in range(10):
+    for _ in range(4):
         p = random_fixed(rng).replace(mu0=rng.uniform(0.2, 2))
         angles = np.linspace(0.01, math.pi - 0.01, 3001)
         for values in (angles, angles[::-1]):

@@ -719,3 +719,14 @@ def test_any_file_that_is_in_the_way_ends_as_documented(
 )
 def test_numbers_at_the_ends_of_the_range(option: tuple[str, str]) -> None:
     end_as_documented(["equilibria", "--theta0", "49", *option])
+
+
+def test_no_cell_of_a_table_is_cut_in_a_pipe(capsys: pytest.CaptureFixture[str]) -> None:
+    """Differences that `check --model` prints have thousands of characters; the columns before them were squeezed to nothing."""
+    from spragsym.cli.tables import print_table
+
+    print_table("", ("row", "status", "model less article"), [("eq-28", "fails", "x" * 5000), ("eq-3", "holds", "")])
+    assert [line.split() for line in capsys.readouterr().out.splitlines()[1:]] == [
+        ["eq-28", "fails", "x" * 5000],
+        ["eq-3", "holds"],
+    ]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import importlib
+import inspect
 import os
 import pkgutil
 import re
@@ -85,6 +86,21 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     failed, _ = doctest.testmod(module, optionflags=OPTIONS)
     assert failed == 0
+
+
+FUNCTIONS = [name for name in spragsym.__all__ if inspect.isfunction(getattr(spragsym, name))]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_public_function_says_what_it_takes_gives_and_refuses(name: str) -> None:
+    function = getattr(spragsym, name)
+    text, signature = inspect.getdoc(function) or "", inspect.signature(function)
+    wanted = {"Examples"}
+    if signature.parameters:
+        wanted |= {"Parameters", "Raises"}
+    if signature.return_annotation not in (None, "None"):
+        wanted.add("Returns")
+    assert {section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text} == set()
 
 
 # -------------------------------------------------------------------------------------------------------- README
@@ -184,6 +200,13 @@ def test_the_theory_names_what_exists() -> None:
 @pytest.mark.parametrize("command", [command for command, _ in commands(DOCS / "command_line.md")])
 def test_command_line_page(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(DOCS / "command_line.md"))[command], run(command, tmp_path))
+
+
+def test_the_page_on_the_command_line_lists_every_command() -> None:
+    from spragsym.cli import COMMANDS
+
+    listed = re.findall(r"^\| `(\w+)` \|", (DOCS / "command_line.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(listed) == sorted(COMMANDS)
 
 
 def test_the_reference_has_every_public_name() -> None:

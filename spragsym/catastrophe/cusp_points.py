@@ -49,6 +49,11 @@ def cusps(p: Parameters, *, arith: Arithmetic | None = None) -> Cusps:
     Cusps
         Empty if there is no cusp.
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For parameters that are missing or no scalars.
+
     Notes
     -----
     Source: f = f′ = f″ = 0, one polynomial of degree 9 in sin θ (a cubic for α = 0); its roots are isolated exactly.

@@ -43,6 +43,11 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     Surface
         Friction of either sign; states in lift-off and with L ≤ 0 are NaN.
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For angles out of their range, and parameters that are missing.
+
     Notes
     -----
     Source: f(θ) = 0 is linear in μ₀; (14), (15).

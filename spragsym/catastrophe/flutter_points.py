@@ -138,6 +138,11 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     FlutterBoundary
         Points that satisfy the condition to rounding, each once.
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For parameters that are missing or no scalars, and ``n`` below 2.
+
     Notes
     -----
     Source: (K₁₁ − K₂₂)² + 4 K₁₂ K₂₁ = 0 with (14), (15): at each θ a polynomial of degree 6 in tan(θ₀/2), all positive roots of

@@ -31,6 +31,20 @@ class LinearSprag(Result):
 def linear_sprag(p: Parameters) -> LinearSprag:
     """Displacement, poles and critical friction of the constant-angle model; all shapes broadcast.
 
+    Parameters
+    ----------
+    p : Parameters
+        Any shape; ``theta0`` and ``mu0`` are needed.
+
+    Returns
+    -------
+    LinearSprag
+
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+
     Notes
     -----
     Source: (12), (13) linearized about x = y = 0; article, Section 3.
@@ -68,6 +82,20 @@ def linear_sprag(p: Parameters) -> LinearSprag:
 
 def linear_critical_friction(p: Parameters) -> Any:
     """μ_cr of the constant-angle model: it has a pole if and only if μ₀ ≥ μ_cr.
+
+    Parameters
+    ----------
+    p : Parameters
+        α, σ, β, scalars or arrays; the others are not used.
+
+    Returns
+    -------
+    float or ndarray
+
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
 
     Notes
     -----

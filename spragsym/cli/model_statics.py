@@ -11,7 +11,7 @@ import click
 
 from ..errors import ParameterError
 from .options import Number
-from .tables import print_json, print_table
+from .tables import busy, print_json, print_table
 from .targets import refuse
 from .with_model import parameter_options, parameters_of, without
 
@@ -33,14 +33,17 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         open_boxes: list[dict[str, Any]] = []
         unilateral = model.about["contact"]["unilateral"]
         for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
-            found = model.equilibria(p, contact=contact)
+            with busy(f"searching for equilibria in {state}"):
+                found = model.equilibria(p, contact=contact)
             rows += _rows(model, found, state)
             open_boxes += [{"state": state, "low": list(box.low), "high": list(box.high)} for box in found.undecided]
         if json_output:
             print_json({"model": model.name, "equilibria": rows, "undecided": open_boxes})
             return
-        print_table("", ("state", "stability", *model.coordinates, "error"), [
-            (row["state"], row["stability"], *(row[name] for name in model.coordinates), f"{row['error']:.1e}") for row in rows
+        print_table("", ("state", "stability", *model.coordinates, "growth", "error"), [
+            (row["state"], row["stability"], *(row[name] for name in model.coordinates),
+             *(f"{row[name]:.1e}" for name in ("growth", "error")))
+            for row in rows
         ])  # fmt: skip
         for place in ("contact", "lift-off"):
             if boxes := [box for box in open_boxes if box["state"] == place]:
@@ -55,7 +58,8 @@ def _summed(title: str, names: Sequence[str], lows: Sequence[Sequence[float]], h
     low = [min(ends) for ends in zip(*lows, strict=True)]
     high = [max(ends) for ends in zip(*highs, strict=True)]
     hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))
-    return f"{title}: not complete, {len(lows)} boxes are undecided, within {hull}"
+    boxes = "1 box is" if len(lows) == 1 else f"{len(lows)} boxes are"
+    return f"{title}: not complete, {boxes} undecided, within {hull}"
 
 
 def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
@@ -82,15 +86,21 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
     def bifurcation(vary: str, along: str, json_output: bool, plot: Path | None, force: bool, **values: Any) -> None:
         if plot is not None:
             draw(plot, vary, along, dict(values), force)
-        asked = {"folds": ((vary,), model.folds), "flutter onsets": ((vary,), model.flutter_onsets)}
-        found = {title: search(without(model, names, dict(values)), names[0]) for title, (names, search) in asked.items()}
+        one, both = without(model, (vary,), dict(values)), (vary, along)
+        asked: dict[str, Callable[[], Any]] = {
+            "folds": lambda: model.folds(one, vary),
+            "flutter onsets": lambda: model.flutter_onsets(one, vary),
+        }
         if along:
-            found["cusps"] = model.cusps(without(model, (vary, along), dict(values)), (vary, along))
+            asked["cusps"] = lambda: model.cusps(without(model, both, dict(values)), both)
+        found: dict[str, Any] = {}
+        for title, search in asked.items():
+            with busy(f"searching for {title} along {vary if title != 'cusps' else f'{vary} and {along}'}"):
+                found[title] = search()
+            if not json_output:
+                print_points(model, title, found[title])
         if json_output:
             print_json({"model": model.name, **{title: points_of(model, points) for title, points in found.items()}})
-            return
-        for title, points in found.items():
-            print_points(model, title, points)
 
     def draw(plot: Path, vary: str, along: str, values: dict[str, Any], force: bool) -> None:
         if plot.suffix not in (".pdf", ".png", ".svg"):
@@ -102,7 +112,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         from ..figures.style import house_style
 
         kind = plot.suffix[1:]
-        with house_style():
+        with house_style(), busy(f"drawing folds and cusps in the plane of {vary} and {along}"):
             figure = model_figure(model, without(model, (vary, along), values), (vary, along))
             figure.savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)

@@ -207,12 +207,17 @@ def count(p: Parameters) -> NDArray[np.int8]:
     ndarray of int8
         Of that shape.
 
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+    ConvergenceError
+        For a point that has no answer, see :func:`equilibria`.
+
     Notes
     -----
     Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say where there is one, and otherwise
     the signs of f between its roots, all with bounds on rounding errors; what is left is solved.
-
-    Raises :class:`ConvergenceError` for a point that has no answer, see :func:`equilibria`.
 
     Examples
     --------

@@ -491,6 +491,7 @@ def test_where_the_belt_stands_still() -> None:
     assert np.abs(springs.x - edge.saddle[0]).min() < 1e-9
 
 
+@pytest.mark.thorough
 def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
     """Deviations shrink by e^−300 and more where the mass sticks: what rounding loses is not told as an exponent."""
     steep = {"V": 0.5, "d": 1e4}

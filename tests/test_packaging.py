@@ -338,9 +338,9 @@ def test_commands_without_extras(python: Path) -> None:
     [
         (["check"], "derive"),
         (["bifurcation", "--plot", "a.pdf"], "plot"),
-        (["figures", "--out", "figures"], "plot"),
+        pytest.param(["figures", "--out", "figures"], "plot", marks=pytest.mark.thorough),
         (["simulate", "--theta0", "49", "--backend", "heyoka"], "fast"),
-        (["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"], "sweep"),
+        pytest.param(["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"], "sweep", marks=pytest.mark.thorough),
         (["sweep", "--theta0", "49", "--output", "a.nc"], "sweep"),
     ],
 )

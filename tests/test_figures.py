@@ -311,7 +311,8 @@ def _crosses_a_sheet(p: ss.Parameters, ax: Any, place: np.ndarray[Any, Any]) -> 
     return bool(turned.size)
 
 
-@pytest.mark.parametrize("draw", [figure_11, pytest.param(figure_14, marks=pytest.mark.thorough)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("draw", [figure_11, figure_14])
 def test_lines_are_dashed_exactly_where_a_sheet_hides_them(draw: Any) -> None:
     """Against the surface itself, along the line of sight from each piece to the eye: no mesh takes part in it."""
     ax = draw().axes[0]

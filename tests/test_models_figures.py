@@ -73,6 +73,7 @@ def test_labels_are_those_of_the_dimensionless_numbers():
     assert label(ss.load("kang_nam"), "theta0") == r"$\theta_o$ (deg)"
 
 
+@pytest.mark.thorough
 def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
     monkeypatch.setattr("spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: found)
     file = tmp_path / "set.svg"

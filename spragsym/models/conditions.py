@@ -12,7 +12,6 @@ from ..exact.interval_arrays import stacked
 from ..exact.jets import Jet
 from .augmented import State
 
-
 #: A slope of the friction law that is as good as 0.
 FLAT = 1e-100
 

@@ -30,7 +30,7 @@ _SAMPLED = (0.11, 1.3, 7.1)
 
 @dataclass(frozen=True)
 class FoldCurve(Result):
-    """One curve of folds, points in order along it.
+    """One curve of folds, points in order along it: arrays of shape (points,), angles in radians, lengths over L_0.
 
     ``upper`` says that the stable state that ends there is the upper one of the two in θ, which changes at a cusp;
     ``when_theta0`` and ``when_mu0`` are 1 where it ends as that parameter rises, and −1 where it ends as it falls.
@@ -52,7 +52,13 @@ class FoldCurve(Result):
 
 @dataclass(frozen=True)
 class BifurcationSet(Result):
-    """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them."""
+    """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them.
+
+    Attributes
+    ----------
+    curves : tuple of FoldCurve
+    cusps : Cusps
+    """
 
     curves: tuple[FoldCurve, ...]
     cusps: Cusps

@@ -20,11 +20,11 @@ from .fixed import FIXED, Fixed
 from .fold_points import folds
 from .landings import landing
 
-#: Below this κ over the larger of σ and 1 + β float64 may lose curves, whose folds lie in pairs: proved ones are compared.
+#: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
 _LIGHT = 1e-4
-#: And below this it does.
+#: Where it is below this, float64 does lose them, and they are refused.
 _TOO_LIGHT = 1e-8
-#: Frictions at which they are.
+#: Frictions at which curves are compared with proved folds.
 _SAMPLED = (0.11, 1.3, 7.1)
 
 

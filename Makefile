@@ -113,7 +113,7 @@ lint: $(TEST)
 
 # All tests, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
-	$(TESTS) --cov --cov-branch --cov-report=term
+	HYPOTHESIS_PROFILE=all $(TESTS) --cov --cov-branch --cov-report=term
 
 # Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
 mutants: $(TEST)

@@ -79,6 +79,7 @@ def _independent() -> dict[str, float]:
     return counts
 
 
+@pytest.mark.thorough
 def test_derived_counts_are_the_committed_ones() -> None:
     for name, count in _derived().items():
         assert getattr(emitted, name) == count

@@ -454,6 +454,7 @@ def test_amplitude_jump_by_another_integrator() -> None:
     assert value("fig-7b", "before the fold by (deg)") == pytest.approx(fold - at, abs=0.006)
 
 
+@pytest.mark.thorough
 def test_the_fate_of_rest() -> None:
     """On both sides of it by another integrator; the saddle is an equilibrium by forces alone."""
     at = value("fig-7b-fate", "theta0_deg")
@@ -525,8 +526,17 @@ def computed() -> tuple[claims.Row, ...]:
     return tuple(claims.run(claims.STATEMENTS))
 
 
+@pytest.mark.thorough
 def test_nothing_has_drifted() -> None:
     assert claims.drifted(computed(), claims.recorded()) == []
+
+
+def test_nothing_has_drifted_but_what_takes_long_motions() -> None:
+    """The fate of rest is bisected motion by motion."""
+    statements = [one for one in claims.STATEMENTS if one.id != "fig-7b-fate"]
+    recorded = [row for row in claims.recorded() if row["id"] != "fig-7b-fate"]
+    assert len(recorded) > 30
+    assert claims.drifted(claims.run(statements), recorded) == []
 
 
 @pytest.mark.parametrize(

@@ -643,6 +643,7 @@ def test_a_loaded_model_has_branches_and_exponents() -> None:
         model.basin_boundary(model.Parameters(), plane=("x", "vx"))
 
 
+@pytest.mark.thorough
 def test_a_loaded_model_has_fates() -> None:
     model = ss.load("kang_nam")
     found = model.fate_boundary(model.Parameters(), vary="theta0", bracket=(0.7209, 0.7211))

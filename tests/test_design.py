@@ -105,8 +105,11 @@ def test_a_double_root_is_undecided() -> None:
 
 @pytest.mark.parametrize(
     ("vary", "direction"),
-    [("mu0", "up"), ("theta0", "up"), ("kappa", "up"), ("kappa", "down"), ("alpha", "down"), ("sigma", "up"), ("beta", "up")],
-)
+    [
+        ("mu0", "up"), ("theta0", "up"), ("kappa", "down"), ("sigma", "up"),
+        *(pytest.param(*one, marks=pytest.mark.thorough) for one in (("kappa", "up"), ("alpha", "down"), ("beta", "up"))),
+    ],
+)  # fmt: skip
 def test_a_jump_value_is_the_first_jump_of_the_path(vary: str, direction: str) -> None:
     p = families.near_folds(np.random.default_rng(6), 150) if vary not in ("mu0", "theta0") else None
     p = p or families.random(np.random.default_rng(7), 150)

@@ -67,8 +67,14 @@ MODULES = sorted(
     if not name.endswith("__main__") and ".cli" not in name and ".derive" not in name
 )
 
+#: Modules whose examples take seconds; their tests have the same calls.
+LONG_EXAMPLES = ("spragsym.cycles.fates", "spragsym.cycles.branch")
 
-@pytest.mark.parametrize("name", ["spragsym", *MODULES])
+
+@pytest.mark.parametrize(
+    "name",
+    ["spragsym", *(pytest.param(name, marks=pytest.mark.thorough) if name in LONG_EXAMPLES else name for name in MODULES)],
+)
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each example of a module runs as it stands."""
     if name.startswith(("spragsym.cycles", "spragsym.sweeps.basins")) and LONG_MOTIONS_TAKE_MINUTES:
@@ -110,7 +116,7 @@ def test_readme_python() -> None:
 
 
 #: Commands that take seconds; ``test_cli`` and ``test_studies`` run them in their own process.
-LONG = ("spragsym check", "spragsym report")
+LONG = ("spragsym check", "spragsym report", "spragsym bifurcation --plot")
 
 
 @pytest.mark.parametrize(

@@ -258,7 +258,7 @@ def test_no_line_crosses_a_pole(sheets: dict[str, Sheet]) -> None:
 # --------------------------------------------------------------------------------------------------- surfaces
 
 
-@pytest.mark.parametrize("sigma", [0.1, 1.0])
+@pytest.mark.parametrize("sigma", [0.1, pytest.param(1.0, marks=pytest.mark.thorough)])
 def test_the_sheets_cover_the_plane_as_often_as_there_are_equilibria(sigma: float) -> None:
     p = P.replace(sigma=sigma)
     angles = np.linspace(0.5, 179.5, 120)
@@ -466,7 +466,7 @@ def test_bifurcation_figure_for_any_parameters() -> None:
 # ------------------------------------------------------------------------------------------------------ files
 
 
-@pytest.mark.parametrize("kind", ["pdf", "png", "svg"])
+@pytest.mark.parametrize("kind", ["pdf", pytest.param("png", marks=pytest.mark.thorough), "svg"])
 def test_files_have_the_same_bytes_every_time(tmp_path: Path, kind: str) -> None:
     for folder in ("one", "two"):
         paths = write(figure_11(detail=0.2), tmp_path / folder, "figure_11", [kind])

@@ -12,6 +12,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
+from spragsym.models import near_zero
 
 
 def test_a_region_without_width_holds_its_equilibrium():
@@ -55,8 +56,8 @@ def test_a_law_that_would_jump_at_the_end_of_its_range():
 
         slopes = [mp.diff(lambda V, at=at: law(V, at), 0.5) for at in map(mp.mpf, np.geomspace(1e-2, 10, 400))]
         assert sum(one * two < 0 for one, two in itertools.pairwise(slopes)) == len(np.unique(found.v_s.round(9))) == 2
-        for v_s in found.v_s:
-            assert abs(mp.diff(lambda V, at=mp.mpf(float(v_s)): law(V, at), 0.5)) < 1e-13
+        for v_s in map(mp.mpf, found.v_s):
+            assert abs(mp.diff(lambda V, at=v_s: law(V, at), 0.5)) < 1e-13
 
 
 def test_a_slope_that_no_float_tells_from_0_is_said_to_be_one():
@@ -83,9 +84,26 @@ def test_folds_beside_a_cusp(vary, off):
     assert (found.error <= 1e-12).all()
 
 
-def test_a_line_of_equilibria_is_said_in_a_line():
-    # Without friction, spring along the belt and inclined spring nothing holds the mass along the belt.
-    model = ss.load("mode_coupling")
+@pytest.mark.parametrize("name", ["kang_nam", "mode_coupling"])
+def test_beside_a_line_of_equilibria_all_is_decided(name):
+    # Without friction and spring along the belt nothing but the inclined spring, sigma > 0, holds the mass along the belt.
+    model = ss.load(name)
+    angle = {"theta0": 1.0} if name == "kang_nam" else {}
+    found = model.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
+    assert found.complete
+    assert len(found) == 0
+    assert 0 < found.region[-1, 0] < 1e-90
+
+
+@pytest.fixture
+def with_a_line(monkeypatch):
+    """A model whose sigma is searched down to 0, where nothing holds the mass along the belt."""
+    monkeypatch.setattr(near_zero, "begins", lambda *_: False)
+    return ss.load("mode_coupling")
+
+
+def test_a_line_of_equilibria_is_said_in_a_line(with_a_line):
+    model = with_a_line
     p = model.Parameters(mu0=0.0, alpha=0.0)
     found = model.folds(p, "sigma")
     assert not found.complete
@@ -145,7 +163,7 @@ def test_a_path_of_a_model_says_what_the_articles_own_says():
     assert len(one["jumps"]) == 1
 
 
-def test_what_is_undecided_is_listed():
+def test_what_is_undecided_is_listed(with_a_line):
     told = printed("folds", "--model", "mode_coupling", "--mu0", "0", "--alpha", "0", "--vary", "sigma")
     assert not told["complete"]
     assert set(told["undecided"][0]) == {"x", "y", "sigma"}

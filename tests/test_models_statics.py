@@ -119,7 +119,9 @@ def test_shapes_and_one_point():
 # ------------------------------------------------------------------------------- other pages, by other formulations
 
 
-@pytest.mark.parametrize("changes", [{"theta0": 0.6}, {"theta0": 1.3, "mu0": 0.22, "beta": 0.1}])
+@pytest.mark.parametrize(
+    "changes", [{"theta0": 0.6}, pytest.param({"theta0": 1.3, "mu0": 0.22, "beta": 0.1}, marks=pytest.mark.thorough)]
+)
 @pytest.mark.parametrize("name", ["cubic_contact", "hertz_contact", "inclined_belt", "trolley", "two_springs"])
 def test_pages_against_other_formulations_in_50_digits(name, changes):
     same, ratio = validate_models.compare(name, model(name).Parameters(**changes))
@@ -430,7 +432,8 @@ def test_a_value_on_a_fold_is_the_fold_not_passed_yet(start):
         same_path("theta0", values, start, mu0=0.7)
 
 
-@pytest.mark.parametrize("way", [1, pytest.param(-1, marks=pytest.mark.thorough)])
+@pytest.mark.thorough
+@pytest.mark.parametrize("way", [1, -1])
 def test_nothing_jumps_at_a_pitchfork(way):
     found = same_path("theta0", np.radians([60.0, 80.0, 90.0, 100.0, 110.0])[::way], "large", mu0=0.0, alpha=0.0)
     assert not found.jumps

@@ -277,7 +277,7 @@ def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: 
 @needs_posix
 def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
     path = tmp_path / "rms.nc"
-    command = [*COMMAND, str(path), "-j", "2", "--t-end", "200", "--transient", "100", "--backend", "scipy"]
+    command = [*COMMAND, str(path), "-j", "2", "--t-end", "60", "--transient", "45", "--backend", "scipy"]
     process = begin(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     partial = path.with_name("rms.nc.partial")
     deadline = time.monotonic() + 60

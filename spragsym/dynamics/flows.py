@@ -40,6 +40,11 @@ def follower(field: Field, backend: str) -> Any:
     return flow(field, backend, derivatives=False)
 
 
+def scout(field: Field, backend: str) -> Fly | None:
+    """A cheaper flow with derivatives, to try Newton's method by; None where the flow itself is cheap."""
+    return variations_scipy.Flight(field, rtol=LOOSE).fly if backend == "scipy" else None
+
+
 def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
     """``fly`` of an integrator, and the integrator's name."""
     name = integrators.choose(backend, integrators.OF_ANY_MODEL)

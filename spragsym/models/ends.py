@@ -1,10 +1,7 @@
-"""Ends of a range at which all states are degenerate, or that a parameter never reaches: what a search leaves undecided there.
+"""Ends of a range at which all states are degenerate: what a search over boxes leaves undecided there, and why.
 
 Without the inclined spring, σ = 0, the two directions of the article's model do not feel each other, and the one across the belt
 is not damped. So all states at that end are on the border of stability, and none of them is an onset that a parameter passes.
-
-At v_s = 0 Stribeck's law would jump, and quotients by v_s have no bound in a box that reaches down to it. Between two positive
-numbers they have, so each halving of v_s is looked at on its own, down to :data:`LEAST`.
 """
 
 from __future__ import annotations
@@ -19,8 +16,6 @@ from .balance import NOTHING
 
 #: How much wider than a box the one is in which a root is proved to be the only one, relatively and absolutely.
 WIDER, ROOM = 0.25, 1e-11
-#: Where the range of a parameter begins that is larger than 0.
-LEAST = 2.0**-300
 
 
 def shared(system: Augmented, given: FloatArray, span: FloatArray, left: FloatArray) -> NDArray[np.bool_]:
@@ -47,34 +42,6 @@ def shared(system: Augmented, given: FloatArray, span: FloatArray, left: FloatAr
             here = (-left[0, -1] <= end) & (end <= left[1, -1])
             states = _one_root(system.balance, np.repeat(_filled(given, end), out.size, axis=1), wide[:, :-1])
             out |= here & alone & states & vanishes(system, given, end, wide)
-    return out
-
-
-def empty_beside_zero(system: Augmented, given: FloatArray, left: FloatArray) -> NDArray[np.bool_]:
-    """Boxes that reach down to 0 in a parameter that never is 0, and are proved to hold no root from :data:`LEAST` on.
-
-    Parameters
-    ----------
-    system : Augmented
-        Along one parameter.
-    given : ndarray
-        Parameters, shape (parameters, 1).
-    left : ndarray
-        Boxes of coordinates and parameter, shape (2, n + 1, N).
-    """
-    out = np.zeros(left.shape[2], dtype=np.bool_)
-    (entry,) = [entry for entry in system.balance.model.about["parameters"] if entry["name"] == system.vary[0]]
-    here = np.flatnonzero((left[0, -1] == 0) & (left[1, -1] > LEAST))
-    if entry["low"] != 0 or not entry["low_open"] or not here.size:
-        return out
-    boxes_here = left[:, :, here].max(axis=2)
-    tops = boxes_here[1, -1] * 2.0 ** -np.arange(int(np.log2(boxes_here[1, -1] / LEAST)) + 2)
-    halved = np.repeat(boxes_here[:, :, None], tops.size, axis=2)
-    halved[:, -1] = [-tops / 2, tops]
-    with np.errstate(all="ignore"):
-        parameters = system.prepared(Intervals.point(np.repeat(_filled(given, tops[0]), tops.size, axis=1)))
-        values = system.residuals(Intervals(halved), parameters)
-    out[here] = bool((~values.holds_zero()).any(axis=0).all())
     return out
 
 

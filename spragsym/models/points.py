@@ -13,10 +13,11 @@ from ..errors import ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
+from . import near_zero
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
 from .columns import Columns
-from .ends import LEAST, empty_beside_zero, shared
+from .ends import shared
 from .precise_points import settled
 from .regions import region
 
@@ -131,13 +132,15 @@ def search(
     fixed[places] = spans[:, :1]
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET
-    outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
-    roots = certified_roots.roots(system, outcome, around, fixed, fixed)
-    if len(vary) == 1 and given.shape[1] == 1:
-        nothing = empty_beside_zero(system, given, roots.left)
-        if nothing.any():
-            roots = without(roots, nothing)
-            around = np.concatenate([around[:, :-1], np.minimum(around[:, -1:], [[[-LEAST]], [[np.inf]]])], axis=1)
+    alone = len(vary) == 1 and given.shape[1] == 1
+    from_least = alone and near_zero.begins(system, given, around)
+    searched = np.concatenate([around[:, :-1], [[[-near_zero.LOW]], around[1:, -1]]], axis=1) if from_least else around
+    outcome = boxes.search(system, searched, fixed, fixed, limits=limits, budget=budget)
+    roots = certified_roots.roots(system, outcome, searched, fixed, fixed)
+    if from_least:
+        roots = near_zero.joined(near_zero.searched(system, fixed, around, limits), roots)
+        around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)
+    if alone:
         roots = settled(system, fixed, around, roots)
         dropped = shared(system, given, spans[0], roots.left)
         roots = without(roots, dropped)

@@ -93,7 +93,7 @@ def test_bifurcation_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["mu_cusp"] == ss.critical_friction(ss.Parameters.article())
 
 
-@pytest.mark.parametrize("kind", ["pdf", "png", "svg"])
+@pytest.mark.parametrize("kind", few(["pdf", "png", "svg"], "svg"))
 def test_bifurcation_draws(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("matplotlib")
     assert invoke("bifurcation", "--plot", str(tmp_path / f"a.{kind}")) == DONE
@@ -591,8 +591,9 @@ def test_any_surroundings(surroundings: str, tmp_path: Path) -> None:
     assert b"Traceback" not in done.stderr
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="needs a pseudo terminal")
-@pytest.mark.parametrize("colour", [True, pytest.param(False, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("colour", [True, False])
 def test_no_color_is_respected(
     colour: bool, checked: list[Any], tmp_path: Path, begin: Callable[..., subprocess.Popen[bytes]]
 ) -> None:

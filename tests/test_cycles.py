@@ -491,6 +491,7 @@ def test_where_the_belt_stands_still() -> None:
     assert np.abs(springs.x - edge.saddle[0]).min() < 1e-9
 
 
+@pytest.mark.thorough
 def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
     """Deviations shrink by e^−300 and more where the mass sticks: what rounding loses is not told as an exponent."""
     steep = {"V": 0.5, "d": 1e4}
@@ -505,6 +506,7 @@ def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
     assert "points were followed" in branch.of("end")[-1].how
 
 
+@pytest.mark.thorough
 def test_failures_of_loaded_models_are_told_as_well() -> None:
     for name in ("kang_nam", "stick_slip"):
         model = ss.load(name)
@@ -608,6 +610,7 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
     assert np.abs(found.multipliers - slow.multipliers).max() < 1e-9
 
 
+@pytest.mark.thorough
 def test_a_loaded_model_on_the_command_line(tmp_path: Any) -> None:
     picture = tmp_path / "branch.svg"
     vary = ["--vary", "V", "--from", "0.195", "--to", "0.21", "--plot", str(picture)]

@@ -197,7 +197,13 @@ def test_the_theory_names_what_exists() -> None:
             assert callable(getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)), name
 
 
-@pytest.mark.parametrize("command", [command for command, _ in commands(DOCS / "command_line.md")])
+@pytest.mark.parametrize(
+    "command",
+    [
+        pytest.param(command, marks=pytest.mark.thorough) if command.startswith("spragsym sweep") else command
+        for command, _ in commands(DOCS / "command_line.md")
+    ],
+)
 def test_command_line_page(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(DOCS / "command_line.md"))[command], run(command, tmp_path))
 

@@ -161,6 +161,7 @@ def test_a_sweep_of_the_articles_page_is_that_of_the_article() -> None:
         assert getattr(ours, name).tolist() == getattr(theirs, name).tolist()
 
 
+@pytest.mark.thorough
 def test_a_sweep_goes_through_a_file_and_other_processes(tmp_path: Any) -> None:
     """The same bits from two processes; a finished file is read, that of another model refused."""
     model = ss.load("stick_slip")

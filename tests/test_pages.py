@@ -229,6 +229,7 @@ def test_every_row_holds_for_the_articles_page() -> None:
     assert {status for status, _ in judged("kang_nam").values()} == {variant.HOLDS}
 
 
+@pytest.mark.thorough
 def test_a_constant_force_changes_the_right_sides_only() -> None:
     """On the tilted belt the weight stands in b and in nothing that is made of D; the quartic in b_1, b_2 stays."""
     rows = judged("inclined_belt")

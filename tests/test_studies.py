@@ -428,6 +428,7 @@ def test_another_model_has_a_page_and_forces_of_its_oscillation(tmp_path: Path) 
     assert "http" not in text.replace("http://www.w3.org", "")
 
 
+@pytest.mark.thorough
 def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     rows = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "model"))]
     rows += ['model = "stribeck"', 'mu_s = "0.45"', 'mu_k = "0.3"', 'v_s = "0.5 m/s"']

@@ -257,6 +257,7 @@ GRID = ["--theta0", "1:179:61", "--t-end", SPAN[0], "--transient", SPAN[1], "-q"
 COMMAND = [sys.executable, "-m", "spragsym", "sweep", *GRID, "-o"]
 
 
+@pytest.mark.thorough
 def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: Callable[..., subprocess.Popen[bytes]]) -> None:
     """At fifty random moments: ``python -m benchmarks.attack_sweeps``."""
     path, whole = tmp_path / "rms.nc", tmp_path / "whole.nc"

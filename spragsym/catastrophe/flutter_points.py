@@ -186,7 +186,8 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
     kappa, _, sigma, beta = fixed
     c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(all="ignore"):
-        p1, q1, p2, q2 = kernel.factors(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
+        trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
+        p1, q1, p2, q2 = kernel.factors(kernel.quartic(*trig), kernel.cubic(*trig))
         pairs = kernel.root_pair(p1, q1), kernel.root_pair(p2, q2)
         t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
         _, _, y = kernel.state(*direction(t), c0, s0, kappa, sigma, beta, 1)

@@ -12,6 +12,7 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.motion import simulate as simulate_command
+from spragsym.cycles.sprag import SPRAG
 from spragsym.dynamics import (
     Event,
     Trajectory,
@@ -443,6 +444,18 @@ def _highest_near(tr: Trajectory, t: float) -> np.ndarray:
     """x, y, y' at the maximum of x nearest to a time."""
     course = tr.course()
     return np.delete(course.maxima[np.argmin(np.abs(course.maxima_t - t))], 2)
+
+
+def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
+    """Or cycles near a state at rest along the belt are found by one integrator and not by the other."""
+    none = np.zeros((2, 8))
+    constants = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
+    for name in set(_installed()) & set(integrators.OF_ANY_MODEL):
+        passage = flows.flow(SPRAG, name, derivatives=False).fly(np.array([1.7, 0.34, 0.0, 0.06]), constants, 30.0, none)
+        turns = [turn for turn in passage.turns if turn.border == -1]
+        assert turns[0].t == 0
+        assert [turn.direction for turn in turns] == [(-1) ** (i + 1) for i in range(len(turns))]
+        assert len(turns) > 3
 
 
 def test_derivatives_that_nobody_asks_for_are_left_out() -> None:

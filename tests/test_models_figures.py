@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
@@ -83,6 +85,22 @@ def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
     assert status(command) != 0
     assert "--force" in capsys.readouterr().err
     assert status([*command[:-1], str(tmp_path / "set.gif")]) != 0
+
+
+def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
+    """Of the two folds of the article's model only the one within the range; the cusp is outside of it."""
+    search = ss.load("kang_nam").bifurcation_set
+    monkeypatch.setattr(
+        "spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: search(p, vary, 4, **options)
+    )
+    command = ["bifurcation", "--model", "kang_nam", "--between", "theta0=100:170", "--between", "mu0=0.3:0.6", "--json"]
+    assert status([*command, "--plot", str(tmp_path / "set.svg")]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert np.degrees([row["theta0"] for row in told["folds"]["points"]]) == pytest.approx([155.05941879], abs=1e-7)
+    assert told["cusps"]["points"] == []
+    for wrong, text in (("mu0", "give it as mu0=0:1"), ("mu0=1", "give it as mu0=0:1"), ("sigma=0:1", "sigma does not vary")):
+        assert status(["bifurcation", "--model", "kang_nam", "--between", wrong]) == 2
+        assert text in capsys.readouterr().err
 
 
 def status(command):

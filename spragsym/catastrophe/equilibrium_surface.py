@@ -17,7 +17,10 @@ from .fixed import FIXED
 
 @dataclass(frozen=True)
 class Surface(Result):
-    """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite."""
+    """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite.
+
+    Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
+    """
 
     theta: FloatArray
     theta0: FloatArray

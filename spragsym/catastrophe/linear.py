@@ -17,6 +17,8 @@ from ..parameters import FloatArray, Parameters
 class LinearSprag(Result):
     """Steady sliding with the spring's angle held at θ₀, the article's reference [17].
 
+    Arrays have the shape of the parameters; angles are radians, lengths over L_0.
+
     ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the θ₀ in (0, π) of the poles, two
     at the last axis, NaN where there are none.
     """

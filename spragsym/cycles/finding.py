@@ -30,7 +30,7 @@ TRIES = 8
 FAR = 0.3
 
 
-#: What a motion that is on no cycle found here does instead.
+#: What a motion does for which no cycle is found, in words.
 COMES_TO = {
     Regime.EQUILIBRIUM: "it is at rest", Regime.APPROACHES_EQUILIBRIUM: "it decays to rest",
     Regime.LIFT_OFF: "it has lifted off for good", Regime.LIMIT_CYCLE: "it is on a cycle that Newton's method did not close",

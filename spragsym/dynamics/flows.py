@@ -18,7 +18,7 @@ from .problem import Problem
 from .shooting import CLOSED
 from .sprag import REACH
 
-#: Tolerances of flows that closed orbits are found with: for differences that stand for derivatives, and as fine as heyoka goes.
+#: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
 
 #: Tolerance of SciPy's flow before the last of Newton's steps, and how nearly orbits close by it.
@@ -34,7 +34,7 @@ def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
 
 
 def follower(field: Field, backend: str) -> Any:
-    """The same without derivatives, for a motion that is followed to where Newton's method can begin."""
+    """An integrator of a field without derivatives, for following a motion to where Newton's method can begin."""
     if backend == "scipy":
         return variations_scipy.Flight(field, derivatives=False, rtol=LOOSE)
     return flow(field, backend, derivatives=False)
@@ -81,7 +81,7 @@ def onward(problem: Problem, backend: str) -> Onward:
         return replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
 
     def plain(ends: Ends) -> Fly:
-        """The flow with derivatives that are cheap rather than right."""
+        """The flow with rough derivatives that cost little."""
         if backend == "scipy":
             return variations_scipy.Flight(field(), rtol=LOOSE).fly
         return by_forward_differences(field(), ends)
@@ -93,7 +93,7 @@ def onward(problem: Problem, backend: str) -> Onward:
     def closed(state: FloatArray, period: float, reach: float) -> Closed:
         rtol, near, precision = PRECISIONS[backend]
         fine, fine_ends = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
-        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails it is all of them.
+        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
             guess = nearly_closed(field(), plain(fine_ends), state, period, reach, near).guess
             state, period = guess.states[0], guess.period

@@ -134,7 +134,7 @@ class Flight:
         def at(row: int, t: float) -> float:
             return float(self._watched(piece.dense(t), constants, piece.mode)[1][row])
 
-        changes = ((values[:, :-1] < 0) != (values[:, 1:] < 0)) & (values[:, :-1] != 0)
+        changes = (values[:, :-1] < 0) != (values[:, 1:] < 0)
         for row, i in np.argwhere(changes).tolist():
             t = _zero(partial(at, row), float(grid[i]), float(grid[i + 1]))
             found.append(Turn(t, borders[row], 1 if values[row, i] < 0 else -1, *self._split(piece.dense(t))))

@@ -114,6 +114,29 @@ def _divided(boxes: FloatArray, along: NDArray[np.int64], cuts: FloatArray) -> t
 
 
 @dataclass(frozen=True)
+class _Curve:
+    """The other unknowns as functions of u, by Taylor's series: coefficients of each, the last one all over the box."""
+
+    centre: FloatArray
+    terms: list[list[Intervals]]
+    box: list[Intervals]
+
+    def taken(self, rows: NDArray[np.int64]) -> _Curve:
+        """Some of them."""
+        terms = [[term[rows] for term in row] for row in self.terms]
+        return _Curve(self.centre[rows], terms, [value[rows] for value in self.box])
+
+    def at(self, u: Intervals) -> list[Intervals]:
+        """What holds the others where u is in a part of the box."""
+        h = u - Intervals.point(self.centre)
+        out = []
+        for (value, first, second, third), box in zip(self.terms, self.box, strict=True):
+            series = value + h * (first + h * (second + h * third))
+            out.append(Intervals(np.fmin(series.ends, box.ends)))
+        return out
+
+
+@dataclass(frozen=True)
 class _Reduction:
     """Boxes with their u and the equation that is left: the first of the ``unknowns`` and ``equations``, shape (n, N)."""
 
@@ -128,9 +151,10 @@ class _Reduction:
         side, *given = Intervals(boxes[:, self.unknowns, every])
         u = Intervals(side.ends + ROOM * side.width)
         others, proved = self._others(u, given)
-        last = self._expansion(every, u, others, 3)[2]
-        centre, near, bend = self._centre(u, others, last)
-        value, slope = self._precise(every, centre, near)
+        (*_, last), terms = self._expansion(every, u, others, 3)
+        curve, bend = self._centre(u, others, last, [row[-1] for row in terms])
+        centre = curve.centre
+        value, slope = self._precise(every, centre, [row[0] for row in curve.terms])
         low, high = raised(side.ends + np.stack([centre, -centre]))
         cubics = Cubics(value, slope, bend, last)
         one, two, guess, box, open_ = isolated(cubics, -low, high)
@@ -143,7 +167,7 @@ class _Reduction:
         one, two, guess, box = one[kept], two[kept], guess[kept], box[kept]
         # Inward: what lies beyond the ends may be another root.
         spans = Intervals(-raised(np.stack([one + centre[box], -two - centre[box]])))
-        ends = self._polished(box, spans, centre[box] + guess, [value[box] for value in others])
+        ends = self._polished(box, spans, centre[box] + guess, curve.taken(box))
         alone = self._boxed(box, [spans, *(value[box] for value in others)])
         bad = ~np.isfinite(ends).all(axis=(0, 1)) | ~np.isfinite(alone).all(axis=(0, 1))
         open_[box[bad]] = True
@@ -231,13 +255,18 @@ class _Reduction:
 
     # ------------------------------------------------------------------------------------------- the one function
 
-    def _expansion(self, where: NDArray[np.int64], u: Intervals, others: Sequence[Intervals], highest: int) -> list[Any]:
-        """Taylor coefficients of what is left as a function of u, from the first on: linear in the last ones of the others."""
+    def _expansion(
+        self, where: NDArray[np.int64], u: Intervals, others: Sequence[Intervals], highest: int
+    ) -> tuple[list[Intervals], list[list[Intervals]]]:
+        """Taylor coefficients of g from the first on, and of the others as functions of u, from their values on.
+
+        Coefficients of F are linear in the last ones of the others.
+        """
         slopes = self._slopes(where, [u, *others])
         matrix = [row[1:] for row in slopes[1:]]
         steps = solved(matrix, [row[0] for row in slopes[1:]])
-        series: list[list[Any]] = [[u, 1], *([value, -step] for value, step in zip(others, steps, strict=True))]
         zero = Intervals(np.zeros((2, where.size)))
+        series: list[list[Any]] = [[u, 1], *([value, zero - step] for value, step in zip(others, steps, strict=True))]
         out = [_less(slopes[0][0], slopes[0][1:], steps) + zero]
         for order in range(2, highest + 1):
             for part in series:
@@ -246,35 +275,32 @@ class _Reduction:
             steps = solved(matrix, rows)
             out.append(_less(rest, slopes[0][1:], steps) + zero)
             for part, step in zip(series[1:], steps, strict=True):
-                part[order] = -step
-        return out
+                part[order] = zero - step
+        return out, series[1:]
 
-    def _centre(
-        self, u: Intervals, others: Sequence[Intervals], last: Intervals
-    ) -> tuple[FloatArray, list[Intervals], Intervals]:
-        """Where g' is 0, or nearest to 0, roughly; the others there, and g''/2."""
-        every = np.arange(self.rows.size)
-        centre = u.middle
-        near = self._narrowed(every, Intervals.point(centre), others)
-        bend = np.array(Intervals(np.zeros((2, every.size))).ends)
-        rows = every
+    def _centre(self, u: Intervals, others: list[Intervals], last: Intervals, lasts: list[Intervals]) -> tuple[_Curve, Intervals]:
+        """The others about a point where g' is 0 or nearest to 0, roughly, and g''/2 there."""
+        rows = np.arange(self.rows.size)
+        curve = _Curve(u.middle, [[Intervals(np.zeros((2, rows.size))) for _ in range(3)] + [term] for term in lasts], others)
+        bend = Intervals(np.zeros((2, rows.size)))
+        centre, near = curve.centre[rows], others
         for step in range(STEPS + 1):
-            at, now = Intervals.point(centre[rows]), [value[rows] for value in near]
-            slope, second = self._expansion(rows, at, now, 2)
-            bend[:, rows] = second.ends
+            at = Intervals.point(centre)
+            (slope, second), terms = self._expansion(rows, at, self._narrowed(rows, at, near), 2)
+            curve.centre[rows], bend.ends[:, rows] = centre, second.ends
+            for old, new in zip(curve.terms, terms, strict=True):
+                for one, other in zip(old, new, strict=False):
+                    one.ends[:, rows] = other.ends
             if step == STEPS:
                 break
             move = _flattest(slope.middle, second.middle, last.middle[rows])
-            new = np.clip(centre[rows] + move, u.low[rows], u.high[rows])
-            off = np.abs(new - centre[rows]) > 1e-9 * np.maximum(u.width[rows], 0.0)
-            rows, new = rows[off], new[off]
+            moved = np.clip(centre + move, u.low[rows], u.high[rows])
+            off = np.abs(moved - centre) > 1e-9 * u.width[rows]
+            rows, centre = rows[off], moved[off]
             if not rows.size:
                 break
-            centre[rows] = new
-            there = self._narrowed(rows, Intervals.point(new), [value[rows] for value in others])
-            for value, part in zip(near, there, strict=True):
-                value.ends[:, rows] = part.ends
-        return centre, near, Intervals(bend)
+            near = curve.taken(rows).at(Intervals.point(centre))
+        return curve, bend
 
     def _precise(self, where: NDArray[np.int64], u: FloatArray, others: Sequence[Intervals]) -> tuple[WideBalls, WideBalls]:
         """g and g' at floats, in double-double; the others are known to hold their values there."""
@@ -289,12 +315,12 @@ class _Reduction:
         zero = WideBalls.exact(np.zeros(where.size))
         return zero + self._values(where, sharp)[0], zero + _less(slopes[0][0], slopes[0][1:], steps)
 
-    def _polished(self, where: NDArray[np.int64], spans: Intervals, guess: FloatArray, others: Sequence[Intervals]) -> FloatArray:
+    def _polished(self, where: NDArray[np.int64], spans: Intervals, guess: FloatArray, curve: _Curve) -> FloatArray:
         """Small boxes around the only root in each span of u, near a guess; NaN where that is not shown."""
-        ends = np.full((2, len(others) + 1, where.size), np.nan)
+        ends = np.full((2, len(self.unknowns), where.size), np.nan)
         rows = np.arange(where.size)
         for _ in range(POLISHINGS):
-            u, *_ = found = self._step(where[rows], spans[rows], guess[rows], [value[rows] for value in others])
+            u, *_ = found = self._step(where[rows], spans[rows], guess[rows], curve.taken(rows))
             box = Intervals(self._boxed(where[rows], found))
             ends[:, :, rows], guess[rows] = box.ends, u.middle
             rows = rows[(box.width > FINE * np.maximum(1.0, box.magnitude)).any(axis=0)]
@@ -302,20 +328,19 @@ class _Reduction:
                 break
         return ends
 
-    def _step(
-        self, where: NDArray[np.int64], spans: Intervals, guess: FloatArray, others: Sequence[Intervals]
-    ) -> list[Intervals]:
+    def _step(self, where: NDArray[np.int64], spans: Intervals, guess: FloatArray, curve: _Curve) -> list[Intervals]:
         """Newton's step from a guess: u and the others, NaN for a u that is not shown to hold the root.
 
         A root u + h has h = −g(u) / (g'(u) + c₂ h) with a c₂ of its enclosure. An interval that this maps into itself has one.
         """
         u = np.clip(guess, spans.low, spans.high)
-        value, slope = self._precise(where, u, self._narrowed(where, Intervals.point(u), others))
+        at = Intervals.point(u)
+        value, slope = self._precise(where, u, self._narrowed(where, at, curve.at(at)))
         reach = 4 * value.size / np.abs(slope.middle.high) + 1e-30
         around = Intervals(raised(np.stack([reach - u, reach + u])))
         inside = (around.ends <= spans.ends).all(axis=0)
-        others = self._narrowed(where, around, others)
-        bend = self._expansion(where, around, others, 2)[1]
+        others = self._narrowed(where, around, curve.at(around))
+        bend = self._expansion(where, around, others, 2)[0][1]
         room = Intervals(np.stack([reach, reach]))
         h = -(value.intervals() / (slope.intervals() + bend * room))
         proved = inside & (h.ends < room.ends).all(axis=0)

@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 import pytest
 from filelock import FileLock
 from hypothesis import settings
+from hypothesis.internal.conjecture import providers
 
 from spragsym.exact.intervals import Arithmetic, Balls
 
@@ -26,13 +27,19 @@ settings.register_profile("repeat", derandomize=True, deadline=None, max_example
 settings.register_profile("all", derandomize=True, deadline=None, max_examples=300)
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeat"))
+# By itself hypothesis also tries constants that stand in the modules that a process has imported: other numbers beside other
+# tests, and seconds in each worker of a fresh clone.
+if os.environ.get("HYPOTHESIS_PROFILE") != "search" and hasattr(providers, "_get_local_constants"):
+    providers._get_local_constants = lambda none=providers._local_constants: none
 
 
 #: Files that take longest begin first, so that no worker is left with one of them when the others have nothing to do.
 LONGEST = (
-    "test_cli", "test_models_statics", "test_figures", "test_check", "test_c99", "test_explorer_models", "test_failures",
-    "test_cycles", "test_studies", "test_javascript", "test_documents", "test_pages", "test_matlab", "test_sweeps",
-    "test_dynamics", "test_catastrophe", "test_packaging", "test_design", "test_explorer",
+    "test_cli", "test_c99", "test_cycles", "test_explorer_models", "test_models_statics", "test_studies", "test_failures",
+    "test_figures", "test_explorer", "test_pages", "test_design", "test_sweeps", "test_javascript", "test_check",
+    "test_generated", "test_dynamics", "test_catastrophe", "test_models_degenerate", "test_claims", "test_packaging",
+    "test_documents", "test_matlab", "test_certificates_kernel", "test_certificates_theorem", "test_regimes",
+    "test_interval_arrays", "test_machines",
 )  # fmt: skip
 
 

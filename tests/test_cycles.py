@@ -406,6 +406,7 @@ def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
         ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.70, 0.71), **BELT)
 
 
+@pytest.mark.thorough
 def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate() -> None:
     """One is found over the parameter by verdicts and bisection, the other over starts by the saddle's manifold."""
     p = ss.Parameters.article(theta0=FATE)
@@ -750,6 +751,7 @@ def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
         ss.precise.prove_cycle(slow, digits=3)
 
 
+@pytest.mark.thorough
 def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
     start = ss.cycle(at(60.0), **BELT, near=ss.cycle(at(90.0), **BELT, near=(2.3294, 1.34, 0.0, 0.2515), patient=False))
     branch = ss.cycle_branch(start, "theta0", (np.radians(55.5), start.values[0] + 1e-6), longest=0.3)

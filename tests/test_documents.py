@@ -68,7 +68,7 @@ MODULES = sorted(
 )
 
 #: Modules whose examples take seconds; their tests have the same calls.
-LONG_EXAMPLES = ("spragsym.cycles.fates", "spragsym.cycles.branch")
+LONG_EXAMPLES = ("spragsym.cycles.fates", "spragsym.cycles.branch", "spragsym.cycles.two_parameters")
 
 
 @pytest.mark.parametrize(

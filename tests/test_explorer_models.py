@@ -83,6 +83,7 @@ def test_states_are_those_that_python_proves(opened: tuple[Explorer, Any]) -> No
                 assert there["stability"] == ss.Stability(int(eq.stability[row])).name.lower()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("opened", MODELS, indirect=True)
 def test_the_motion_is_pythons(opened: tuple[Explorer, Any]) -> None:
     """From rest, over lift-offs and overtakings, by steps that are cut at kinks; errors of order h^4."""
@@ -120,6 +121,7 @@ def test_a_state_is_carried_over_a_fold_and_back(opened: tuple[Explorer, Any]) -
     assert explorer.page.inner_text("#proof").startswith("spragsym equilibria --model trolley --theta0 30 ")
 
 
+@pytest.mark.thorough
 def test_numbers_far_from_one_keep_the_page_going(opened: tuple[Explorer, Any]) -> None:
     """mu0 = alpha = 0 first, then numbers at which the search can't tell states apart, and says so; then back."""
     page = opened[0].page
@@ -141,6 +143,7 @@ def test_numbers_far_from_one_keep_the_page_going(opened: tuple[Explorer, Any]) 
     assert page.inner_text("#states tbody") == before
 
 
+@pytest.mark.thorough
 def test_the_motion_is_drawn_and_stopped(opened: tuple[Explorer, Any]) -> None:
     page = opened[0].page
     page.click("#from_state")

@@ -470,6 +470,7 @@ def test_processes_of_tests_hear_ctrl_c_also_under_nohup(begin: Begin) -> None:
         signal.signal(signal.SIGINT, former)
 
 
+@pytest.mark.thorough
 def test_without_a_place_for_what_is_compiled_nothing_is_said(tmp_path: Path) -> None:
     """heyoka keeps compiled code in the home's cache; here its folder would have to lie in a file. It says so on stdout."""
     pytest.importorskip("heyoka")

@@ -12,6 +12,7 @@ import pytest
 import spragsym as ss
 from spragsym.cli import main
 from spragsym.studies.other_tolerances import certificate_of
+from tests.support import few
 
 BRAKE = """[brake]
 m = "0.35 kg"
@@ -69,7 +70,11 @@ def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) 
         assert np.allclose(state.frequencies_hz, hertz[hertz > 0], rtol=1e-3)  # the law's damping is left out here
 
 
-def test_json_has_the_keys_of_the_contract(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("tolerances", few([True, False], False))
+def test_json_has_the_keys_of_the_contract(tolerances: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "brake.toml"
+    plain = BRAKE.replace(" ± 15 %", "").replace(" ± 1 deg", "").replace("[0.3, 0.6]", "0.45")
+    path.write_text(BRAKE if tolerances else plain, encoding="utf-8")
     with pytest.raises(SystemExit) as stop:
         main(["report", str(path), "--json"])
     assert stop.value.code == 0

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 
+import mpmath as mp
 import numpy as np
 import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli import cli
+from spragsym.models import near_zero
+from tests.support import few
 
 
 def test_a_region_without_width_holds_its_equilibrium():
@@ -40,7 +44,34 @@ def test_a_belt_at_rest_has_no_onset():
     assert model.flutter_onsets(model.Parameters(theta0=1.0), "d").complete
 
 
-@pytest.mark.parametrize("off", [0.0, 1e-14, -1e-12, 1e-9])
+def test_a_law_that_would_jump_at_the_end_of_its_range():
+    # Where v_s goes to 0 the slope of Stribeck's law has a limit that is not 0, but no bound in a box that holds 0.
+    model = ss.load("stribeck")
+    found = model.flutter_onsets(model.Parameters(theta0=1.0), "v_s")
+    assert found.complete
+    assert 0 < found.region[-1, 0] < 1e-90
+    with mp.workdps(30):
+
+        def law(V, v_s):
+            return (mp.mpf("0.4") + mp.mpf("0.2") * mp.exp(-V / v_s)) * (1 - mp.exp(-10 * V))
+
+        slopes = [mp.diff(lambda V, at=at: law(V, at), 0.5) for at in map(mp.mpf, np.geomspace(1e-2, 10, 400))]
+        assert sum(one * two < 0 for one, two in itertools.pairwise(slopes)) == len(np.unique(found.v_s.round(9))) == 2
+        for v_s in map(mp.mpf, found.v_s):
+            assert abs(mp.diff(lambda V, at=v_s: law(V, at), 0.5)) < 1e-13
+
+
+def test_a_slope_that_no_float_tells_from_0_is_said_to_be_one():
+    # Without friction at fast sliding the slope is a multiple of e^(−V/v_s).
+    model = ss.load("stribeck")
+    found = model.flutter_onsets(model.Parameters(theta0=2.5, mu_k=0.0, mu_s=0.4), "v_s")
+    assert not found.complete
+    assert any("slope of the friction law" in remark for remark in found.remarks)
+    assert found.undecided[:, -1].max() < 3e-3
+    assert len(found) == 1
+
+
+@pytest.mark.parametrize("off", few([0.0, 1e-14, -1e-12, 1e-9], 0.0, 1e-14))
 @pytest.mark.parametrize("vary", ["mu0", "theta0"])
 def test_folds_beside_a_cusp(vary, off):
     model = ss.load("kang_nam")
@@ -54,9 +85,26 @@ def test_folds_beside_a_cusp(vary, off):
     assert (found.error <= 1e-12).all()
 
 
-def test_a_line_of_equilibria_is_said_in_a_line():
-    # Without friction, spring along the belt and inclined spring nothing holds the mass along the belt.
-    model = ss.load("mode_coupling")
+@pytest.mark.parametrize("name", ["kang_nam", "mode_coupling"])
+def test_beside_a_line_of_equilibria_all_is_decided(name):
+    # Without friction and spring along the belt nothing but the inclined spring, sigma > 0, holds the mass along the belt.
+    model = ss.load(name)
+    angle = {"theta0": 1.0} if name == "kang_nam" else {}
+    found = model.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
+    assert found.complete
+    assert len(found) == 0
+    assert 0 < found.region[-1, 0] < 1e-90
+
+
+@pytest.fixture
+def with_a_line(monkeypatch):
+    """A model whose sigma is searched down to 0, where nothing holds the mass along the belt."""
+    monkeypatch.setattr(near_zero, "begins", lambda *_: False)
+    return ss.load("mode_coupling")
+
+
+def test_a_line_of_equilibria_is_said_in_a_line(with_a_line):
+    model = with_a_line
     p = model.Parameters(mu0=0.0, alpha=0.0)
     found = model.folds(p, "sigma")
     assert not found.complete
@@ -116,10 +164,10 @@ def test_a_path_of_a_model_says_what_the_articles_own_says():
     assert len(one["jumps"]) == 1
 
 
-def test_what_is_undecided_is_listed():
+def test_what_is_undecided_is_listed(with_a_line):
     told = printed("folds", "--model", "mode_coupling", "--mu0", "0", "--alpha", "0", "--vary", "sigma")
     assert not told["complete"]
     assert set(told["undecided"][0]) == {"x", "y", "sigma"}
     text = CliRunner().invoke(cli, ["folds", "--model", "mode_coupling", "--mu0", "0", "--alpha", "0", "--vary", "sigma"]).stdout
-    assert "boxes are undecided, within x in [" in text
+    assert "1 box is undecided, within x in [" in text
     assert "det K is 0 in every state" in text

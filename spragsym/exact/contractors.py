@@ -131,9 +131,12 @@ def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     stacked = np.moveaxis(matrices, -1, 0)
     scale = np.abs(stacked).max(axis=(1, 2))
     # Of what is not finite or all zeros the determinant is no number.
-    regular = np.abs(np.linalg.det(stacked / scale[:, None, None])) > 1e-200
-    safe = np.where(regular[:, None, None], stacked, np.eye(matrices.shape[0]))
-    out: FloatArray = np.moveaxis(np.linalg.inv(safe), 0, -1)
+    with np.errstate(all="ignore"):
+        alike = stacked / scale[:, None, None]
+        regular = np.abs(np.linalg.det(alike)) > 1e-200
+        # Scaled for the inverse, too: pivots of tiny matrices may vanish.
+        inverses = np.linalg.inv(np.where(regular[:, None, None], alike, np.eye(matrices.shape[0])))
+        out: FloatArray = np.moveaxis(inverses / np.where(regular, scale, 1.0)[:, None, None], 0, -1)
     return out
 
 

@@ -305,5 +305,6 @@ def _largest_pivot(rows: list[list[Any]], k: int) -> None:
         raise Undecided("a pivot that may be 0")
 
 
-def _size(value: Any) -> float:
-    return float(sum(_BALLS.ends(value)) / 2) if isinstance(value, Ball) else float(value)
+def _size(value: Any) -> Fraction:
+    # No float: beside the end of a range a slope may be larger than any.
+    return sum(_BALLS.ends(value), Fraction(0)) / 2 if isinstance(value, Ball) else Fraction(value)

@@ -7,6 +7,7 @@ with no change of det K along the direction that K maps to 0, a cusp. Derivative
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import Any, Protocol
 
 import numpy as np
@@ -31,6 +32,9 @@ class Condition(Protocol):
     def hopeless(self, at: State) -> NDArray[np.bool_]:
         """Boxes in which an inequality that the condition asks for can't hold."""
 
+    def given_up(self, at: State) -> NDArray[np.bool_] | None:
+        """Boxes that halving would never decide; None for a condition that has no such."""
+
 
 class State:
     """Coordinates, directions, arguments of one evaluation, all of one number type, and what follows from them."""
@@ -45,9 +49,15 @@ class State:
         xp: Any = XP,
     ) -> None:
         self.balance, self.q, self.values, self.shape, self.xp = balance, q, values, shape, xp
-        boxes = xp is XP
-        self.directions = balance.directions(q, values, shape, upright) if boxes else balance.plain_directions(q, values, xp)
+        self._upright = upright
         self._stiffness: Any = None
+
+    @cached_property
+    def directions(self) -> list[Any]:
+        """Cosine, sine and length of every spring."""
+        if self.xp is XP:
+            return self.balance.directions(self.q, self.values, self.shape, self._upright)
+        return self.balance.plain_directions(self.q, self.values, self.xp)
 
     def forces(self) -> Sequence[Any]:
         """Rows of the balance."""
@@ -129,10 +139,10 @@ class Augmented:
         return out
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
-        """As for the balance."""
-        n, shape = self.balance.n, unknowns.shape[1:]
-        values = self.balance.arguments(parameters, dict(zip(self.vary, list(unknowns)[n:], strict=True)))
-        return self.balance.at_poles(list(unknowns)[:n], values, shape, width)
+        """As for the balance, and for the condition."""
+        at = self.state(list(unknowns), parameters, unknowns.shape[1:])
+        poles, more = self.balance.at_poles(at.q, at.values, at.shape, width), self.condition.given_up(at)
+        return poles if more is None else poles | more
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""

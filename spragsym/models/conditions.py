@@ -8,12 +8,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..exact.interval_arrays import stacked
 from ..exact.jets import Jet
 from .augmented import State
 
+#: A slope of the friction law that is as good as 0.
+FLAT = 1e-100
+
 
 class Plain:
-    """A condition without inequalities."""
+    """A condition without inequalities, of which halving tells more."""
+
+    def given_up(self, at: State) -> NDArray[np.bool_] | None:
+        """No box."""
+        return None
 
     def hopeless(self, at: State) -> NDArray[np.bool_]:
         """No box."""
@@ -121,6 +129,11 @@ class NoSlope(Plain):
     def equations(self, at: State) -> Sequence[Any]:
         """The slope."""
         return (at.slope(),)
+
+    def given_up(self, at: State) -> NDArray[np.bool_]:
+        """Boxes where the slope is smaller all over than anything that a sum of floats tells from 0."""
+        out: NDArray[np.bool_] = stacked([at.slope()], at.shape)[0].magnitude <= FLAT
+        return out
 
 
 def change(K: Sequence[Sequence[Any]], column: int) -> Any:

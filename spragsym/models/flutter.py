@@ -16,8 +16,8 @@ from ..exact.jets import Jet, gradient
 from . import stability
 from .augmented import Condition
 from .balance import NOTHING, Balance, Model, matrix
-from .conditions import Flutter, FrictionHopf, Hopf, NoSlope
-from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
+from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .points import Found, ModelPoints, arranged, given_column, merged, picked, ranges, search
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
@@ -70,6 +70,8 @@ def flutter_onsets(
     if damping is None:
         damping = _is_damped(balance, given, spans) if slope is None else bool(slope.magnitude.max() > NOTHING)
 
+    flat = False
+
     def found(condition: Condition) -> Found:
         return search(balance, (vary,), condition, given, spans)
 
@@ -85,7 +87,8 @@ def flutter_onsets(
         if not parts or slope.holds_zero().any():
             ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
             parts.append(_part(balance, vary, given, ends_left_out, "hopf", _every))
-    return _joined(balance, vary, given, parts)
+            flat = True
+    return _joined(balance, vary, given, parts, flat)
 
 
 # ------------------------------------------------------------------------------------------------------- what damps
@@ -228,8 +231,8 @@ def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
 
 
-def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part]) -> ModelPoints:
-    """All parts in one result."""
+def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], flat: bool) -> ModelPoints:
+    """All parts in one result; ``flat`` where the last is of places without slope."""
     first, roots = parts[0].found, [part.found.roots for part in parts]
     every = Roots(
         np.concatenate([one.ends for one in roots], axis=2),
@@ -239,4 +242,23 @@ def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part]) 
         np.concatenate([one.left_point for one in roots]),
     )
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
-    return arranged(balance, (vary,), given, replace(first, roots=every), kind, {"omega": omega})
+    remarks = _undamped(balance, vary, given, roots[-1].left) if flat else ()
+    region = np.minimum.reduce([part.found.region for part in parts])
+    found = merged(replace(first, region=region, roots=every))
+    return arranged(balance, (vary,), given, found, kind, {"omega": omega}, remarks)
+
+
+def _undamped(balance: Balance, vary: str, given: FloatArray, left: FloatArray) -> tuple[str, ...]:
+    """Of boxes that are left where the friction law is as good as flat."""
+    if balance.model.about["friction"] is None or not left.shape[2]:
+        return ()
+    place = balance.parameters.index(vary)
+    low, high = (np.repeat(given, left.shape[2], axis=1) for _ in range(2))
+    low[place], high[place] = -left[0, -1], left[1, -1]
+    with np.errstate(all="ignore"):
+        slope = balance.slope(balance.arguments(balance.prepared(Intervals.between(low, high))))
+        size = stacked([slope], left.shape[2:])[0].magnitude
+    flat = size <= FLAT
+    most = f"{size[flat].max(initial=0.0):.0e}"
+    text = f"the slope of the friction law, and with it its damping, is at most {most}: too little for floats"
+    return (f"in {int(flat.sum())} of {flat.size} undecided boxes {text}",) if flat.any() else ()

@@ -13,6 +13,7 @@ from ..errors import ParameterError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
+from . import near_zero
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
 from .columns import Columns
@@ -43,7 +44,8 @@ class ModelPoints(Columns, held_in="values"):
     error : ndarray
         Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary.
     region : ndarray
-        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters.
+        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters. A parameter that is
+        larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of what is below.
     whole : bool
         Whether that box is proved to hold all equilibria for all parameters in it.
     complete : bool
@@ -130,12 +132,18 @@ def search(
     fixed[places] = spans[:, :1]
     if budget is None:
         budget = BUDGET if system.n <= 3 else LARGE_BUDGET
-    outcome = boxes.search(system, around, fixed, fixed, limits=limits, budget=budget)
-    roots = certified_roots.roots(system, outcome, around, fixed, fixed)
-    if len(vary) == 1 and given.shape[1] == 1:
+    alone = len(vary) == 1 and given.shape[1] == 1
+    from_least = alone and near_zero.begins(system, given, around)
+    searched = np.concatenate([around[:, :-1], [[[-near_zero.LOW]], around[1:, -1]]], axis=1) if from_least else around
+    outcome = boxes.search(system, searched, fixed, fixed, limits=limits, budget=budget)
+    roots = certified_roots.roots(system, outcome, searched, fixed, fixed)
+    if from_least:
+        roots = near_zero.joined(near_zero.searched(system, fixed, around, limits), roots)
+        around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)
+    if alone:
         roots = settled(system, fixed, around, roots)
         dropped = shared(system, given, spans[0], roots.left)
-        roots = replace(roots, left=roots.left[:, :, ~dropped], left_point=roots.left_point[~dropped])
+        roots = without(roots, dropped)
     return Found(roots, around, whole)
 
 
@@ -156,6 +164,11 @@ def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArra
     fixed = [name for name in names if name not in vary]
     values = dict(zip(fixed, p.scalars(*fixed), strict=True))
     return np.array([[values.get(name, np.nan)] for name in names])
+
+
+def without(roots: Roots, dropped: NDArray[np.bool_]) -> Roots:
+    """All roots, and the boxes that are left but for some."""
+    return replace(roots, left=roots.left[:, :, ~dropped], left_point=roots.left_point[~dropped])
 
 
 def picked(roots: Roots, which: NDArray[np.bool_]) -> Roots:

@@ -210,12 +210,17 @@ def count(p: Parameters) -> NDArray[np.int8]:
     ndarray of int8
         Of that shape.
 
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+    ConvergenceError
+        For a point that has no answer, see :func:`equilibria`.
+
     Notes
     -----
     Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say how many of its roots are
     positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
-
-    Raises :class:`ConvergenceError` for a point that has no answer, see :func:`equilibria`.
 
     Examples
     --------

@@ -976,10 +976,10 @@ def test_roots_above_a_number_are_counted() -> None:
 
 def test_derivatives_within_the_margin_may_have_either_sign() -> None:
     """Certain is what holds for either sign of what is within the margin, or at it."""
-    for derivatives in itertools.product((-2.0, -1.0, 0.5, 1.0, 2.0), repeat=3):
+    for *derivatives, c in itertools.product(*[(-2.0, -1.0, 0.5, 1.0, 2.0)] * 3, (0.0, 0.5)):
         either = [(1, -1) if abs(d) <= 1 else (np.sign(d),) for d in derivatives]
         changes = {sum(np.diff([-1, *signs, 1]) != 0) for signs in itertools.product(*either)}
-        found = kernel.above(*_with_derivatives(*derivatives, 1.0, 0.0), 0.0, 1.0)
+        found = kernel.above(*_with_derivatives(*derivatives, 1.0, c), c, 1.0)
         assert (bool(found.all), bool(found.one)) == (changes == {3}, changes == {1})
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from typing import Any
 
@@ -281,6 +282,24 @@ def test_blocks_of_lift_off_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None
     pieces = ss.equilibria(p, contact=False)
     for name in ("theta", "L", "count", "stability", "error", "escalated"):
         np.testing.assert_array_equal(getattr(pieces, name), getattr(whole, name))
+
+
+@pytest.mark.parametrize("threads", [1, 2, 3])
+def test_every_thread_has_as_many_blocks_of_one_size(monkeypatch: pytest.MonkeyPatch, threads: int) -> None:
+    """Of BLOCK points or more, but less than twice as many; a thread has 12 points at least; every point is in one block."""
+    monkeypatch.setattr(solver, "BLOCK", 10)
+    kept: list[int] = []
+    monkeypatch.setattr(solver, "ThreadPoolExecutor", lambda many: (kept.append(many), ThreadPoolExecutor(many))[1])
+    for size in (0, 1, 9, 10, 11, 19, 20, 24, 35, 36, 60, 100, 101):
+        kept.clear()
+        blocks = solver._in_blocks(ss.Parameters.article(theta0=np.full(size, 0.5)), threads, 12, lambda _, *block: block)
+        used = kept[0] if kept else 1
+        assert used == max(1, min(threads, size // 12))
+        assert np.concatenate([[], *(np.arange(begin, begin + part) for begin, part in blocks)]).tolist() == list(range(size))
+        lengths = {part for _, part in blocks[:-1]}
+        assert len(lengths) <= 1
+        assert size < 10 * used or all(10 <= part < 20 for part in lengths)
+        assert len(blocks) == (used * max(1, size // (10 * used)) if size else 0)
 
 
 @pytest.mark.parametrize(("wide", "u"), [(False, 2.0**-53), (True, 2.0**-102)])

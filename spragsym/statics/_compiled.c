@@ -8,8 +8,7 @@
  *
  * solve_widely(the same): in double-double arithmetic.
  *
- * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open, of
- * parameters that are within their ranges. */
+ * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -299,12 +298,17 @@ static PyObject *solve_more(PyObject *module, PyObject *arguments) {
     return solve_by(solve_all_widely, arguments);
 }
 
+/* What is no parameter has no number; the kernel itself leaves open what is not finite, and kappa and sigma that are not
+ * positive. */
 CLONED static void count_columns(const double *theta0, const double *mu0, const double *kappa, const double *alpha,
     const double *sigma, const double *beta, signed char *restrict counts) {
     for (int i = 0; i < BLOCK; i++) {
         const Direction undeformed = cosine_and_sine(theta0[i]);
         const Point point = {undeformed.cosine, undeformed.sine, mu0[i], kappa[i], alpha[i], sigma[i], beta[i], 1.0};
-        counts[i] = (signed char)one_or_three(point, UNIT_ROUNDOFF);
+        const double number = one_or_three(point, UNIT_ROUNDOFF);
+        const int inside = (theta0[i] > 0.0) & (theta0[i] < 3.14159265358979323846) & (mu0[i] >= 0.0) &
+            (alpha[i] >= 0.0) & (beta[i] >= 0.0);
+        counts[i] = (signed char)(inside ? number : 0.0);
     }
 }
 

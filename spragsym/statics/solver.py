@@ -246,12 +246,12 @@ def count(p: Parameters) -> NDArray[np.int8]:
 def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[NDArray[np.float64]], int, int], T]) -> list[T]:
     """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number.
 
-    No more threads than have ``a_thread`` points each; all of them get the same number of blocks, and those are of one size.
+    No more threads than have ``a_thread`` points each.
     """
     given = [_column(p, name) for name in NAMES]
     size = math.prod(p.shape)
     threads = max(1, min(threads, size // a_thread))
-    length = max(1, math.ceil(size / (threads * max(1, size // (threads * BLOCK)))))
+    length = _block(size, threads)
 
     def one(begin: int) -> T:
         end = min(begin + length, size)
@@ -264,6 +264,12 @@ def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[
         with ThreadPoolExecutor(threads) as pool:
             return list(pool.map(one, begins))
     return [one(begin) for begin in begins]
+
+
+def _block(size: int, threads: int) -> int:
+    """The length of a block: as many blocks for each thread, all alike, and none shorter than BLOCK while there are points."""
+    share = size / threads
+    return max(1, math.ceil(share / max(1, share // BLOCK)))
 
 
 def _column(p: Parameters, name: str) -> NDArray[np.float64]:

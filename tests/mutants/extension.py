@@ -21,7 +21,7 @@ from spragsym.statics.slots import COLUMNS, Slots
 from .c99 import FLAGS, LARGE, SOURCE, Judge, at_the_end
 
 #: What is no parameter: place in the row, and value.
-REFUSED = ((0, 4.0), (0, np.nan), (1, -1.0), (2, 0.0), (3, np.inf), (4, -0.1), (5, -1e-9))
+REFUSED = ((0, 4.0), (0, np.pi), (0, 2 * np.pi + 0.5), (0, np.nan), (1, -1.0), (2, 0.0), (3, np.inf), (4, -0.1), (5, -1e-9))
 
 
 class Extension(Judge):

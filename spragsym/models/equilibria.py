@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
 from .columns import Columns
-from .polar import around_anchors
+from .polar import around_anchors, stiff_points
 from .precise import settled
 from .regions import region
 
@@ -100,8 +100,9 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     Notes
     -----
     Source: branch and prune over boxes of coordinates and of parameters, see :mod:`spragsym.exact.boxes`, in a region with all
-    equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.models.regions`. What float64 does not
-    decide is reduced to one unknown and decided with many digits, see :mod:`spragsym.exact.reduction`.
+    equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.models.regions`. A stiff spring is
+    looked at in its angle and tension, see :mod:`spragsym.models.polar`. What float64 does not decide is reduced to one unknown
+    and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
     balance = Balance(model, contact)
     if not contact and not balance.opens:
@@ -147,11 +148,24 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
     if not given.shape[1]:
         none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
         return Roots(none, none, nowhere, none, nowhere), around, whole
+    stiff, done = stiff_points(balance, given, around)
+    if not done.any():
+        return _by_boxes(balance, given, around), around, whole
+    rest = np.flatnonzero(~done)
+    parts = [stiff]
+    if rest.size:
+        others = _by_boxes(balance, given[:, rest], around[:, :, rest] if around.shape[2] > 1 else around)
+        parts.append(replace(others, point=rest[others.point], left_point=rest[others.left_point]))
+    return certified_roots.concatenated(parts, balance.n), around, whole
+
+
+def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
+    """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
     found = certified_roots.roots(balance, outcome, around, given, given)
     found = around_anchors(balance, given, around, found)
     found = settled(balance, given, around, found)
-    return around_anchors(balance, given, around, found, 0.0), around, whole
+    return around_anchors(balance, given, around, found, 0.0)
 
 
 def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:

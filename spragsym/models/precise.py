@@ -31,6 +31,8 @@ Known: TypeAlias = tuple[FloatArray, FloatArray] | None
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
 TOLERANCE = 1e-12
+#: Clusters of boxes of a point: more lie around no equilibria.
+CLUSTERS = 24
 #: Boxes that are compared with each other at once.
 TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
@@ -92,7 +94,11 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     if not points.size:
         return found
     regions = np.broadcast_to(around, (*around.shape[:2], given.shape[1]))
-    tasks = [(int(at), cluster) for at in points for cluster in clusters(boxes_of(found, int(at)))]
+    hulls = {int(at): clusters(boxes_of(found, int(at))) for at in points}
+    points = np.array([at for at, some in hulls.items() if len(some) <= CLUSTERS], dtype=np.int64)
+    if not points.size:
+        return found
+    tasks = [(int(at), cluster) for at in points for cluster in hulls[int(at)]]
     known = _by_double_double(balance, given, tasks)
     parts = [
         of_point(

@@ -15,6 +15,9 @@ TEST := $(VENV)/.test
 DOCS := $(VENV)/.docs
 ALL := $(VENV)/.all
 SOURCES := pyproject.toml constraints.txt Makefile
+# Bytecode is kept whatever the environment says: without it each process compiles the package anew, and each worker the tests.
+unexport PYTHONDONTWRITEBYTECODE
+
 # The compiled solver is made of these.
 COMPILED := spragsym/statics/_compiled.c spragsym/dynamics/_carried.c generated/c/spragsym.c generated/c/spragsym.h
 
@@ -110,7 +113,7 @@ lint: $(TEST)
 
 # All tests, with the lines and branches of spragsym that they reach.
 coverage: $(TEST)
-	$(TESTS) --cov --cov-branch --cov-report=term
+	HYPOTHESIS_PROFILE=all $(TESTS) --cov --cov-branch --cov-report=term
 
 # Single faults in the modules that prove things; ONLY="kernel solver" for some of them.
 mutants: $(TEST)

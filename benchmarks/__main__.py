@@ -18,6 +18,7 @@ _SECTIONS = {
     "counts": ("validate_equilibria", "Equilibria: a million adversarial points"),
     "c": ("bench_c", "The C target"),
     "languages": ("bench_languages", "JavaScript and MATLAB"),
+    "models": ("bench_models", "Models from pages beside the closed forms"),
     "catastrophe": ("bench_catastrophe", "The bifurcation set"),
     "folds": ("validate_folds", "The bifurcation set against maps of counts"),
     "dynamics": ("bench_dynamics", "Motion in time"),
@@ -26,7 +27,15 @@ _SECTIONS = {
     "scale": ("bench_scale", "How cost grows, and start-up"),
 }
 #: What ``--quick`` gives a benchmark for its size: enough to see that it runs, too little to measure.
-_QUICK = {"equilibria": "20000", "accuracy": "10", "counts": "1000", "c": "10000", "languages": "100", "scale": "4"}
+_QUICK = {
+    "equilibria": "20000",
+    "accuracy": "10",
+    "counts": "1000",
+    "c": "10000",
+    "languages": "100",
+    "models": "25",
+    "scale": "4",
+}
 _VERSIONS = ("numpy", "scipy", "mpmath", "sympy", "python-flint", "heyoka", "symforce", "wrenfold", "casadi")
 
 

@@ -54,6 +54,18 @@ def compiler() -> str | None:
 
 def build(compiler: str, flags: tuple[str, ...], source: Path | None = None) -> ctypes.CDLL:
     """The C target, from the installed package or from another folder, as a shared library."""
+    return load(compiled(compiler, flags, source))
+
+
+def load(library: bytes) -> ctypes.CDLL:
+    """A shared library from its content."""
+    with tempfile.TemporaryDirectory() as name:
+        (file := Path(name) / "lib.so").write_bytes(library)
+        return ctypes.CDLL(str(file))
+
+
+def compiled(compiler: str, flags: tuple[str, ...], source: Path | None = None) -> bytes:
+    """The shared library that a compiler makes of the C target."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for file in ("spragsym.h", "spragsym.c"):
@@ -62,7 +74,7 @@ def build(compiler: str, flags: tuple[str, ...], source: Path | None = None) -> 
         (folder / "loop.c").write_text(_LOOP, encoding="utf-8")
         command = [compiler, "-std=c99", *flags, "-shared", "-fPIC", "-o", "lib.so", "loop.c", "spragsym.c", "-lm"]
         subprocess.run(command, cwd=folder, check=True)
-        return ctypes.CDLL(str(folder / "lib.so"))
+        return (folder / "lib.so").read_bytes()
 
 
 def table(p: ss.Parameters) -> NDArray[np.float64]:

@@ -7,7 +7,7 @@ import html
 import importlib
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -51,13 +51,12 @@ def tables(thing: Any) -> Iterator[Table]:
         yield thing.as_table()
         return
     name = type(thing).__name__
-    if name == "Equilibria":
-        yield _equilibria(thing)
-        return
-    if name == "Trajectory":
-        yield _trajectory(thing)
+    if name in _KINDS:
+        yield _KINDS[name](thing)
         return
     values = _fields(thing)
+    if isinstance(values.get("undecided"), np.ndarray):
+        values["undecided"] = f"{len(values['undecided'])} boxes"
     if name == "Events":
         states = values.pop("state").T
         numbered = tuple(f"state_{i + 1}" for i in range(len(states)))
@@ -69,6 +68,8 @@ def tables(thing: Any) -> Iterator[Table]:
         else:  # several at once: a column each, whose headings say what is varied
             del values["vary"]
             values = {**dict(zip(vary, column.T, strict=True)), **values}
+    if isinstance(values.get("vary"), tuple):
+        values["vary"] = ", ".join(values["vary"])
     single = {key: value for key, value in values.items() if _is_single(value)}
     arrays = {key: value for key, value in values.items() if isinstance(value, np.ndarray) and value.ndim}
     shape = max((value.shape for key, value in arrays.items() if key not in _ANGLES), key=math.prod, default=())
@@ -90,12 +91,35 @@ def tables(thing: Any) -> Iterator[Table]:
 
 def _equilibria(eq: Any) -> Table:
     """A row for each equilibrium, with the parameters that vary over the points."""
+    return _states(eq, ("theta", "L", "x", "y", "error"))
+
+
+def _equilibria_of_a_model(eq: Any) -> Table:
+    table = _states(eq, (*eq.coordinates, "growth", "error"))
+    open_points = "" if eq.complete else f"; not complete: {len(eq.undecided)} points are undecided"
+    return replace(table, title=table.title + open_points)
+
+
+def _points_of_a_model(found: Any) -> Table:
+    """A row for each point: the parameters that vary, the coordinates, and what else is known of it."""
+    more = len(found.region) - len(found.vary) + ("omega" in found.values)  # what stands behind the parameters
+    names = (*found.vary, *list(found.values)[-more:])
+    rows = [
+        (*(_cell(name, getattr(found, name)[row]) for name in names), str(found.kind[row]), _cell("error", found.error[row]))
+        for row in range(len(found))
+    ]
+    open_boxes = "" if found.complete else f"; not complete: {len(found.undecided)} boxes are undecided"
+    shown, cut = _shown(len(rows))
+    title = f"{len(found)} points along {', '.join(found.vary)}{open_boxes}"
+    return _with_cut(title, (*map(_heading, names), "kind", "error"), [rows[i] for i in shown], cut)
+
+
+def _states(eq: Any, names: tuple[str, ...]) -> Table:
     p, shape = eq.parameters, eq.count.shape
-    points = np.argwhere(np.arange(eq.theta.shape[-1]) < eq.count[..., None])
+    points = np.argwhere(np.arange(eq.error.shape[-1]) < eq.count[..., None])
     shown, cut = _shown(len(points))
     slots = [tuple(int(i) for i in points[row]) for row in shown]
     vary = [key for key, value in _fields(p).items() if value is not None and value.size > 1]
-    names = ("theta", "L", "x", "y", "error")
     header = (*(["point"] if shape else []), *map(_heading, vary), "stability", *map(_heading, names))
     rows = []
     for slot in slots:
@@ -112,12 +136,22 @@ def _trajectory(tr: Any) -> Table:
     """First, smallest, largest and last value of each coordinate, in place of all samples."""
     rows = [
         (key, *(_cell(key, value) for value in (values[0], values.min(), values.max(), values[-1])))
-        for key, values in ((key, getattr(tr, key)) for key in ("x", "y", "vx", "vy"))
+        for key, values in ((key, getattr(tr, key)) for key in tr.components)
     ]
     known = {key: value for key, value in _fields(tr).items() if _is_single(value)}
     events = {} if tr.events is None else {"events": len(tr.events)}
     title = _title(f"Trajectory, t = {_cell('t', tr.t[0])} to {_cell('t', tr.t[-1])}", known | events, f"{len(tr.t)} samples")
     return Table(title, ("", "first", "smallest", "largest", "last"), tuple(rows))
+
+
+#: Results with a table of their own.
+_KINDS = {
+    "Equilibria": _equilibria,
+    "ModelEquilibria": _equilibria_of_a_model,
+    "ModelPoints": _points_of_a_model,
+    "ModelTrajectory": _trajectory,
+    "Trajectory": _trajectory,
+}
 
 
 def _columns(title: str, columns: Mapping[str, Any], shape: tuple[int, ...]) -> Table:
@@ -171,7 +205,8 @@ def _fields(thing: Any) -> dict[str, Any]:
     out: dict[str, Any] = {}
     for field in fields(thing):
         value = getattr(thing, field.name)
-        if not field.repr:  # private attributes are not shown
+        # Private attributes are not shown, columns that are held in a mapping are.
+        if not field.repr and field.name != getattr(type(thing), "held_in", None):
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))

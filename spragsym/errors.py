@@ -8,7 +8,7 @@ class SpragsymError(Exception):
 
 
 class ParameterError(SpragsymError, ValueError):
-    """An argument has a value that the model does not have."""
+    """An argument has a value that is not allowed."""
 
 
 class ParameterTypeError(SpragsymError, TypeError):

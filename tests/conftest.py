@@ -20,8 +20,10 @@ from spragsym.exact.intervals import Arithmetic, Balls
 Once: TypeAlias = Callable[[str, Callable[[], Any]], Any]
 Begin: TypeAlias = Callable[..., "subprocess.Popen[Any]"]
 
-# The same numbers in every run, so that a failure is one everywhere; HYPOTHESIS_PROFILE=search looks for new ones.
-settings.register_profile("repeat", derandomize=True, deadline=None)
+# The same numbers in every run, so that a failure is one everywhere: a few in `make test`, ten times as many in `make check`,
+# which sets HYPOTHESIS_PROFILE=all. HYPOTHESIS_PROFILE=search looks for new ones.
+settings.register_profile("repeat", derandomize=True, deadline=None, max_examples=30)
+settings.register_profile("all", derandomize=True, deadline=None, max_examples=300)
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "repeat"))
 
@@ -68,6 +70,17 @@ def checked(once: Once, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     rows: list[Any] = once("check", check.run)
     monkeypatch.setattr(check, "run", lambda: rows)
     return rows
+
+
+@pytest.fixture(scope="session")
+def c_library(once: Once) -> ctypes.CDLL:
+    """The C target, without optimization: compiled fastest, and the same bits."""
+    from benchmarks import c_target
+
+    compiler = c_target.compiler()
+    if compiler is None:
+        pytest.skip("no C compiler on this machine")
+    return c_target.load(once("c_target", lambda: c_target.compiled(compiler, ("-O0", "-ffp-contract=off"))))
 
 
 @pytest.fixture(params=["integers", "Arb"])

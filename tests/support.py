@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import importlib
 import os
+from collections.abc import Iterable
 from fractions import Fraction
 from types import ModuleType
+from typing import Any
 
 import mpmath
 import pytest
@@ -24,6 +26,16 @@ needs_a_quick_integrator = pytest.mark.skipif(bool(LONG_MOTIONS_TAKE_MINUTES), r
 
 #: As little as a process can be given: Windows starts none without its own folder.
 NO_ENVIRONMENT = {name: os.environ[name] for name in ("SYSTEMROOT",) if name in os.environ}
+
+
+def few(parameters: Iterable[Any], *kept: Any) -> list[Any]:
+    """Parameters of a test: those kept, by value or id, run in ``make test``, the others in ``make check`` only."""
+    found = []
+    for one in parameters:
+        values, name, marks = (one.values, one.id, one.marks) if hasattr(one, "marks") else ([one], None, ())
+        more = [] if one in kept or name in kept else [pytest.mark.thorough]
+        found.append(pytest.param(*values, id=name, marks=[*marks, *more]))
+    return found
 
 
 def as_fraction(value: mpmath.mpf) -> Fraction:

@@ -406,7 +406,7 @@ def test_everything_that_was_asked_for_is_there() -> None:
     assert wanted <= ALGEBRA.keys()
 
 
-@pytest.mark.parametrize("every", [4, pytest.param(1, marks=pytest.mark.thorough)], ids=["some", "all"])
+@pytest.mark.parametrize("every", [7, pytest.param(1, marks=pytest.mark.thorough)], ids=["some", "all"])
 @pytest.mark.parametrize("regime", [CONTACT, LIFTOFF])
 @pytest.mark.parametrize("kind", adversarial())
 def test_equilibria_against_50_digits(library: ctypes.CDLL, kind: str, regime: int, every: int) -> None:
@@ -721,13 +721,17 @@ def test_export_runs_and_does_not_overwrite(tmp_path: Path) -> None:
     arguments = ["export", "--language", "c", "--out", str(out)]
     assert CliRunner().invoke(cli, arguments).exit_code == 0
     build = ["make", "-C", str(out), f"CC={COMPILERS[0]}"]
-    subprocess.run([*build, "ARCH=-O0"], check=True, capture_output=True, timeout=60)  # -O3 takes seconds each time
+    subprocess.run([*build, "ARCH=-O0"], check=True, capture_output=True, timeout=60)  # -O3 takes seconds
     printed = subprocess.run([out / "example"], check=True, capture_output=True, text=True, timeout=60).stdout
     assert "contact: 1\n  theta 2.203367573653" in printed
     assert "theta0 from 44 to 45 degrees: 3 to 1 equilibria\ntheta0 from 155 to 156 degrees: 1 to 3 equilibria\n" in printed
-    for flags, again in (("ARCH=-O0", False), ("ARCH=-Og", True), ("ARCH=-Og", False)):
-        built = subprocess.run([*build, flags], capture_output=True, text=True, check=True, timeout=60)
-        assert ("spragsym.o" in built.stdout) == again  # other flags make anew
+    # What is made anew shows with a compiler that only touches its output.
+    (touch := tmp_path / "touch").write_text('#!/bin/sh\nwhile [ "$1" != -o ]; do shift; done\n: > "$2"\n', encoding="utf-8")
+    touch.chmod(0o700)
+    for flags, again in (("-O0", True), ("-O0", False), ("-Og", True), ("-Og", False)):
+        call = ["make", "-C", str(out), f"CC={touch}", f"ARCH={flags}"]
+        built = subprocess.run(call, capture_output=True, text=True, check=True, timeout=60)
+        assert ("spragsym.o" in built.stdout) == again  # another compiler or other flags make anew
     assert CliRunner().invoke(cli, arguments).exit_code == 0  # nothing differs
     (out / "main.c").write_text("mine\n", encoding="utf-8")
     refused = CliRunner().invoke(cli, arguments)

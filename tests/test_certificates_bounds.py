@@ -79,6 +79,7 @@ def _independent() -> dict[str, float]:
     return counts
 
 
+@pytest.mark.thorough
 def test_derived_counts_are_the_committed_ones() -> None:
     for name, count in _derived().items():
         assert getattr(emitted, name) == count
@@ -154,6 +155,7 @@ def test_sizes_that_do_not_cover_are_refused() -> None:
 
 
 # ------------------------------------------------------------------------------------------- what the counts stand on
+# All of these take the whole derivation, in make check; the independent counts above hold the emitted ones in make test.
 
 
 def _counts(name: str, places: set[int], factors: int) -> dict[str, float]:
@@ -168,6 +170,7 @@ def _kernel() -> language.Source:
     return emission.kernel()
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("place", "more"), [(0, 160), (1, 80), (2, 160)])
 def test_x_is_bounded_once_with_L_and_once_with_itself(place: int, more: int) -> None:
     """Where x decides, its roundings count half."""
@@ -175,6 +178,7 @@ def test_x_is_bounded_once_with_L_and_once_with_itself(place: int, more: int) ->
     assert many - few == more
 
 
+@pytest.mark.thorough
 def test_a_rounding_is_an_eighth_of_the_uncertainty() -> None:
     """The kernel adds 8 u to it. In 4 K₁₂ K₂₁ the roundings of an entry count twice."""
     few, many = (_counts("stiffness", {0, 1, 2, 3}, factors)["COUNT_K"] for factors in (80, 160))
@@ -183,6 +187,7 @@ def test_a_rounding_is_an_eighth_of_the_uncertainty() -> None:
     assert many - few == 2 * 160 / 8  # (K₁₁ − K₂₂)²
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("printed", "instead"), [("(r1_size + m_size * mean) / 3.0", "r1_size / 3.0"), ("0.5 * (r0_size + mean", "0.5 * (mean")]
 )
@@ -193,6 +198,7 @@ def test_a_kernel_whose_size_is_too_small_is_refused(printed: str, instead: str)
         bounds.counts(replace(source, text=source.text.replace(printed, instead)), _functions())
 
 
+@pytest.mark.thorough
 def test_magnitudes_that_are_not_those_of_the_coefficients_are_refused() -> None:
     function = _functions()["f_magnitudes"]
     for place in (0, 1):

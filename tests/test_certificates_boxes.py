@@ -476,9 +476,12 @@ def test_points_are_parted_where_they_move_the_root_or_cost_much():
             assert left == [(UNIT[:, :, 0].tolist(), 1), (UNIT[:, :, 0].tolist(), 2)]
         else:
             assert [node for _, node in left] == [0, 0]
+    # What has become too narrow is given up for both at once, unless it is the parameters that keep it open.
     tiny = sized(boxes.NARROW, boxes.NARROW)
     left, undecided = divided(TWO, tiny, tiny, quiet, OPEN)
-    assert (len(left), len(undecided)) == (2, 0)
+    assert (left, [node for _, node in undecided]) == ([], [0])
+    left, undecided = divided(TWO, tiny, tiny, quiet + share * boxes.NARROW, OPEN)
+    assert ([node for _, node in left], undecided) == ([1, 2], [])
     # Boxes of both kinds in one go.
     both = np.concatenate([UNIT, UNIT, UNIT], axis=2)
     left, undecided = divided(

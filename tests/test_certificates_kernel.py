@@ -16,8 +16,10 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 from numpy.typing import NDArray
 
+import spragsym as ss
 from spragsym.generated import equilibrium as generated
 from spragsym.generated import kernel
 from spragsym.generated.kernel import Balance, Direction, Point, Root
@@ -134,6 +136,18 @@ def _sized(value: Any) -> Sized:
 # -------------------------------------------------------------------------------------------------- discriminant
 
 
+def _the_discriminant(line: Balance, u: Any) -> Any:
+    return kernel.discriminant(line, kernel.cubic(*line[:4]), u)
+
+
+def _has_one_positive(line: Balance, u: Any) -> Any:
+    return kernel.one_positive(line, kernel.quartic(*line[:4]), u)
+
+
+def _factors(*coefficients: Any) -> Any:
+    return kernel.factors(kernel.quartic(*coefficients), kernel.cubic(*coefficients))
+
+
 def _discriminant(a: Array, b: Array, d: Array, m: Array) -> Array:
     """P³ + Q² of the resolvent, as textbooks shift it: nothing of the kernel's."""
     r0, r1, r2 = generated.resolvent(a, b, d, m)
@@ -144,7 +158,7 @@ def _discriminant(a: Array, b: Array, d: Array, m: Array) -> Array:
 @pytest.mark.parametrize(("nbar", "least"), [(1, 0.2), (0, 0.2)])
 def test_the_discriminants_bound_holds(nbar: int, least: float) -> None:
     def share(rows: Array) -> Array:
-        value, error = kernel.discriminant(_line(rows, nbar), U)
+        value, error = _the_discriminant(_line(rows, nbar), U)
         assert value.dtype == np.float32
         return np.abs(value - _discriminant(*_true_line(rows, nbar)[:4])) / error
 
@@ -169,7 +183,7 @@ def test_the_discriminants_bound_has_every_term_and_nothing_else(u: float) -> No
     by_Q = off_Q * (2 * np.abs(Q.value) + off_Q)
     needed = by_P + by_Q + 4 * u * (np.abs(P.value) ** 3 + Q.value**2)
     enough = 3 * P_size**2 * off_P + 2 * Q_size * off_Q + 4 * u * (P_size**2 * P.size + Q_size * Q.size)
-    value, error = kernel.discriminant(line, u)
+    value, error = _the_discriminant(line, u)
     np.testing.assert_allclose(value, P.value**3 + Q.value**2, atol=1e-13, rtol=1e-9)
     assert (error >= needed * (1 - 1e-9)).all()
     assert (error <= enough * (1 + 1e-9) + 1e-307).all()
@@ -191,7 +205,7 @@ def test_the_discriminants_bound_holds_term_by_term(name: str) -> None:
     """Next to the point where one term of the bound carries it."""
     rng = np.random.default_rng(2)
     rows = _stored(np.array(ALONE[name])[:, None] * (1 + rng.normal(0, 0.02, (6, 20000))))
-    value, error = kernel.discriminant(_line(rows, 1), U)
+    value, error = _the_discriminant(_line(rows, 1), U)
     true = _discriminant(*_true_line(rows, 1)[:4])
     share = np.abs(value - true) / error
     assert (error > 0).all()
@@ -203,7 +217,7 @@ def test_the_bound_stays_one_where_digits_underflow() -> None:
     rng = np.random.default_rng(3)
     for _ in range(300):
         a, b, d, m = (float(value) for value in rng.choice([-1, 1], 4) * 10.0 ** rng.uniform(-54.5, -52, 4))
-        value, error = kernel.discriminant(Balance(*map(np.float64, (a, b, d, m, abs(a), abs(d), 1.0))), np.float64(2.0**-53))
+        value, error = _the_discriminant(Balance(*map(np.float64, (a, b, d, m, abs(a), abs(d), 1.0))), np.float64(2.0**-53))
         with mpmath.workdps(60):
             P, Q = kernel.depressed(*kernel.resolvent(*map(mpmath.mpf, (a, b, d, m))))
             assert abs(mpmath.mpf(float(value)) - (P**3 + Q**2)) <= mpmath.mpf(float(error))
@@ -238,7 +252,7 @@ def test_one_positive_is_said_only_where_the_sign_is_sure_and_wherever_it_is(nba
     rows = _stored(rows)
     line, true = _line(rows, nbar), _true_line(rows, nbar)
     e1, off = 2 * (true.a + true.d), 2 * kernel.COUNT_E1 * float(U) * (true.a_size + true.d_size)
-    said = kernel.one_positive(line, U)
+    said = _has_one_positive(line, U)
     assert not (said & (e1 >= 0)).any()
     assert said[e1 < -2.1 * off].all()
     assert not said[e1 > -0.5 * off].any()
@@ -251,8 +265,8 @@ def test_one_positive_counts_both_terms(a: float, d: float, a_size: float, d_siz
     """e₁ = −2 here: certain as long as the roundings of a and d, twice, are less."""
     border = 1 / (kernel.COUNT_E1 * (a_size + d_size))
     line = Balance(a, -1.0, d, 0.5, a_size, d_size, 1.0)
-    assert kernel.one_positive(line, 0.999 * border)
-    assert not kernel.one_positive(line, 1.001 * border)
+    assert _has_one_positive(line, 0.999 * border)
+    assert not _has_one_positive(line, 1.001 * border)
 
 
 # ------------------------------------------------------------------------------------------------------ at_root
@@ -268,7 +282,7 @@ def _true_root(theta: Array, line: Any) -> Array:
 def _at_roots(rows: Array, nbar: int, rng: np.random.Generator, off: float) -> tuple[Array, dict[str, Array], dict[str, Array]]:
     """What the kernel says at a root that is a little off, and the truth; only where a root is proved."""
     line, true = _line(rows, nbar), _true_line(rows, nbar)
-    halves = kernel.factors(*true[:4])
+    halves = _factors(*true[:4])
     first, second = kernel.root_pair(halves.p1, halves.q1), kernel.root_pair(halves.p2, halves.q2)
     t = np.choose(rng.integers(0, 4, rows.shape[1]), [first.large, first.small, second.large, second.small])
     t32 = (t * (1 + off * rng.normal(0, 1, t.size))).astype(np.float32)
@@ -402,7 +416,7 @@ def test_the_factors_multiply_to_the_quartic() -> None:
     worst = 0.0
     with mpmath.workdps(60):
         for line in _lines(np.random.default_rng(10), 600):
-            p1, q1, p2, q2 = (mpmath.mpf(float(value)) for value in kernel.factors(*map(np.float64, line)))
+            p1, q1, p2, q2 = (mpmath.mpf(float(value)) for value in _factors(*map(np.float64, line)))
             assert q1 < 0 < q2
             A0, A1, A2, A3 = _monic(line)
             sizes = (abs(q1 * q2), abs(p1 * q2) + abs(p2 * q1), abs(q1) + abs(q2) + abs(p1 * p2), abs(p1) + abs(p2))
@@ -417,7 +431,7 @@ def test_the_resolvents_root_is_the_one_apart_to_a_few_roundings() -> None:
         for line in _lines(np.random.default_rng(11), 500):
             coefficients = kernel.resolvent(*map(mpmath.mpf, line))
             r0, r1, r2 = coefficients
-            x = far = mpmath.mpf(float(kernel.simple_root(*map(np.float64, line))))
+            x = far = mpmath.mpf(float(kernel.simple_root(kernel.cubic(*map(np.float64, line)))))
             for _ in range(8):
                 slope = (3 * far + 2 * r2) * far + r1
                 far -= (((far + r2) * far + r1) * far + r0) / slope if slope else 0
@@ -466,11 +480,11 @@ def test_a_step_that_leads_astray_is_not_taken() -> None:
         after = kernel.polish(*map(np.float64, start))
         assert after.q1 < 0 < after.q2
         assert after.q1 * after.q2 == pytest.approx(-1.0, rel=1e-15)
-    assert kernel.simple_root(*map(np.float64, (0.0, 0.0, 0.0, 3.0))) == pytest.approx(3.0)
-    assert np.isfinite(kernel.simple_root(*map(np.float64, (1.0, 0.0, 1.0, 0.0))))
+    assert kernel.simple_root(kernel.cubic(*map(np.float64, (0.0, 0.0, 0.0, 3.0)))) == pytest.approx(3.0)
+    assert np.isfinite(kernel.simple_root(kernel.cubic(*map(np.float64, (1.0, 0.0, 1.0, 0.0)))))
     # r₂² = 3 r₁ and r₂³ = 27 r₀: the threefold root −r₂/3, as at a cusp.
     a, b, m = 1.0, 0.0, 0.0
-    assert abs(kernel.simple_root(*map(np.float64, (a, b, a, m)))) < 1e-100
+    assert abs(kernel.simple_root(kernel.cubic(*map(np.float64, (a, b, a, m))))) < 1e-100
 
 
 @pytest.mark.parametrize("nbar", [1, 0])
@@ -481,7 +495,7 @@ def test_guesses_are_the_roots_that_may_be_equilibria(nbar: int) -> None:
     point = Point(*np.broadcast_arrays(*point))
     line, u = Balance(*np.broadcast_arrays(*kernel.balance(point))), 2.0**-53
     got = kernel.guesses(point, line, u)
-    D, one = kernel.discriminant(line, u), kernel.one_positive(line, u)
+    D, one = _the_discriminant(line, u), _has_one_positive(line, u)
     seen = set()
     for row in range(3000):
         found = np.roots([value[row] for value in kernel.t_quartic(*np.broadcast_arrays(*line[:4]))][::-1])
@@ -528,7 +542,7 @@ def test_a_step_longer_than_the_root_is_from_its_mean_is_none(monkeypatch: pytes
         x = z - r2 / 3
         step = (((x + r2) * x + r1) * x + r0) / ((3 * x + 2 * r2) * x + r1)
         if abs(step) > 2 * abs(z):
-            assert kernel.simple_root(a, b, d, m) == x
+            assert kernel.simple_root(kernel.cubic(a, b, d, m)) == x
             taken.add(step > 0)
     assert taken == {False, True}
 
@@ -752,28 +766,6 @@ def test_a_balance_is_f_over_its_largest_coefficient() -> None:
         assert largest.tolist() == ([0, 1, 2, 3] if nbar else [0, 1, 2])
 
 
-def test_single_needs_a_certificate_and_ordinary_numbers() -> None:
-    rng = np.random.default_rng(19)
-    point = _point(_random(rng, 20000), 1, np.float64)
-    line, u = kernel.balance(point), 2.0**-53
-    D, one = kernel.discriminant(line, u), kernel.one_positive(line, u)
-    said = kernel.single(point, u)
-    np.testing.assert_array_equal(said, (_discriminant(*line[:4]) > 0) & (np.abs(D.value) > D.error) | one)
-    assert (one & ~(D.value > 0)).any()
-    assert (~one & (D.value > 0)).any()
-    assert not said.all()
-    for change in ({"mu0": 1e-260}, {"kappa": 1e205}, {"sin0": 1e-251}):
-        assert kernel.single(FINE, u)
-        assert not kernel.single(FINE._replace(**change), u)
-
-
-def test_single_takes_no_discriminant_that_is_only_as_large_as_its_error(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(kernel, "one_positive", lambda *_: False)
-    for value, said in ((-2.0, False), (0.0, False), (1.0, False), (1.1, True)):
-        monkeypatch.setattr(kernel, "discriminant", lambda *_, value=value: kernel.Discriminant(value, 1.0))
-        assert bool(kernel.single(FINE, 2.0**-53)) == said
-
-
 # ------------------------------------------------------------------------------- each term of a state's bounds, alone
 
 
@@ -962,58 +954,106 @@ def test_stability_is_told_how_far_cosine_sine_and_length_may_be_off(
 # -------------------------------------------------------------------------------------------------- one or three
 
 
-@pytest.mark.parametrize("u", [1e-3, 1e-2, 0.0])
-def test_f_and_the_side_between_two_roots_are_told_apart_from_rounding(u: float) -> None:
-    """f and y at the angle whose half's tangent is the geometric mean, with 40 digits, against counts of their own sizes."""
-    rng, told = np.random.default_rng(91), set()
-    with mpmath.workdps(40):
-        for _ in range(600):
-            one, other = 10.0 ** rng.uniform(-2, 2, 2)
-            a, b, d, m = rng.choice([-1.0, 1.0], 4) * rng.uniform(0.1, 1.0, 4)
-            line = Balance(a, b, d, m, abs(a) * rng.uniform(1, 2), abs(d) * rng.uniform(1, 2), 1.0)
-            kappa, sigma, sin0 = rng.uniform(0.01, 2.0), rng.uniform(0.1, 2.0), rng.uniform(0.01, 1.0)
-            found = kernel.separation(one, other, FINE._replace(sin0=sin0, kappa=kappa, sigma=sigma), line, u)
-            angle = 2 * mpmath.atan(mpmath.sqrt(mpmath.mpf(one) * other))
-            c, s = mpmath.cos(angle), mpmath.sin(angle)
-            value = a * s * c + b * c + d * s - m * s * s
-            error = kernel.COUNT_F * u * (line.a_size * s * abs(c) + abs(b * c) + line.d_size * s + abs(m) * s * s)
-            depth, margin = sigma * (s - sin0) + kappa, kernel.COUNT_STATE * u * (sigma * (s + sin0) + kappa)
-            assert abs(found.t - mpmath.tan(angle / 2)) < 1e-15 * found.t
-            if min(abs(abs(value) - error), abs(abs(depth) - margin)) > 1e-12:
-                wanted = (value > error, value < -error, depth > margin, depth < -margin)
-                assert (found.positive, found.negative, found.inside, found.outside) == wanted
-                told.add(wanted)
-    assert len(told) >= (6 if u else 4)
+def _with_derivatives(d1: Any, d2: Any, d3: Any, e4: Any, c: Any) -> tuple[Any, Any, Any, Any]:
+    """e1 … e4 of the quartic with these derivatives at c, over factorials."""
+    e3 = d3 - 4 * e4 * c
+    e2 = d2 - 3 * e3 * c - 6 * e4 * c**2
+    return d1 - 2 * e2 * c - 3 * e3 * c**2 - 4 * e4 * c**3, e2, e3, e4
 
 
-def test_what_is_exactly_0_between_two_roots_is_neither() -> None:
-    found = kernel.separation(1.0, 1.0, FINE._replace(sin0=1.0, kappa=0.0), Balance(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), 0.0)
-    assert not any((found.positive, found.negative, found.inside, found.outside))
+def test_roots_above_a_number_are_counted() -> None:
+    """Three positive roots and a negative one, and c between them: all of the three are above, or one."""
+    rng, seen = np.random.default_rng(91), set()
+    for _ in range(4000):
+        positive, negative = np.sort(10.0 ** rng.uniform(-1, 1, 3)), -(10.0 ** rng.uniform(-1, 1))
+        coefficients = np.polynomial.polynomial.polyfromroots([*positive, negative]) * 10.0 ** rng.uniform(-1, 1)
+        c = rng.choice([rng.uniform(0, positive[0]), rng.uniform(positive[1], positive[2])])
+        found = kernel.above(*coefficients[1:], c, 0.0)
+        assert (bool(found.all), bool(found.one)) == (c < positive[0], c > positive[0])
+        seen.add(bool(found.all))
+    assert seen == {False, True}
 
 
-def test_one_or_three_by_what_stands_between_the_roots(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Every combination of signs, sides and places, written out as the docstring has it."""
-    line = Balance(0.1, -0.5, 0.1, 1.0, 0.1, 0.1, 1.0)
-    kinds = [(f, side) for f in ("+", "-", "") for side in ("in", "out", "")]
-    places = [(0.8, 1.2), (1.0, 1.0), (1.2, 1.4), (0.6, 0.8), (1.4, 0.7), (0.8, 1.0), (1.0, 1.2)]
+def test_derivatives_within_the_margin_may_have_either_sign() -> None:
+    """Certain is what holds for either sign of what is within the margin, or at it."""
+    for derivatives in itertools.product((-2.0, -1.0, 0.5, 1.0, 2.0), repeat=3):
+        either = [(1, -1) if abs(d) <= 1 else (np.sign(d),) for d in derivatives]
+        changes = {sum(np.diff([-1, *signs, 1]) != 0) for signs in itertools.product(*either)}
+        found = kernel.above(*_with_derivatives(*derivatives, 1.0, 0.0), 0.0, 1.0)
+        assert (bool(found.all), bool(found.one)) == (changes == {3}, changes == {1})
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_one_or_three_is_the_number_wherever_it_is_said(seed: int) -> None:
+    """In float32, whose roundings are felt, against the roots in float64; and it is said of most points."""
+    rng = np.random.default_rng([92, seed])
+    rows = _random(rng, 60000)
+    said = np.broadcast_to(kernel.one_or_three(_point(rows, 1), U), 60000)
+    theta0, *others = rows
+    exact = kernel.one_or_three(_point(rows, 1, np.float64), 2.0**-53)
+    true = ss.equilibria(ss.Parameters(theta0, *others)).count
+    assert (np.abs(rows[0] - math.pi / 2) < 1).any()
+    assert ((said == 0) | (said == true)).all()
+    assert ((exact == 0) | (exact == true)).all()
+    assert set(said[rows[4] * np.sin(theta0) > rows[2]]) == {0, 1, 3}
+    assert (said == 0).mean() < 0.2
+    assert (exact == 0).mean() < 1e-3
+
+
+def test_no_root_lies_beyond_the_upper_end_of_contact() -> None:
+    """|b| − a s > α q s for s < s* = sin θ₀ − κ/σ, as polynomials with positive coefficients; and what f is then."""
+    s, rise, excess, alpha, beta, sigma, mu0, cosine, cos0 = sp.symbols("s rise excess alpha beta sigma mu0 c c0", positive=True)
+    level, B = s + rise, beta + 1
+    a, b, d, m = kernel.f_coefficients(cos0, level + excess, mu0, sigma * excess, alpha, sigma, beta, 1)
+    surplus = sp.Poly(sp.expand(-b - a * s - alpha * (B + sigma) * s), s, rise, excess, alpha, beta, sigma)
+    assert all(coefficient > 0 for coefficient in surplus.coeffs())
+    f = kernel.f(-cosine, s, a, b, d, m)
+    assert sp.expand(f - (cosine * (-b - a * s) + s * (m * rise + alpha * (B + sigma) * cos0))) == 0
+
+
+def _patched(monkeypatch: pytest.MonkeyPatch, line: Balance, e1: float, value: float, found: kernel.Above) -> list[Any]:
+    """One point whose quartic, discriminant and roots in contact are as given; what is asked of the last."""
+    asked: list[Any] = []
     monkeypatch.setattr(kernel, "balance", lambda _: line)
-    for (low, high), lower, upper in itertools.product(places, kinds, kinds):
-        given = {(1.0, 2.0): (low, lower), (2.0, 3.0): (high, upper)}
+    monkeypatch.setattr(kernel, "quartic", lambda *_: kernel.Quartic(-0.5, e1, -2.0, 3.0, 0.5))
+    monkeypatch.setattr(kernel, "discriminant", lambda *_: kernel.Discriminant(value, 1.0))
+    monkeypatch.setattr(kernel, "above", lambda *given: (asked.append(given), found)[1])
+    return asked
 
-        def between(one: float, other: float, *_: Any, given: dict[Any, Any] = given) -> kernel.Separation:
-            t, (f, side) = given[one, other]
-            return kernel.Separation(t, f == "+", f == "-", side == "in", side == "out")
 
-        monkeypatch.setattr(kernel, "separation", between)
-        alone = (lower == ("+", "out") and low < 1) or (upper == ("-", "out") and high > 1)
-        three = lower == ("+", "in") and upper == ("-", "in") and low < high
-        cases = [(count, True, FINE) for count in (1.0, 1.5, 2.0, 2.5, 3.0)]
-        for count, certain, point in (*cases, (3.0, False, FINE), (3.0, True, FINE._replace(kappa=0.0))):
-            wanted = (1.0 if alone or count < 2 else 3.0 if three else 0.0) if certain and point is FINE else 0.0
-            guesses = kernel.Guesses(1.0, 2.0, 3.0, 4.0, count, certain)
-            assert kernel.one_or_three(guesses, point, 1e-16) == wanted
-    monkeypatch.setattr(kernel, "balance", lambda _: line._replace(scale=1e201))
-    assert kernel.one_or_three(kernel.Guesses(1.0, 2.0, 3.0, 4.0, 1.0, True), FINE, 1e-16) == 0
+def test_one_or_three_by_every_certificate(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every combination, written out as the docstring has it; at the border of an error nothing is certain."""
+    u = 2.0**-52
+    line = Balance(0.1, -0.5, 0.1, 1.0, 0.25, 0.75, 1.0)
+    margin = 2.0**-16  # 512 √u (1 + 0.25 + 0.75)
+    below = -2.0 * kernel.COUNT_E1 * u
+    for value, e1, every, one in itertools.product(
+        (-1.5, -1.0, 0.0, 1.0, 1.5), (-1.0, 0.9 * below, 0.0, margin, 1.01 * margin), (False, True), (False, True)
+    ):
+        asked = _patched(monkeypatch, line, e1, value, kernel.Above(every, one))
+        three = value < -1 and e1 > margin
+        wanted = 1 if value > 1 or e1 < below or (three and one) else 3 if three and every else 0
+        assert kernel.one_or_three(FINE, u) == wanted
+        assert asked[-1][:4] == (e1, -2.0, 3.0, 0.5)
+        assert asked[-1][5] == margin
+        for change in ({"mu0": 1e-260}, {"sin0": 1e-251}):
+            assert kernel.one_or_three(FINE._replace(**change), u) == 0
+        _patched(monkeypatch, line._replace(scale=1e201), e1, value, kernel.Above(every, one))
+        assert kernel.one_or_three(FINE, u) == 0
+
+
+def test_contact_begins_where_the_mass_touches_the_belt(monkeypatch: pytest.MonkeyPatch) -> None:
+    """t = tan(θ/2) with sin θ = sin θ₀ − κ/σ, or 0 where every direction is in contact; √(22 u) off at most."""
+    asked = _patched(monkeypatch, Balance(0.1, -0.5, 0.1, 1.0, 0.1, 0.1, 1.0), 1.0, -2.0, kernel.Above(True, False))
+    rng = np.random.default_rng(93)
+    with mpmath.workdps(40):
+        for _ in range(300):
+            sin0, sigma = 1 - 10.0 ** rng.uniform(-17, -0.1), 10.0 ** rng.uniform(-2, 2)
+            kappa = sigma * rng.choice([rng.uniform(0, 1.5), 10.0 ** rng.uniform(-17, 0)])
+            assert kernel.one_or_three(FINE._replace(sin0=sin0, kappa=kappa, sigma=sigma), 2.0**-53) == 3
+            lowest = max(mpmath.mpf(sin0) - mpmath.mpf(kappa) / sigma, 0)
+            off = abs(asked[-1][4] - mpmath.tan(mpmath.asin(lowest) / 2))
+            assert off <= (1e-15 if lowest < 0.9 else math.sqrt(22) * 2.0**-26.5)
 
 
 def test_guesses_are_one_or_three_in_contact_and_two_or_four_else() -> None:

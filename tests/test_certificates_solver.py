@@ -351,7 +351,7 @@ def test_a_discriminant_within_its_error_counts_for_nothing(monkeypatch: pytest.
     """The second factor is then looked at: its roots, complex here, settle nothing."""
     p = ss.Parameters.article(theta0=[1.2, 2.0], mu0=0.3)
     assert not ss.equilibria(p, contact=False).escalated.any()
-    monkeypatch.setattr(kernel, "discriminant", lambda line, u: kernel.Discriminant(value + 0 * line.b, 1 + 0 * line.b))
+    monkeypatch.setattr(kernel, "discriminant", lambda line, *_: kernel.Discriminant(value + 0 * line.b, 1 + 0 * line.b))
     assert ss.equilibria(p, contact=False).escalated.all()
 
 
@@ -361,7 +361,9 @@ def test_one_positive_root_settles_a_point_whatever_the_discriminant() -> None:
     values = 10.0 ** rng.uniform(-2, 1.5, (5, 40000))
     p = ss.Parameters(rng.uniform(0.01, 3.13, 40000), *values)
     line = kernel.balance(kernel.Point(np.cos(p.theta0), np.sin(p.theta0), *values, 1))
-    some = np.flatnonzero((kernel.discriminant(line, 2.0**-53).value < -1e-6) & kernel.one_positive(line, 2.0**-53))
+    trig, u = line[:4], 2.0**-53
+    four = kernel.discriminant(line, kernel.cubic(*trig), u).value < -1e-6
+    some = np.flatnonzero(four & kernel.one_positive(line, kernel.quartic(*trig), u))
     assert some.size > 20
     few = ss.equilibria(ss.Parameters(p.theta0[some], *values[:, some]))
     assert few.escalated.mean() < 0.05
@@ -455,10 +457,10 @@ def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatc
     """With the backend that was asked for, and the roundoff of float64."""
     p = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 49.0, 120.0]), mu0=0.5)
     asked: list[float] = []
-    plain = kernel.single
+    plain = kernel.one_or_three
     monkeypatch.setattr(solver, "equilibria", None)
     monkeypatch.setattr(solver.compiled, "count", None)
-    monkeypatch.setattr(kernel, "single", lambda point, u: (asked.append(u), plain(point, u))[1])
+    monkeypatch.setattr(kernel, "one_or_three", lambda point, u: (asked.append(u), plain(point, u))[1])
     assert ss.count(p).tolist() == [3, 3, 1, 1]
     assert asked == [2.0**-53]
     monkeypatch.setattr(solver, "_count", None)

@@ -11,6 +11,7 @@ import sympy as sp
 
 from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
+from tests.support import few
 from tests.theorem_steps import balance, broken_steps, coefficients, derive_first, quartic, state
 
 FORM = elimination.f_form
@@ -29,7 +30,7 @@ def deeper() -> sp.Expr:
 
 @pytest.mark.parametrize(
     ("module", "name", "changed", "claim"),
-    [
+    few([
         pytest.param(elimination, "quartic_in_t", lambda: (*quartic(), nm.fm), "begins with −b t⁴", id="a power too many"),
         pytest.param(elimination, "quartic_in_t", lambda: (quartic()[0], quartic()[1] + nm.fm, *quartic()[2:]),
                      "three positive roots need", id="coefficient of t alone"),
@@ -49,7 +50,7 @@ def deeper() -> sp.Expr:
         pytest.param(elimination, "f_form", FORM + nm.fb * nm.c, "f is negative before", id="f at 0"),
         pytest.param(elimination, "f_form", FORM + 2 * nm.fb * (nm.c + 1), "s* ≤ 0: contact is 0 < θ < π", id="f at 0 alone"),
         pytest.param(catastrophe, "slope_identity", lambda: False, "L det K = f′", id="slope"),
-    ],
+    ], "a power too many", "preload", "sign of L", "y that grows with the depth", "slope"),
 )  # fmt: skip
 def test_what_a_step_rules_out_is_noticed(
     module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch
@@ -110,8 +111,8 @@ def test_what_must_be_positive_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> 
 
 
 @pytest.mark.parametrize("e1", [-1, 0])
-@pytest.mark.parametrize("e2", [-1, 0])
-@pytest.mark.parametrize("e3", [-1, 0, 1])
+@pytest.mark.parametrize("e2", few([-1, 0], -1))
+@pytest.mark.parametrize("e3", few([-1, 0, 1], -1, 1))
 def test_descartes_rule_is_asked_for_every_row_of_signs(e1: int, e2: int, e3: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(theorem, "manifestly_positive", lambda *_, **__: True)
     monkeypatch.setattr(theorem, "_changes", lambda signs: 1 + (tuple(signs) == (-1, e1, e2, e3, 1)))

@@ -129,7 +129,11 @@ NOT_ALGEBRA = {"eq-7", "eq-10", "eq-29", "def-tau", "def-prime", "def-x", "def-y
 ALGEBRA = [id for id, entry in PRINTED.items() if not callable(entry.expression) and id not in NOT_ALGEBRA]
 
 
-@pytest.mark.parametrize("id", ALGEBRA)
+#: Those whose LaTeX takes longest to be parsed.
+LONG = ("A2", "A3", "A4", "A6", "A7", "A8", "eq-28")
+
+
+@pytest.mark.parametrize("id", [pytest.param(id, marks=pytest.mark.thorough) if id in LONG else id for id in ALGEBRA])
 def test_typesetting_agrees_with_transcription(id: str) -> None:
     entry = PRINTED[id]
     expected = entry.expression if isinstance(entry.expression, tuple) else (entry.expression,)
@@ -265,7 +269,8 @@ def plain_differences(monkeypatch: pytest.MonkeyPatch) -> None:
 
 #: Those that take longest; what the others show is the same, by the same code.
 LARGE = (
-    "A1-c0", "A1-d0", "A2", "A3", "A4", "A6", "A7", "A8", "eq-1", "eq-2", "eq-6", "eq-9", "eq-12", "eq-13", "eq-14", "eq-28",
+    "A1-c0", "A1-d0", "A2", "A3", "A4", "A5", "A6", "A7", "A8", "A9", "A10", "eq-1", "eq-2", "eq-6", "eq-8", "eq-9", "eq-10",
+    "eq-12", "eq-13", "eq-14", "eq-15", "eq-28",
 )  # fmt: skip
 
 
@@ -341,7 +346,14 @@ _RELATIONS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("id", "change"), [(id, change) for id, changes in _RELATIONS.items() for change in changes])
+@pytest.mark.parametrize(
+    ("id", "change"),
+    [
+        pytest.param(id, change, marks=[pytest.mark.thorough] if place else [])
+        for id, changes in _RELATIONS.items()
+        for place, change in enumerate(changes)
+    ],
+)
 def test_changed_relations_are_caught(id: str, change: article.Expression) -> None:
     assert check_with(id, change).status == check.FAILED
 

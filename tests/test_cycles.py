@@ -76,6 +76,17 @@ def test_a_cycle_keeps_its_promises(slow: ss.Cycle) -> None:
     assert slow.spring_force == pytest.approx((force.min(), force.max()), abs=1e-8)
 
 
+def test_both_integrators_carry_derivatives_over_a_border(slow: ss.Cycle) -> None:
+    duration = slow.loop.crossings()[0].t + 0.5
+    directions = np.eye(8)[:2]  # of theta0 and mu0
+    one, other = (carrier(SPRAG, name)[0](slow.state, slow.loop.constants, duration, directions) for name in ("heyoka", "scipy"))
+    assert [crossing.t for crossing in one.crossings] == pytest.approx([crossing.t for crossing in other.crossings], abs=1e-10)
+    assert one.crossings
+    for name in ("state", "by_state", "by_parameters"):
+        assert np.abs(getattr(one, name) - getattr(other, name)).max() < 1e-9
+
+
+@pytest.mark.thorough
 def test_both_integrators_find_the_same(slow: ss.Cycle) -> None:
     other = ss.cycle(at(42.0), **BELT, near=slow, backend="scipy")
     assert np.abs(other.state - slow.state).max() < 1e-10
@@ -318,7 +329,8 @@ def test_a_grazing_changes_the_number_of_kinks(branch: ss.CycleBranch) -> None:
     assert gap < 1e-4  # between samples it is 0
 
 
-def test_the_branches_that_the_diagram_draws_are_of_cycles() -> None:
+@pytest.mark.parametrize("every", [4, pytest.param(1, marks=pytest.mark.thorough)], ids=["some", "all"])
+def test_the_branches_that_the_diagram_draws_are_of_cycles(every: int) -> None:
     """One cycle of each, found again: its period, and that it is stable where the committed search says so."""
     pytest.importorskip("matplotlib")
     from spragsym.figures.oscillation import found_cycles
@@ -326,7 +338,7 @@ def test_the_branches_that_the_diagram_draws_are_of_cycles() -> None:
     found = found_cycles()
     assert (found["V"], found["d"]) == (BELT["V"], BELT["d"])
     kinds = {"fold", "period_doubling", "torus", "homoclinic", "end"}
-    for line in found["branches"]:
+    for line in found["branches"][::every]:
         theta0, period, *state = line["at"]
         again = ss.cycle(ss.Parameters.article(theta0=theta0), **BELT, near=state, patient=False)
         assert again.period == pytest.approx(period, rel=1e-10), line["name"]
@@ -403,11 +415,16 @@ def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate(
     assert found.error.max() < 1e-10
     reach = [ss.simulate(p, **BELT, x0=off, rtol=1e-12, t_end=1000.0).amplitude(300.0) for off in (-1e-6, 1e-6)]
     assert min(reach) < 1 < max(reach)
-    model = ss.load("kang_nam")
-    again = model.basin_boundary(model.Parameters(theta0=FATE), plane=("x", "vx"), to=((-0.1, 0.1), (-0.1, 0.1)), points=1)
-    assert again.points == pytest.approx(found.points, abs=1e-7)  # along the curve; across it they are one
     with pytest.raises(ss.ParameterError, match="three equilibria"):
         ss.basin_boundary(at(60.0), **BELT)
+
+
+@pytest.mark.thorough
+def test_a_loaded_model_has_the_boundary_of_its_basin() -> None:
+    p, model, to = ss.Parameters.article(theta0=FATE), ss.load("kang_nam"), ((-0.1, 0.1), (-0.1, 0.1))
+    found = ss.basin_boundary(p, **BELT, to=to, points=1)
+    again = model.basin_boundary(model.Parameters(theta0=FATE), plane=("x", "vx"), to=to, points=1)
+    assert again.points == pytest.approx(found.points, abs=1e-7)  # along the curve; across it they are one
 
 
 def test_exponents_of_a_cycle_are_those_of_its_multipliers(slow: ss.Cycle) -> None:
@@ -474,6 +491,7 @@ def test_where_the_belt_stands_still() -> None:
     assert np.abs(springs.x - edge.saddle[0]).min() < 1e-9
 
 
+@pytest.mark.thorough
 def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
     """Deviations shrink by e^−300 and more where the mass sticks: what rounding loses is not told as an exponent."""
     steep = {"V": 0.5, "d": 1e4}
@@ -488,6 +506,7 @@ def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
     assert "points were followed" in branch.of("end")[-1].how
 
 
+@pytest.mark.thorough
 def test_failures_of_loaded_models_are_told_as_well() -> None:
     for name in ("kang_nam", "stick_slip"):
         model = ss.load(name)
@@ -591,6 +610,7 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
     assert np.abs(found.multipliers - slow.multipliers).max() < 1e-9
 
 
+@pytest.mark.thorough
 def test_a_loaded_model_on_the_command_line(tmp_path: Any) -> None:
     picture = tmp_path / "branch.svg"
     vary = ["--vary", "V", "--from", "0.195", "--to", "0.21", "--plot", str(picture)]
@@ -626,6 +646,7 @@ def test_a_loaded_model_has_branches_and_exponents() -> None:
         model.basin_boundary(model.Parameters(), plane=("x", "vx"))
 
 
+@pytest.mark.thorough
 def test_a_loaded_model_has_fates() -> None:
     model = ss.load("kang_nam")
     found = model.fate_boundary(model.Parameters(), vary="theta0", bracket=(0.7209, 0.7211))

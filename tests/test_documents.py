@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import doctest
 import importlib
+import inspect
 import os
 import pkgutil
 import re
@@ -66,8 +67,14 @@ MODULES = sorted(
     if not name.endswith("__main__") and ".cli" not in name and ".derive" not in name
 )
 
+#: Modules whose examples take seconds; their tests have the same calls.
+LONG_EXAMPLES = ("spragsym.cycles.fates", "spragsym.cycles.branch")
 
-@pytest.mark.parametrize("name", ["spragsym", *MODULES])
+
+@pytest.mark.parametrize(
+    "name",
+    ["spragsym", *(pytest.param(name, marks=pytest.mark.thorough) if name in LONG_EXAMPLES else name for name in MODULES)],
+)
 def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each example of a module runs as it stands."""
     if name.startswith(("spragsym.cycles", "spragsym.sweeps.basins")) and LONG_MOTIONS_TAKE_MINUTES:
@@ -79,6 +86,21 @@ def test_docstring_examples(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(ROOT)
     failed, _ = doctest.testmod(module, optionflags=OPTIONS)
     assert failed == 0
+
+
+FUNCTIONS = [name for name in spragsym.__all__ if inspect.isfunction(getattr(spragsym, name))]
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_a_public_function_says_what_it_takes_gives_and_refuses(name: str) -> None:
+    function = getattr(spragsym, name)
+    text, signature = inspect.getdoc(function) or "", inspect.signature(function)
+    wanted = {"Examples"}
+    if signature.parameters:
+        wanted |= {"Parameters", "Raises"}
+    if signature.return_annotation not in (None, "None"):
+        wanted.add("Returns")
+    assert {section for section in wanted if f"\n{section}\n{'-' * len(section)}\n" not in text} == set()
 
 
 # -------------------------------------------------------------------------------------------------------- README
@@ -94,7 +116,7 @@ def test_readme_python() -> None:
 
 
 #: Commands that take seconds; ``test_cli`` and ``test_studies`` run them in their own process.
-LONG = ("spragsym check", "spragsym report")
+LONG = ("spragsym check", "spragsym report", "spragsym bifurcation --plot")
 
 
 @pytest.mark.parametrize(
@@ -175,9 +197,22 @@ def test_the_theory_names_what_exists() -> None:
             assert callable(getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)), name
 
 
-@pytest.mark.parametrize("command", [command for command, _ in commands(DOCS / "command_line.md")])
+@pytest.mark.parametrize(
+    "command",
+    [
+        pytest.param(command, marks=pytest.mark.thorough) if command.startswith("spragsym sweep") else command
+        for command, _ in commands(DOCS / "command_line.md")
+    ],
+)
 def test_command_line_page(command: str, tmp_path: Path) -> None:
     assert_shown(dict(commands(DOCS / "command_line.md"))[command], run(command, tmp_path))
+
+
+def test_the_page_on_the_command_line_lists_every_command() -> None:
+    from spragsym.cli import COMMANDS
+
+    listed = re.findall(r"^\| `(\w+)` \|", (DOCS / "command_line.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert sorted(listed) == sorted(COMMANDS)
 
 
 def test_the_reference_has_every_public_name() -> None:

@@ -12,13 +12,25 @@ from click.testing import CliRunner
 
 import spragsym as ss
 from spragsym.cli.motion import simulate as simulate_command
-from spragsym.dynamics import Event, Trajectory, integrators, simulate, with_compiled, with_heyoka, with_scipy
+from spragsym.cycles.sprag import SPRAG
+from spragsym.dynamics import (
+    Event,
+    Trajectory,
+    flows,
+    integrators,
+    simulate,
+    sprag,
+    variations_scipy,
+    with_compiled,
+    with_heyoka,
+    with_scipy,
+)
 from spragsym.dynamics.lobatto import DEGREE, unit_points
 from spragsym.dynamics.problem import event_at, prepare
 from spragsym.files import storage
 from spragsym.generated import stability
 from spragsym.statics.solver import equilibria
-from tests.support import needs_a_quick_integrator
+from tests.support import few, needs_a_quick_integrator
 
 BACKENDS = [
     "scipy",
@@ -85,7 +97,7 @@ def test_events_lie_on_the_kinks_and_alternate(base: dict[str, Trajectory]) -> N
         np.testing.assert_allclose(tr(tr.events.t).T, tr.events.state, atol=1e-10)
 
 
-@pytest.mark.parametrize(("backend", "rtol", "t_end"), [("scipy", 1e-12, 2e3), ("heyoka", 1e-13, 1e4)])
+@pytest.mark.parametrize(("backend", "rtol", "t_end"), [("scipy", 1e-12, 4e2), ("heyoka", 1e-13, 1e4)])
 def test_energy_is_kept_without_friction(backend: str, rtol: float, t_end: float) -> None:
     if backend == "heyoka":
         pytest.importorskip("heyoka")
@@ -108,9 +120,9 @@ def test_energy_is_kept_in_each_regime() -> None:
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_energy_balance_closes_with_friction(backend: str) -> None:
-    tr = simulate(BASE, **BELT, rtol=1e-12, t_end=1000.0, backend=backend)
+    tr = simulate(BASE, **BELT, rtol=1e-12, t_end=400.0, backend=backend)
     work = tr.integral(tr.friction_power())
-    assert tr.integral(np.abs(tr.friction_power())) > 0.5
+    assert tr.integral(np.abs(tr.friction_power())) > 0.2
     assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-11)
 
 
@@ -192,7 +204,7 @@ def test_a_flight_between_two_points_of_the_search_is_found() -> None:
 
 def test_integrators_find_the_same_events_from_random_starts() -> None:
     rng = np.random.default_rng(5)
-    for _ in range(15):
+    for _ in range(8):
         p = ss.Parameters.article(theta0=rng.uniform(0.2, 2.9), mu0=rng.uniform(0, 1), beta=rng.uniform(0, 0.5))
         start = dict(zip(("x0", "y0", "vx0", "vy0"), rng.normal(size=4) * [0.3, 0.05, 0.3, 0.05], strict=True))
         belt = {"V": rng.uniform(0.02, 0.5), "d": rng.uniform(1, 30)}
@@ -218,7 +230,7 @@ def through_a_thin_layer() -> np.ndarray:
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
-@pytest.mark.parametrize("rtol", [1e-7, 1e-9, 1e-11, 1e-13])
+@pytest.mark.parametrize("rtol", few([1e-7, 1e-9, 1e-11, 1e-13], 1e-9, 1e-13))
 def test_a_thin_layer_of_creep_is_seen_from_far_away(rtol: float, backend: str, through_a_thin_layer: np.ndarray) -> None:
     if (backend, rtol) != ("scipy", 1e-13):  # that is the reference
         assert np.abs(_through_a_thin_layer(rtol, backend) - through_a_thin_layer).max() < 3000 * rtol
@@ -402,6 +414,61 @@ def test_the_gap_does_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(with_scipy, "GAP", 1e-10)
     wide = simulate(BASE, **BELT, t_end=100.0, rtol=1e-12, backend="scipy")
     assert np.abs(tr.state[:, -1] - wide.state[:, -1]).max() < 1e-9
+
+
+def test_a_cycle_that_scipy_closes_closes_in_all_digits(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However roughly Newton's method began: what is told of the cycle stands on its last steps."""
+    p = ss.Parameters(
+        theta0=2.7812867375530876, mu0=0.4634621203921272, kappa=0.01839, alpha=0.0076022, sigma=0.2678068, beta=0.0
+    )
+    belt = {"V": 0.15216712083347134, "d": 5.41751330401023}
+    problem = prepare(p, **belt, start=(0, 0, 0, 0), t_end=60.0, rtol=1e-10)
+    near = np.array([0.0294, 0.7032, 0.0, 0.0])
+    found = flows.onward(problem, "scipy").closed(near, 20.673, 0.1)
+    run = {"rtol": 1e-13, "backend": "scipy"}
+    starts = [found.state, *(found.state + off * np.eye(4)[i] for i in (0, 1, 3) for off in (1e-6, -1e-6))]
+    back = [
+        simulate(p, **belt, **dict(zip(("x0", "y0", "vx0", "vy0"), q.tolist(), strict=True)), t_end=25.0, **run) for q in starts
+    ]
+    assert np.abs(back[0](found.period) - found.state).max() < 2e-11
+    # The slope, by differences of the returns to where x is largest.
+    returns = np.array([_highest_near(tr, found.period) for tr in back])
+    np.testing.assert_allclose(found.slope, (returns[1::2] - returns[2::2]).T / 2e-6, atol=1e-4)
+    monkeypatch.setattr(flows, "LOOSE", 1e-6)
+    again = flows.onward(problem, "scipy").closed(near, 20.673, 0.1)
+    assert np.abs(again.state - found.state).max() < 1e-11
+    assert again.period == pytest.approx(found.period, abs=1e-11)
+
+
+def _highest_near(tr: Trajectory, t: float) -> np.ndarray:
+    """x, y, y' at the maximum of x nearest to a time."""
+    course = tr.course()
+    return np.delete(course.maxima[np.argmin(np.abs(course.maxima_t - t))], 2)
+
+
+def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
+    """Or cycles near a state at rest along the belt are found by one integrator and not by the other."""
+    none = np.zeros((2, 8))
+    constants = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
+    for name in set(_installed()) & set(integrators.OF_ANY_MODEL):
+        passage = flows.flow(SPRAG, name, derivatives=False).fly(np.array([1.7, 0.34, 0.0, 0.06]), constants, 30.0, none)
+        turns = [turn for turn in passage.turns if turn.border == -1]
+        assert turns[0].t == 0
+        assert [turn.direction for turn in turns] == [(-1) ** (i + 1) for i in range(len(turns))]
+        assert len(turns) > 3
+
+
+def test_derivatives_that_nobody_asks_for_are_left_out() -> None:
+    field, none, unit = sprag.field(42.0), np.zeros((2, 8)), np.eye(2, 8)
+    constants = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
+    few, all_of_them = (
+        variations_scipy.Flight(field).fly(np.array([0.0, 0.01, 0.6, 0.0]), constants, 12.0, each) for each in (none, unit)
+    )
+    assert few.crossings
+    assert not few.by_parameters.any()
+    assert all_of_them.by_parameters.any()
+    np.testing.assert_allclose(few.by_state, all_of_them.by_state, rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose([turn.t for turn in few.turns], [turn.t for turn in all_of_them.turns], rtol=1e-11)
 
 
 def test_files_hold_the_trajectory(tmp_path) -> None:

@@ -26,6 +26,7 @@ from spragsym.derive.kang_nam import linear_sprag as linear_model
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam import stability as linearized
 from spragsym.generated import catastrophe, equilibrium, linear_sprag, motion, scales, stability
+from spragsym.generated._where import where
 
 EPS = 2.0**-53
 
@@ -847,3 +848,30 @@ def test_docstrings_count_operations_and_name_their_source() -> None:
         assert "Source: " in documentation, function.name
         assert "Operations: " in documentation, function.name
         assert all(f"\n{name} : number or array\n" in documentation for name in function.arguments), function.name
+
+
+@pytest.mark.parametrize("share", [0.0, 0.03, 0.4, 0.97, 1.0])
+@pytest.mark.parametrize("shape", [(3,), (5000,), (2, 3000)])
+def test_the_choice_between_numbers_is_that_of_numpy_bit_for_bit(share: float, shape: tuple[int, ...]) -> None:
+    """For every share of flags, of arrays and single numbers, of one shape or several, and of any type."""
+    rng = np.random.default_rng(5)
+    flag = rng.random(shape) < share
+    one, other = rng.normal(0, 1, (2, *shape))
+    one[..., :2], other[..., 1:3] = (np.nan, -0.0), (np.inf, 0.0)
+    row, long = other.reshape(-1)[: shape[-1]], one.astype(np.longdouble)
+    cases = [
+        (flag, one, other),
+        (flag, 1.0, other),
+        (flag, one, -0.0),
+        (flag, 1.0, np.float64(2.0)),
+        (flag, row, one),
+        (flag, long, other),
+    ]
+    cases += [(flag.reshape(-1)[: shape[-1]], one, row), (flag[..., ::2], one[..., ::2], other[..., ::2]), (flag, 1, other)]
+    cases += [(flag, one.astype(np.float32), np.float32(1.0)), (bool(flag.flat[0]), one, other)]
+    for case in cases:
+        got, wanted = where(*case), np.where(*case)
+        assert got.dtype == wanted.dtype
+        assert got.shape == wanted.shape
+        assert got.tobytes() == wanted.tobytes() or wanted.dtype == np.longdouble
+        np.testing.assert_array_equal(got, wanted)

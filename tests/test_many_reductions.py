@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from math import isqrt
+from typing import Any
 
 import numpy as np
 import pytest
 
 from spragsym.exact import many_reductions, reduction
+from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.intervals import Balls
+from spragsym.exact.jets import constant, gradient, variables
 from spragsym.exact.wide_balls import WideBalls
 
 #: Distances of three roots from each other.
@@ -21,10 +26,25 @@ def system(gaps):
 
     def evaluate(rows, q):
         x, y = q
-        squares = WideBalls.exact(gaps[rows]) * WideBalls.exact(gaps[rows])
-        return [x**3 - x * squares - y, y - x**2 * WideBalls.exact(np.full(rows.size, 2.0**-10))]
+        gap = exact(gaps[rows], x)
+        return [x**3 - x * (gap * gap) - y, y - x**2 * 2.0**-10]
 
-    return evaluate
+    return System(evaluate)
+
+
+@dataclass(frozen=True)
+class System:
+    """Equations, and their slopes by jets."""
+
+    values: Callable[[np.ndarray, Sequence[Any]], Sequence[Any]]
+
+    def slopes(self, rows, q):
+        return [gradient(row, len(q)) for row in self.values(rows, variables(q, 1))]
+
+
+def exact(values, like):
+    """Floats in the numbers of a computation."""
+    return WideBalls.exact(values) if isinstance(constant(like), WideBalls) else Intervals.point(values)
 
 
 def roots_of(gap):
@@ -62,7 +82,7 @@ def test_a_double_root_stays_open():
         x, y = q
         return [x**2 - y, y + 0]
 
-    found = many_reductions.reduced_roots(evaluate, boxes, slopes)
+    found = many_reductions.reduced_roots(System(evaluate), boxes, slopes)
     assert found.open.all()
 
 
@@ -71,9 +91,9 @@ def test_no_root_is_no_root():
 
     def evaluate(rows, q):
         x, y = q
-        return [x**2 - y + WideBalls.exact(np.array([1e-20, 1e-10])[rows]), y + 0]
+        return [x**2 - y + exact(np.array([1e-20, 1e-10])[rows], x), y + 0]
 
-    found = many_reductions.reduced_roots(evaluate, boxes, slopes)
+    found = many_reductions.reduced_roots(System(evaluate), boxes, slopes)
     assert not found.open.any()
     assert found.box.size == 0
 

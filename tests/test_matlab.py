@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import itertools
 import math
 import re
@@ -13,7 +14,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import c_target, languages
+from benchmarks import languages
 from benchmarks.languages import OCTAVE, octave
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
@@ -72,12 +73,10 @@ def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: boo
         assert np.array_equal(np.isfinite(found.columns[name]), filled)
 
 
-@pytest.mark.skipif(c_target.compiler() is None, reason="no C compiler on this machine")
-def test_every_bit_is_that_of_c(everything: Any) -> None:
+def test_every_bit_is_that_of_c(everything: Any, c_library: ctypes.CDLL) -> None:
     """Statuses, counts, states and bounds of all points, vouched for or not: one kernel, no operation of it different."""
-    library = c_target.build(str(c_target.compiler()), ("-O1",))
     for contact, (p, found) in everything.items():
-        assert not languages.unlike_c(found, library, p, contact).any()
+        assert not languages.unlike_c(found, c_library, p, contact).any()
 
 
 # ------------------------------------------------------------------------------------------------------ algebra
@@ -247,6 +246,7 @@ def test_every_file_has_a_help_text() -> None:
             assert re.match(rf"%{path.stem.upper()}  \S", first), path
 
 
+@pytest.mark.thorough
 def test_examples_run_as_the_page_prints(package: Path) -> None:
     """Every program of the page with what it prints; the two examples are on it as exported. What is drawn are folds."""
     programs, outputs = fenced(PAGE, "matlab"), fenced(PAGE, "text")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import pytest
 
@@ -16,15 +18,19 @@ from spragsym.figures.models import label  # noqa: E402  needs matplotlib
 BETWEEN = {"mu0": (0.0, 1.0)}
 
 
+@pytest.fixture(scope="module")
+def found():
+    model = ss.load("kang_nam")
+    return model.bifurcation_set(model.Parameters(theta0=1.0), n=6, between=BETWEEN)
+
+
 @pytest.fixture
 def ax():
     return plot.Figure().subplots()
 
 
-def test_the_bifurcation_set_on_given_axes(ax):
-    model = ss.load("kang_nam")
-    found = model.bifurcation_set(model.Parameters(theta0=1.0), n=6, between=BETWEEN)
-    lines = figures.draw_bifurcation_set_of(model, found, ax)
+def test_the_bifurcation_set_on_given_axes(ax, found):
+    lines = figures.draw_bifurcation_set_of(ss.load("kang_nam"), found, ax)
     assert len(lines) == len(found.curves) + 1
     assert all(line.axes is ax for line in lines)
     for line, curve in zip(lines, found.curves, strict=False):
@@ -69,8 +75,9 @@ def test_labels_are_those_of_the_dimensionless_numbers():
     assert label(ss.load("kang_nam"), "theta0") == r"$\theta_o$ (deg)"
 
 
-def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr("spragsym.models.Model.bifurcation_set", few_lines(ss.load("kang_nam").bifurcation_set))
+@pytest.mark.thorough
+def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
+    monkeypatch.setattr("spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: found)
     file = tmp_path / "set.svg"
     command = ["bifurcation", "--model", "kang_nam", "--plot", str(file)]
     assert status(command) == 0
@@ -80,12 +87,21 @@ def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys):
     assert status([*command[:-1], str(tmp_path / "set.gif")]) != 0
 
 
+def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
+    """Of the two folds of the article's model only the one within the range; the cusp is outside of it."""
+    monkeypatch.setattr("spragsym.models.Model.bifurcation_set", few_lines(ss.load("kang_nam").bifurcation_set))
+    command = ["bifurcation", "--model", "kang_nam", "--between", "theta0=100:170", "--between", "mu0=0.3:0.6", "--json"]
+    assert status([*command, "--plot", str(tmp_path / "set.svg")]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert np.degrees([row["theta0"] for row in told["folds"]["points"]]) == pytest.approx([155.05941879], abs=1e-7)
+    assert told["cusps"]["points"] == []
+    for wrong, text in (("mu0", "give it as mu0=0:1"), ("mu0=1", "give it as mu0=0:1"), ("sigma=0:1", "sigma does not vary")):
+        assert status(["bifurcation", "--model", "kang_nam", "--between", wrong]) == 2
+        assert text in capsys.readouterr().err
+
+
 def status(command):
     """What the command ends with."""
     with pytest.raises(SystemExit) as ended:
         main(command)
     return ended.value.code or 0
-
-
-def few_lines(search):
-    return lambda self, p, vary, n, **options: search(p, vary, 4, **options)

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import copy
+import importlib
 import importlib.util
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -157,6 +161,7 @@ def test_a_sweep_of_the_articles_page_is_that_of_the_article() -> None:
         assert getattr(ours, name).tolist() == getattr(theirs, name).tolist()
 
 
+@pytest.mark.thorough
 def test_a_sweep_goes_through_a_file_and_other_processes(tmp_path: Any) -> None:
     """The same bits from two processes; a finished file is read, that of another model refused."""
     model = ss.load("stick_slip")
@@ -205,9 +210,68 @@ def test_commands_take_a_model(tmp_path: Any, capsys: pytest.CaptureFixture[str]
     assert command("equilibria", "--model", "stick_slip", "-V", "0.3") == 0
     shown = capsys.readouterr().out
     friction = 2 * 0.5 * 0.3 * 0.1 / (0.3**2 + 0.1**2)  # x = μ(V) N_0/k
-    assert float(shown.split()[-2]) == pytest.approx(friction, abs=1e-9)
+    assert float(shown.split()[-3]) == pytest.approx(friction, abs=1e-9)
     assert command("bifurcation", "--model", "kang_nam", "--along", "") == 0
     assert "44.559317" in capsys.readouterr().out
+
+
+def test_a_state_that_oscillates_does_not_pass_for_stable(capsys: pytest.CaptureFixture[str]) -> None:
+    """Without damping, as (27), sliding of `stick_slip` is stable; the falling friction law makes it grow without a damper."""
+    growth = []
+    for damper in ("0", "0.9"):
+        assert command("equilibria", "--model", "stick_slip", "-V", "0.3", "--zeta", damper) == 0
+        header, row = (line.split() for line in capsys.readouterr().out.splitlines())
+        assert row[header.index("stability")] == "stable"
+        growth.append(float(row[header.index("growth")]))
+    assert growth[0] > 0 > growth[1]
+
+
+def test_the_motion_of_a_model_is_drawn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    pytest.importorskip("matplotlib")
+    words = ("simulate", "--model", "trolley", "--theta0", "49", "--t-end", "20")
+    assert command(*words, "--plot", str(tmp_path / "motion.svg")) == 0
+    assert (tmp_path / "motion.svg").read_text(encoding="utf-8").count('<g id="axes_') == 3
+    capsys.readouterr()
+    assert command(*words, "--plot", str(tmp_path / "motion.doc")) == 2
+    assert "the ending must be .pdf, .png or .svg" in capsys.readouterr().err
+
+
+def test_a_component_is_drawn_by_its_name() -> None:
+    """A trolley's third component is x_a, an article's is vx."""
+    figures = pytest.importorskip("spragsym.figures")
+    model = ss.load("trolley")
+    motion = model.simulate(model.Parameters(theta0=0.8), t_end=5.0, vx0=0.3, backend="scipy")
+    for name in motion.components:
+        line = figures.draw_motion(motion, name, pytest.importorskip("matplotlib.figure").Figure().add_subplot())
+        assert line.get_ydata()[[0, -1]] == pytest.approx(getattr(motion, name)[[0, -1]])
+
+
+def test_help_names_the_unit_of_time_of_the_model(capsys: pytest.CaptureFixture[str]) -> None:
+    model = ss.load("stick_slip")
+    assert command("simulate", "--model", "stick_slip", "--help") == 0
+    unit = model.about["scales"]["time"].replace("**", "^")
+    assert "k_c" not in unit
+    assert f"in {unit}" in " ".join(capsys.readouterr().out.split())
+
+
+def test_a_parameter_named_as_an_option_is_refused_by_its_name(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    model = ss.load("stick_slip")
+    first = model.about["parameters"][0]
+    mine = SimpleNamespace(
+        name="mine", about={**model.about, "parameters": [{**first, "name": "t_end"}]}, parameters=("t_end",), coordinates=(),
+        rates=(), base={}, Parameters=SimpleNamespace(ranges={"t_end": model.Parameters.ranges[first["name"]]}),
+    )  # fmt: skip
+    monkeypatch.setattr(importlib.import_module("spragsym.models"), "load", lambda name: mine)
+    assert command("simulate", "--model", "mine") == 2
+    assert "the parameter t_end of mine has the name of an option of spragsym simulate" in capsys.readouterr().err
+
+
+def test_a_motion_can_be_copied_and_sent_to_another_process() -> None:
+    model = ss.load("stick_slip")
+    motion = model.simulate(model.Parameters(), t_end=5.0)
+    assert np.array_equal(copy.deepcopy(motion).x, motion.x)  # as a pickle takes it apart
 
 
 def test_commands_name_what_is_wrong_with_a_model(capsys: pytest.CaptureFixture[str]) -> None:

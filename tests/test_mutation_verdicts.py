@@ -9,15 +9,21 @@ import pytest
 from tests.mutants.verdicts import Definitions, Journal, report
 
 TEXT = """
+'''What the file is about.'''
+
 import math
 
 LIMIT = 3
 
 def helper(x):
+    'Whether x is below.'
     return x < LIMIT
 
+class Kept:
+    'Nothing.'
+
 def test_one():
-    assert helper(1)
+    assert helper(1) or Kept
 
 def test_other(fixture):
     assert math.pi > 3  # a comment
@@ -32,7 +38,9 @@ def _stamped(tmp_path: Path, text: str, *names: str) -> str:
 
 def test_a_stamp_takes_in_what_a_test_names_and_nothing_else(tmp_path: Path) -> None:
     before = _stamped(tmp_path, TEXT, "test_one")
-    for same in (("# a comment", "# another"), ("math.pi > 3", "math.pi > 2"), ("(fixture)", "(other)")):
+    prose = (("about.", "about, more or less."), ("Whether x is below.", "Small?"), ("Nothing.", "A class."))
+    for same in (("# a comment", "# another"), ("math.pi > 3", "math.pi > 2"), ("(fixture)", "(other)"), *prose):
+        assert same[0] in TEXT
         assert _stamped(tmp_path, TEXT.replace(*same), "test_one") == before
     for changed in (
         ("x < LIMIT", "x <= LIMIT"),

@@ -21,7 +21,7 @@ from pathlib import Path
 import pytest
 
 import spragsym
-from tests.support import NO_ENVIRONMENT
+from tests.support import NO_ENVIRONMENT, few
 
 ROOT = Path(__file__).resolve().parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
@@ -163,6 +163,7 @@ def committed(*folders: str) -> set[str]:
     }
 
 
+@pytest.mark.thorough
 def test_the_wheel_holds_all_of_the_package(archives: tuple[Path, Path]) -> None:
     with zipfile.ZipFile(archives[0]) as wheel:
         names = set(wheel.namelist())
@@ -176,6 +177,7 @@ def test_the_wheel_holds_all_of_the_package(archives: tuple[Path, Path]) -> None
     assert any(name.endswith("licenses/LICENSE") for name in names)
 
 
+@pytest.mark.thorough
 def test_the_source_distribution_holds_all_of_the_tree(archives: tuple[Path, Path]) -> None:
     with tarfile.open(archives[1]) as sdist:
         names = {name.partition("/")[2] for name in sdist.getnames()}
@@ -231,6 +233,8 @@ def test_the_wheel_holds_the_compiled_solver(archives: tuple[Path, Path], tmp_pa
     assert not wheel.name.endswith("-none-any.whl")
 
 
+@pytest.mark.thorough
+@pytest.mark.parametrize("python", ["wheel"], indirect=True)
 def test_without_a_compiler_numpy_serves(archives: tuple[Path, Path], python: Path) -> None:
     """What was built without one solves, and says what is missing."""
     assert extensions(archives[0]) == []
@@ -278,8 +282,8 @@ def test_gcc_and_clang_give_the_same_bits(archives: tuple[Path, Path], tmp_path:
 # ------------------------------------------------------------------------------------------- an empty environment
 
 
-def environment(home: Path, wheel: Path) -> Path:
-    """An environment with a wheel and what it requires, and nothing else; its interpreter."""
+def environment(home: Path, wheel: Path | None) -> Path:
+    """An environment with a wheel, or this tree, and what it requires, and nothing else; its interpreter."""
     if os.name != "posix":
         pytest.skip("needs links to what is installed")
     venv.create(home, with_pip=False, symlinks=True)
@@ -290,15 +294,19 @@ def environment(home: Path, wheel: Path) -> Path:
             link = there / "site-packages" / path.name
             if not link.exists():
                 link.symlink_to(path)
+    if wheel is None:
+        (there / "site-packages/spragsym").symlink_to(ROOT / "spragsym")
+        return interpreter
     with zipfile.ZipFile(wheel) as archive:
         archive.extractall(there / "site-packages")
     return interpreter
 
 
-@pytest.fixture(scope="module")
-def python(archives: tuple[Path, Path], tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """An environment with the wheel."""
-    return environment(tmp_path_factory.mktemp("empty"), archives[0])
+@pytest.fixture(scope="module", params=few(["tree", "wheel"], "tree"))
+def python(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An environment without the extras."""
+    wheel = request.getfixturevalue("archives")[0] if request.param == "wheel" else None
+    return environment(tmp_path_factory.mktemp("empty"), wheel)
 
 
 def call(python: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
@@ -338,9 +346,9 @@ def test_commands_without_extras(python: Path) -> None:
     [
         (["check"], "derive"),
         (["bifurcation", "--plot", "a.pdf"], "plot"),
-        (["figures", "--out", "figures"], "plot"),
+        pytest.param(["figures", "--out", "figures"], "plot", marks=pytest.mark.thorough),
         (["simulate", "--theta0", "49", "--backend", "heyoka"], "fast"),
-        (["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"], "sweep"),
+        pytest.param(["simulate", "--theta0", "49", "--t-end", "1600", "--output", "a.nc"], "sweep", marks=pytest.mark.thorough),
         (["sweep", "--theta0", "49", "--output", "a.nc"], "sweep"),
     ],
 )
@@ -397,6 +405,7 @@ def test_every_editable_install_is_by_path() -> None:
             assert not re.search(r"install\b.* (-e|--editable)\b", line) or "editable_mode=compat" in line, f"{path.name}: {line}"
 
 
+@pytest.mark.thorough
 def test_console_script_is_declared(archives: tuple[Path, Path]) -> None:
     with zipfile.ZipFile(archives[0]) as wheel:
         (entry,) = (name for name in wheel.namelist() if name.endswith("entry_points.txt"))

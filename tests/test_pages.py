@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import sys
 from pathlib import Path
 
@@ -137,9 +138,9 @@ def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None
 # ------------------------------------------------------------------------------------------------ folders and load
 
 
-def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path) -> None:
+def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path, written: Path) -> None:
     out = tmp_path / (os.fsdecode(b"Bremse \xb0") if sys.platform == "linux" else "Bremse °")  # bytes that are no text in UTF-8
-    folder.write_page(changed(tmp_path), out)
+    shutil.copytree(written, out)
     ours, shipped = ss.load(out), ss.load("kang_nam")
     assert ours.parameters == shipped.parameters
     assert ours.base == shipped.base
@@ -151,8 +152,8 @@ def test_a_folder_loads_as_the_shipped_model_does(tmp_path: Path) -> None:
     assert rates[0] == rates[1]
 
 
-def test_a_folder_that_was_derived_again_is_loaded_again(tmp_path: Path) -> None:
-    folder.write_page(changed(tmp_path), tmp_path / "out")
+def test_a_folder_that_was_derived_again_is_loaded_again(tmp_path: Path, written: Path) -> None:
+    shutil.copytree(written, tmp_path / "out")
     first = ss.load(tmp_path / "out")
     other = tmp_path / "other"
     other.mkdir()
@@ -161,10 +162,17 @@ def test_a_folder_that_was_derived_again_is_loaded_again(tmp_path: Path) -> None
     assert (first.base["mu0"], second.base["mu0"]) == (0.5, 0.6)
 
 
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of the article's page as a user's."""
+    place = tmp_path_factory.mktemp("written")
+    folder.write_page(changed(place), place / "out")
+    return place / "out"
+
+
 @pytest.mark.parametrize("damage", ["code", "json", "missing", "foreign", "keys"])
-def test_a_damaged_folder_says_so(damage: str, tmp_path: Path) -> None:
-    out = tmp_path / "out"
-    folder.write_page(changed(tmp_path), out)
+def test_a_damaged_folder_says_so(damage: str, tmp_path: Path, written: Path) -> None:
+    out = shutil.copytree(written, tmp_path / "out")
     if damage == "code":
         (out / "statics.py").write_text((out / "statics.py").read_text(encoding="utf-8") + "\n", encoding="utf-8")
     elif damage == "json":
@@ -221,6 +229,7 @@ def test_every_row_holds_for_the_articles_page() -> None:
     assert {status for status, _ in judged("kang_nam").values()} == {variant.HOLDS}
 
 
+@pytest.mark.thorough
 def test_a_constant_force_changes_the_right_sides_only() -> None:
     """On the tilted belt the weight stands in b and in nothing that is made of D; the quartic in b_1, b_2 stays."""
     rows = judged("inclined_belt")
@@ -231,6 +240,7 @@ def test_a_constant_force_changes_the_right_sides_only() -> None:
     assert {status for status, _ in rows.values()} == {variant.HOLDS, variant.FAILS}
 
 
+@pytest.mark.thorough
 def test_dampers_change_motion_and_stability_only() -> None:
     rows = judged("damped")
     assert {id for id, (status, _) in rows.items() if status != variant.HOLDS} == {
@@ -258,6 +268,7 @@ def test_check_of_a_mass_on_one_spring() -> None:
     assert rows["def-L"] == (variant.NO_MEANING, "there is no inclined spring")
 
 
+@pytest.mark.thorough
 def test_check_of_a_mass_that_never_leaves_the_belt() -> None:
     rows = judged("mode_coupling")
     assert rows["eq-27"] == (variant.HOLDS, "")

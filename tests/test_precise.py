@@ -214,7 +214,7 @@ def _run_threads(number: int, seconds: float) -> None:
 
 
 def test_threads_give_the_bits_of_one() -> None:
-    _run_threads(3, 2.0)
+    _run_threads(3, 0.7)
 
 
 @pytest.mark.thorough

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 import spragsym as ss
@@ -49,7 +49,6 @@ def numbers(p: ss.Parameters) -> tuple[float, ...]:
 
 
 @given(points(), st.booleans())
-@settings(max_examples=200)
 def test_equilibria_balance_on_the_unit_circle(p: ss.Parameters, contact: bool) -> None:
     """The state closes the geometry (4), (5), (cos θ, sin θ) has unit norm, it balances, and lies on its side of y = 0."""
     assume(contact or p.beta > 0 or p.kappa != p.sigma)  # else the mass may sit at the spring's anchor, L = 0, an error
@@ -68,7 +67,6 @@ def test_equilibria_balance_on_the_unit_circle(p: ss.Parameters, contact: bool) 
 
 
 @given(points())
-@settings(max_examples=200)
 def test_slope_of_f_is_the_determinant(p: ss.Parameters) -> None:
     """L det K = f′ at every equilibrium; so the middle one of three is divergent."""
     eq = ss.equilibria(p)
@@ -85,7 +83,6 @@ def test_slope_of_f_is_the_determinant(p: ss.Parameters) -> None:
 
 
 @given(st.fractions(-1, 1), st.fractions(-1, 1), *[st.fractions(Fraction(1, 100), 3) for _ in range(5)], st.sampled_from([0, 1]))
-@settings(max_examples=200)
 def test_mirror_symmetry_is_exact(
     half: Fraction, half0: Fraction, mu0: Fraction, kappa: Fraction, alpha: Fraction, sigma: Fraction, beta: Fraction, nbar: int
 ) -> None:
@@ -99,7 +96,6 @@ def test_mirror_symmetry_is_exact(
 
 
 @given(points())
-@settings(max_examples=100)
 def test_without_friction_the_mirror_image_is_a_solution(p: ss.Parameters) -> None:
     """θ₀ → π − θ₀ at μ₀ = 0 mirrors all states: x → −x, y as it was."""
     p = p.replace(mu0=0.0)
@@ -138,7 +134,6 @@ def test_contact_and_lift_off_meet_where_y_is_zero(theta: float, kappa: float, s
 
 
 @given(positive(1e-2, 1e2), positive(1e-2, 1e2), positive(1e-2, 1e2), angles, frictions)
-@settings(max_examples=100)
 def test_other_units_change_nothing(mass: float, length: float, time: float, theta0: float, mu0: float) -> None:
     """The same brake in grams, inches and hours is the same dimensionless model, and its results scale back."""
     force = mass * length / time**2
@@ -158,7 +153,6 @@ def test_other_units_change_nothing(mass: float, length: float, time: float, the
 
 
 @given(points(), positive(1e-2, 1e2))
-@settings(max_examples=100)
 def test_stiffer_by_one_factor_is_the_same_shape(p: ss.Parameters, factor: float) -> None:
     """f is homogeneous of degree two in the stiffnesses k, k_x, k_y, k_c and the preload together."""
     c0, s0, mu0, kappa, alpha, sigma, beta = numbers(p)
@@ -169,7 +163,6 @@ def test_stiffer_by_one_factor_is_the_same_shape(p: ss.Parameters, factor: float
 
 
 @given(points())
-@settings(max_examples=50)
 def test_more_digits_agree(p: ss.Parameters) -> None:
     """The error bound holds against 30 digits, for the same float64 parameters."""
     eq = ss.equilibria(p)
@@ -183,7 +176,6 @@ def test_more_digits_agree(p: ss.Parameters) -> None:
 
 
 @given(points())
-@settings(max_examples=200)
 def test_surface_gives_the_friction_back(p: ss.Parameters) -> None:
     """The explicit surface through an equilibrium has the friction that the equilibrium was solved for."""
     eq = ss.equilibria(p)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import math
+import re
 from pathlib import Path
 
 import pytest
@@ -41,7 +42,9 @@ def test_no_meaning_is_typed_again() -> None:
     files = [file for path in folders for file in (path.rglob("*.py") if path.is_dir() else [path]) if file.suffix == ".py"]
     assert len(files) > 50
     for file in files:
-        for text in literals(file):
+        # Parsed where a phrase may be in it, strings that are joined taken as one.
+        joined = re.sub(r'"\s*f?"', "", file.read_text(encoding="utf-8").lower())
+        for text in literals(file) if any(phrase in joined for phrase in phrases) else ():
             assert text.lower().rstrip(".") not in phrases, f"{file.relative_to(ROOT)}: {text!r}"
 
 

@@ -344,6 +344,7 @@ def test_sweep_and_trajectory_say_the_same() -> None:
 
 
 @needs_heyoka
+@pytest.mark.thorough
 def test_both_integrators_say_the_same(slow: dict[float, ss.Sweep]) -> None:
     near = slow[2000.0]
     start = {"x0": near.cycle_x + 0.03, "y0": near.cycle_y, "vy0": near.cycle_vy, "t_end": 200.0, "transient": 0.0}

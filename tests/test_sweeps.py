@@ -27,7 +27,7 @@ from spragsym.files import storage
 from spragsym.statics.solver import equilibria
 from spragsym.sweeps import Sweep, basin, code, rms_sweep, sensitivity
 from spragsym.sweeps.measure import REPORTED
-from tests.support import needs_a_quick_integrator, needs_posix
+from tests.support import LONG_MOTIONS_TAKE_MINUTES, needs_a_quick_integrator, needs_posix
 
 pytest.importorskip("xarray")
 P = ss.Parameters.article(theta0=np.radians([35.0, 40.0, 42.0, 49.0, 60.0, 100.0]))
@@ -252,10 +252,12 @@ def _imported(package: Path, start: str) -> set[str]:
     return found
 
 
-GRID = ["--theta0", "1:179:61", "--t-end", "2000", "-q"]
+SPAN = ("60", "45") if LONG_MOTIONS_TAKE_MINUTES else ("2000", "1500")  # long enough to be killed in the midst
+GRID = ["--theta0", "1:179:61", "--t-end", SPAN[0], "--transient", SPAN[1], "-q"]
 COMMAND = [sys.executable, "-m", "spragsym", "sweep", *GRID, "-o"]
 
 
+@pytest.mark.thorough
 def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: Callable[..., subprocess.Popen[bytes]]) -> None:
     """At fifty random moments: ``python -m benchmarks.attack_sweeps``."""
     path, whole = tmp_path / "rms.nc", tmp_path / "whole.nc"
@@ -276,7 +278,7 @@ def test_killed_in_the_midst_it_resumes_to_the_same_file(tmp_path: Path, begin: 
 @needs_posix
 def test_ctrl_c_ends_cleanly_and_says_how_to_go_on(tmp_path: Path, begin: Callable[..., subprocess.Popen[str]]) -> None:
     path = tmp_path / "rms.nc"
-    command = [*COMMAND, str(path), "-j", "2", "--t-end", "200", "--transient", "100", "--backend", "scipy"]
+    command = [*COMMAND, str(path), "-j", "2", "--t-end", "60", "--transient", "45", "--backend", "scipy"]
     process = begin(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     partial = path.with_name("rms.nc.partial")
     deadline = time.monotonic() + 60

@@ -13,6 +13,7 @@ import sympy as sp
 from spragsym.derive.kang_nam import catastrophe, elimination, equilibrium, stability, theorem
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.generated import equilibrium as generated
+from tests.support import few
 from tests.theorem_steps import balance, broken_steps, coefficients, derive_first, quartic, state
 
 
@@ -39,7 +40,7 @@ def _state(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[
 
 @pytest.mark.parametrize(
     ("module", "name", "changed", "claim"),
-    [
+    few([
         pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, lambda b: -b),
                      "−b is positive", id="sign of b"),
         pytest.param(elimination, "f_coefficients", _coefficient(nm.fb, lambda _: -nm.p * (nm.B * nm.s0 - nm.kappa)),
@@ -72,7 +73,8 @@ def _state(symbol: sp.Symbol, change: Callable[[sp.Expr], sp.Expr]) -> Callable[
                      "s* > 0: contact is θ* < θ < π − θ*, and f is negative before", id="f is not q s F_x"),
         pytest.param(stability, "characteristic", lambda K, C: sp.expand((stability.lam**2 * sp.eye(2) - K).det()),
                      "det K < 0 is divergence", id="sign of the stiffness in (27)"),
-    ],
+    ], "sign of b", "length at the ends", "sign of the spring to ground", "slope", "sign of f at π", "f is not q s F_x",
+       "sign of the stiffness in (27)"),
 )  # fmt: skip
 def test_a_broken_assumption_is_noticed(
     module: Any, name: str, changed: Any, claim: str, monkeypatch: pytest.MonkeyPatch

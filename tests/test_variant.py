@@ -92,6 +92,7 @@ def test_a_symbol_without_a_dimension_goes_into_the_groups(tmp_path: Path) -> No
     assert not (tmp_path / "variant/c").exists()
 
 
+@pytest.mark.thorough
 def test_a_force_that_the_elimination_was_not_made_for_stops_it(tmp_path: Path) -> None:
     """As the docstring of ``derive/kang_nam/mechanics.py`` says: a cubic contact leaves no D and b, and nothing is written."""
     done = _variant(tmp_path, ("mechanics.py", "sp.Piecewise((-stiffness * y, y < 0)", "sp.Piecewise((-stiffness * y**3, y < 0)"))

@@ -1,4 +1,4 @@
-"""What is at a root of f, and how far it can be trusted: state, error bounds, stability; how many equilibria roots stand for.
+"""What is at a root of f, and how far it can be trusted: state, error bounds, stability.
 
 The second part of the kernel, in the same small language; the first, :mod:`.kernel`, finds the roots.
 """
@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from ..emit.elementary import Direction
-from ..emit.language import Flag, Real, absolute, derived, maximum, minimum, sqrt, where
-from .kernel import INFINITY, Balance, Guesses, Point, balance, direction, representable, rough, sound
+from ..emit.language import Flag, Real, absolute, derived, maximum, minimum, where
+from .kernel import INFINITY, Balance, Point, direction, rough, sound
 
 # Generated algebra, and counts of roundings: a target gives them their meaning.
 f, f_slope, state, stiffness, invariants = derived(5)
@@ -19,16 +19,6 @@ COUNT_F, COUNT_SLOPE, COUNT_STATE, COUNT_THETA, COUNT_K = derived(5)
 LARGEST_H = 0.4
 #: The largest radius around θ, over sin θ, for which the bounds on the state below hold.
 LARGEST_RADIUS = 1e-3
-
-
-class Separation(NamedTuple):
-    """A direction, the sign of f there where it is certain, and whether the direction certainly is in contact, y < 0, or certainly not."""
-
-    t: Real
-    positive: Flag
-    negative: Flag
-    inside: Flag
-    outside: Flag
 
 
 class Kind(NamedTuple):
@@ -55,38 +45,6 @@ class Root(NamedTuple):
     outsider: Flag
     code: Real
     known: Flag
-
-
-def separation(one: Real, other: Real, point: Point, line: Balance, u: Real) -> Separation:
-    """f at a direction between two positive roots."""
-    t = sqrt(one * other)
-    at = direction(t)
-    c_size = absolute(at.cosine)
-    f_size = f(c_size, at.sine, line.a_size, absolute(line.b), line.d_size, -absolute(line.m))
-    value = f(at.cosine, at.sine, line.a, line.b, line.d, line.m)
-    error = COUNT_F * u * f_size
-    # y < 0 where σ sin θ > σ sin θ₀ − κ.
-    depth = point.sigma * (at.sine - point.sin0) + point.kappa
-    margin = COUNT_STATE * u * (point.sigma * (at.sine + point.sin0) + point.kappa)
-    return Separation(t, value > error, value < -error, depth > margin, depth < -margin)
-
-
-def one_or_three(all: Guesses, point: Point, u: Real) -> Real:
-    """The number of equilibria in contact by the roots that were guessed, 1 or 3; 0 where that is open.
-
-    At most three roots have sin θ > 0. f is negative at θ = 0 and at the lower end of the directions in contact, positive at their
-    upper end and at θ = π. Three equilibria are certain where f is positive and, farther up, negative, both in contact. One is
-    certain where there are no three roots, and where f changes its sign twice out of contact, so that two of the roots lie there.
-    """
-    line = balance(point)
-    lower = separation(all.t0, all.t1, point, line, u)
-    upper = separation(all.t1, all.t2, point, line, u)
-    three = lower.positive & lower.inside & upper.negative & upper.inside & (lower.t < upper.t)
-    below = lower.positive & lower.outside & (lower.t < 1.0)
-    above = upper.negative & upper.outside & (upper.t > 1.0)
-    alone = (all.count < 2.0) | below | above
-    number = where(alone, 1.0, where(three, 3.0, 0.0))
-    return where(all.certain, where(sound(point), where(representable(line), number, 0.0), 0.0), 0.0)
 
 
 def at_root(t: Real, point: Point, line: Balance, u: Real) -> Root:

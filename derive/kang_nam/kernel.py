@@ -83,11 +83,38 @@ class Depressed(NamedTuple):
     Q: Real
 
 
+class Cubic(NamedTuple):
+    """The resolvent r0 + r1 ℓ + r2 ℓ² + ℓ³, and its P and Q."""
+
+    r0: Real
+    r1: Real
+    r2: Real
+    P: Real
+    Q: Real
+
+
+class Quartic(NamedTuple):
+    """Coefficients of the quartic in t, ascending."""
+
+    e0: Real
+    e1: Real
+    e2: Real
+    e3: Real
+    e4: Real
+
+
 class Discriminant(NamedTuple):
     """P³ + Q², negative for four real roots in t and positive for two, and a bound on its rounding error."""
 
     value: Real
     error: Real
+
+
+class Above(NamedTuple):
+    """Of three positive roots: whether all of them are certainly above a number, and whether certainly only one is."""
+
+    all: Flag
+    one: Flag
 
 
 class Factors(NamedTuple):
@@ -193,14 +220,25 @@ def depressed_size(a_size: Real, b_size: Real, d_size: Real, m_size: Real) -> De
     return Depressed((r1_size + m_size * mean) / 3.0, 0.5 * (r0_size + mean * (r1_size + 2.0 * mean * mean)))
 
 
-def discriminant(line: Balance, u: Real) -> Discriminant:
+def cubic(a: Real, b: Real, d: Real, m: Real) -> Cubic:
+    """The resolvent of the quartic in t, and the same without its quadratic term."""
+    r0, r1, r2 = resolvent(a, b, d, m)
+    it = depressed(r0, r1, r2)
+    return Cubic(r0, r1, r2, it.P, it.Q)
+
+
+def quartic(a: Real, b: Real, d: Real, m: Real) -> Quartic:
+    """The quartic in t = tan(θ/2) whose roots are those of f."""
+    e0, e1, e2, e3, e4 = t_quartic(a, b, d, m)
+    return Quartic(e0, e1, e2, e3, e4)
+
+
+def discriminant(line: Balance, it: Cubic, u: Real) -> Discriminant:
     """The sign of P³ + Q² is that of the discriminant, reversed.
 
     From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error) error; cubing,
     squaring and adding round four times more.
     """
-    r0, r1, r2 = resolvent(line.a, line.b, line.d, line.m)
-    it = depressed(r0, r1, r2)
     size = depressed_size(line.a_size, absolute(rough(line.b)), line.d_size, rough(line.m))
     P_bound = absolute(rough(it.P)) + COUNT_P * u * size.P
     Q_bound = absolute(rough(it.Q)) + COUNT_Q * u * size.Q
@@ -209,17 +247,53 @@ def discriminant(line: Balance, u: Real) -> Discriminant:
     return Discriminant(rough(it.P * it.P * it.P + it.Q * it.Q), u * (from_P + from_Q) + UNDERFLOW)
 
 
-def one_positive(line: Balance, u: Real) -> Flag:
+def one_positive(line: Balance, e: Quartic, u: Real) -> Flag:
     """Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0 and e1 < 0."""
-    e0, e1, e2, e3, e4 = t_quartic(line.a, line.b, line.d, line.m)
-    return rough(e1) < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
+    return rough(e.e1) < -2.0 * COUNT_E1 * u * (line.a_size + line.d_size)
 
 
-def single(point: Point, u: Real) -> Flag:
-    """Whether there certainly is exactly one equilibrium in contact: one root in t is positive, and there always is an equilibrium."""
+def above(e1: Real, e2: Real, e3: Real, e4: Real, c: Real, margin: Real) -> Above:
+    """How many of the positive roots of e0 + e1 t + e2 t² + e3 t³ + e4 t⁴ are above c ≥ 0.
+
+    Three are positive, the fourth is real as well, and the value at c is negative. As many are above c as the derivatives there,
+    over factorials, change their sign (Budan and Fourier), from that value to e4 > 0: three times or once.
+    """
+    d1 = ((4.0 * e4 * c + 3.0 * e3) * c + 2.0 * e2) * c + e1
+    d2 = (6.0 * e4 * c + 3.0 * e3) * c + e2
+    d3 = 4.0 * e4 * c + e3
+    falls2 = d2 < -margin
+    falls3 = d3 < -margin
+    rises2 = d2 > margin
+    rises3 = d3 > margin
+    thrice = ((d1 > margin) & (falls2 | falls3)) | (rises2 & falls3)
+    once = ((d1 < -margin) | (rises2 & rises3)) & (falls2 | rises3)
+    return Above(thrice, once)
+
+
+def one_or_three(point: Point, u: Real) -> Real:
+    """The number of equilibria in contact, 1 or 3; 0 where that is open.
+
+    Each is a positive root in t. One is positive unless all four are real and e1 > 0; then three are, by Descartes' rule. Of these
+    the ones in contact have sin θ > s* = sin θ₀ − κ/σ. At the lower end t = c of these directions f is negative, so that none or two
+    of the three lie below it. None lies beyond the upper end, where cos θ < 0 and sin θ = s < s* < sin θ₀: there
+    f = |cos θ| (|b| − a s) + s (m (s* − s) + α q cos θ₀) is positive, by |b| − a s > α q s and |cos θ| > |cos θ₀|.
+
+    ``margin`` is more than what the derivatives at c may be off by. All coefficients are at most 4 and c at most 1; the largest
+    share is that of c, which is off by √(22 u) at most, near c = 1, and changes a derivative by up to 44 times as much; the rest is
+    below 480 u (1 + a_size + d_size).
+    """
     line = balance(point)
-    D = discriminant(line, u)
-    return ((D.value > D.error) | one_positive(line, u)) & sound(point) & representable(line)
+    e = quartic(line.a, line.b, line.d, line.m)
+    D = discriminant(line, cubic(line.a, line.b, line.d, line.m), u)
+    margin = 512.0 * sqrt(u) * (1.0 + line.a_size + line.d_size)
+    lowest = maximum(point.sin0 - point.kappa / point.sigma, 0.0)
+    c = lowest / (1.0 + sqrt((1.0 - lowest) * (1.0 + lowest)))
+    in_contact = above(e.e1, e.e2, e.e3, e.e4, c, margin)
+    certain = sound(point) & representable(line)
+    three_positive = certain & (D.value < -D.error) & (e.e1 > margin)
+    one_positive_root = certain & ((D.value > D.error) | one_positive(line, e, u))
+    one = one_positive_root | (three_positive & in_contact.one)
+    return where(one, 1.0, where(three_positive & in_contact.all, 3.0, 0.0))
 
 
 # -------------------------------------------------------------------------------------------------- the two factors
@@ -243,15 +317,13 @@ def outermost(P: Real, Q: Real) -> Real:
     return where(Q > 0.0, -largest, largest)
 
 
-def simple_root(a: Real, b: Real, d: Real, m: Real) -> Real:
+def simple_root(it: Cubic) -> Real:
     """The real root of the resolvent cubic farthest from the mean of the three, to full relative accuracy."""
-    r0, r1, r2 = resolvent(a, b, d, m)
-    it = depressed(r0, r1, r2)
     # Newton's step squares the error, so that more than a double would be lost on the start.
     z = outermost(rough(it.P), rough(it.Q))
-    x = z - r2 / 3.0
-    slope = (3.0 * x + 2.0 * r2) * x + r1
-    step = (((x + r2) * x + r1) * x + r0) / slope
+    x = z - it.r2 / 3.0
+    slope = (3.0 * x + 2.0 * it.r2) * x + it.r1
+    step = (((x + it.r2) * x + it.r1) * x + it.r0) / slope
     return x - where(absolute(step) < absolute(z), step, 0.0)
 
 
@@ -291,14 +363,13 @@ def polish(A1: Real, A2: Real, A3: Real, p1: Real, q1: Real, p2: Real, q2: Real)
     )
 
 
-def factors(a: Real, b: Real, d: Real, m: Real) -> Factors:
+def factors(e: Quartic, resolved: Cubic) -> Factors:
     """The two real quadratic factors of the quartic in t."""
-    e0, e1, e2, e3, e4 = t_quartic(a, b, d, m)
-    over = 1.0 / e4
-    A1 = e1 * over
-    A2 = e2 * over
-    A3 = e3 * over
-    y = -4.0 * over * simple_root(a, b, d, m)
+    over = 1.0 / e.e4
+    A1 = e.e1 * over
+    A2 = e.e2 * over
+    A3 = e.e3 * over
+    y = -4.0 * over * simple_root(resolved)
     width = sqrt(y * y + 4.0)  # q2 − q1
     large = 0.5 * (absolute(y) + width)
     small = 1.0 / large
@@ -323,12 +394,14 @@ def guesses(point: Point, line: Balance, u: Real) -> Guesses:
     In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root of
     either sign; those of the second are complex, or both negative, or both positive.
     """
-    D = discriminant(line, u)
-    halves = factors(line.a, line.b, line.d, line.m)
+    e = quartic(line.a, line.b, line.d, line.m)
+    resolved = cubic(line.a, line.b, line.d, line.m)
+    D = discriminant(line, resolved, u)
+    halves = factors(e, resolved)
     first = root_pair(halves.p1, halves.q1)
     second = root_pair(halves.p2, halves.q2)
     contact = point.nbar > 0.0
-    spared = (D.value > D.error) | (contact & one_positive(line, u))
+    spared = (D.value > D.error) | (contact & one_positive(line, e, u))
     real = second.discriminant >= 0.0
     more = real & ~spared
     # A sorting network; places without a root go to the end.

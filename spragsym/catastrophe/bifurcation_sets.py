@@ -20,17 +20,17 @@ from .fixed import FIXED, Fixed
 from .fold_points import folds
 from .landings import landing
 
-#: Below this κ over the larger of σ and 1 + β float64 may lose curves, whose folds lie in pairs: proved ones are compared.
+#: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
 _LIGHT = 1e-4
-#: And below this it does.
+#: Where it is below this, float64 does lose them, and they are refused.
 _TOO_LIGHT = 1e-8
-#: Frictions at which they are.
+#: Frictions at which curves are compared with proved folds.
 _SAMPLED = (0.11, 1.3, 7.1)
 
 
 @dataclass(frozen=True)
 class FoldCurve(Result):
-    """One curve of folds, points in order along it.
+    """One curve of folds, points in order along it: arrays of shape (points,), angles in radians, lengths over L_0.
 
     ``upper`` says that the stable state that ends there is the upper one of the two in θ, which changes at a cusp;
     ``when_theta0`` and ``when_mu0`` are 1 where it ends as that parameter rises, and −1 where it ends as it falls.
@@ -52,7 +52,13 @@ class FoldCurve(Result):
 
 @dataclass(frozen=True)
 class BifurcationSet(Result):
-    """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them."""
+    """Every fold curve in the plane of θ₀ and μ₀, and the cusps on them.
+
+    Attributes
+    ----------
+    curves : tuple of FoldCurve
+    cusps : Cusps
+    """
 
     curves: tuple[FoldCurve, ...]
     cusps: Cusps

@@ -27,6 +27,11 @@ def critical_friction(p: Parameters) -> float | FloatArray:
     float or ndarray
         ``inf`` where there is no cusp: then no friction makes that state jump.
 
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+
     Notes
     -----
     Source: the cusp polynomial. The article's Figures 8 to 10 follow from it: the curves that jump are those with μ₀ = 0.5
@@ -66,6 +71,15 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
     -------
     float
         To 1e-13, relative.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For a parameter that moves no cusp, a bracket with μ_cusp on one side of μ₀, and parameters that are no scalars.
+
+    Notes
+    -----
+    Source: μ_cusp of :func:`critical_friction`, less μ₀.
 
     Examples
     --------

@@ -18,7 +18,10 @@ from .fixed import FIXED
 
 @dataclass(frozen=True)
 class Cusps(Result):
-    """Points at which two folds meet, sorted by ``mu0``; ``error`` bounds |error| / max(1, |value|) of all six numbers."""
+    """Points at which two folds meet, sorted by ``mu0``; ``error`` bounds |error| / max(1, |value|) of all six numbers.
+
+    Arrays have the shape (cusps,); angles are radians, lengths over L_0.
+    """
 
     theta0: FloatArray
     mu0: FloatArray
@@ -48,6 +51,11 @@ def cusps(p: Parameters, *, arith: Arithmetic | None = None) -> Cusps:
     -------
     Cusps
         Empty if there is no cusp.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For parameters that are missing or no scalars.
 
     Notes
     -----

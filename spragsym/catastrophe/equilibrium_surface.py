@@ -17,7 +17,10 @@ from .fixed import FIXED
 
 @dataclass(frozen=True)
 class Surface(Result):
-    """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite."""
+    """The equilibrium surface over (θ, θ₀); NaN and code 0 where it has no state in contact with μ₀ finite.
+
+    Arrays have the common shape of θ, θ₀ and the parameters; angles are radians, lengths over L_0.
+    """
 
     theta: FloatArray
     theta0: FloatArray
@@ -42,6 +45,11 @@ def surface(p: Parameters, theta: ArrayLike, theta0: ArrayLike) -> Surface:
     -------
     Surface
         Friction of either sign; states in lift-off and with L ≤ 0 are NaN.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For angles out of their range, and parameters that are missing.
 
     Notes
     -----

@@ -25,6 +25,8 @@ from .flutter_proofs import Elimination, Onset, onsets
 class FlutterOnsets(Result):
     """Onsets of flutter at one friction, sorted by θ₀; one array for each coordinate of the states that they belong to.
 
+    Arrays have the shape (onsets,); angles are radians, lengths over L_0.
+
     ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are. ``side`` is 1 where the state
     flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where the two sides do not differ: there the
     boundary is only touched. ``error`` bounds |error| / max(1, |value|) of θ₀, θ, L, x and y; ``mu0`` is the friction that was
@@ -108,6 +110,8 @@ def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:
 class FlutterBoundary(Result):
     """Points of the surface at which flutter sets in or ends, in contact with μ₀ > 0 and 0 < θ₀ < π.
 
+    Arrays have the shape (points,); angles are radians, lengths over L_0.
+
     ``branch`` counts the equilibria from below in θ, from 0; ``count`` is how many there are at that point; ``curve`` numbers
     the connected pieces, along which points are in order.
     """
@@ -137,6 +141,11 @@ def flutter_boundary(p: Parameters, n: int = 2000) -> FlutterBoundary:
     -------
     FlutterBoundary
         Points that satisfy the condition to rounding, each once.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For parameters that are missing or no scalars, and ``n`` below 2.
 
     Notes
     -----
@@ -177,7 +186,8 @@ def _rank(fixed: Fixed, theta0: FloatArray, mu0: FloatArray, theta: FloatArray) 
     kappa, _, sigma, beta = fixed
     c0, s0 = np.cos(theta0), np.sin(theta0)
     with np.errstate(all="ignore"):
-        p1, q1, p2, q2 = kernel.factors(*kernel.f_coefficients(c0, s0, mu0, *fixed, 1))
+        trig = kernel.f_coefficients(c0, s0, mu0, *fixed, 1)
+        p1, q1, p2, q2 = kernel.factors(kernel.quartic(*trig), kernel.cubic(*trig))
         pairs = kernel.root_pair(p1, q1), kernel.root_pair(p2, q2)
         t = np.stack([np.where(square >= 0, root, np.nan) for *roots, square in pairs for root in roots])
         _, _, y = kernel.state(*direction(t), c0, s0, kappa, sigma, beta, 1)

@@ -24,6 +24,8 @@ from . import fold_proofs
 class Folds(Result):
     """Points at which equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
 
+    Arrays have the shape (points,); angles are radians, lengths over L_0.
+
     ``error`` bounds |error| / max(1, |value|) of all of them. ``kind`` says what happens as the parameter passes:
 
     - ``"fold"``: two equilibria appear or vanish together, the ordinary case;

@@ -17,6 +17,8 @@ from ..parameters import FloatArray, Parameters
 class LinearSprag(Result):
     """Steady sliding with the spring's angle held at θ₀, the article's reference [17].
 
+    Arrays have the shape of the parameters; angles are radians, lengths over L_0.
+
     ``determinant`` ≤ 0 is the sprag condition; at a pole x and y are infinite. ``poles`` lists the θ₀ in (0, π) of the poles, two
     at the last axis, NaN where there are none.
     """
@@ -30,6 +32,20 @@ class LinearSprag(Result):
 
 def linear_sprag(p: Parameters) -> LinearSprag:
     """Displacement, poles and critical friction of the constant-angle model; all shapes broadcast.
+
+    Parameters
+    ----------
+    p : Parameters
+        Any shape; ``theta0`` and ``mu0`` are needed.
+
+    Returns
+    -------
+    LinearSprag
+
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
 
     Notes
     -----
@@ -68,6 +84,20 @@ def linear_sprag(p: Parameters) -> LinearSprag:
 
 def linear_critical_friction(p: Parameters) -> Any:
     """μ_cr of the constant-angle model: it has a pole if and only if μ₀ ≥ μ_cr.
+
+    Parameters
+    ----------
+    p : Parameters
+        α, σ, β, scalars or arrays; the others are not used.
+
+    Returns
+    -------
+    float or ndarray
+
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
 
     Notes
     -----

@@ -24,7 +24,7 @@ from .fold_points import Turn, turns
 
 @dataclass(frozen=True)
 class Jump(Result):
-    """A state that vanishes at a fold, and the one that takes its place."""
+    """A state that vanishes at a fold, and the one that takes its place: numbers, angles in radians, lengths over L_0."""
 
     value: float  #: of the parameter, at the fold
     theta0: float
@@ -41,7 +41,10 @@ class Jump(Result):
 
 @dataclass(frozen=True)
 class Path(Result):
-    """States along the values of the parameter, in the order in which they are passed, and the jumps between them."""
+    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
+
+    Arrays have the shape of ``values``; angles are radians, lengths over L_0.
+    """
 
     vary: str
     values: FloatArray

@@ -14,6 +14,20 @@ def sliding_friction(mu0: ArrayLike, V: ArrayLike, d: ArrayLike) -> FloatArray:
 
     Give ``p.replace(mu0=sliding_friction(p.mu0, V, d))`` to any function of this package to have the exact one.
 
+    Parameters
+    ----------
+    mu0, V, d : array_like
+        Friction at full slip, belt speed of either sign, and steepness of the law; they broadcast.
+
+    Returns
+    -------
+    ndarray
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For numbers out of their range.
+
     Notes
     -----
     Source: (10) at x' = 0.

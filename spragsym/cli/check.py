@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from importlib import resources
 from pathlib import Path
@@ -145,14 +145,8 @@ def _check_model(name: str, json_output: bool) -> None:
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    from rich.text import Text
-
-    from .tables import print_table
-
     styles = {variant.HOLDS: "green", variant.FAILS: "bold red", variant.NO_MEANING: "dim"}
-    print_table("", ("row", "where", "status", "model less article"), [
-        (row.id, row.where, Text(row.status, style=styles[row.status]), row.remark) for row in rows
-    ])  # fmt: skip
+    _print_rows("model less article", styles, [(row.id, row.where, row.status, row.remark) for row in rows])
     hold, fail, none = (sum(row.status == status for row in rows) for status in styles)
     click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)
 
@@ -163,16 +157,21 @@ def _changed(rows: list[dict[str, str]], recorded: list[dict[str, str]]) -> list
     return [id for id in sorted(before.keys() | now.keys()) if before.get(id) != now.get(id)]
 
 
-def _print_table(rows: Sequence[Any]) -> None:
+def _print_rows(last: str, styles: Mapping[str, str], rows: Sequence[tuple[str, str, str, str]]) -> None:
+    """Rows with their status; the last column, of which a cell may be long, is wrapped on a terminal."""
     from rich.table import Table
     from rich.text import Text
 
-    table = Table("row", "where", "status", "remark", box=None, pad_edge=False)
-    for row in rows:
-        remark = row.cause or row.limit or row.note
-        status = row.status
-        table.add_row(row.id, row.where, Text(status, style=_STYLES[status]), Text(remark))
+    table = Table("row", "where", "status", last, box=None, pad_edge=False)
+    for id, where, status, remark in rows:
+        table.add_row(id, where, Text(status, style=styles[status]), Text(remark))
     show(table)
+
+
+def _print_table(rows: Sequence[Any]) -> None:
+    from rich.text import Text
+
+    _print_rows("remark", _STYLES, [(row.id, row.where, row.status, row.cause or row.limit or row.note) for row in rows])
     for row in rows:
         if row.consequence:
             show(Text(f"\n{row.id}: right is {row.derived}\n  {row.consequence}"))

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from .cycles import search, tell
-from .motion import BACKEND, RTOL, open_grid, print_summary, run_sweep, summary_of
+from .motion import BACKEND, PLOT, RTOL, open_grid, print_summary, refuse_targets, run_sweep, summary_of
 from .options import Axis, Number, as_json, window, workers
-from .targets import force, refuse
+from .targets import force
 from .with_model import parameter_options, parameters_of
 
 if TYPE_CHECKING:
     from ..models import Model
+    from ..models.trajectory import ModelTrajectory
 
 
 def _more(*decorators: Callable[[Any], Any]) -> list[click.Option]:
@@ -35,25 +37,41 @@ def simulate_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], s
     """Options and work of ``spragsym simulate`` for a model."""
 
     def simulate(
-        t_end: float, transient: float, rtol: float, backend: str | None, estimate_error: bool, output: Path | None, force: bool,
-        json_output: bool, **values: Any,
+        t_end: float, transient: float, rtol: float, backend: str | None, estimate_error: bool, output: Path | None,
+        plot: Path | None, force: bool, json_output: bool, **values: Any,
     ) -> None:  # fmt: skip
-        from ..files import storage
-
         p = model.Parameters(**parameters_of(model, values))
-        if output is not None:
-            refuse([output], force)
-            storage.check_target(output, 10_000_000)
+        refuse_targets(output, plot, force)
         tr = model.simulate(p, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values)
         summary = {"model": model.name, **summary_of(tr, transient)}
         if output is not None:
             tr.save(output)
+        if plot is not None:
+            _draw(tr, plot)
+            click.echo(f"drew {plot}", err=True)
         print_summary(summary, json_output)
 
     error = click.option("--error", "estimate_error", is_flag=True, help="Estimate the error by a second run.")
     output = click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
-    options = [*parameter_options(model, Number, start=True), *_more(window, RTOL, BACKEND, error, output, force, as_json)]
+    options = [
+        *parameter_options(model, Number, start=True),
+        *_more(_window(model), RTOL, BACKEND, error, output, PLOT, force, as_json),
+    ]
     return options, simulate, "Integrate the motion from an initial state."
+
+
+def _window(model: Model) -> Callable[[Any], Any]:
+    """``--t-end --transient``, with the model's unit of time."""
+    return partial(window, unit=model.about["scales"]["time"].replace("**", "^"))
+
+
+def _draw(tr: ModelTrajectory, path: Path) -> None:
+    from ..figures import FORMATS, model_motion_figure
+    from ..figures.style import house_style
+
+    kind = path.suffix[1:]
+    with house_style():
+        model_motion_figure(tr).savefig(path, format=kind, metadata=FORMATS[kind])
 
 
 def sweep_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
@@ -68,7 +86,10 @@ def sweep_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]
 
     quiet = click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
     output = click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
-    options = [*parameter_options(model, Axis, start=True), *_more(window, RTOL, BACKEND, workers(1), quiet, output, force)]
+    options = [
+        *parameter_options(model, Axis, start=True),
+        *_more(_window(model), RTOL, BACKEND, workers(1), quiet, output, force),
+    ]
     return options, sweep, "Simulate over a grid of parameters, to a file. Every option that takes numbers is an axis."
 
 

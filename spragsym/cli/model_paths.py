@@ -11,7 +11,7 @@ import click
 from ..errors import ParameterError
 from .model_statics import axes, json_option, optional, points_of, print_points
 from .options import Number
-from .tables import print_json, print_path, print_table
+from .tables import busy, print_json, print_path, print_table
 from .with_model import parameter_options, without
 
 if TYPE_CHECKING:
@@ -27,7 +27,8 @@ def folds_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]
     def folds(vary: str, low: float | None, high: float | None, json_output: bool, **values: Any) -> None:
         p = without(model, (vary,), values)
         between = None if low is high is None else {vary: _span(model, vary, low, high)}
-        found = model.folds(p, vary, between=between)
+        with busy(f"searching for folds along {vary}"):
+            found = model.folds(p, vary, between=between)
         if json_output:
             print_json({"model": model.name, "vary": vary, **points_of(model, found)})
         else:
@@ -53,7 +54,8 @@ def path_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
             raise ParameterError(f"--from {low:g} and --to are the same; give two values")
         unit, title = _unit(model, vary), _title(model, vary)
         p = without(model, (vary,), values)
-        found = model.quasi_static_path(p, vary, np.linspace(low, high, points) / unit)
+        with busy(f"following a state along {vary}"):
+            found = model.quasi_static_path(p, vary, np.linspace(low, high, points) / unit)
         states = [
             {title: float(unit * value), "stability": Stability(int(code)).name.lower(),
              **{name: float(getattr(found, name)[row]) for name in model.coordinates}}

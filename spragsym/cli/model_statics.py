@@ -5,18 +5,22 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import click
 
 from ..errors import ParameterError
 from .options import Number
-from .tables import print_json, print_table
+from .tables import busy, print_json, print_table
 from .targets import refuse
 from .with_model import parameter_options, parameters_of, without
 
 if TYPE_CHECKING:
     from ..models import Model
+
+
+#: Ranges by the names of their parameters.
+Spans: TypeAlias = dict[str, tuple[float, float]]
 
 
 def json_option() -> click.Option:
@@ -33,14 +37,17 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         open_boxes: list[dict[str, Any]] = []
         unilateral = model.about["contact"]["unilateral"]
         for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
-            found = model.equilibria(p, contact=contact)
+            with busy(f"searching for equilibria in {state}"):
+                found = model.equilibria(p, contact=contact)
             rows += _rows(model, found, state)
             open_boxes += [{"state": state, "low": list(box.low), "high": list(box.high)} for box in found.undecided]
         if json_output:
             print_json({"model": model.name, "equilibria": rows, "undecided": open_boxes})
             return
-        print_table("", ("state", "stability", *model.coordinates, "error"), [
-            (row["state"], row["stability"], *(row[name] for name in model.coordinates), f"{row['error']:.1e}") for row in rows
+        print_table("", ("state", "stability", *model.coordinates, "growth", "error"), [
+            (row["state"], row["stability"], *(row[name] for name in model.coordinates),
+             *(f"{row[name]:.1e}" for name in ("growth", "error")))
+            for row in rows
         ])  # fmt: skip
         for place in ("contact", "lift-off"):
             if boxes := [box for box in open_boxes if box["state"] == place]:
@@ -55,7 +62,8 @@ def _summed(title: str, names: Sequence[str], lows: Sequence[Sequence[float]], h
     low = [min(ends) for ends in zip(*lows, strict=True)]
     high = [max(ends) for ends in zip(*highs, strict=True)]
     hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))
-    return f"{title}: not complete, {len(lows)} boxes are undecided, within {hull}"
+    boxes = "1 box is" if len(lows) == 1 else f"{len(lows)} boxes are"
+    return f"{title}: not complete, {boxes} undecided, within {hull}"
 
 
 def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
@@ -79,20 +87,30 @@ def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
 def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
     """Options and work of ``spragsym bifurcation`` for a model."""
 
-    def bifurcation(vary: str, along: str, json_output: bool, plot: Path | None, force: bool, **values: Any) -> None:
+    def bifurcation(
+        vary: str, along: str, between: tuple[str, ...], json_output: bool, plot: Path | None, force: bool, **values: Any
+    ) -> None:
+        spans = _spans(model, between, (vary, along) if along else (vary,))
         if plot is not None:
-            draw(plot, vary, along, dict(values), force)
-        asked = {"folds": ((vary,), model.folds), "flutter onsets": ((vary,), model.flutter_onsets)}
-        found = {title: search(without(model, names, dict(values)), names[0]) for title, (names, search) in asked.items()}
+            draw(plot, vary, along, spans, dict(values), force)
+        one, both = without(model, (vary,), dict(values)), (vary, along)
+        span = {name: ends for name, ends in spans.items() if name == vary}
+        asked: dict[str, Callable[[], Any]] = {
+            "folds": lambda: model.folds(one, vary, between=span),
+            "flutter onsets": lambda: model.flutter_onsets(one, vary, between=span),
+        }
         if along:
-            found["cusps"] = model.cusps(without(model, (vary, along), dict(values)), (vary, along))
+            asked["cusps"] = lambda: model.cusps(without(model, both, dict(values)), both, between=spans)
+        found: dict[str, Any] = {}
+        for title, search in asked.items():
+            with busy(f"searching for {title} along {vary if title != 'cusps' else f'{vary} and {along}'}"):
+                found[title] = search()
+            if not json_output:
+                print_points(model, title, found[title])
         if json_output:
             print_json({"model": model.name, **{title: points_of(model, points) for title, points in found.items()}})
-            return
-        for title, points in found.items():
-            print_points(model, title, points)
 
-    def draw(plot: Path, vary: str, along: str, values: dict[str, Any], force: bool) -> None:
+    def draw(plot: Path, vary: str, along: str, spans: Spans, values: dict[str, Any], force: bool) -> None:
         if plot.suffix not in (".pdf", ".png", ".svg"):
             raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
         if not along:
@@ -102,8 +120,8 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         from ..figures.style import house_style
 
         kind = plot.suffix[1:]
-        with house_style():
-            figure = model_figure(model, without(model, (vary, along), values), (vary, along))
+        with house_style(), busy(f"drawing folds and cusps in the plane of {vary} and {along}"):
+            figure = model_figure(model, without(model, (vary, along), values), (vary, along), between=spans)
             figure.savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)
 
@@ -122,11 +140,33 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         click.Option(
             ["--along", "along"], default=second, show_default=True, help="Second parameter, for cusps; empty for none."
         ),
+        click.Option(
+            ["--between"],
+            multiple=True,
+            metavar="NAME=FROM:TO",
+            help="Range to search of either parameter, as mu0=0:1; angles in degrees. A narrow one is quick. Repeatable.",
+        ),
         json_option(),
         plot,
         click.Option(["--force"], is_flag=True, help="Overwrite files that are in the way."),
     ]
     return options, bifurcation, "All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved."
+
+
+def _spans(model: Model, texts: Sequence[str], vary: Sequence[str]) -> Spans:
+    """``--between NAME=FROM:TO`` as ranges by name, angles in radians."""
+    spans = {}
+    for text in texts:
+        try:
+            name, ends = text.split("=")
+            low, high = map(float, ends.split(":"))
+        except ValueError:
+            raise ParameterError(f"--between {text} is no range of a parameter; give it as mu0=0:1") from None
+        if name not in vary:
+            raise ParameterError(f"--between {text}: {name} does not vary; {' and '.join(vary)} can have a range")
+        unit = math.degrees(1.0) if name in model.about["angles"] else 1.0
+        spans[name] = (low / unit, high / unit)
+    return spans
 
 
 def axes(model: Model) -> tuple[str, str]:

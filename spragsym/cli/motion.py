@@ -28,6 +28,9 @@ BACKEND = click.option(
     type=click.Choice(["heyoka", "compiled", "scipy"]),
     help="Integrator. Default: heyoka where it is installed, else the compiled one.",
 )
+PLOT = click.option(
+    "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg)."
+)
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
@@ -59,7 +62,7 @@ def _start(function: Any) -> Any:
     help="Estimate the error by a second run at a tighter tolerance.",
 )
 @click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
-@click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg).")
+@PLOT
 @force
 @data
 @as_json
@@ -83,16 +86,11 @@ def simulate(
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
     from ..dynamics import simulate as integrate
-    from ..files import storage
 
     p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})
     times, values = own_units({"t_end": t_end, "transient": transient}, values)
     t_end, transient = times["t_end"], times["transient"]
-    if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
-        raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
-    refuse([one for one in (output, plot) if one is not None], force)
-    if output is not None:
-        storage.check_target(output, 10_000_000)
+    refuse_targets(output, plot, force)
     tr = integrate(
         p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]  # values by name, of several types
     )  # fmt: skip
@@ -103,6 +101,17 @@ def simulate(
         _draw(tr, transient, plot)
         click.echo(f"drew {plot}", err=True)
     print_summary(summary, json_output)
+
+
+def refuse_targets(output: Path | None, plot: Path | None, force: bool) -> None:
+    """Refuse, before anything is computed, files for a motion and its picture that can't be written."""
+    from ..files import storage
+
+    if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
+        raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    refuse([one for one in (output, plot) if one is not None], force)
+    if output is not None:
+        storage.check_target(output, 10_000_000)
 
 
 def summary_of(tr: Any, transient: float) -> dict[str, Any]:

@@ -144,11 +144,11 @@ def belt(function: F) -> F:
     return function
 
 
-def window(function: F) -> F:
-    """``--t-end --transient``: until when a motion is integrated, and from when on it is measured."""
+def window(function: F, unit: str = "sqrt(m/k_c)") -> F:
+    """``--t-end --transient``: until when a motion is integrated, in this unit of time, and from when on it is measured."""
     text = "What to leave out of RMS, amplitude and period. Default: three quarters of --t-end."
     function = click.option("--transient", type=Number(NOT_NEGATIVE), callback=_after_t_end, help=text)(function)
-    text = "Until when, in sqrt(m/k_c)."
+    text = f"Until when, in {unit}."
     # Eager options are read first: --transient is checked against this one.
     return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, is_eager=True, help=text)(function)
 

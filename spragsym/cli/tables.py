@@ -5,14 +5,15 @@ from __future__ import annotations
 import json
 import math
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
 #: Width of the output in a pipe: so wide that no line is broken.
-PLAIN_WIDTH = 1000
+PLAIN_WIDTH = 100_000
 #: Width that a table of numbers fits into, unless the terminal is wider.
 WIDTH = 80
 #: Most and fewest digits of a number in a table: as many as the line has room for.
@@ -74,6 +75,19 @@ def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> list[lis
         if sum(widths) + 2 * (len(widths) - 1) <= room:
             break
     return written
+
+
+@contextmanager
+def busy(part: str) -> Iterator[None]:
+    """On a terminal, a line on stderr that says what is being computed, and that goes when it is done; elsewhere nothing."""
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    if not console.is_terminal:
+        yield
+        return
+    with console.status(part):
+        yield
 
 
 def print_path(about: dict[str, Any], states: list[dict[str, Any]], jumps: list[dict[str, Any]], as_json: bool) -> None:

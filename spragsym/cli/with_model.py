@@ -76,7 +76,10 @@ def parameter_options(model: Model, kind: Callable[[Range], Any], start: bool = 
             allowed = Range(math.degrees(allowed.low), math.degrees(allowed.high), allowed.open_low, "", allowed.closed_high)
             meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
         flags = _FLAGS.get(name, (f"--{name}", name))
-        given: dict[str, Any] = {"required": True} if default is None else {"default": default, "show_default": True}
+        given: dict[str, Any] = {"required": True}
+        if default is not None:
+            exact = float(f"{default:.7g}") == default
+            given = {"default": default, "show_default": exact or f"{default:.7g}"}
         options.append(click.Option(flags, type=kind(allowed), help=f"{meaning}.", **given))
     if start:
         options += [
@@ -115,6 +118,13 @@ def made_for(command: Any, module: str, function: str) -> None:
 
     def build(model: Model) -> click.Command:
         options, done, text = getattr(importlib.import_module(f".{module}", __package__), function)(model)
+        names = [option.name for option in options]
+        for name in model.parameters:
+            if names.count(name) > 1:
+                raise ParameterError(
+                    f"the parameter {name} of {model.name} has the name of an option of spragsym {command.name}; "
+                    "give it another one on the page, with becomes, and derive the page again; in Python it can be used as it is"
+                )
         summary = f"{text}\n\nOf the model {model.name}: {model.about['summary']}"
         return click.Command(
             command.name, params=list(options), callback=done, help=summary, context_settings=command.context_settings

@@ -92,12 +92,26 @@ def basin_boundary(
     -------
     BasinBoundary
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and where there is no divergent equilibrium.
+
     Notes
     -----
     A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
     left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the boundary;
     others may be elsewhere in the plane, and far folds of the manifold are not followed. Where folds lie closer than ``step``,
     the walk may pass from one to the next: a smaller step tells.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(40))
+    >>> found = ss.basin_boundary(p, V=0.5, d=10.0, step=0.1, points=1)
+    >>> found.points.round(3).tolist()
+    [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
     """
     values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
     state = np.array([as_number("start", value, FINITE) for value in start])

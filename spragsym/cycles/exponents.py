@@ -91,6 +91,11 @@ def lyapunov(
     -------
     Lyapunov
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and parameters that are no scalars.
+
     Notes
     -----
     Source: Benettin's method on (8)–(11); the field is continuous, so that its kinks need nothing special.

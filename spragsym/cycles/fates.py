@@ -94,6 +94,10 @@ def fate_boundary(
     ParameterError
         Where both ends have the same fate.
 
+    Notes
+    -----
+    Source: (8)–(11) with (10) as the friction law; a saddle's stable manifold separates the fates.
+
     Examples
     --------
     >>> import numpy as np

@@ -10,11 +10,11 @@ import numpy as np
 from ..dynamics import Trajectory
 from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
-from ..dynamics.flows import carrier, flow
+from ..dynamics.flows import NEAR, carrier, follower, scout
 from ..dynamics.passage import Fly, Turn
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import Regime
-from ..dynamics.shooting import LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
+from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
 from .orbit import Cycle, cycle_of
@@ -30,7 +30,7 @@ TRIES = 8
 FAR = 0.3
 
 
-#: What a motion that is on no cycle found here does instead.
+#: What a motion does for which no cycle is found, in words.
 COMES_TO = {
     Regime.EQUILIBRIUM: "it is at rest", Regime.APPROACHES_EQUILIBRIUM: "it decays to rest",
     Regime.LIFT_OFF: "it has lifted off for good", Regime.LIMIT_CYCLE: "it is on a cycle that Newton's method did not close",
@@ -92,18 +92,20 @@ def cycle_near(
     """As :func:`cycle`, of any field."""
     fly, name = carrier(field, backend)
     values = tuple(float(value) for value in values)
+    rough = scout(field, name)
     if isinstance(near, Cycle):
-        return _checked(_towards(field, fly, near.loop.guess, values), fly, name)
+        known = near.loop.guess if rough is None else _towards(field, rough, near.loop.guess, values, NEAR).guess
+        return _checked(_towards(field, fly, known, values), fly, name)
     settled = isinstance(near, Trajectory)
     approached = near is None or settled
     start = near.state[:, -1] if isinstance(near, Trajectory) else _state(field, near)
     constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
     if not np.isfinite(rate(field, start, constants)).all():
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
-    follow = flow(field, name, derivatives=False)
+    follow = follower(field, name)
     for stage in STAGES if patient or settled else STAGES[:1]:
         passage = follow.fly(start, constants, stage, none)
-        found = _by_returns(field, fly, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
+        found = _by_returns(field, fly, rough, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
         if found is not None:
             return _checked(found, fly, name)
         if not passage.turns or np.ptp([turn.state for turn in passage.turns[-4:]], axis=0).max() < 1e-9:
@@ -112,16 +114,18 @@ def cycle_near(
     raise ConvergenceError(_why(field, values, start, stage))
 
 
-def _towards(field: Field, fly: Fly, known: Guess, values: tuple[float, ...], halvings: int = 6) -> Loop:
+def _towards(
+    field: Field, fly: Fly, known: Guess, values: tuple[float, ...], closed: float = CLOSED, halvings: int = 6
+) -> Loop:  # fmt: skip
     """The closed orbit at other values of the parameters, by steps half as wide where Newton's method fails."""
     try:
-        return _from_guess(field, fly, Guess(known.states, known.period, values))
+        return _from_guess(field, fly, Guess(known.states, known.period, values), closed)
     except ConvergenceError:
         if halvings == 0 or values == known.values:
             raise
     middle = tuple((a + b) / 2 for a, b in zip(known.values, values, strict=True))
-    between = _towards(field, fly, known, middle, halvings - 1)
-    return _towards(field, fly, between.guess, values, halvings - 1)
+    between = _towards(field, fly, known, middle, closed, halvings - 1)
+    return _towards(field, fly, between.guess, values, closed, halvings - 1)
 
 
 def _checked(loop: Loop, fly: Fly, name: str) -> Cycle:
@@ -141,9 +145,9 @@ def _state(field: Field, near: Any) -> FloatArray:
 
 
 def _by_returns(
-    field: Field, fly: Fly, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
+    field: Field, fly: Fly, rough: Fly | None, values: tuple[float, ...], turns: list[Turn], *, from_start: bool, stable: bool
 ) -> Loop | None:
-    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike."""
+    """The first closed orbit that Newton's method finds from two states, largest in x, that are alike: roughly first, if told."""
     highest = [turn for turn in turns if turn.border == -1 and turn.direction < 0]
     tried = 0
     for first, second in _pairs(highest, from_start):
@@ -152,6 +156,8 @@ def _by_returns(
             break
         guess = Guess(first.state[None], second.t - first.t, values)
         try:
+            if rough is not None:
+                guess = _from_guess(field, rough, guess, NEAR).guess
             loop = _from_guess(field, fly, guess)
         except ConvergenceError:
             continue
@@ -181,7 +187,7 @@ def _pairs(highest: list[Turn], from_start: bool) -> Iterator[tuple[Turn, Turn]]
             yield highest[-2 - k], highest[-1]
 
 
-def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
+def _from_guess(field: Field, fly: Fly, guess: Guess, closed: float = CLOSED) -> Loop:
     """Newton's method from a guess, in as many stretches as its growth asks for; it may not go far."""
     size = field.size
     loop = looped(field, fly, guess)
@@ -192,6 +198,8 @@ def _from_guess(field: Field, fly: Fly, guess: Guess) -> Loop:
     turns = [turn.state for turn in loop.turns()]
     reach = 0.5 * float(np.ptp(turns, axis=0).max()) if turns else np.inf
     condition = across(field, loop.guess.states[0], loop.constants, pieces * size + 1)
+    if closed > CLOSED:
+        return solved(field, fly, loop.guess, condition, reach=reach, precision=closed, closed=closed)
     return solved(field, fly, loop.guess, condition, reach=reach)
 
 

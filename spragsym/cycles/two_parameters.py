@@ -71,10 +71,25 @@ def cycle_events(
     -------
     EventCurve
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and events of another kind.
+
     Notes
     -----
     Newton's method on the closed orbit, with the event's test function as one more equation: for a fold det(1 − R) = 0 and for
     a doubling det(1 + R) = 0, R the monodromy matrix across the flow; for a grazing level and rate of the border at the start.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(43.1)), V=0.5, d=10.0, near=(2.54, 3.36, 0, 0.36))
+    >>> (doubling,) = ss.cycle_branch(found, "theta0", np.radians([43.09, 43.13])).of("period_doubling")
+    >>> curve = ss.cycle_events(doubling, ("theta0", "mu0"), points=1)
+    >>> np.degrees(curve.values[:, 0]).round(2).tolist(), curve.values[1, 1].item()
+    ([43.03, 43.12, 43.21], 0.5)
     """
     if event.loop is None or event.kind not in (*CRITERIA, "grazing"):
         raise ParameterError(f"a {event.kind} is not followed in two parameters; give a fold, doubling, torus or grazing")

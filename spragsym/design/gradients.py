@@ -50,6 +50,12 @@ def jump_gradient(p: Parameters, vary: str = "mu0", *, direction: str = "up") ->
     Returns
     -------
     JumpGradient
+        NaN where there is no jump.
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense.
 
     Notes
     -----

@@ -16,10 +16,10 @@ from .shooting import Guess, Loop, at_rest_along, once_round, rate, solved
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.
 STEP = 1e-5
 
-#: Forward differences over this find an orbit to so much.
+#: Step of forward differences, and how closely an orbit closes that is found with them.
 COARSE, ROUGH = 1e-5, 1e-4
 
-#: By how much an orbit that is found with such differences may stay open.
+#: By how much an orbit that is found with differences over STEP may stay open.
 OPEN = 1e-9
 
 
@@ -43,7 +43,7 @@ class Closed:
 
 
 def section(states: FloatArray) -> FloatArray:
-    """States where x' = 0 without that rate: x, y, y' for two coordinates."""
+    """States where x' = 0, that rate left out: x, y, y' for two coordinates."""
     kept: FloatArray = np.delete(states, states.shape[-1] // 2, axis=-1)
     return kept
 
@@ -66,20 +66,25 @@ def closed_orbit(field: Field, fly: Fly, state: FloatArray, period: float, reach
     return Closed(place, loop.guess.period, slope)
 
 
-def nearly_closed(field: Field, ends: Ends, state: FloatArray, period: float, reach: float, precision: float) -> Loop:
-    """The loop to a precision, by the plain flow and its forward differences: where that fails, it fails cheaply."""
+def nearly_closed(field: Field, fly: Fly, state: FloatArray, period: float, reach: float, precision: float) -> Loop:
+    """The loop to a precision, by a flow with rough derivatives that cost little; little is lost where that fails."""
+    guess, condition = Guess(state[None], period, ()), at_rest_along(field, field.size + 1)
+    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
+
+
+def by_forward_differences(field: Field, ends: Ends) -> Fly:
+    """``fly`` of the plain flow, with its forward differences."""
     m = field.size
 
     def fly(state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
         last, *others = ends(np.vstack([state, state + COARSE * np.eye(m)]), duration)
         return Passage(last, (np.array(others) - last).T / COARSE, np.zeros((m, 2)), (), ())
 
-    guess, condition = Guess(state[None], period, ()), at_rest_along(field, m + 1)
-    return solved(field, fly, guess, condition, reach=reach, iterations=9, precision=precision, closed=precision)
+    return fly
 
 
 def by_differences(field: Field, courses: Courses) -> Fly:
-    """``fly`` of a flow that carries no derivatives: by central differences; crossings are not told."""
+    """``fly`` of a flow that carries no derivatives: by central differences; crossings are not reported."""
     m = field.size
     unknown = np.full((m, m), np.nan), np.full((m, 2), np.nan)
 

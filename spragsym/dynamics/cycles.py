@@ -36,10 +36,10 @@ NEUTRAL = 1e-6
 #: A multiplier beyond this repels, even if it is known to a digit only.
 REPELS = 2.0
 
-#: Steps whose cosine is at least this go in one direction; the end of such a drift is away beyond this.
+#: Cosine between neighbouring steps from which on they go in one direction; distance of the end from which on a drift goes past.
 ALIGNED, AWAY = 0.98, 0.5
 
-#: What the linearized map may miss of a return, relative to what lacked before.
+#: By how much the linearized map may be wrong about a return, relative to the distance at the return before.
 MISSED = 0.25
 
 #: Cycles that are looked for, of one motion.
@@ -113,7 +113,7 @@ def on_cycle(course: Course, problem: Problem, onward: Onward, tol: float) -> Ou
 
 
 def _orbit(onward: Onward, state: FloatArray, period: float, scale: FloatArray) -> Closed:
-    """The closed orbit near a state; ConvergenceError where there is none, or where some digits tell that it is not wanted."""
+    """The closed orbit near a state; ConvergenceError where there is none, or it is soon seen to be far away or to repel."""
     reach = 4 * CLOSE * float(scale.max())
     place, period, slope = onward.roughly(state, period, reach)
     if np.abs(section(place - state) / scale).max() > 5 * CLOSE or np.abs(np.linalg.eigvals(slope)).max() > REPELS:
@@ -178,7 +178,7 @@ def _nears(cycle: _Cycle, off: FloatArray, tol: float) -> bool:
 
 
 def _modes(slope: FloatArray) -> Modes:
-    """Multipliers and their vectors; the three directions themselves where the vectors tell nothing apart."""
+    """Multipliers and their vectors; where the vectors nearly coincide, the three coordinates of the section instead."""
     values, vectors = np.linalg.eig(slope)
     return values.astype(complex), (vectors if abs(np.linalg.det(vectors)) > 1e-9 else np.eye(len(vectors))).astype(complex)
 

@@ -10,21 +10,39 @@ from typing import Any
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
-from .closed import OPEN, ROUGH, Closed, by_differences, closed_orbit, nearly_closed
-from .course import Courses
+from .closed import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
+from .course import Courses, Ends
 from .field import Field
 from .passage import Fly
 from .problem import Problem
 from .shooting import CLOSED
 from .sprag import REACH
 
-#: Tolerances of flows that closed orbits are found with: for differences that stand for derivatives, and as fine as heyoka goes.
+#: Tolerances of flows that closed orbits are found with: where differences stand for derivatives, and the finest of heyoka.
 FINE, FINEST = 1e-12, 1e-15
+
+#: Tolerance of SciPy's flow before the last of Newton's steps, and how nearly orbits close by it.
+LOOSE, NEAR = 1e-9, 1e-7
+
+#: For each integrator the tolerance of its plain flow, how nearly orbits close by cheap derivatives, and how closely in the end.
+PRECISIONS = {"heyoka": (FINEST, CLOSED, CLOSED), "compiled": (FINE, OPEN, OPEN), "scipy": (FINE, NEAR, CLOSED)}
 
 
 def flow(field: Field, backend: str, derivatives: bool = True) -> Any:
     """An integrator of a field: it has ``fly`` and ``sample``."""
     return variations_heyoka.compiled(field, derivatives) if backend == "heyoka" else variations_scipy.flight(field, derivatives)
+
+
+def follower(field: Field, backend: str) -> Any:
+    """An integrator of a field without derivatives, for following a motion to where Newton's method can begin."""
+    if backend == "scipy":
+        return variations_scipy.Flight(field, derivatives=False, rtol=LOOSE)
+    return flow(field, backend, derivatives=False)
+
+
+def scout(field: Field, backend: str) -> Fly | None:
+    """A cheaper flow with derivatives, to try Newton's method by; None where the flow itself is cheap."""
+    return variations_scipy.Flight(field, rtol=LOOSE).fly if backend == "scipy" else None
 
 
 def carrier(field: Field, backend: str | None) -> tuple[Fly, str]:
@@ -59,23 +77,34 @@ def onward(problem: Problem, backend: str) -> Onward:
 
     courses, ends = integrators.flows(problem, backend)
 
-    def roughly(state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
-        loop = nearly_closed(field(), ends, state, period, reach, ROUGH)
-        return loop.guess.states[0], loop.guess.period, loop.monodromy
-
     def field() -> Field:
         return replace(problem.field_of(REACH), constants=lambda *_: problem.constants)
 
-    def closed(state: FloatArray, period: float, reach: float) -> Closed:
+    def plain(ends: Ends) -> Fly:
+        """The flow with rough derivatives that cost little."""
         if backend == "scipy":
-            return closed_orbit(field(), variations_scipy.Flight(field()).fly, state, period, reach, CLOSED)
-        rtol, precision = (FINEST, CLOSED) if backend == "heyoka" else (FINE, OPEN)
+            return variations_scipy.Flight(field(), rtol=LOOSE).fly
+        return by_forward_differences(field(), ends)
+
+    def roughly(state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
+        loop = nearly_closed(field(), plain(ends), state, period, reach, ROUGH)
+        return loop.guess.states[0], loop.guess.period, loop.monodromy
+
+    def closed(state: FloatArray, period: float, reach: float) -> Closed:
+        rtol, near, precision = PRECISIONS[backend]
         fine, fine_ends = integrators.flows(replace(problem, rtol=min(problem.rtol, rtol)), backend)
-        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where differences fail it is all of them.
+        # Most of Newton's steps by the plain flow: derivatives cost many times as much. Where that fails, all steps have them.
         with suppress(ConvergenceError):
-            near = nearly_closed(field(), fine_ends, state, period, reach, precision).guess
-            state, period = near.states[0], near.period
-        fly = variations_heyoka.compiled(field(), directions=0).fly if backend == "heyoka" else by_differences(field(), fine)
-        return closed_orbit(field(), fly, state, period, reach, precision)
+            guess = nearly_closed(field(), plain(fine_ends), state, period, reach, near).guess
+            state, period = guess.states[0], guess.period
+        return closed_orbit(field(), derived(fine), state, period, reach, precision)
+
+    def derived(fine: Courses) -> Fly:
+        """The flow with its derivatives."""
+        if backend == "heyoka":
+            return variations_heyoka.compiled(field(), directions=0).fly
+        if backend == "scipy":
+            return variations_scipy.Flight(field()).fly
+        return by_differences(field(), fine)
 
     return Onward(courses, roughly, closed)

@@ -34,7 +34,7 @@ EVENTS = len(Event)
 
 _ALL = list(range(LANES))
 
-#: Of a motion that did not arrive.
+#: Numbers of events of a motion that did not arrive.
 _NEVER = [0] * EVENTS
 
 #: What crossing a border does in a mode: in which direction it is crossed, the mode beyond, which parameters become what, and
@@ -139,7 +139,7 @@ class Lanes:
         return turn
 
     def carry(self, stage: Stage, begin: float, end: float) -> None:
-        """Carry all motions of a stage on from ``begin`` to ``end`` but those that have stopped, or stop on the way."""
+        """Carry the motions of a stage from ``begin`` to ``end``, except those that have stopped or stop on the way."""
         run = self._run(stage, end - begin)
         while run.waiting or run.running:
             if len(run.running) < LANES:
@@ -212,7 +212,7 @@ class Lanes:
         return many
 
     def _sort_out(self, run: _Run, results: Any, arrived: list[int]) -> None:
-        """What has ended makes room; where a motion broke off, the others go back to their beginning."""
+        """Free the lanes of motions that have ended; where one broke off, the others under way begin the stage again."""
         import heyoka as hy
 
         overflow, running = hy.taylor_outcome.err_nf_state, run.running

@@ -120,7 +120,7 @@ def at_rest(course: Course, problem: Problem, tol: float) -> Outcome | None:
 
 
 def is_still(moved: Any, extent: Any, tol: float) -> Any:
-    """Whether x has hardly moved between the ends of a motion, nor in between."""
+    """Whether x has hardly moved over a motion, at its ends as in between."""
     return (np.abs(moved) <= 4 * tol) & (extent <= 4 * tol)
 
 

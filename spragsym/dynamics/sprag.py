@@ -15,7 +15,7 @@ from typing import Any
 from ..generated import motion
 from .field import GAP, Border, Field, Mode
 
-#: Between leaving out the exponential of (10) and taking it in again, in units of its exponent.
+#: How far apart the exponential of (10) is left out and taken in again, in units of its exponent.
 WIDTH = 5.0
 
 #: d |V − x'| beyond which the search for cycles leaves the exponential out: far below rounding.

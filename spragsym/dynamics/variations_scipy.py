@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,15 +14,12 @@ from ..parameters import FloatArray
 from .field import Field, Mode
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
-from .with_scipy import first_crossing
+from .with_scipy import ARRAYS, FLOATS, first_crossing
 
 #: As tight as DOP853 goes.
 RTOL, ATOL = 2.3e-14, 1e-15
 
 MAX_STEPS = 200_000
-
-# The continuation of a mode grows without bound far outside it; trial steps that go there are rejected.
-_FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
 
 #: Each step is searched for zeros on this many intervals.
 _SEARCH = np.linspace(0.0, 1.0, 13)
@@ -32,19 +27,23 @@ _SEARCH = np.linspace(0.0, 1.0, 13)
 
 @dataclass(frozen=True)
 class Flight:
-    """A field, carried on by DOP853 with or without derivatives."""
+    """A field, carried on by DOP853 with or without derivatives; those by parameters are 0 where there are no directions."""
 
     field: Field
     derivatives: bool = True
+    directions: int = 2
+    rtol: float = RTOL
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
         """Carry a state on for a while."""
+        if self.directions and not directions.any():
+            return replace(self, directions=0).fly(state, constants, duration, directions)
         m = self.field.size
         crossings: list[Crossing] = []
         turns: list[Turn] = []
         whole = np.asarray(state, dtype=float)
         if self.derivatives:
-            whole = np.concatenate([whole, np.hstack([np.eye(m), np.zeros((m, 2))]).ravel()])
+            whole = np.concatenate([whole, np.eye(m, m + self.directions).ravel()])
         for piece in self._pieces(whole, constants, duration, directions):
             turns += self._turns(piece, constants)
             if piece.border is not None and self.field.borders[piece.border].kink:
@@ -70,8 +69,9 @@ class Flight:
         m = self.field.size
         if not self.derivatives:
             return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
-        columns = values[m:].reshape(m, m + 2)
-        return values[:m].copy(), columns[:, :m].copy(), columns[:, m:].copy()
+        columns = np.zeros((m, m + 2))
+        columns[:, : m + self.directions] = values[m:].reshape(m, m + self.directions)
+        return values[:m].copy(), columns[:, :m], columns[:, m:]
 
     def _pieces(self, whole: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Any:
         """Steps, none of which leaves its mode; a step that would is cut at the border."""
@@ -79,7 +79,7 @@ class Flight:
 
         m, clock, first = self.field.size, 0.0, None
         mode = self.field.initial_mode(whole[:m], constants)
-        options = {"rtol": RTOL, "atol": ATOL}
+        options = {"rtol": self.rtol, "atol": ATOL * (self.rtol / RTOL)}
         steps = 0
         while clock < duration:
             rates = self._rates(constants, mode, directions)
@@ -114,41 +114,44 @@ class Flight:
 
         def rates(_: float, whole: FloatArray) -> FloatArray:
             state = whole[:m].tolist()
-            own = np.array([*state[n:], *field.acceleration(state, constants, mode, _FLOATS)])
+            own = np.array([*state[n:], *field.acceleration(state, constants, mode, FLOATS)])
             if not self.derivatives:
                 return own
-            columns = whole[m:].reshape(m, m + 2)
-            lower = np.array(field.jacobian(state, constants, mode, _FLOATS), dtype=float) @ columns
-            lower[:, m:] += np.array(field.by_parameters(state, constants, mode, _FLOATS), dtype=float) @ directions.T
+            columns = whole[m:].reshape(m, m + self.directions)
+            lower = np.array(field.jacobian(state, constants, mode, FLOATS), dtype=float) @ columns
+            if self.directions:
+                lower[:, m:] += np.array(field.by_parameters(state, constants, mode, FLOATS), dtype=float) @ directions.T
             return np.concatenate([own, columns[n:].ravel(), lower.ravel()])
 
         return rates
 
     def _turns(self, piece: _Piece, constants: tuple[float, ...]) -> list[Turn]:
         """Zeros of the rates within a step."""
-        m, n = self.field.size, len(self.field.coordinates)
         grid = piece.begin + _SEARCH * (piece.end - piece.begin)
-        states = piece.dense(grid)[:m].T
+        borders, values = self._watched(piece.dense(grid), constants, piece.mode)
         found = []
 
-        def at(value: Callable[[Any], float], t: float) -> float:
-            return value(piece.dense(t)[:m])
+        def at(row: int, t: float) -> float:
+            return float(self._watched(piece.dense(t), constants, piece.mode)[1][row])
 
-        for border in (-1, *(i for i, each in enumerate(self.field.borders) if each.kink)):
-
-            def value(state: Any, border: int = border) -> float:
-                if border < 0:
-                    return float(state[n])
-                numbers = state.tolist()
-                accelerations = self.field.acceleration(numbers, constants, piece.mode, _FLOATS)
-                return float(self.field.borders[border].rate(numbers, accelerations, constants, piece.mode))
-
-            values = [value(state) for state in states]
-            for i in range(len(grid) - 1):
-                if (values[i] < 0) != (values[i + 1] < 0) and values[i] != 0:
-                    t = _zero(partial(at, value), float(grid[i]), float(grid[i + 1]))
-                    found.append(Turn(t, border, 1 if values[i] < 0 else -1, *self._split(piece.dense(t))))
+        changes = (values[:, :-1] < 0) != (values[:, 1:] < 0)
+        for row, i in np.argwhere(changes).tolist():
+            t = _zero(partial(at, row), float(grid[i]), float(grid[i + 1]))
+            found.append(Turn(t, borders[row], 1 if values[row, i] < 0 else -1, *self._split(piece.dense(t))))
         return sorted(found, key=lambda turn: turn.t)
+
+    def _watched(self, whole: FloatArray, constants: tuple[float, ...], mode: Mode) -> tuple[list[int], FloatArray]:
+        """Numbers of borders, −1 for the first coordinate, and the rates whose zeros are turns: shape (rows, …)."""
+        states, n = whole[: self.field.size], len(self.field.coordinates)
+        kinks = [i for i, border in enumerate(self.field.borders) if border.kink]
+        values = np.empty((1 + len(kinks), *states.shape[1:]))
+        values[0] = states[n]
+        if kinks:
+            numbers, xp = (states, ARRAYS) if states.ndim > 1 else (states.tolist(), FLOATS)
+            accelerations = self.field.acceleration(numbers, constants, mode, xp)
+            for row, i in enumerate(kinks, 1):
+                values[row] = self.field.borders[i].rate(numbers, accelerations, constants, mode)
+        return [-1, *kinks], values
 
 
 @dataclass(frozen=True)

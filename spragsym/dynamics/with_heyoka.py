@@ -47,7 +47,7 @@ class Equations:
 
     @classmethod
     def of(cls, field: Field, constants: int, *, watch: bool) -> Equations:
-        """Those of a field with so many constants."""
+        """Those of a field with this many constants."""
         import heyoka as hy
 
         names, n = field.coordinates, len(field.coordinates)

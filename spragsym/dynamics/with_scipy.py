@@ -19,8 +19,8 @@ from .solution import Crossing, Solution, assembled
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
-_FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
-_ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
+FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
+ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
 
 #: Each step is searched for crossings on this many intervals, and between them at extrema.
 _SEARCH = np.linspace(0.0, 1.0, 9)
@@ -37,13 +37,14 @@ def integrate(problem: Problem) -> Solution:
     crossings: list[Crossing] = []
     steps = 0
 
-    def keep(begin: float, end: float, dense: Callable[[Any], FloatArray]) -> None:
+    def points(begin: float, end: float) -> FloatArray:
+        """Times of the samples of a step, none before ``t_record``."""
         begin = max(begin, problem.t_record - clock)
-        if end > begin:
-            local = begin + unit * (end - begin)
-            local[-1] = end
-            times.append(clock + local)
-            states.append(dense(local))
+        if end <= begin:
+            return np.empty(0)
+        local = begin + unit * (end - begin)
+        local[-1] = end
+        return local
 
     while clock < problem.t_end:
         # Time runs from 0 in every mode: the closer to the crossing, the more digits it has.
@@ -61,8 +62,16 @@ def integrate(problem: Problem) -> Solution:
             if steps > problem.max_steps:
                 raise too_many_steps(problem, clock + solver.t)
             dense, begin, end = solver.dense_output(), solver.t_old, solver.t
-            crossing = first_crossing(problem.field, problem.constants, mode, dense, begin, end)
-            keep(begin, end if crossing is None else crossing[0], dense)
+            local = points(begin, end)
+            # What is searched and what is kept in one call: a call costs more than its numbers.
+            searched, kept = np.split(dense(np.concatenate([_grid(begin, end), local])), [len(_SEARCH)], axis=1)
+            crossing = first_crossing(problem.field, problem.constants, mode, dense, begin, end, searched)
+            if crossing is not None:
+                local = points(begin, crossing[0])
+                kept = dense(local)
+            if len(local):
+                times.append(clock + local)
+                states.append(kept)
         if crossing is None:
             break
         end, row = crossing
@@ -89,35 +98,44 @@ def _field(problem: Problem, mode: Mode) -> Callable[[float, FloatArray], tuple[
 
     def field(_: float, state: FloatArray) -> tuple[float, ...]:
         values = state.tolist()
-        return (*values[n:], *acceleration(values, constants, mode, _FLOATS))
+        return (*values[n:], *acceleration(values, constants, mode, FLOATS))
 
     return field
 
 
 def _clearances(field: Field, constants: tuple[float, ...], mode: Mode, states: FloatArray) -> FloatArray:
     """Distance from the borders of a mode, negative beyond them, and its rate: shape (borders, 2, …)."""
-    accelerations = field.acceleration(states, constants, mode, _ARRAYS)
-    rows = []
-    for border in field.borders:
+    accelerations = field.acceleration(states, constants, mode, ARRAYS)
+    found = np.empty((len(field.borders), 2, *states.shape[1:]))
+    for row, border in zip(found, field.borders, strict=True):
         sign = border.sign(mode)
-        level, rate = border.level(states, constants, mode), border.rate(states, accelerations, constants, mode)
-        rows.append(np.broadcast_arrays(sign * level + GAP * border.kink, sign * rate))
-    return np.array(rows)
+        row[0] = sign * border.level(states, constants, mode) + GAP * border.kink
+        row[1] = sign * border.rate(states, accelerations, constants, mode)
+    return found
+
+
+def _grid(begin: float, end: float) -> FloatArray:
+    """Where a step is searched."""
+    return begin + _SEARCH * (end - begin)
 
 
 def first_crossing(
-    field: Field, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float
-) -> tuple[float, int] | None:
-    """When, within a step, the motion first leaves its mode, and through which border."""
+    field: Field, constants: tuple[float, ...], mode: Mode, dense: Callable[[Any], FloatArray], begin: float, end: float,
+    searched: FloatArray | None = None,
+) -> tuple[float, int] | None:  # fmt: skip
+    """When, within a step, the motion first leaves its mode, and through which border.
+
+    ``searched`` are the states at the points of the search, where they are known.
+    """
 
     def border(row: int, t: Any) -> FloatArray:
         """Distance from one of the borders, and its rate."""
         distance_and_rate: FloatArray = _clearances(field, constants, mode, dense(np.asarray(t)))[row]
         return distance_and_rate
 
-    grid = begin + _SEARCH * (end - begin)
+    grid = _grid(begin, end)
     found = []
-    for row, (distance, rate) in enumerate(_clearances(field, constants, mode, dense(grid))):
+    for row, (distance, rate) in enumerate(_clearances(field, constants, mode, dense(grid) if searched is None else searched)):
         at = partial(border, row)
         bracket = _bracket(grid, distance, rate, at)
         if bracket is not None:

@@ -20,6 +20,8 @@ from .parameter_tree import Tree, tree
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
 CHUNK = 2048
+#: Pieces that the region is cut into at once for no more points than these: a look at one box costs as much as at a few.
+PIECES, FEW_POINTS = 16, 4
 #: By how much of its width a box is widened before it is asked for a root: so roots on its border are inside of it.
 MARGIN = 0.05
 #: Budget of a point, if no other is given.
@@ -157,11 +159,11 @@ def search(
     Outcome
     """
     points, n = tree(low, high), region.shape[1]
-    first = Pairs(region.max(axis=2, keepdims=True), np.zeros(1, dtype=np.int64))
+    first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
     with np.errstate(all="ignore"):
         beyond = np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None]
         search_state = _Search(system, points, beyond, budget, narrow)
-        search_state.run(first)
+        search_state.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
     unique, where, undecided = (joined(part, n) for part in (search_state.unique, search_state.where, search_state.undecided))
     return Outcome(unique, where, undecided, points, search_state.looks)
 
@@ -238,11 +240,12 @@ class _Search:
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
         scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
         stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
-        stuck |= np.logical_and.reduce(widths <= self.narrow * scale)
+        narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])
-        done = hard | (single & (spent | stuck))
+        moved = ~np.logical_and.reduce(noise < SPREAD * widths)
+        done = hard | (single & (spent | stuck)) | (narrow & (single | ~moved))
         self.undecided.append(now[done])
-        split_node = ~single & ~hard & (spent | ~np.logical_and.reduce(noise < SPREAD * widths))
+        split_node = ~single & ~done & (spent | moved)
         again = ~split_node & ~done
         better = again & (np.where(closed, 1.0, ratio).prod(axis=0) < ENOUGH)
         halve = np.flatnonzero(again & ~better)
@@ -263,6 +266,13 @@ def _reach(ends: FloatArray, middle: FloatArray) -> FloatArray:
     return reach
 
 
+def _parted(pairs: Pairs) -> Pairs:
+    """Pieces of boxes, halved where they are widest."""
+    while 0 < len(pairs) < PIECES:
+        pairs = _cut(pairs, (pairs.ends[0] + pairs.ends[1]).argmax(axis=0))
+    return pairs
+
+
 def _halves(pairs: Pairs, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
     """Both halves of each box, cut where the residuals change most in proportion to all that they change.
 
@@ -274,7 +284,11 @@ def _halves(pairs: Pairs, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs
     known = np.isfinite(share).all(axis=0)
     # What is as narrow as rounding allows gets no narrower by halving.
     done = closed | (widths <= NARROW * np.maximum(1.0, np.abs(pairs.ends).max(axis=0)))
-    along = np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0)
+    return _cut(pairs, np.where(done, -1.0, np.where(known, share, widths)).argmax(axis=0))
+
+
+def _cut(pairs: Pairs, along: NDArray[np.int64]) -> Pairs:
+    """Both halves of each box, cut in the unknown of that number."""
     columns = np.arange(len(pairs))
     # Not in the middle, where symmetric systems have their roots.
     low, high = -pairs.ends[0, along, columns], pairs.ends[1, along, columns]

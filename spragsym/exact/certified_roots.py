@@ -14,6 +14,8 @@ from .interval_arrays import FloatArray, Intervals, raised
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
+#: Relative width up to which there is no further one.
+DONE = 2.0**-50
 
 
 @dataclass(frozen=True)
@@ -105,16 +107,19 @@ def _refined(
     empty = np.zeros(point.size, dtype=np.bool_)
     for begin in range(0, point.size, boxes.CHUNK):
         rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
+        at = system.prepared(parameters[:, point[rows]])
         for _ in range(STEPS):
-            box, at = Intervals(ends[:, :, rows]), system.prepared(parameters[:, point[rows]])
+            box = Intervals(ends[:, :, rows])
             middle = box.middle
             reach = np.maximum(*raised(box.ends + np.stack([middle, -middle])))
             step = contractors.newton(system.at_points(middle, at), system.jacobian(box, at), middle, reach)
             empty[rows] |= contractors.apart(step.ends, box.ends)
             new = np.fmin(step.ends, box.ends)
             ends[:, :, rows] = new
-            narrower = (new[0] + new[1] < 0.75 * (box.ends[0] + box.ends[1])).any(axis=0)
-            rows = rows[narrower]
+            widths = new[0] + new[1]
+            wide = widths > DONE * np.maximum(1.0, np.abs(new).max(axis=0))
+            narrower = (wide & (widths < 0.75 * (box.ends[0] + box.ends[1]))).any(axis=0)
+            rows, at = rows[narrower], at[:, narrower]
             if not rows.size:
                 break
     return ends, empty

@@ -72,6 +72,11 @@ class Intervals:
         """Intervals without width."""
         return cls.between(value, value)
 
+    @classmethod
+    def where(cls, chosen: NDArray[np.bool_], one: Intervals, other: Intervals) -> Intervals:
+        """Intervals of the one where the flag is set, of the other elsewhere."""
+        return cls(np.where(chosen, one.ends, other.ends))
+
     @property
     def low(self) -> FloatArray:
         """Lower ends."""

@@ -1,36 +1,54 @@
-"""Roots in small boxes where Jacobians are nearly singular, of thousands of boxes at once: :mod:`reduction` on arrays of balls.
+"""Roots in small boxes where Jacobians are nearly singular, of thousands of boxes at once: :mod:`reduction` on arrays.
 
-The same reduction to one unknown u and the same cubic with an enclosure of its last coefficient, in double-double instead of any
-number of digits. What it does not decide is left to the other.
+The same reduction to one unknown u and the same cubic g(h) = c₀ + c₁ h + c₂ h² + c₃ h³ with an enclosure of its last
+coefficient, about a point where g' is 0 or as near to it as it gets. There c₀ and c₁ say whether roots lie on both sides of it
+or nowhere: they are known in double-double, where floats would not tell; of c₂ and c₃, which are multiplied by small numbers,
+intervals of floats are enough. What this does not decide is left to the other, with any number of digits.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from itertools import pairwise
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..generated.double_double import two_sum
+from .cubics import Cubics, isolated
 from .elimination import solved
 from .interval_arrays import FloatArray, Intervals, raised
-from .jets import Jet
+from .jets import Jet, constant
 from .wide_balls import WideBalls
 
-#: Forces of some of the boxes, by their rows: of balls or of jets of balls.
-Evaluate: TypeAlias = Callable[[NDArray[np.int64], Sequence[Any]], Sequence[Any]]
+
+class System(Protocol):
+    """n equations in n unknowns, of some of the boxes, by their rows."""
+
+    def values(self, rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Any]:
+        """F of balls, of intervals, or of jets of intervals."""
+
+    def slopes(self, rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
+        """∂F/∂x of balls or of intervals, row by row."""
+
+
 #: Times the other unknowns are given more room, and times they are narrowed.
 WIDENINGS, NARROWINGS = 6, 5
-#: Rounds of halvings of pieces of u, and most pieces of one box in a round.
-ROUNDS, PIECES = 120, 24
+#: Narrowing ends where a step leaves more than this part, or less than that width, relatively.
+MUCH, DONE = 0.5, 2.0**-50
 #: Times boxes are halved in u.
 LEVELS = 6
-#: Steps of interval Newton on one root.
-STEPS = 6
-#: No further step where the last one has left more than this part, or less than that width, relatively.
-MUCH, DONE = 0.5, 2.0**-56
+#: Steps to the point that g is expanded about.
+STEPS = 2
+#: What u is given beyond the ends of a box, so that distances from its centre, rounded outward, lie inside.
+ROOM = 2.0**-40
+#: Parts of a box within and beyond so many times the distance of roots from its centre, and bounds on that over its width.
+REACH, LEAST, MOST = 4.0, 1 / 256, 1 / 5
+#: Steps to a root, and the relative width up to which there is no further one.
+POLISHINGS, FINE = 5, 2.0**-46
+#: Boxes that are looked at together.
+CHUNK = 4096
 
 
 @dataclass(frozen=True)
@@ -43,22 +61,25 @@ class Found:
     open: NDArray[np.bool_]
 
 
-def reduced_roots(evaluate: Evaluate, boxes: FloatArray, slopes: FloatArray) -> Found:
+def reduced_roots(system: System, boxes: FloatArray, slopes: FloatArray, levels: int = LEVELS) -> Found:
     """All roots in boxes of shape (2, n, N), given the Jacobian somewhere in each, shape (n, n, N)."""
-    n, count = boxes.shape[1:]
+    n = boxes.shape[1]
     known = np.isfinite(slopes).all(axis=(0, 1))
     left, _, right = np.linalg.svd(np.moveaxis(np.where(known, slopes, 0.0), -1, 0))
-    along, equation = np.abs(right[:, -1, :]).argmax(axis=1), np.abs(left[:, :, -1]).argmax(axis=1)
-    parts = []
+    order = _last_first(np.abs(right[:, -1, :])), _last_first(np.abs(left[:, :, -1]))
+    parts: list[tuple[FloatArray, FloatArray, NDArray[np.int64]]] = []
     part, box = boxes[:, :, known], np.flatnonzero(known)
-    for _ in range(LEVELS):
-        open_ = np.zeros(box.size, dtype=np.bool_)
-        with np.errstate(all="ignore"):
-            for u, row in sorted(set(zip(along[box].tolist(), equation[box].tolist(), strict=True))):
-                rows = np.flatnonzero((along[box] == u) & (equation[box] == row))
-                ends, alone, mine, open_[rows] = _Group(evaluate, box[rows], u, row, n).roots(part[:, :, rows])
-                parts.append((ends, alone, box[rows[mine]]))
-        part, box = _halves(part[:, :, open_], along[box[open_]]), np.concatenate([box[open_], box[open_]])
+    for _ in range(levels):
+        open_, cuts = np.zeros(box.size, dtype=np.bool_), np.empty((2, box.size))
+        for begin in range(0, box.size, CHUNK):
+            some = slice(begin, begin + CHUNK)
+            rows = box[some]
+            with np.errstate(all="ignore"):
+                reduction = _Reduction(system, rows, order[0][:, rows], order[1][:, rows])
+                ends, alone, mine, open_[some], cuts[:, some] = reduction.roots(part[:, :, some])
+            parts.append((ends, alone, rows[mine]))
+        part, place = _divided(part[:, :, open_], order[0][0, box[open_]], cuts[:, open_])
+        box = box[open_][place]
         if not box.size:
             break
     undecided: NDArray[np.bool_] = np.array(~known, dtype=np.bool_)
@@ -72,196 +93,295 @@ def reduced_roots(evaluate: Evaluate, boxes: FloatArray, slopes: FloatArray) -> 
     )
 
 
-def _halves(boxes: FloatArray, along: NDArray[np.int64]) -> FloatArray:
-    """Both halves of boxes in the unknown of that number."""
+def _last_first(weights: FloatArray) -> NDArray[np.int64]:
+    """Numbers of the columns, shape (n, N), that of the largest weight first."""
+    order: NDArray[np.int64] = np.argsort(-weights, axis=1, kind="stable").T
+    return order
+
+
+def _divided(boxes: FloatArray, along: NDArray[np.int64], cuts: FloatArray) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Parts of boxes, cut twice in the unknown of that number, and the box of each."""
     rows = np.arange(along.size)
     low, high = -boxes[0, along, rows], boxes[1, along, rows]
-    cut = np.clip(low + (61 / 128) * (high - low), low, high)
-    lower, upper = boxes.copy(), boxes.copy()
-    lower[1, along, rows], upper[0, along, rows] = cut, -cut
-    return np.concatenate([lower, upper], axis=2)
+    ends = np.stack([low, *np.clip(cuts, low, high), high])
+    parts = []
+    for one, two in pairwise(ends):
+        part = boxes.copy()
+        part[0, along, rows], part[1, along, rows] = -one, two
+        there = np.flatnonzero(two > one)
+        parts.append((part[:, :, there], there))
+    return np.concatenate([part for part, _ in parts], axis=2), np.concatenate([there for _, there in parts])
 
 
 @dataclass(frozen=True)
-class _Group:
-    """Boxes with the same u and the same equation that is left."""
+class _Curve:
+    """The other unknowns as functions of u, by Taylor's series: coefficients of each, the last one all over the box."""
 
-    evaluate: Evaluate
+    centre: FloatArray
+    terms: list[list[Intervals]]
+    box: list[Intervals]
+
+    def taken(self, rows: NDArray[np.int64]) -> _Curve:
+        """Some of them."""
+        terms = [[term[rows] for term in row] for row in self.terms]
+        return _Curve(self.centre[rows], terms, [value[rows] for value in self.box])
+
+    def at(self, u: Intervals) -> list[Intervals]:
+        """What holds the others where u is in a part of the box."""
+        h = u - Intervals.point(self.centre)
+        out = []
+        for (value, first, second, third), box in zip(self.terms, self.box, strict=True):
+            series = value + h * (first + h * (second + h * third))
+            out.append(Intervals(np.fmin(series.ends, box.ends)))
+        return out
+
+
+@dataclass(frozen=True)
+class _Reduction:
+    """Boxes with their u and the equation that is left: the first of the ``unknowns`` and ``equations``, shape (n, N)."""
+
+    system: System
     rows: NDArray[np.int64]
-    along: int
-    equation: int
-    n: int
+    unknowns: NDArray[np.int64]
+    equations: NDArray[np.int64]
 
-    def roots(self, boxes: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_]]:
+    def roots(self, boxes: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_], FloatArray]:
+        """Boxes around roots and those they are alone in, the box of each; the boxes that stay open, and where to cut them."""
         every = np.arange(self.rows.size)
-        sides = Intervals(boxes)
-        u = WideBalls.around(sides[self.along])
-        others, proved = self._others(u, [WideBalls.around(sides[i]) for i in range(self.n) if i != self.along])
-        whole = self._expansion(every, u, others, 3)
-        centre = u.middle.high
-        at = WideBalls.exact(centre)
-        point = self._expansion(every, at, self._narrowed(every, at, others), 2)
-        cubic = [*point, whole[3]]
-        low, high = (raised(part) for part in (boxes[0, self.along] + centre, boxes[1, self.along] - centre))
-        one, two, box, open_ = _isolated(cubic, -low, high)
+        side, *given = Intervals(boxes[:, self.unknowns, every])
+        u = Intervals(side.ends + ROOM * side.width)
+        others, proved = self._others(u, given)
+        (*_, last), terms = self._expansion(every, u, others, 3)
+        curve, bend = self._centre(u, others, last, [row[-1] for row in terms])
+        centre = curve.centre
+        value, slope = self._precise(every, centre, [row[0] for row in curve.terms])
+        low, high = raised(side.ends + np.stack([centre, -centre]))
+        cubics = Cubics(value, slope, bend, last)
+        one, two, guess, box, open_ = isolated(cubics, -low, high)
+        half = np.clip(side.low + (61 / 128) * (side.high - side.low), side.low, side.high)
+        # Nearer to the centre its last coefficient is known better.
+        near_by = np.clip(cubics.scale() * REACH, LEAST * side.width, MOST * side.width)
+        cuts = np.where(open_ & proved & np.isfinite(near_by), np.stack([centre - near_by, centre + near_by]), half)
         open_ |= ~proved
         kept = ~open_[box]
-        one, two, box = one[kept], two[kept], box[kept]
-        mine = [value.taken(box) for value in others]
-        alone = self._boxed(centre[box], one, two, mine)
-        ends = self._polished(centre[box], one, two, box, mine, whole[3].taken(box))
+        one, two, guess, box = one[kept], two[kept], guess[kept], box[kept]
+        # Inward: what lies beyond the ends may be another root.
+        spans = Intervals(-raised(np.stack([one + centre[box], -two - centre[box]])))
+        ends = self._polished(box, spans, centre[box] + guess, curve.taken(box))
+        alone = self._boxed(box, [spans, *(value[box] for value in others)])
         bad = ~np.isfinite(ends).all(axis=(0, 1)) | ~np.isfinite(alone).all(axis=(0, 1))
         open_[box[bad]] = True
         kept = ~open_[box]
-        return ends[:, :, kept], alone[:, :, kept], box[kept], open_
+        return ends[:, :, kept], alone[:, :, kept], box[kept], open_, cuts
 
-    def _rows(self, where: NDArray[np.int64], u: Any, others: Sequence[Any]) -> tuple[list[Any], Any]:
-        """The equations for the other unknowns, and the one that is left."""
-        rest = iter(others)
-        values = list(self.evaluate(self.rows[where], [u if i == self.along else next(rest) for i in range(self.n)]))
-        return [value for number, value in enumerate(values) if number != self.equation], values[self.equation]
+    # ------------------------------------------------------------------------------------------------ the system
 
-    def _slopes(self, where: NDArray[np.int64], u: WideBalls, others: Sequence[WideBalls]) -> list[list[Any]]:
-        rows, _ = self._rows(where, u, [Jet.variable(value, number, 1) for number, value in enumerate(others)])
-        return [[row.derivative(number) if isinstance(row, Jet) else 0 for number in range(self.n - 1)] for row in rows]
+    def _ordered(self, where: NDArray[np.int64], values: Sequence[Any], like: Any = None) -> list[Any]:
+        """Unknowns in their order, of u and the others."""
+        like = values[0] if like is None else like
+        place = np.argsort(self.unknowns[:, where], axis=0, kind="stable")
+        return [_picked(values, row, like) for row in place]
 
-    def _newton(self, where: NDArray[np.int64], u: WideBalls, others: Sequence[WideBalls]) -> list[WideBalls]:
+    def _boxed(self, where: NDArray[np.int64], values: Sequence[Intervals]) -> FloatArray:
+        """Boxes of unknowns in their order, shape (2, n, N)."""
+        return np.stack([value.ends for value in self._ordered(where, values)], axis=1)
+
+    def _values(self, where: NDArray[np.int64], unknowns: Sequence[Any]) -> list[Any]:
+        """F, the equation that is left first."""
+        values = self.system.values(self.rows[where], self._ordered(where, unknowns))
+        return [_picked(values, row, unknowns[0]) for row in self.equations[:, where]]
+
+    def _slopes(self, where: NDArray[np.int64], unknowns: Sequence[Any]) -> list[list[Any]]:
+        """Slopes of F by u and the others, the equation that is left first."""
+        like = unknowns[0]
+        rows = self.system.slopes(self.rows[where], self._ordered(where, unknowns))
+        columns = [[_picked(column, places, like) for places in self.equations[:, where]] for column in zip(*rows, strict=True)]
+        return [[_picked(row, places, like) for places in self.unknowns[:, where]] for row in zip(*columns, strict=True)]
+
+    def _coefficients(self, where: NDArray[np.int64], series: Sequence[Sequence[Any]], order: int) -> list[Any]:
+        """Coefficients of that order of F along series of u and the others, the equation that is left first."""
+        orders = [self._ordered(where, [part[k] for part in series], series[0][0]) for k in range(order + 1)]
+        jets = [
+            Jet({(0,) * k: row[i] for k, row in enumerate(orders) if not _is_zero(row[i])}, order) for i in range(len(series))
+        ]
+        rows = self.system.values(self.rows[where], jets)
+        parts = [row.terms.get((0,) * order, 0) if isinstance(row, Jet) else 0 for row in rows]
+        return [_picked(parts, row, series[0][0]) for row in self.equations[:, where]]
+
+    # ------------------------------------------------------------------------------------------------ the others
+
+    def _newton(self, where: NDArray[np.int64], u: Intervals, others: Sequence[Intervals]) -> list[Intervals]:
         """Interval Newton's operator for the other unknowns as functions of u."""
-        middle = [value.centre() for value in others]
-        rows, _ = self._rows(where, u, middle)
-        return [m - step for m, step in zip(middle, solved(self._slopes(where, u, others), rows), strict=True)]
+        middle = [Intervals.point(value.middle) for value in others]
+        values = self._values(where, [u, *middle])[1:]
+        slopes = [row[1:] for row in self._slopes(where, [u, *others])[1:]]
+        return [m - step for m, step in zip(middle, solved(slopes, values), strict=True)]
 
-    def _others(self, u: WideBalls, given: list[WideBalls]) -> tuple[list[WideBalls], NDArray[np.bool_]]:
-        """Balls of the other unknowns that hold exactly one value each for every u, and where that is proved."""
+    def _others(self, u: Intervals, given: list[Intervals]) -> tuple[list[Intervals], NDArray[np.bool_]]:
+        """Intervals of the other unknowns that hold exactly one value each for every u, and where that is proved."""
         every = np.arange(self.rows.size)
-        proved = np.zeros(self.rows.size, dtype=np.bool_)
+        proved = np.full(self.rows.size, not given)
+        if not given:
+            return given, proved
         out = given
         for _ in range(WIDENINGS):
-            wide = [value.widened(4.0) for value in given]
+            wide = [Intervals(value.ends + 1.5 * value.width) for value in given]
             image = self._newton(every, u, wide)
-            inside = np.logical_and.reduce([one.inside(other) for one, other in zip(image, wide, strict=True)])
+            inside = np.logical_and.reduce([(one.ends < other.ends).all(axis=0) for one, other in zip(image, wide, strict=True)])
             new = inside & ~proved
-            out = [WideBalls.where(new, one, other) for one, other in zip(image, out, strict=True)]
+            out = [Intervals(np.where(new, one.ends, other.ends)) for one, other in zip(image, out, strict=True)]
             proved |= inside
             if proved.all():
                 break
-            given = [one.union(other) for one, other in zip(image, given, strict=True)]
+            given = [one.hull(other) for one, other in zip(image, given, strict=True)]
         return self._narrowed(every, u, out), proved
 
-    def _narrowed(self, where: NDArray[np.int64], u: WideBalls, others: Sequence[WideBalls]) -> list[WideBalls]:
-        current = list(others)
+    def _narrowed(self, where: NDArray[np.int64], u: Intervals, others: Sequence[Intervals]) -> list[Intervals]:
+        if not others:
+            return []
+        ends = np.stack([value.ends for value in others], axis=1)
+        rows = np.arange(where.size)
         for _ in range(NARROWINGS):
-            image = self._newton(where, u, current)
-            better = np.logical_and.reduce([one.radius < other.radius for one, other in zip(image, current, strict=True)])
-            much = np.logical_or.reduce([one.radius < MUCH * other.radius for one, other in zip(image, current, strict=True)])
-            current = [WideBalls.where(better, one, other) for one, other in zip(image, current, strict=True)]
-            if not (better & much).any():
+            now = ends[:, :, rows]
+            new = np.stack([value.ends for value in self._newton(where[rows], u[rows], list(Intervals(now)))], axis=1)
+            new = np.fmin(new, now)
+            ends[:, :, rows] = new
+            widths, before = new[0] + new[1], now[0] + now[1]
+            more = (widths < MUCH * before) & (widths > DONE * np.maximum(1.0, np.abs(new).max(axis=0)))
+            rows = rows[more.any(axis=0)]
+            if not rows.size:
                 break
-        return current
+        return list(Intervals(ends))
 
-    def _expansion(self, where: NDArray[np.int64], u: WideBalls, others: Sequence[WideBalls], highest: int) -> list[Any]:
-        """Taylor coefficients of what is left as a function of u."""
-        slopes = self._slopes(where, u, others)
-        jets = [Jet({(): value}, highest) for value in others]
-        variable = Jet.variable(u, 0, highest)
-        for order in range(1, highest + 1):
-            rows, _ = self._rows(where, variable, jets)
-            steps = solved(slopes, [_coefficient(row, order) for row in rows])
-            jets = [Jet({**jet.terms, (0,) * order: -step}, highest) for jet, step in zip(jets, steps, strict=True)]
-        _, last = self._rows(where, variable, jets)
+    # ------------------------------------------------------------------------------------------- the one function
+
+    def _expansion(
+        self, where: NDArray[np.int64], u: Intervals, others: Sequence[Intervals], highest: int
+    ) -> tuple[list[Intervals], list[list[Intervals]]]:
+        """Taylor coefficients of g from the first on, and of the others as functions of u, from their values on.
+
+        Coefficients of F are linear in the last ones of the others.
+        """
+        slopes = self._slopes(where, [u, *others])
+        matrix = [row[1:] for row in slopes[1:]]
+        steps = solved(matrix, [row[0] for row in slopes[1:]])
+        zero = Intervals(np.zeros((2, where.size)))
+        series: list[list[Any]] = [[u, 1], *([value, zero - step] for value, step in zip(others, steps, strict=True))]
+        out = [_less(slopes[0][0], slopes[0][1:], steps) + zero]
+        for order in range(2, highest + 1):
+            for part in series:
+                part.append(0)
+            rest, *rows = self._coefficients(where, series, order)
+            steps = solved(matrix, rows)
+            out.append(_less(rest, slopes[0][1:], steps) + zero)
+            for part, step in zip(series[1:], steps, strict=True):
+                part[order] = zero - step
+        return out, series[1:]
+
+    def _centre(self, u: Intervals, others: list[Intervals], last: Intervals, lasts: list[Intervals]) -> tuple[_Curve, Intervals]:
+        """The others about a point where g' is 0 or nearest to 0, roughly, and g''/2 there."""
+        rows = np.arange(self.rows.size)
+        curve = _Curve(u.middle, [[Intervals(np.zeros((2, rows.size))) for _ in range(3)] + [term] for term in lasts], others)
+        bend = Intervals(np.zeros((2, rows.size)))
+        centre, near = curve.centre[rows], others
+        for step in range(STEPS + 1):
+            at = Intervals.point(centre)
+            (slope, second), terms = self._expansion(rows, at, self._narrowed(rows, at, near), 2)
+            curve.centre[rows], bend.ends[:, rows] = centre, second.ends
+            for old, new in zip(curve.terms, terms, strict=True):
+                for one, other in zip(old, new, strict=False):
+                    one.ends[:, rows] = other.ends
+            if step == STEPS:
+                break
+            move = _flattest(slope.middle, second.middle, last.middle[rows])
+            moved = np.clip(centre + move, u.low[rows], u.high[rows])
+            off = np.abs(moved - centre) > 1e-9 * u.width[rows]
+            rows, centre = rows[off], moved[off]
+            if not rows.size:
+                break
+            near = curve.taken(rows).at(Intervals.point(centre))
+        return curve, bend
+
+    def _precise(self, where: NDArray[np.int64], u: FloatArray, others: Sequence[Intervals]) -> tuple[WideBalls, WideBalls]:
+        """g and g' at floats, in double-double; the others are known to hold their values there."""
+        at = WideBalls.exact(u)
+        middle = [WideBalls.exact(value.middle) for value in others]
+        values = self._values(where, [at, *middle])[1:]
+        slopes = self._slopes(where, [Intervals.point(u), *others])[1:]
+        steps = solved([[_wide(entry) for entry in row[1:]] for row in slopes], values)
+        sharp = [at, *(m - step for m, step in zip(middle, steps, strict=True))]
+        slopes = self._slopes(where, sharp)
+        steps = solved([row[1:] for row in slopes[1:]], [row[0] for row in slopes[1:]])
         zero = WideBalls.exact(np.zeros(where.size))
-        return [zero + _coefficient(last, order) for order in range(highest + 1)]
+        return zero + self._values(where, sharp)[0], zero + _less(slopes[0][0], slopes[0][1:], steps)
 
-    def _polished(
-        self,
-        centre: FloatArray,
-        one: FloatArray,
-        two: FloatArray,
-        box: NDArray[np.int64],
-        others: list[WideBalls],
-        last: WideBalls,
-    ) -> FloatArray:
-        """Small boxes around the only root in each span, by interval Newton."""
-        for _ in range(STEPS):
-            middle = np.clip(0.5 * (one + two), one, two)
-            at = WideBalls(two_sum(centre, middle), np.zeros_like(centre))
-            point = [*self._expansion(box, at, self._narrowed(box, at, others), 2), last]
-            slope = _taylor_slope(point, _between(one - middle, two - middle)).intervals()
-            step = (point[0].intervals() / slope).ends
-            ends = raised(np.stack([step[1] - middle, step[0] + middle]))
-            new = np.fmin(ends, np.stack([-one, two]))
-            narrower = new[0] + new[1] < two - one
-            more = (new[0] + new[1] < MUCH * (two - one)) & (new[0] + new[1] > DONE * np.maximum(1.0, np.abs(centre)))
-            one, two = np.where(narrower, -new[0], one), np.where(narrower, new[1], two)
-            if not more.any():
+    def _polished(self, where: NDArray[np.int64], spans: Intervals, guess: FloatArray, curve: _Curve) -> FloatArray:
+        """Small boxes around the only root in each span of u, near a guess; NaN where that is not shown."""
+        ends = np.full((2, len(self.unknowns), where.size), np.nan)
+        rows = np.arange(where.size)
+        for _ in range(POLISHINGS):
+            u, *_ = found = self._step(where[rows], spans[rows], guess[rows], curve.taken(rows))
+            box = Intervals(self._boxed(where[rows], found))
+            ends[:, :, rows], guess[rows] = box.ends, u.middle
+            rows = rows[(box.width > FINE * np.maximum(1.0, box.magnitude)).any(axis=0)]
+            if not rows.size:
                 break
-        return self._boxed(centre, one, two, self._narrowed(box, _around(centre, one, two), others))
+        return ends
 
-    def _boxed(self, centre: FloatArray, one: FloatArray, two: FloatArray, others: list[WideBalls]) -> FloatArray:
-        rest = iter([value.intervals().ends for value in others])
-        u = _around(centre, one, two).intervals().ends
-        return np.stack([u if i == self.along else next(rest) for i in range(self.n)], axis=1)
+    def _step(self, where: NDArray[np.int64], spans: Intervals, guess: FloatArray, curve: _Curve) -> list[Intervals]:
+        """Newton's step from a guess: u and the others, NaN for a u that is not shown to hold the root.
+
+        A root u + h has h = −g(u) / (g'(u) + c₂ h) with a c₂ of its enclosure. An interval that this maps into itself has one.
+        """
+        u = np.clip(guess, spans.low, spans.high)
+        at = Intervals.point(u)
+        value, slope = self._precise(where, u, self._narrowed(where, at, curve.at(at)))
+        reach = 4 * value.size / np.abs(slope.middle.high) + 1e-30
+        around = Intervals(raised(np.stack([reach - u, reach + u])))
+        inside = (around.ends <= spans.ends).all(axis=0)
+        others = self._narrowed(where, around, curve.at(around))
+        bend = self._expansion(where, around, others, 2)[0][1]
+        room = Intervals(np.stack([reach, reach]))
+        h = -(value.intervals() / (slope.intervals() + bend * room))
+        proved = inside & (h.ends < room.ends).all(axis=0)
+        found = np.fmin(raised(h.ends + np.stack([-u, u])), around.ends)
+        return [Intervals(np.where(proved, found, np.nan)), *others]
 
 
-def _around(centre: FloatArray, one: FloatArray, two: FloatArray) -> WideBalls:
-    """centre + [one, two]."""
-    middle = np.clip(0.5 * (one + two), one, two)
-    radius = raised(np.maximum(two - middle, middle - one))
-    return WideBalls(two_sum(centre, middle), raised(radius))
+def _flattest(first: FloatArray, second: FloatArray, third: FloatArray) -> FloatArray:
+    """The h with first + 2 second h + 3 third h² = 0 that is nearest to 0, or that of the extremum where there is none."""
+    square = second * second - 3 * first * third
+    root = np.where(square > 0, -first / (second + np.copysign(np.sqrt(np.maximum(square, 0.0)), second)), -second / (3 * third))
+    return np.where(np.isfinite(root), root, 0.0)
 
 
-def _between(low: FloatArray, high: FloatArray) -> WideBalls:
-    return WideBalls.around(Intervals(raised(np.stack([-low, high]))))
+def _is_zero(value: Any) -> bool:
+    return isinstance(value, int) and value == 0
 
 
-def _coefficient(row: Any, order: int) -> Any:
-    return row.terms.get((0,) * order, 0) if isinstance(row, Jet) else (row if order == 0 else 0)
+def _less(value: Any, factors: Sequence[Any], steps: Sequence[Any]) -> Any:
+    """value − Σ factor step."""
+    for factor, step in zip(factors, steps, strict=True):
+        value = value - factor * step
+    return value
 
 
-def _taylor(c: Sequence[Any], h: WideBalls) -> WideBalls:
-    """The cubic over a piece, expanded about its middle."""
-    m = h.centre()
-    d = h - m
-    slope = c[1] + m * (c[2] * 2 + m * c[3] * 3)
-    out: WideBalls = c[0] + m * (c[1] + m * (c[2] + m * c[3])) + d * (slope + d * (c[2] + m * c[3] * 3 + d * c[3]))
+def _wide(value: Any) -> Any:
+    return WideBalls.around(value) if isinstance(value, Intervals) else value
+
+
+def _picked(values: Sequence[Any], places: NDArray[np.int64], like: Any) -> Any:
+    """Of several arrays of numbers, or numbers, that of the given place, element by element, as numbers like another."""
+    if all(value is values[0] or (isinstance(value, int) and value == values[0]) for value in values[1:]):
+        return values[0]
+    kind = type(constant(like))
+    out = None
+    for number, value in enumerate(values):
+        array = value if isinstance(value, kind) else _constant(kind, float(value), places.size)
+        out = array if out is None else kind.where(places == number, array, out)
     return out
 
 
-def _taylor_slope(c: Sequence[Any], h: WideBalls) -> WideBalls:
-    m = h.centre()
-    d = h - m
-    out: WideBalls = c[1] + m * (c[2] * 2 + m * c[3] * 3) + d * (c[2] * 2 + m * c[3] * 6 + d * c[3] * 3)
-    return out
-
-
-def _isolated(
-    cubic: Sequence[WideBalls], low: FloatArray, high: FloatArray
-) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_]]:
-    """Spans with exactly one root each, the box of each, and the boxes whose roots can't be told apart."""
-    failed: NDArray[np.bool_] = np.any([~np.isfinite(part.radius) for part in cubic], axis=0)
-    one: FloatArray = low
-    two: FloatArray = high
-    box: NDArray[np.int64] = np.arange(low.size)
-    found: list[tuple[FloatArray, FloatArray, NDArray[np.int64]]] = []
-    for _ in range(ROUNDS):
-        crowded = np.bincount(box, minlength=low.size) > PIECES
-        failed |= crowded
-        alive = ~failed[box]
-        one, two, box = one[alive], two[alive], box[alive]
-        if not box.size:
-            break
-        c = [part.taken(box) for part in cubic]
-        h = _between(one, two)
-        open_ = _taylor(c, h).signs() == 0
-        one, two, box, c, h = one[open_], two[open_], box[open_], [part.taken(open_) for part in c], h.taken(open_)
-        straight = _taylor_slope(c, h).signs() != 0
-        signs = [_taylor(c, WideBalls.exact(end)).signs() for end in (one, two)]
-        failed[box[straight & ((signs[0] == 0) | (signs[1] == 0))]] = True
-        rooted = straight & (signs[0] * signs[1] < 0)
-        found.append((one[rooted], two[rooted], box[rooted]))
-        one, two, box = one[~straight], two[~straight], box[~straight]
-        cut = one + (two - one) * (63 / 128)
-        one, two, box = np.concatenate([one, cut]), np.concatenate([cut, two]), np.concatenate([box, box])
-    failed[box] = True
-    lows, highs = (np.concatenate([low[:0], *(part[k] for part in found)]) for k in (0, 1))
-    return lows, highs, np.concatenate([np.empty(0, dtype=np.int64), *(part[2] for part in found)]), failed
+def _constant(kind: type, value: float, count: int) -> Any:
+    numbers = np.full(count, value)
+    return WideBalls.exact(numbers) if kind is WideBalls else Intervals.point(numbers)

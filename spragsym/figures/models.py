@@ -10,8 +10,11 @@ from matplotlib.axes import Axes
 
 from ..models import Model
 from ..models.bifurcation import ModelBifurcationSet
+from ..models.describe import units_of
+from ..models.trajectory import ModelTrajectory
 from ..statics.solver import Stability
-from .style import BLACK, BLUE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled
+from .motion_pictures import draw_motion
+from .style import BLACK, BLUE, DOUBLE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled
 
 #: Range of a parameter, by its name.
 Between = Mapping[str, tuple[float, float]]
@@ -48,6 +51,20 @@ def window(model: Model, vary: Sequence[str], between: Between) -> Between:
         far = max(1.0, 2.0 * abs(entry["base"] or 0.0))
         out[name] = (-far if entry["low"] is None else entry["low"], far if entry["high"] is None else entry["high"])
     return out
+
+
+@styled
+def model_motion_figure(motion: ModelTrajectory) -> Sheet:
+    """Each coordinate of a motion of a model over time, as a figure."""
+    model = motion.model
+    figure, axes = panels(len(model.coordinates), 1, DOUBLE, 1.8 * len(model.coordinates), sharex=True)
+    for name, ax in zip(model.coordinates, axes[:, 0], strict=True):
+        draw_motion(motion, name, ax, labels=("", label(model, name)))
+    axes[-1, 0].set(xlabel="$t$")
+    return figure.describe(
+        f"""A motion of {model.name}, in its units: {units_of(model.about)}.""",
+        **{letter: {"t": motion.t, name: getattr(motion, name)} for letter, name in zip("abcd", model.coordinates, strict=False)},
+    )
 
 
 def _shown(model: Model, name: str, values: Any) -> Any:

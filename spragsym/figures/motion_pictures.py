@@ -10,18 +10,19 @@ from matplotlib.axes import Axes
 
 from ..dynamics import Trajectory
 from ..dynamics.pictures import LABELS, course_over_time
+from ..dynamics.recorded import Recorded
 from .style import BLUE, DOUBLE, GREY, Sheet, own_axes, panels, styled
 
 
-def draw_motion(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
+def draw_motion(motion: Recorded, of: str = "x", ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
                 labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
     """A component of a motion over time; returns the line.
 
     Parameters
     ----------
-    motion : Trajectory
+    motion : Trajectory or ModelTrajectory
     of : str
-        ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``.
+        One of its components: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a coordinate of the model or its rate.
     ax : Axes, optional
     length, time : float
         What one unit of the component and of time is in the units of the axes.

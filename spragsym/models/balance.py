@@ -15,6 +15,8 @@ from ..exact.interval_functions import cos, sin
 from .directions import direction
 from .laws import XP
 
+#: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
+AWAY = 1.0
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
@@ -172,8 +174,12 @@ class Balance:
     def nothing_at(self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
         """The same, of coordinates and arguments."""
         out = self.beyond_border(q, values, shape)
-        for spring in range(self.springs):
-            out |= self._no_direction(q, values, shape, spring)
+        for spring, (dx, dy) in enumerate(self.anchors(q, values, shape)):
+            # Farther from the anchor the direction is known so well that the forces themselves tell.
+            rows = np.flatnonzero(~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
+            if rows.size:
+                some = {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}
+                out[rows] = self._no_direction([part[rows] for part in q], some, rows.shape, spring)
         return out
 
     def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:

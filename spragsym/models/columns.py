@@ -21,16 +21,17 @@ class Columns(Result):
     1.5
     """
 
-    _held_in: ClassVar[str]
+    #: The field that holds them.
+    held_in: ClassVar[str]
 
     def __init_subclass__(cls, held_in: str, **options: Any) -> None:
         super().__init_subclass__(**options)
-        cls._held_in = held_in
+        cls.held_in = held_in
 
     def __getattr__(self, name: str) -> FloatArray:
-        columns = self.__dict__.get(self._held_in, {})
+        columns = self.__dict__.get(self.held_in, {})
         if name not in columns:
-            known = f"its {self._held_in} are {', '.join(columns)}"
+            known = f"its {self.held_in} are {', '.join(columns)}"
             raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}; {known}")
         column: FloatArray = columns[name]
         return column

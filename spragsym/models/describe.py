@@ -22,7 +22,12 @@ def described(about: Mapping[str, Any]) -> str:
         )
         for entry in about["parameters"]
     ]
-    return "\n\n".join([*parts, _table(coordinates), _table(parameters)])
+    return "\n\n".join([*parts, _table(coordinates), _table(parameters), f"measured in: {units_of(about)}"])
+
+
+def units_of(about: Mapping[str, Any]) -> str:
+    """What lengths, times and forces are measured in, in the quantities of the page."""
+    return ", ".join(f"{name} {about['scales'][name].replace('**', '^')}" for name in ("length", "time", "force"))
 
 
 def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:

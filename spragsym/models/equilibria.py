@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -18,11 +18,12 @@ from . import stability as _stability
 from .balance import Balance, Model
 from .columns import Columns
 from .polar import around_anchors, stiff_points
-from .precise import settled
+from .precise import assembled, at, boxes_of, hull_of_each, of_each, replaced, settled, settled_by_digits, unsettled
 from .regions import region
 
-#: Relative width of boxes that are left to many digits.
-NARROW = 2.0**-16
+#: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
+#: so is searched anew, to narrower boxes.
+STAGES = ((2.0**-9, 4), (2.0**-14, 6), (2.0**-19, 6))
 
 
 @dataclass(frozen=True)
@@ -154,18 +155,30 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
     rest = np.flatnonzero(~done)
     parts = [stiff]
     if rest.size:
-        others = _by_boxes(balance, given[:, rest], around[:, :, rest] if around.shape[2] > 1 else around)
-        parts.append(replace(others, point=rest[others.point], left_point=rest[others.left_point]))
+        parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
     return certified_roots.concatenated(parts, balance.n), around, whole
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
-    outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=NARROW)
-    found = certified_roots.roots(balance, outcome, around, given, given)
+    found = _searched(balance, given, around, *STAGES[0])
+    for stage in STAGES[1:]:
+        points = unsettled(found)
+        if points.size:
+            left, owner = boxes_of(found)
+            hulls = hull_of_each(left, np.searchsorted(points, owner), points.size)
+            part = at(_searched(balance, given[:, points], hulls, *stage), points)
+            found = replaced(found, points, assembled(of_each(around, given), found, points, [part]))
     found = around_anchors(balance, given, around, found)
-    found = settled(balance, given, around, found)
+    found = settled_by_digits(balance, given, around, found)
     return around_anchors(balance, given, around, found, 0.0)
+
+
+def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int) -> Roots:
+    """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double."""
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
+    found = certified_roots.roots(balance, outcome, around, given, given)
+    return settled(balance, given, around, found, levels)
 
 
 def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:

@@ -46,6 +46,10 @@ def load(name: str | os.PathLike[str]) -> Model:
     name : str or path
         A name such as ``"two_springs"``, or a folder.
 
+    Returns
+    -------
+    Model
+
     Raises
     ------
     ParameterError

@@ -40,6 +40,18 @@ class Model:
         Generated functions.
     Parameters : type
         The class of its parameters: ``model.Parameters(**changes_of_base)``.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> model = ss.load("cubic_contact")
+    >>> eq = model.equilibria(model.Parameters(theta0=np.radians([30.0, 60.0])))
+    >>> eq.count.tolist(), eq.complete
+    ([3, 1], True)
+    >>> found = model.folds(model.Parameters(), vary="theta0", between={"theta0": (0.5, 1.5)})
+    >>> np.degrees(found.theta0).round(2).tolist(), found.complete
+    ([44.59], True)
     """
 
     def __init__(self, where: str, about: Mapping[str, Any], modules: Mapping[str, ModuleType], parameters: Any) -> None:
@@ -87,19 +99,28 @@ class Model:
         return tuple(values)
 
     def equilibria(self, p: ParameterSet, contact: bool = True) -> ModelEquilibria:
-        """All equilibria, proved: see :func:`spragsym.models.equilibria.equilibria`."""
+        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape.
+
+        Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
+        """
         from .equilibria import equilibria
 
         return equilibria(self, p, contact)
 
     def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
-        """All folds along one parameter, proved: see :func:`spragsym.models.folds.folds`."""
+        """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
+
+        Source: det K = 0 at an equilibrium; see :func:`spragsym.models.folds.folds`.
+        """
         from .folds import folds
 
         return folds(self, p, vary, **options)
 
     def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
-        """All cusps in the plane of two parameters, proved: see :func:`spragsym.models.cusps.cusps`."""
+        """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
+
+        See :func:`spragsym.models.cusps.cusps`.
+        """
         from .cusps import cusps
 
         return cusps(self, p, vary, **options)
@@ -107,19 +128,29 @@ class Model:
     def bifurcation_set(
         self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 60, **options: Any
     ) -> ModelBifurcationSet:
-        """Curves of folds and all cusps in the plane of two parameters: see :mod:`spragsym.models.bifurcation`."""
+        """Folds on ``n`` lines of either parameter, joined to curves, and all cusps, in the plane of both.
+
+        ``between`` as for :meth:`folds`. See :mod:`spragsym.models.bifurcation`.
+        """
         from .bifurcation import bifurcation_set
 
         return bifurcation_set(self, p, vary, n, **options)
 
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
-        """A state followed as a parameter moves: see :func:`spragsym.models.paths.quasi_static_path`."""
+        """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
+
+        See :func:`spragsym.models.paths.quasi_static_path`.
+        """
         from .paths import quasi_static_path
 
         return quasi_static_path(self, p, vary, values, **options)
 
     def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
-        """All onsets of flutter along one parameter, proved: see :func:`spragsym.models.flutter.flutter_onsets`."""
+        """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
+
+        With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
+        :func:`spragsym.models.flutter.flutter_onsets`.
+        """
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, p, vary, **options)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
-from functools import partial
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from ..exact import certified_roots, contractors, many_reductions
@@ -21,19 +22,17 @@ from ..exact.intervals import Ball, Balls
 from ..exact.polynomials import Undecided
 from ..exact.reduction import Evaluate, Reduced, reduced_roots
 from .balance import Balance
-from .wide import WideBalance
+from .wide import Clusters, WideBalance
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
-#: Ends of roots and of boxes in which each is alone.
-Known: TypeAlias = tuple[FloatArray, FloatArray] | None
 #: Bits of the forces.
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
 TOLERANCE = 1e-12
 #: Clusters of boxes of a point: more lie around no equilibria.
 CLUSTERS = 24
-#: Boxes that are compared with each other at once.
+#: Next boxes of the same point that a box is compared with at once.
 TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
 AROUND = 2.0**-13
@@ -88,100 +87,117 @@ def replaced(found: Roots, points: NDArray[np.int64], again: Roots) -> Roots:
     )
 
 
-def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
-    """What is unsettled after double-double, looked at again with many digits."""
+def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Roots, levels: int) -> Roots:
+    """What a search has left or knows to few digits, looked at again in double-double; what that leaves is left in clusters.
+
+    Parameters
+    ----------
+    levels : int
+        Times a cluster is divided.
+    """
     points = unsettled(found)
     if not points.size:
         return found
-    regions = np.broadcast_to(around, (*around.shape[:2], given.shape[1]))
-    hulls = {int(at): clusters(boxes_of(found, int(at))) for at in points}
-    points = np.array([at for at, some in hulls.items() if len(some) <= CLUSTERS], dtype=np.int64)
-    if not points.size:
+    hulls, owner = clusters(*boxes_of(found))
+    ends, alone, mine, open_ = _by_double_double(balance, given[:, owner], hulls, levels)
+    part = Roots(ends, alone, owner[mine], hulls[:, :, open_], owner[open_])
+    return replaced(found, points, assembled(of_each(around, given), found, points, [part]))
+
+
+def settled_by_digits(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+    """The same with many digits, one point after the other."""
+    if not unsettled(found).size:
         return found
-    tasks = [(int(at), cluster) for at in points for cluster in hulls[int(at)]]
-    known = _by_double_double(balance, given, tasks)
+    hulls, owner = clusters(*boxes_of(found))
+    points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
+    few = count <= CLUSTERS
+    points, hulls, owner = points[few], hulls[:, :, few[which]], owner[few[which]]
     parts = [
-        of_point(
-            regions[:, :, at],
-            found,
-            int(at),
-            [(cluster, roots) for (point, cluster), roots in zip(tasks, known, strict=True) if point == at],
-            partial(_reduced, balance, given[:, at]),
-        )
-        for at in points
+        with_digits(point, balance.n, _reduced(balance, given[:, point], widened(hull)))
+        for hull, point in zip(np.moveaxis(hulls, 2, 0), owner.tolist(), strict=True)
     ]
-    sizes, left_sizes = ([getattr(part, name).size for part in parts] for name in ("point", "left_point"))
-    again = Roots(
-        np.concatenate([part.ends for part in parts], axis=2),
-        np.concatenate([part.alone for part in parts], axis=2),
-        np.repeat(np.arange(points.size), sizes),
-        np.concatenate([part.left for part in parts], axis=2),
-        np.repeat(np.arange(points.size), left_sizes),
-    )
-    return replaced(found, points, again)
+    return replaced(found, points, assembled(of_each(around, given), found, points, parts))
 
 
-def boxes_of(found: Roots, point: int) -> FloatArray:
-    """Boxes of a point that are left, and boxes around its roots that are known to few digits."""
-    mine = np.flatnonzero(found.point == point)
-    poor = mine[~(found.error[mine] <= TOLERANCE)]
-    return np.concatenate([found.left[:, :, found.left_point == point], found.ends[:, :, poor] + AROUND], axis=2)
+def of_each(around: FloatArray, given: FloatArray) -> FloatArray:
+    """The region of each point."""
+    return np.broadcast_to(around, (*around.shape[:2], given.shape[1]))
 
 
-def _by_double_double(balance: Balance, given: FloatArray, tasks: Sequence[tuple[int, FloatArray]]) -> list[Known]:
-    """Ends of roots in clusters of points and of boxes in which each is alone; None where that takes more digits."""
+def hull_of_each(boxes: FloatArray, owner: NDArray[np.int64], count: int) -> FloatArray:
+    """The hull of all boxes of each owner, as they are looked at."""
+    order = np.argsort(owner, kind="stable")
+    hulls: FloatArray = np.maximum.reduceat(boxes[:, :, order], np.searchsorted(owner[order], np.arange(count)), axis=2)
+    return widened(hulls)
+
+
+def at(found: Roots, points: NDArray[np.int64]) -> Roots:
+    """Roots of some points by the numbers of all."""
+    return replace(found, point=points[found.point], left_point=points[found.left_point])
+
+
+def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Boxes that are left, and boxes around roots that are known to few digits, and the point of each."""
+    poor = ~(found.error <= TOLERANCE)
+    ends = np.concatenate([found.left, found.ends[:, :, poor] + AROUND], axis=2)
+    return ends, np.concatenate([found.left_point, found.point[poor]])
+
+
+def _by_double_double(
+    balance: Balance, given: FloatArray, hulls: FloatArray, levels: int
+) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_]]:
+    """Ends of roots in clusters, of what each is alone in, the cluster of each; and the clusters that take more digits."""
     wide = WideBalance(balance.model, balance.contact, balance.law)
-    points = np.array([point for point, _ in tasks], dtype=np.int64)
-    boxes = np.stack([cluster for _, cluster in tasks], axis=-1)
-    boxes = boxes + 0.25 * (boxes[0] + boxes[1]) + 1e-9
+    boxes = widened(hulls)
     with np.errstate(all="ignore"):
-        parameters = wide.prepared(Intervals.point(given[:, points]))
+        parameters = wide.prepared(Intervals.point(given))
         slopes = wide.jacobian(Intervals.point(Intervals(boxes).middle), parameters).middle
-
-        def forces(rows: NDArray[np.int64], q: Sequence[Any]) -> Sequence[Any]:
-            out: Sequence[Any] = wide.wide_forces(q, wide.wide_values(parameters[:, rows]))
-            return out
-
-        found = many_reductions.reduced_roots(forces, boxes, slopes)
+        found = many_reductions.reduced_roots(Clusters(wide, parameters), boxes, slopes, levels)
     error = certified_roots.relative_error(found.ends, Intervals(found.ends).middle)
     found.open[found.box[~(error <= TOLERANCE)]] = True
-    return [
-        None if found.open[k] else (found.ends[:, :, found.box == k], found.alone[:, :, found.box == k])
-        for k in range(points.size)
-    ]
+    kept = ~found.open[found.box]
+    return found.ends[:, :, kept], found.alone[:, :, kept], found.box[kept], found.open
 
 
-def of_point(
-    region: FloatArray,
-    found: Roots,
-    point: int,
-    tasks: Sequence[tuple[FloatArray, Known]],
-    reduce: Callable[[FloatArray], Reduced],
-) -> Roots:
-    """Roots and boxes left of one point, whose clusters of boxes are known or reduced to one unknown."""
-    mine = np.flatnonzero(found.point == point)
-    good = mine[found.error[mine] <= TOLERANCE]
-    ends, alone, left = [found.ends[:, :, good]], [found.alone[:, :, good]], [np.empty((2, found.ends.shape[1], 0))]
-    for cluster, known in tasks:
-        if known is not None:
-            ends.append(known[0])
-            alone.append(known[1])
-            continue
-        by_digits = reduce(cluster + 0.25 * (cluster[0] + cluster[1]) + 1e-9)
-        ends += [_outward(box) for box in by_digits.roots]
-        alone += [_outward(box) for box in by_digits.alone]
-        left += [_outward(box) for box in by_digits.left]
-    every, only = np.concatenate(ends, axis=2), np.concatenate(alone, axis=2)
-    order = np.argsort(-only[0, 0])
-    every, only = every[:, :, order], only[:, :, order]
-    keep, unclear = certified_roots.once(every, only, np.zeros(order.size, dtype=np.int64))
-    keep = keep[~contractors.apart(every[:, :, keep], region[:, :, None])]
-    border = ~contractors.within(every[:, :, keep], region[:, :, None])
-    open_boxes = np.concatenate([*left, every[:, :, unclear], every[:, :, keep[border]]], axis=2)
+def widened(hull: FloatArray) -> FloatArray:
+    """The box in which a cluster is looked at."""
+    out: FloatArray = hull + 0.25 * (hull[0] + hull[1]) + 1e-9
+    return out
+
+
+def with_digits(point: int, n: int, by_digits: Reduced) -> Roots:
+    """What a reduction with many digits has found of a point, of n unknowns."""
+    ends, alone, left = (
+        np.concatenate([np.empty((2, n, 0)), *map(_outward, boxes)], axis=2)
+        for boxes in (by_digits.roots, by_digits.alone, by_digits.left)
+    )
+    return Roots(ends, alone, np.full(ends.shape[2], point), left, np.full(left.shape[2], point))
+
+
+def assembled(regions: FloatArray, found: Roots, points: NDArray[np.int64], parts: Sequence[Roots]) -> Roots:
+    """Roots of some points, each once, that are known well or are in the parts; boxes left; and both by places among the points.
+
+    Parameters
+    ----------
+    regions : ndarray
+        Shape (2, n, points), of all points.
+    """
+    good = np.isin(found.point, points) & (found.error <= TOLERANCE)
+    every = np.concatenate([found.ends[:, :, good], *(part.ends for part in parts)], axis=2)
+    only = np.concatenate([found.alone[:, :, good], *(part.alone for part in parts)], axis=2)
+    point = np.concatenate([found.point[good], *(part.point for part in parts)])
+    order = np.lexsort((-only[0, 0], point))
+    every, only, point = every[:, :, order], only[:, :, order], point[order]
+    keep, unclear = certified_roots.once(every, only, point)
+    keep = keep[~contractors.apart(every[:, :, keep], regions[:, :, point[keep]])]
+    border = ~contractors.within(every[:, :, keep], regions[:, :, point[keep]])
+    open_ = np.concatenate([unclear, keep[border]])
+    left = np.concatenate([*(part.left for part in parts), every[:, :, open_]], axis=2)
+    left_point = np.concatenate([*(part.left_point for part in parts), point[open_]])
     kept = keep[~border]
     return Roots(
-        every[:, :, kept], only[:, :, kept], np.full(kept.size, point),
-        open_boxes, np.full(open_boxes.shape[2], point),
+        every[:, :, kept], only[:, :, kept], np.searchsorted(points, point[kept]),
+        left, np.searchsorted(points, left_point),
     )  # fmt: skip
 
 
@@ -219,23 +235,39 @@ def _outward(box: Sequence[tuple[Fraction, Fraction]]) -> FloatArray:
     return out
 
 
-def clusters(boxes: FloatArray) -> list[FloatArray]:
-    """Hulls of boxes, shape (2, n, N), that meet each other, until no two hulls meet."""
+def clusters(boxes: FloatArray, point: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.int64]]:
+    """Hulls of boxes of the same point, shape (2, n, N), that meet each other, until no two hulls meet; and the point of each."""
     hulls = boxes
     while True:
-        parts = [_hulls(hulls[:, :, begin : begin + TOGETHER]) for begin in range(0, hulls.shape[2], TOGETHER)]
-        merged = np.concatenate(parts, axis=2) if parts else hulls
-        if merged.shape[2] == hulls.shape[2]:
-            return list(np.moveaxis(merged, 2, 0))
-        hulls = merged
+        label = _meeting(hulls, point)
+        order = np.argsort(label, kind="stable")
+        begins = np.searchsorted(label[order], np.arange(label.max(initial=-1) + 1))
+        if begins.size == label.size:
+            order = np.lexsort((-hulls[0, 0], point))
+            return hulls[:, :, order], point[order]
+        hulls, point = np.maximum.reduceat(hulls[:, :, order], begins, axis=2), point[order][begins]
 
 
-def _hulls(boxes: FloatArray) -> FloatArray:
-    """One hull for all boxes that meet, directly or through others, each widened by half of itself."""
-    widened = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
-    meet = ~(widened[:, :, :, None] + boxes[::-1, :, None, :] < 0).any(axis=(0, 1))
-    count, label = connected_components(meet, directed=False)
-    order = np.argsort(label, kind="stable")
-    begins = np.searchsorted(label[order], np.arange(count))
-    hulls: FloatArray = np.maximum.reduceat(boxes[:, :, order], begins, axis=2)
-    return hulls
+def _meeting(boxes: FloatArray, point: NDArray[np.int64]) -> NDArray[np.int64]:
+    """One number for all boxes of a point that meet, directly or through others, each widened by half of itself."""
+    wide = boxes + (0.5 * (boxes[0] + boxes[1]) + 1e-8)
+    order = np.lexsort((-wide[0, 0], point))
+    boxes, wide, point = boxes[:, :, order], wide[:, :, order], point[order]
+    pairs = [np.empty((2, 0), dtype=np.int64)]
+    first = np.arange(point.size)
+    for shift in range(1, min(point.size, TOGETHER)):
+        # In the order of the lower ends: what begins beyond the end of a box does not meet it, nor does all that follows.
+        first = first[first + shift < point.size]
+        second = first + shift
+        near = (point[first] == point[second]) & (wide[1, 0, first] + wide[0, 0, second] >= 0)
+        first, second = first[near], second[near]
+        if not first.size:
+            break
+        meet = ~contractors.apart(wide[:, :, first], boxes[:, :, second])
+        meet |= ~contractors.apart(boxes[:, :, first], wide[:, :, second])
+        pairs.append(np.stack([first[meet], second[meet]]))
+    one, two = np.concatenate(pairs, axis=1)
+    graph = coo_array((np.ones(one.size, dtype=np.bool_), (one, two)), shape=(point.size, point.size))
+    label = np.empty(point.size, dtype=np.int64)
+    label[order] = connected_components(graph, directed=False)[1]
+    return label

@@ -8,7 +8,6 @@ brings them down to one unknown.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -18,7 +17,7 @@ from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented, State
-from .precise import PreciseBalance, boxes_of, clusters, of_point, reduced, replaced, unsettled
+from .precise import PreciseBalance, assembled, boxes_of, clusters, reduced, replaced, unsettled, widened, with_digits
 
 #: Boxes beyond which they lie around no points.
 MANY = 400
@@ -43,17 +42,16 @@ def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roo
         fixed = system.prepared(Intervals.point(np.repeat(given, found.left.shape[2], axis=1)))
         if system.given_up(Intervals(found.left), fixed).any():
             return found  # no number of digits tells what is there
-    hulls = clusters(boxes_of(found, 0))
-    if len(hulls) > CLUSTERS:
+    hulls, owner = clusters(*boxes_of(found))
+    if owner.size > CLUSTERS:
         return found
 
     def precise(bits: int) -> Any:
         return partial(_values, system, PreciseBalance(system.balance, given[:, 0], bits))
 
-    again = of_point(
-        region[:, :, 0], found, 0, [(hull, None) for hull in hulls], lambda hull: reduced(system, given[:, 0], hull, precise)
-    )
-    return replaced(found, points, replace(again, point=np.zeros_like(again.point), left_point=np.zeros_like(again.left_point)))
+    n = region.shape[1]
+    parts = [with_digits(0, n, reduced(system, given[:, 0], widened(hulls[:, :, k]), precise)) for k in range(owner.size)]
+    return replaced(found, points, assembled(region, found, points, parts))
 
 
 def _values(system: Augmented, base: PreciseBalance, unknowns: Sequence[Any]) -> Sequence[Any]:

@@ -147,7 +147,7 @@ def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatA
     left = found.roots.left
     open_boxes = np.ones(left.shape[2], dtype=np.bool_)
     decided = []
-    for hull in clusters(left):
+    for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
         here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
         alone = contractors.apart(known.left, hull[:, :, None]).all()
         if alone and here.size == 1 and only_fold(balance, vary, given, hull, odd):

@@ -69,6 +69,8 @@ class ModelTrajectory(Recorded):
         return (*self.model.coordinates, *self.model.rates)
 
     def __getattr__(self, name: str) -> FloatArray:
+        if "model" not in self.__dict__:  # while it is copied or unpickled
+            raise AttributeError(name)
         if name.startswith("_") or name not in self.components:
             raise AttributeError(f"a motion of {self.model.name} has no {name!r}{hint(name, self.components)}")
         row: FloatArray = self.state[self.components.index(name)]

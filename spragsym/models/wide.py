@@ -7,9 +7,11 @@ is divided by a stiffness that is nearly singular: of these alone more digits ar
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.wide_balls import XP, WideBalls, cosine_and_sine
@@ -49,6 +51,32 @@ class WideBalance(Balance):
     def wide_forces(self, q: Sequence[Any], values: dict[str, WideBalls]) -> Any:
         """Forces of balls, or of jets of balls."""
         return self.call("forces", q, self.plain_directions(q, values, XP), values, XP)
+
+
+@dataclass(frozen=True)
+class Clusters:
+    """The system of :func:`spragsym.exact.many_reductions.reduced_roots`: a wide balance, and the parameters of each cluster."""
+
+    balance: WideBalance
+    parameters: Intervals
+
+    def values(self, rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Any]:
+        """Forces of balls, of intervals, or of jets of intervals."""
+        out: Sequence[Any] = self._called("forces", rows, unknowns)
+        return out
+
+    def slopes(self, rows: NDArray[np.int64], unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
+        """Stiffness of balls or of intervals."""
+        out: Sequence[Sequence[Any]] = self._called("forces_jacobian", rows, unknowns)
+        return out
+
+    def _called(self, name: str, rows: NDArray[np.int64], q: Sequence[Any]) -> Any:
+        given = self.parameters[:, rows]
+        if isinstance(q[0], WideBalls):
+            values = self.balance.wide_values(given)
+            return self.balance.call(name, q, self.balance.plain_directions(q, values, XP), values, XP)
+        values = self.balance.arguments(given)
+        return self.balance.call(name, q, self.balance.directions(q, values, rows.shape), values)
 
 
 def _as_intervals(row: Any, count: int) -> Intervals:

@@ -18,7 +18,7 @@ from .sets import ParameterSet, Values, named
 
 @dataclass(frozen=True)
 class Scales(Shown):
-    """What one dimensionless unit is, in the units of the data."""
+    """What one dimensionless unit is, in the units of the data, and of their shape: L_0, sqrt(m/k_c) and k_c L_0."""
 
     length: Any
     time: Any

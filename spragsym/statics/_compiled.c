@@ -8,7 +8,8 @@
  *
  * solve_widely(the same): in double-double arithmetic.
  *
- * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open. */
+ * count(theta0, mu0, kappa, alpha, sigma, beta, counts): the number of equilibria in contact, 0 where that is open, of
+ * parameters that are within their ranges. */
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
@@ -298,103 +299,36 @@ static PyObject *solve_more(PyObject *module, PyObject *arguments) {
     return solve_by(solve_all_widely, arguments);
 }
 
-/* Points of which one discriminant does not tell the number, put together until they fill a block. */
-typedef struct {
-    point_columns points;
-    Py_ssize_t place[BLOCK];
-    int filled;
-} waiting;
-
-CLONED static void single_columns(point_columns *p, int flags[BLOCK]) {
+CLONED static void count_columns(const double *theta0, const double *mu0, const double *kappa, const double *alpha,
+    const double *sigma, const double *beta, signed char *restrict counts) {
     for (int i = 0; i < BLOCK; i++) {
-        const Direction undeformed = cosine_and_sine(p->theta0[i]);
-        const Point point = {undeformed.cosine, undeformed.sine, p->mu0[i], p->kappa[i],
-            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
-        p->cos0[i] = undeformed.cosine;
-        p->sin0[i] = undeformed.sine;
-        flags[i] = single(point, UNIT_ROUNDOFF);
+        const Direction undeformed = cosine_and_sine(theta0[i]);
+        const Point point = {undeformed.cosine, undeformed.sine, mu0[i], kappa[i], alpha[i], sigma[i], beta[i], 1.0};
+        counts[i] = (signed char)one_or_three(point, UNIT_ROUNDOFF);
     }
 }
 
-CLONED static void count_columns(point_columns *p) {
-    for (int i = 0; i < BLOCK; i++) {
-        const Point point = {p->cos0[i], p->sin0[i], p->mu0[i], p->kappa[i],
-            p->alpha[i], p->sigma[i], p->beta[i], p->nbar[i]};
-        const Guesses all = {p->t[0][i], p->t[1][i], p->t[2][i], p->t[3][i], p->count[i], p->certain[i]};
-        p->count[i] = one_or_three(all, point, UNIT_ROUNDOFF);
+/* A parameter of a block of points: where it stands, or in `room` if it is one number or fewer than a block. */
+static const double *column_at(const Py_buffer *given, Py_ssize_t start, int points, double room[BLOCK]) {
+    if (points == BLOCK && given->len != (Py_ssize_t)sizeof(double)) {
+        return (const double *)given->buf + start;
     }
-}
-
-static void count_waiting(waiting *some, signed char *counts) {
-    guess_columns(&some->points);
-    count_columns(&some->points);
-    for (int i = 0; i < some->filled; i++) {
-        counts[some->place[i]] = (signed char)some->points.count[i];
-    }
-    some->filled = 0;
-}
-
-/* Which points of a block are neither refused nor certainly single, ascending; how many. */
-static int open_points(int points, const int flags[BLOCK], const int refused[BLOCK], int open[BLOCK]) {
-    int number = 0;
-    for (int i = 0; i < points; i++) {
-        open[number] = i;
-        number += !(flags[i] | refused[i]);
-    }
-    return number;
-}
-
-static void pick(const double column[BLOCK], const int *which, int number, double *picked) {
-    for (int i = 0; i < number; i++) {
-        picked[i] = column[which[i]];
-    }
-}
-
-/* Open points of a block, which begins at `start`, join those that wait. */
-static void wait_for_block(const point_columns *p, Py_ssize_t start, const int *open, int number, waiting *some,
-    signed char *counts) {
-    point_columns *const q = &some->points;
-    while (number > 0) {
-        const int first = some->filled;
-        const int joining = (number < BLOCK - first) ? number : BLOCK - first;
-        pick(p->theta0, open, joining, q->theta0 + first);
-        pick(p->mu0, open, joining, q->mu0 + first);
-        pick(p->kappa, open, joining, q->kappa + first);
-        pick(p->alpha, open, joining, q->alpha + first);
-        pick(p->sigma, open, joining, q->sigma + first);
-        pick(p->beta, open, joining, q->beta + first);
-        for (int i = 0; i < joining; i++) {
-            some->place[first + i] = start + open[i];
-        }
-        some->filled += joining;
-        if (some->filled == BLOCK) {
-            count_waiting(some, counts);
-        }
-        open += joining;
-        number -= joining;
-    }
+    load_column(given, start, points, room);
+    return room;
 }
 
 static void count_all(const Py_buffer given[PARAMETERS], Py_ssize_t points, signed char *counts) {
-    point_columns p;
-    waiting some;
-    int refused[BLOCK];
-    int flags[BLOCK];
-    int open[BLOCK];
-    memset(&some, 0, sizeof some);
-    for (int i = 0; i < BLOCK; i++) {
-        some.points.nbar[i] = 1.0;
-    }
+    double room[PARAMETERS][BLOCK];
+    signed char found[BLOCK];
     for (Py_ssize_t start = 0; start < points; start += BLOCK) {
         const int length = (points - start < BLOCK) ? (int)(points - start) : BLOCK;
-        load_columns(given, 1.0, start, length, &p, refused);
-        single_columns(&p, flags);
-        for (int i = 0; i < length; i++) {
-            counts[start + i] = (signed char)(flags[i] & !refused[i]);
+        const double *p[PARAMETERS];
+        for (int k = 0; k < PARAMETERS; k++) {
+            p[k] = column_at(&given[k], start, length, room[k]);
         }
-        wait_for_block(&p, start, open, open_points(length, flags, refused, open), &some, counts);
+        count_columns(p[0], p[1], p[2], p[3], p[4], p[5], found);
+        memcpy(counts + start, found, (size_t)length);
     }
-    count_waiting(&some, counts);
 }
 
 static PyObject *count_points(PyObject *module, PyObject *arguments) {

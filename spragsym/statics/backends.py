@@ -55,7 +55,17 @@ def set_backend(name: str, threads: int = 1) -> None:
 
 
 def get_backend() -> str:
-    """The name that was set last, ``"auto"`` to begin with."""
+    """The name that was set last, ``"auto"`` to begin with; :func:`set_backend` sets it.
+
+    Returns
+    -------
+    str
+
+    Examples
+    --------
+    >>> get_backend() in ("auto", "numpy", "compiled")
+    True
+    """
     return _choice.name
 
 

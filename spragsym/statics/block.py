@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated import kernel
+from ..generated._where import where
 from .double_double import DoubleDouble, cosine_and_sine
 from .slots import Slots, gathered
 
@@ -34,16 +35,18 @@ def solve(point: kernel.Point, size: int, out: Slots, begin: int, dtype: type[np
     u = dtype(np.finfo(dtype).eps / 2)
     contact = point.nbar > 0
     line = kernel.Balance(*np.broadcast_arrays(*kernel.balance(point), np.empty(size))[:-1])
-    D = kernel.discriminant(line, u)
-    halves = kernel.factors(line.a, line.b, line.d, line.m)
+    trig = line.a, line.b, line.d, line.m
+    quartic, cubic = kernel.quartic(*trig), kernel.cubic(*trig)
+    D = kernel.discriminant(line, cubic, u)
+    halves = kernel.factors(quartic, cubic)
     large, small, _ = kernel.root_pair(halves.p1, halves.q1)
-    upper: NDArray[Any] = kernel.where(large > 0.0, large, small)
+    upper: NDArray[Any] = where(large > 0.0, large, small)
 
     # The first factor has one positive and one negative root. The second matters where it may have real roots; in contact only
     # where these may be positive, since no equilibrium in contact has sin θ < 0.
     paired = ~(D.value > D.error)
     if contact:
-        paired &= ~kernel.one_positive(line, u)
+        paired &= ~kernel.one_positive(line, quartic, u)
         settled = _one_each(upper, point, line, out, begin, u)
     else:
         settled = _some(np.stack([np.where(large > 0.0, small, large), upper]), point, line, out, begin + np.arange(size), u)

@@ -26,8 +26,11 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: Points solved at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
-BLOCK = 1 << 14
+#: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for NumPy to compute in place, which
+#: it does in arrays of 256 KB and more; few enough for the arrays in between to stay in cache.
+BLOCK = 1 << 15
+#: Points that are worth a thread of their own, and the same where they are only counted.
+A_THREAD, A_COUNTING_THREAD = 1 << 13, 1 << 16
 #: The same in double-double arithmetic, which has more in between.
 WIDE_BLOCK = 1 << 12
 
@@ -178,7 +181,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     out = Slots(math.prod(p.shape), 3 if contact else 4)
     compiled_or_not, threads = backends.chosen()
     solve = _compiled if compiled_or_not == "compiled" else _numpy
-    unsettled = _in_blocks(p, threads, lambda values, begin, size: begin + solve(values, contact, out, begin, size))
+    unsettled = _in_blocks(p, threads, A_THREAD, lambda values, begin, size: begin + solve(values, contact, out, begin, size))
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
     out.clear()
@@ -207,12 +210,17 @@ def count(p: Parameters) -> NDArray[np.int8]:
     ndarray of int8
         Of that shape.
 
+    Raises
+    ------
+    ParameterError
+        For parameters that are missing.
+    ConvergenceError
+        For a point that has no answer, see :func:`equilibria`.
+
     Notes
     -----
-    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say where there is one, and otherwise
-    the signs of f between its roots, all with bounds on rounding errors; what is left is solved.
-
-    Raises :class:`ConvergenceError` for a point that has no answer, see :func:`equilibria`.
+    Source: the sign of the discriminant of the quartic in t = tan(θ/2) and Descartes' rule say how many of its roots are
+    positive, and Budan's theorem how many of three are in contact, all with bounds on rounding errors; what is left is solved.
 
     Examples
     --------
@@ -223,7 +231,7 @@ def count(p: Parameters) -> NDArray[np.int8]:
     p.require("theta0", "mu0")
     compiled_or_not, threads = backends.chosen()
     method = compiled.count if compiled_or_not == "compiled" else _count
-    blocks = _in_blocks(p, threads, lambda values, _, size: method(values, size))
+    blocks = _in_blocks(p, threads, A_COUNTING_THREAD, lambda values, _, size: method(values, size))
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
@@ -235,19 +243,24 @@ def count(p: Parameters) -> NDArray[np.int8]:
 # ----------------------------------------------------------------------------------------------------- float64
 
 
-def _in_blocks(p: Parameters, threads: int, work: Callable[[list[NDArray[np.float64]], int, int], T]) -> list[T]:
-    """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number."""
+def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[NDArray[np.float64]], int, int], T]) -> list[T]:
+    """``work(values, begin, size)`` for every block of points, in order; values have the block's size, or are one number.
+
+    No more threads than have ``a_thread`` points each; all of them get the same number of blocks, and those are of one size.
+    """
     given = [_column(p, name) for name in NAMES]
     size = math.prod(p.shape)
+    threads = max(1, min(threads, size // a_thread))
+    length = max(1, math.ceil(size / (threads * max(1, size // (threads * BLOCK)))))
 
     def one(begin: int) -> T:
-        end = min(begin + BLOCK, size)
+        end = min(begin + length, size)
         return work([_part(values, begin, end) for values in given], begin, end - begin)
 
     # Until one large block has been freed, glibc returns freed memory to the system, which must then map it again.
     np.empty(1 << 19)
-    begins = range(0, size, BLOCK)
-    if threads > 1 and len(begins) > 1:
+    begins = range(0, size, length)
+    if threads > 1:
         with ThreadPoolExecutor(threads) as pool:
             return list(pool.map(one, begins))
     return [one(begin) for begin in begins]
@@ -280,12 +293,7 @@ def _numpy(values: list[NDArray[np.float64]], contact: bool, out: Slots, begin: 
 def _count(values: list[NDArray[np.float64]], size: int) -> NDArray[np.int8]:
     u = np.float64(2.0**-53)
     with np.errstate(all="ignore"):
-        point = _point(values, True)
-        counts = np.array(np.broadcast_to(kernel.single(point, u), size), dtype=np.int8)
-        left = np.flatnonzero(counts == 0)
-        some = block.rows_of(point, left)
-        counts[left] = kernel.one_or_three(kernel.guesses(some, kernel.balance(some), u), some, u)
-    return counts
+        return np.array(np.broadcast_to(kernel.one_or_three(_point(values, True), u), size), dtype=np.int8)
 
 
 def _point(values: list[NDArray[np.float64]], contact: bool) -> kernel.Point:

@@ -32,7 +32,7 @@ SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
 #: A single quantity is changed by up to this factor either way, at this many values, then between the two that decide.
 _FACTOR, _VALUES, _BETWEEN, _ROUNDS = 20.0, 160, 32, 2
-#: Quantities of whose tolerances all corners are looked at; of more, as many as that.
+#: Up to this many quantities all corners of the tolerances are looked at; of more, a sample of as many corners.
 _CORNERS = 5
 #: How much further than the least joint change it may go.
 _STRETCHES = (1.0, 1.1, 1.25, 1.5, 2.0, 3.0)

@@ -22,7 +22,7 @@ from .study import Study
 
 #: Slices of the contact's stiffness, on which all groups depend: more of them until the claim is decided.
 _SLICES = (1, 4, 16, 48)
-#: Every so many-th slice is looked at first.
+#: The step between slices that are looked at first.
 _SPREAD = 8
 #: Boxes for one slice, and points at which counterexamples are looked for.
 _BOXES, _POINTS = 400, 1024

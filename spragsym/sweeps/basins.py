@@ -73,6 +73,11 @@ def basin(
     -------
     Basin
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and parameters that are no scalars.
+
     Examples
     --------
     >>> import numpy as np

@@ -60,6 +60,11 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     -------
     Sensitivity
 
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, as a ``theta0`` that is no ascending axis.
+
     Notes
     -----
     The jump is where the RMS grows by the largest factor from one angle to the next; bisection keeps the half

@@ -42,8 +42,8 @@ class Sweep(Result):
     cycle_x, cycle_y, cycle_vy : ndarray
         State of that cycle where its x is largest.
     rate, distance : ndarray
-        What a motion settles to or approaches, it nears as exp(−rate τ) in the long run; at ``t_end`` this is left of
-        the way, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.dynamics.regimes.Outcome`.
+        In the long run a motion nears what it settles to or approaches as exp(−rate τ); ``distance`` is what is left of the
+        way at ``t_end``, relative to the reach of a cycle, or over L_0 for rest. See :class:`~spragsym.dynamics.regimes.Outcome`.
     regime : ndarray of int8
         Codes of :class:`Regime`.
     equilibrium : ndarray of int8

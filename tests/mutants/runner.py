@@ -24,7 +24,7 @@ from typing import Any
 import pytest
 
 from .operators import Mutant, mutants
-from .verdicts import Definitions, Journal, report, stamp
+from .verdicts import Definitions, Journal, code_of, report, stamp
 
 #: Memory that a mutant may take, and the processor time for one test, in seconds and in multiples of what it takes.
 MEMORY, SECONDS, TIMES = 3 << 30, 0.7, 5.0
@@ -81,7 +81,7 @@ class Runner:
         """The hash of each test, with what it names and what it reaches; and of a module that doesn't load."""
         own = Definitions(str(self.module.__file__))
         files = {str(item.path): Definitions(str(item.path)) for item in items}
-        stamps = {_LOADING: stamp(ast.unparse(self.tree))}
+        stamps = {_LOADING: stamp(ast.unparse(code_of(str(self.module.__file__))))}
         for item in items:
             test = files[str(item.path)].text([getattr(item, "originalname", item.name)])
             stamps[item.nodeid] = stamp(item.nodeid, test, own.text({name.split(".")[0] for name in reached[item.nodeid]}))

@@ -23,11 +23,10 @@ def render(material: Material) -> dict[str, str]:
 
 
 def _kernel(material: Material, header: str) -> dict[str, str]:
-    """The kernel, its cube root, and double-double numbers for it to run on."""
-    files = {
-        "kernel.py": kernel.render(material, header),
-        "_cube_root.py": runtime(__file__, "_cube_root.py").replace("@header@", material.header),
-    }
+    """The kernel, its cube root and its choice, and double-double numbers for it to run on."""
+    own = ("_cube_root.py", "_where.py")
+    files = {"kernel.py": kernel.render(material, header)}
+    files |= {name: runtime(__file__, name).replace("@header@", material.header) for name in own}
     if material.arithmetic.routines:
         files["double_double.py"] = kernel.arithmetic(material.arithmetic, header)
     return files

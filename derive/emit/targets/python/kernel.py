@@ -9,10 +9,8 @@ from ...language import Kinds, Source
 from .. import Material
 
 
-#: What the language's primitives are for arrays; the cube root has a file of its own.
-_PRIMITIVES = {
-    "where": "where", "maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt",
-}  # fmt: skip
+#: What the language's primitives are for arrays; the cube root and the choice have files of their own.
+_PRIMITIVES = {"maximum": "maximum", "minimum": "minimum", "absolute": "abs", "sqrt": "sqrt"}
 
 
 def render(material: Material, header: str) -> str:
@@ -31,7 +29,7 @@ def render(material: Material, header: str) -> str:
     return (
         f"{_docstring(tree, header)}"
         "from __future__ import annotations\n\nimport functools\nimport inspect\nfrom typing import Any, NamedTuple, TypeAlias\n\n"
-        f"import numpy\n\n{imports}\nfrom ._cube_root import cube_root\n\n"
+        f"import numpy\n\n{imports}\nfrom ._cube_root import cube_root\nfrom ._where import where\n\n"
         f"{_TYPES}{_primitives(_PRIMITIVES)}\n"
         f"{bound}\n\n"
         "# Counts of roundings, derived from the statements of this file and of the algebra.\n"
@@ -45,7 +43,7 @@ def arithmetic(source: Source, header: str) -> str:
     return (
         f"{_docstring(ast.parse(source.text), header)}"
         "from __future__ import annotations\n\nfrom typing import Any, NamedTuple, TypeAlias\n\nimport numpy\n\n"
-        f"{_TYPES}{_primitives(used)}\n\n{_code(source)}"
+        f"from ._where import where\n\n{_TYPES}{_primitives(used)}\n\n{_code(source)}"
     )
 
 

@@ -1,4 +1,4 @@
-function result = discriminant(line, u)
+function result = discriminant(line, it, u)
 %DISCRIMINANT  The sign of P³ + Q² is that of the discriminant, reversed.
 %
 %  From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error)
@@ -9,8 +9,6 @@ function result = discriminant(line, u)
   COUNT_P = 22.0;
   % a count of roundings
   COUNT_Q = 27.0;
-  [r0, r1, r2] = spragsym.algebra.resolvent(line.a, line.b, line.d, line.m);
-  it = spragsym.kernel.depressed(r0, r1, r2);
   size = spragsym.kernel.depressed_size(line.a_size, abs(line.b), line.d_size, line.m);
   P_bound = abs(it.P) + COUNT_P .* u .* size.P;
   Q_bound = abs(it.Q) + COUNT_Q .* u .* size.Q;

@@ -1,11 +1,10 @@
-function result = factors(a, b, d, m)
+function result = factors(e, resolved)
 %FACTORS  The two real quadratic factors of the quartic in t.
-  [~, e1, e2, e3, e4] = spragsym.algebra.t_quartic(a, b, d, m);
-  over = 1.0 ./ e4;
-  A1 = e1 .* over;
-  A2 = e2 .* over;
-  A3 = e3 .* over;
-  y = -4.0 .* over .* spragsym.kernel.simple_root(a, b, d, m);
+  over = 1.0 ./ e.e4;
+  A1 = e.e1 .* over;
+  A2 = e.e2 .* over;
+  A3 = e.e3 .* over;
+  y = -4.0 .* over .* spragsym.kernel.simple_root(resolved);
   width = sqrt(y .* y + 4.0);
   large = 0.5 .* (abs(y) + width);
   small = 1.0 ./ large;

@@ -4,12 +4,14 @@ function result = guesses(point, line, u)
 %  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor
 %  has a root of either sign; those of the second are complex, or both negative, or both positive.
   INFINITY = Inf;
-  D = spragsym.kernel.discriminant(line, u);
-  halves = spragsym.kernel.factors(line.a, line.b, line.d, line.m);
+  e = spragsym.kernel.quartic(line.a, line.b, line.d, line.m);
+  resolved = spragsym.kernel.cubic(line.a, line.b, line.d, line.m);
+  D = spragsym.kernel.discriminant(line, resolved, u);
+  halves = spragsym.kernel.factors(e, resolved);
   first = spragsym.kernel.root_pair(halves.p1, halves.q1);
   second = spragsym.kernel.root_pair(halves.p2, halves.q2);
   contact = point.nbar > 0.0;
-  spared = (D.value > D.error) | (contact & spragsym.kernel.one_positive(line, u));
+  spared = (D.value > D.error) | (contact & spragsym.kernel.one_positive(line, e, u));
   real = second.discriminant >= 0.0;
   more = real & (~spared);
   % A sorting network; places without a root go to the end.

@@ -1,19 +1,25 @@
-function result = one_or_three(all, point, u)
-%ONE_OR_THREE  The number of equilibria in contact by the roots that were guessed, 1 or 3; 0 where that is
-%  open.
+function result = one_or_three(point, u)
+%ONE_OR_THREE  The number of equilibria in contact, 1 or 3; 0 where that is open.
 %
-%  At most three roots have sin θ > 0. f is negative at θ = 0 and at the lower end of the directions in
-%  contact, positive at their upper end and at θ = π. Three equilibria are certain where f is positive and,
-%  farther up, negative, both in contact. One is certain where there are no three roots, and where f changes
-%  its sign twice out of contact, so that two of the roots lie there.
+%  Each is a positive root in t. One is positive unless all four are real and e1 > 0; then three are, by
+%  Descartes' rule. Of these the ones in contact have sin θ > s* = sin θ₀ − κ/σ. At the lower end t = c of
+%  these directions f is negative, so that none or two of the three lie below it. None lies beyond the upper
+%  end, where cos θ < 0 and sin θ = s < s* < sin θ₀: there f = |cos θ| (|b| − a s) + s (m (s* − s) + α q cos
+%  θ₀) is positive, by |b| − a s > α q s and |cos θ| > |cos θ₀|.
+%
+%  ``margin`` is more than what the derivatives at c may be off by. All coefficients are at most 4 and c at
+%  most 1; the largest share is that of c, which is off by √(22 u) at most, near c = 1, and changes a
+%  derivative by up to 44 times as much; the rest is below 480 u (1 + a_size + d_size).
   line = spragsym.kernel.balance_(point);
-  lower = spragsym.kernel.separation(all.t0, all.t1, point, line, u);
-  upper = spragsym.kernel.separation(all.t1, all.t2, point, line, u);
-  three = lower.positive & lower.inside & upper.negative & upper.inside & (lower.t < upper.t);
-  below = lower.positive & lower.outside & (lower.t < 1.0);
-  above = upper.negative & upper.outside & (upper.t > 1.0);
-  alone = (all.count < 2.0) | below | above;
-  number = spragsym.kernel.where(alone, 1.0, spragsym.kernel.where(three, 3.0, 0.0));
-  result = spragsym.kernel.where(all.certain, spragsym.kernel.where(spragsym.kernel.sound(point), ...
-      spragsym.kernel.where(spragsym.kernel.representable(line), number, 0.0), 0.0), 0.0);
+  e = spragsym.kernel.quartic(line.a, line.b, line.d, line.m);
+  D = spragsym.kernel.discriminant(line, spragsym.kernel.cubic(line.a, line.b, line.d, line.m), u);
+  margin = 512.0 .* sqrt(u) .* (1.0 + line.a_size + line.d_size);
+  lowest = spragsym.kernel.larger(point.sin0 - point.kappa ./ point.sigma, 0.0);
+  c = lowest ./ (1.0 + sqrt((1.0 - lowest) .* (1.0 + lowest)));
+  in_contact = spragsym.kernel.above(e.e1, e.e2, e.e3, e.e4, c, margin);
+  certain = spragsym.kernel.sound(point) & spragsym.kernel.representable(line);
+  three_positive = certain & (D.value < -D.error) & (e.e1 > margin);
+  one_positive_root = certain & ((D.value > D.error) | spragsym.kernel.one_positive(line, e, u));
+  one = one_positive_root | (three_positive & in_contact.one);
+  result = spragsym.kernel.where(one, 1.0, spragsym.kernel.where(three_positive & in_contact.all, 3.0, 0.0));
 end

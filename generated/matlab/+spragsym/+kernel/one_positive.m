@@ -1,8 +1,7 @@
-function result = one_positive(line, u)
+function result = one_positive(line, e, u)
 %ONE_POSITIVE  Whether certainly exactly one root in t is positive: Descartes' rule with e0 < 0 < e4, e2 ≤ 0
 %  and e1 < 0.
   % a count of roundings
   COUNT_E1 = 10.0;
-  [~, e1] = spragsym.algebra.t_quartic(line.a, line.b, line.d, line.m);
-  result = e1 < -2.0 .* COUNT_E1 .* u .* (line.a_size + line.d_size);
+  result = e.e1 < -2.0 .* COUNT_E1 .* u .* (line.a_size + line.d_size);
 end

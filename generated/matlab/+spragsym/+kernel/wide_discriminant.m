@@ -1,4 +1,4 @@
-function result = wide_discriminant(line, u)
+function result = wide_discriminant(line, it, u)
 %WIDE_DISCRIMINANT  The sign of P³ + Q² is that of the discriminant, reversed.
 %
 %  From bounds on the errors of P and Q: |P̃³ − P³| ≤ 3 (|P| + error)² error and |Q̃² − Q²| ≤ 2 (|Q| + error)
@@ -9,11 +9,6 @@ function result = wide_discriminant(line, u)
   COUNT_P = 22.0;
   % a count of roundings
   COUNT_Q = 27.0;
-  resolvent_results = spragsym.kernel.wide_resolvent(line.a, line.b, line.d, line.m);
-  r0 = resolvent_results.value0;
-  r1 = resolvent_results.value1;
-  r2 = resolvent_results.value2;
-  it = spragsym.kernel.wide_depressed(r0, r1, r2);
   size = spragsym.kernel.depressed_size(line.a_size, abs(line.b.high), line.d_size, line.m.high);
   P_bound = abs(it.P.high) + COUNT_P .* u .* size.P;
   Q_bound = abs(it.Q.high) + COUNT_Q .* u .* size.Q;

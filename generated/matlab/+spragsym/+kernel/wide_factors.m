@@ -1,16 +1,11 @@
-function result = wide_factors(a, b, d, m)
+function result = wide_factors(e, resolved)
 %WIDE_FACTORS  The two real quadratic factors of the quartic in t.
-  t_quartic_results = spragsym.kernel.wide_t_quartic(a, b, d, m);
-  e1 = t_quartic_results.value1;
-  e2 = t_quartic_results.value2;
-  e3 = t_quartic_results.value3;
-  e4 = t_quartic_results.value4;
-  over = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), e4);
-  A1 = spragsym.kernel.dd_multiply(e1, over);
-  A2 = spragsym.kernel.dd_multiply(e2, over);
-  A3 = spragsym.kernel.dd_multiply(e3, over);
-  y = spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(over, -4.0), spragsym.kernel.wide_simple_root(a, ...
-      b, d, m));
+  over = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), e.e4);
+  A1 = spragsym.kernel.dd_multiply(e.e1, over);
+  A2 = spragsym.kernel.dd_multiply(e.e2, over);
+  A3 = spragsym.kernel.dd_multiply(e.e3, over);
+  y = spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(over, -4.0), ...
+      spragsym.kernel.wide_simple_root(resolved));
   width = spragsym.kernel.dd_sqrt(spragsym.kernel.dd_add_double(spragsym.kernel.dd_multiply(y, y), 4.0));
   large = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(spragsym.kernel.dd_absolute(y), width), 0.5);
   small = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), large);

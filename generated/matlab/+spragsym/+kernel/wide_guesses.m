@@ -4,12 +4,14 @@ function result = wide_guesses(point, line, u)
 %  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor
 %  has a root of either sign; those of the second are complex, or both negative, or both positive.
   INFINITY = Inf;
-  D = spragsym.kernel.wide_discriminant(line, u);
-  halves = spragsym.kernel.wide_factors(line.a, line.b, line.d, line.m);
+  e = spragsym.kernel.wide_quartic(line.a, line.b, line.d, line.m);
+  resolved = spragsym.kernel.wide_cubic(line.a, line.b, line.d, line.m);
+  D = spragsym.kernel.wide_discriminant(line, resolved, u);
+  halves = spragsym.kernel.wide_factors(e, resolved);
   first = spragsym.kernel.wide_root_pair(halves.p1, halves.q1);
   second = spragsym.kernel.wide_root_pair(halves.p2, halves.q2);
   contact = point.nbar.high > 0.0;
-  spared = (D.value > D.error) | (contact & spragsym.kernel.wide_one_positive(line, u));
+  spared = (D.value > D.error) | (contact & spragsym.kernel.wide_one_positive(line, e, u));
   real = second.discriminant.high >= 0.0;
   more = real & (~spared);
   % A sorting network; places without a root go to the end.

@@ -83,7 +83,7 @@ REFUSED = {
     "a name of the results": ('page.coordinate("y"', 'page.coordinate("count"', '"count"', "results and generated functions"),
     "a spring twice": ("page.spring(k_y, along=y)", "page.spring(k_x, along=x) #", "along=x) #", "same as that of line"),
     "both ends at one point": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y), (x, y))", "page.spring(k_y", "same point"),
-    "a point in space": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y, 0), (0, 0, 0))", "(0, 0, 0)", "point of the plane"),
+    "a point of space": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y, 0), (0, 0, 0))", "(0, 0, 0)", "point of the"),
     "along a speed": ("page.spring(k_y, along=y)", "page.spring(k_y, along=page.rate(y))", "page.spring(k_y", "a speed; give"),
     "along what stands still": ("page.spring(k_y, along=y)", "page.spring(k_y, along=L_0)", "along=L_0", "no coordinate moves"),
     "a preload that lifts": ("page.force(0, -F_L,", "page.force(0, F_L,", "page.force(", "nothing presses the mass"),

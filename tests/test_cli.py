@@ -731,3 +731,20 @@ def test_no_cell_of_a_table_is_cut_in_a_pipe(capsys: pytest.CaptureFixture[str])
         ["eq-28", "fails", "x" * 5000],
         ["eq-3", "holds"],
     ]
+
+
+def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from spragsym.cli.tables import busy
+
+    monkeypatch.delenv("FORCE_COLOR", raising=False)
+    monkeypatch.delenv("NO_COLOR", raising=False)
+    for force, told in ((None, False), ("1", True)):
+        if force is not None:
+            monkeypatch.setenv("FORCE_COLOR", force)
+        with busy("searching for folds"):
+            pass
+        shown = capsys.readouterr()
+        assert ("searching for folds" in shown.err) == told
+        assert shown.out == ""

@@ -89,7 +89,10 @@ def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
 
 def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
     """Of the two folds of the article's model only the one within the range; the cusp is outside of it."""
-    monkeypatch.setattr("spragsym.models.Model.bifurcation_set", few_lines(ss.load("kang_nam").bifurcation_set))
+    search = ss.load("kang_nam").bifurcation_set
+    monkeypatch.setattr(
+        "spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: search(p, vary, 4, **options)
+    )
     command = ["bifurcation", "--model", "kang_nam", "--between", "theta0=100:170", "--between", "mu0=0.3:0.6", "--json"]
     assert status([*command, "--plot", str(tmp_path / "set.svg")]) == 0
     told = json.loads(capsys.readouterr().out)

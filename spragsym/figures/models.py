@@ -55,7 +55,13 @@ def window(model: Model, vary: Sequence[str], between: Between) -> Between:
 
 @styled
 def model_motion_figure(motion: ModelTrajectory) -> Sheet:
-    """Each coordinate of a motion of a model over time, as a figure."""
+    """Each coordinate of a motion of a model over time, as a figure.
+
+    Parameters
+    ----------
+    motion : ModelTrajectory
+        Of ``model.simulate``.
+    """
     model = motion.model
     figure, axes = panels(len(model.coordinates), 1, DOUBLE, 1.8 * len(model.coordinates), sharex=True)
     for name, ax in zip(model.coordinates, axes[:, 0], strict=True):
@@ -142,7 +148,21 @@ def draw_onsets_of(
     model: Model, p: Any, vary: Sequence[str], ax: Axes | None = None, *, damping: bool | None = None,
     between: Between | None = None, n: int = 60,
 ) -> list[Any]:  # fmt: skip
-    """Onsets of flutter along the second parameter, on n lines of the first; returns the artists."""
+    """Onsets of flutter along the second parameter, on n lines of the first; returns the artists.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; those that vary are not used.
+    vary : (str, str)
+        Two parameters: across and up.
+    ax : Axes, optional
+    damping, between
+        As for ``model.flutter_onsets``.
+    n : int
+        Lines.
+    """
     from ..models.points import ranges
 
     ax = own_axes(ax)
@@ -163,7 +183,20 @@ def draw_onsets_of(
 
 @styled
 def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between | None = None, n: int = 60) -> Sheet:
-    """The bifurcation set of a model in the plane of two parameters, as a figure."""
+    """The bifurcation set of a model in the plane of two parameters, as a figure.
+
+    Parameters
+    ----------
+    model : Model
+    p : Parameters
+        Of the model, scalars; those that vary are not used.
+    vary : (str, str)
+        Two parameters: across and up.
+    between : mapping, optional
+        Their ranges, as for ``model.folds``.
+    n : int
+        Lines of either parameter on which folds are looked for: more of them make smoother curves.
+    """
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
     found = model.bifurcation_set(p, vary, n, between=window(model, vary, between or {}))
     draw_bifurcation_set_of(model, found, ax)

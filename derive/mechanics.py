@@ -68,6 +68,7 @@ class Mechanics:
     lines: tuple[Line, ...]
     kinetic: sp.Expr
     potential: sp.Expr  #: in coordinates and lengths, without the contact and the applied forces
+    stiffnesses: tuple[sp.Expr, ...]  #: of the spring along every line, 0 where there is none
     applied: tuple[sp.Expr, ...]  #: generalized applied forces
     dissipation: sp.Expr  #: half of the power that the dampers take, in rates, directions and lengths
     gap: sp.Expr | None
@@ -146,9 +147,18 @@ class Mechanics:
     @cached_property
     def residuals(self) -> tuple[sp.Expr, ...]:
         """Minus the generalized forces at rest, in MU and PUSHING."""
+        return self._residuals(self.potential)
+
+    @cached_property
+    def residuals_apart(self) -> tuple[sp.Expr, ...]:
+        """The same without the springs along lines: each of them adds its tension times (c ∂dx + s ∂dy)."""
+        springs = (elastic(line, stiffness) for line, stiffness in zip(self.lines, self.stiffnesses, strict=True))
+        return self._residuals(sp.expand(self.potential - sum(springs, sp.S.Zero)))
+
+    def _residuals(self, potential: sp.Expr) -> tuple[sp.Expr, ...]:
         rows = []
         for symbol, force in zip(self.coordinates, self.applied, strict=True):
-            row = self.derivative(self.potential, symbol) - force
+            row = self.derivative(potential, symbol) - force
             if self.gap is not None:
                 row -= self.normal * sp.diff(self.gap, symbol)
             if self.slide is not None:
@@ -185,7 +195,7 @@ def of(page: Page) -> Mechanics:
     scaled = _Scaled(page, angles)
     coordinates = tuple(entry.symbol for entry in page.coordinates)
     rates = tuple(entry.rate for entry in page.coordinates)
-    lines, rest_energy, dissipation = _lines(page, scaled)
+    lines, stiffnesses, rest_energy, dissipation = _lines(page, scaled)
     potential = rest_energy + sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
     gap, law = _contact(page, scaled)
     return Mechanics(
@@ -197,6 +207,7 @@ def of(page: Page) -> Mechanics:
         lines=lines,
         kinetic=scaled(page.inertia[0]),
         potential=sp.expand(potential),
+        stiffnesses=stiffnesses,
         applied=_applied(page, scaled, coordinates),
         dissipation=sp.expand(dissipation),
         gap=gap,
@@ -232,12 +243,15 @@ def _angle(datum: Datum) -> Angle:
     return Angle(number(datum), sp.Symbol(f"cos{suffix}", real=True), sp.Symbol(f"sin{suffix}", real=True))
 
 
-def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], sp.Expr, sp.Expr]:
-    """Lines of springs and dampers, each once; the energy of the springs; half the power that the dampers take.
+def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
+    """The energy k (l − r)²/2 as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear in coordinates and direction."""
+    return stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
 
-    The energy k (l − r)²/2 is written as k (dx² + dy²)/2 − k r l, up to a constant: its forces are linear in coordinates and direction.
-    """
+
+def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr, ...], sp.Expr, sp.Expr]:
+    """Lines of springs and dampers, each once; stiffness along each; energy of springs; half the power that the dampers take."""
     found: list[Line] = []
+    along: dict[Line, sp.Expr] = {}
     energy = dissipation = sp.S.Zero
 
     def line_of(ends: tuple[Point, Point], rest: sp.Expr | None, line: int) -> Line:
@@ -259,7 +273,8 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], sp.Expr, sp.E
             energy += stiffness * (scaled(spring.along) - scaled(spring.length)) ** 2 / 2
         else:
             line = line_of(spring.ends, scaled(spring.length), spring.line)
-            energy += stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
+            energy += elastic(line, stiffness)
+            along[line] = along.get(line, sp.S.Zero) + stiffness
     for torsion in page.torsions:
         line = line_of(torsion.ends, None, torsion.line)
         cosine, sine = (scaled(function(torsion.rest)) for function in (sp.cos, sp.sin))
@@ -272,7 +287,7 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], sp.Expr, sp.E
             line = line_of(damper.ends, None, damper.line)
             speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
         dissipation += coefficient * speed**2 / 2
-    return tuple(found), energy, dissipation
+    return tuple(found), tuple(along.get(line, sp.S.Zero) for line in found), energy, dissipation
 
 
 def turning(cosine: sp.Expr) -> sp.Expr:

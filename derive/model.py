@@ -188,6 +188,8 @@ class Page:
         """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless value unless changed."""
         line = _line()
         symbol = sp.Symbol(name, **_assumptions(domain, line))
+        if base is not None and (isinstance(base, str) or not isinstance(base, int | float | sp.Expr)):
+            raise PageError(line, f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
         number = None if base is None else float(base)
         if number is not None and not _within(domain, number):
             raise PageError(line, f"the base value {base} of {name} is not in its domain {domain}")
@@ -215,6 +217,7 @@ class Page:
 
     def kinetic(self, energy: sp.Expr) -> None:
         """Kinetic energy, a quadratic form of the rates."""
+        self._first(self.inertia[1] if self.inertia else None, "kinetic energy", "add it there")
         self.inertia = expression_of(energy), _line()
 
     def potential(self, energy: sp.Expr) -> None:
@@ -260,12 +263,14 @@ class Page:
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
         """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
         line = _line()
+        self._first(self.normal.line if self.normal else None, "contact", "a model has one")
         self._check_law(law, "contact", "penetration", line)
         self.normal = Contact(expression_of(gap), law, unilateral, line)
 
     def normal_force(self, force: sp.Expr) -> None:
         """A given normal force, in the place of a contact law."""
         given = expression_of(force)
+        self._first(self.normal.line if self.normal else None, "contact", "a model has one")
         self.normal = Contact(None, lambda depth: given, False, _line())
 
     def friction(self, along: sp.Expr, belt: sp.Expr, law: Law, at_rest: sp.Expr | None = None) -> None:
@@ -275,6 +280,7 @@ class Page:
         speed.
         """
         line = _line()
+        self._first(self.sliding.line if self.sliding else None, "friction", "a model has one")
         self._check_law(law, "friction", "sliding speed", line)
         limit = None if at_rest is None else expression_of(at_rest)
         self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, line)
@@ -293,6 +299,11 @@ class Page:
             ) from error
         if moving:
             raise PageError(line, f"the {kind} law depends on {moving}; it is a law of the {of} alone")
+
+    def _first(self, line: int | None, what: str, remedy: str) -> None:
+        """A statement that a page has once."""
+        if line:
+            raise PageError(_line(), f"line {line} says the {what} already, and this would replace it; {remedy}")
 
     def _moving(self, expression: sp.Expr) -> str:
         """The coordinates and rates that an expression holds."""
@@ -322,6 +333,8 @@ def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Po
         raise PageError(line, "a spring or a damper has two ends, (x, y) each, or is along a coordinate: along=x")
     if not ends:
         return None
+    if any(not isinstance(end, tuple | list) or len(end) != 2 for end in ends):
+        raise PageError(line, f"an end of a spring or a damper is a point of the plane, (x, y); here are {ends[0]} and {ends[1]}")
     (ax, ay), (bx, by) = ends
     return (expression_of(ax), expression_of(ay)), (expression_of(bx), expression_of(by))
 
@@ -331,6 +344,8 @@ def _assumptions(domain: str, line: int) -> dict[str, bool]:
         allowed = interval(domain)
     except ValueError as error:
         raise PageError(line, str(error)) from error
+    if not allowed.low < allowed.high:
+        raise PageError(line, f"the domain {domain} holds no number; give its lower end first")
     if allowed.low > 0 or (allowed.low == 0 and allowed.low_open):
         return {"positive": True}
     return {"nonnegative": True} if allowed.low == 0 else {"real": True}

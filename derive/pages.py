@@ -10,7 +10,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import mechanics, soundness
+from . import mechanics, sense, soundness
+from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
 
@@ -57,10 +58,12 @@ def read(path: Path, name: str = "") -> Model:
 @cache
 def _model(path: Path, text: str, name: str) -> Model:
     page, docstring = _run(path, text)
+    sense.check(page, docstring)
     soundness.check_units(page)
     soundness.groups(page)
     model = mechanics.of(page)
     soundness.check_forces(model)
+    sense.check_used(page)
     return Model(name, text, docstring, page, model)
 
 
@@ -76,6 +79,11 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         exec(compile(tree, str(path), "exec"), names)  # noqa: S102  # a page is a program: its author runs it
     except PageError:
         raise
+    except ImportError as error:
+        offered = f"spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
+        line = next((f.lineno or 0 for f in reversed(traceback.extract_tb(error.__traceback__)) if f.filename == str(path)), 0)
+        what = str(error).partition(" (")[0]  # without the place of the package
+        raise PageError(line, f"{what}; {offered}") from error
     except Exception as error:
         lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
         raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}") from error

@@ -137,6 +137,49 @@ def test_a_circle_that_many_digits_leave_open():
     assert np.allclose(eq.x, np.sort(ss.equilibria(ss.Parameters(**values)).x), rtol=0, atol=1e-12)
 
 
+@pytest.mark.parametrize("contact", [True, False])
+def test_springs_however_stiff(contact):
+    rng = np.random.default_rng(3)
+    values = {
+        "theta0": rng.uniform(0.1, 3.0, 8), "mu0": rng.uniform(0, 2, 8), "kappa": 10 ** rng.uniform(-5, 0, 8),
+        "alpha": 10 ** rng.uniform(-3, 1, 8), "beta": 10 ** rng.uniform(-3, 1, 8),
+        "sigma": 10.0 ** np.array([3.6, 4, 5, 6, 7, 9, 10, 12]),
+    }  # fmt: skip
+    values["alpha"][2] = values["beta"][2] = values["mu0"][3] = values["beta"][3] = 0.0
+    model = ss.load("kang_nam")
+    eq = model.equilibria(model.Parameters(**values), contact=contact)
+    known = ss.equilibria(ss.Parameters(**values), contact=contact)
+    assert eq.complete
+    assert eq.count.tolist() == known.count.tolist()
+    for one, other in zip(eq.x, np.sort(known.x), strict=True):
+        assert np.allclose(one[~np.isnan(one)], other[~np.isnan(other)], rtol=0, atol=1e-12)
+    assert np.nanmax(eq.error) <= 1e-12
+
+
+def test_a_stiff_spring_on_a_trolley_off_the_belt():
+    # By the spring's direction θ all else follows: tension, trolley and mass; the balance along the belt, times sin θ, is left.
+    rng = np.random.default_rng(4)
+    model = ss.load("trolley")
+    p = model.Parameters(
+        theta0=rng.uniform(0.1, 3.0, 6), kappa=10 ** rng.uniform(-4, 0, 6), alpha=10 ** rng.uniform(-3, 1, 6),
+        sigma=10.0 ** np.array([1, 3, 5, 7, 9, 8]), beta=[0.0, 0.0, 0.1, 1.0, 0.0, 10.0], alpha_a=10 ** rng.uniform(-2, 3, 6),
+    )  # fmt: skip
+    eq = model.equilibria(p, contact=False)
+    assert eq.complete
+    theta = np.linspace(-np.pi, np.pi, 200_002)[1:]
+    c, s = np.cos(theta), np.sin(theta)
+    for k in range(6):
+        theta0, kappa, alpha, sigma, beta, alpha_a = (
+            getattr(p, name)[k] for name in ("theta0", "kappa", "alpha", "sigma", "beta", "alpha_a")
+        )
+        pull = (kappa + beta * (np.sin(theta0) - s)) / (1 + beta / sigma)  # tension times sin θ
+        y = np.sin(theta0) - s - pull / sigma
+        left = alpha * ((np.cos(theta0) - c) * s - pull * c / alpha_a - pull * c / sigma) - pull * c
+        turns = np.flatnonzero((left * np.roll(left, 1) < 0) & (y > 0) & (1 + pull / s / sigma > 0))
+        assert int(eq.count[k]) == turns.size
+        assert np.allclose(np.sort(eq.y[k][: turns.size]), np.sort(y[turns]), atol=1e-4)
+
+
 # -------------------------------------------------------------------------------------------------- the command line
 
 

@@ -69,6 +69,32 @@ REFUSED = {
     "a base value outside": ('">= 0", 0.5, latex', '">= 0", -0.5, latex', "-0.5", "not in its domain"),
     "twice": ('page.coordinate("y"', 'page.coordinate("x"', 'y = page.coordinate("x"', "defined twice"),
     "a name that is not there": ("page.spring(k_y, along=y)", "page.spring(k_z, along=y)", "k_z", "NameError"),
+    "nothing uses it": ("V = page.p", 'q = page.parameter("q", "m", "idle")\nV = page.p', '"idle"', "in no statement"),
+    "a spring that pushes away": ("page.spring(k_y, along=y)", "page.spring(-k_y, along=y)", "page.spring(-k_y", "is negative"),
+    "an inclined one": ("page.spring(k, (x, y)", "page.spring(-k, (x, y)", "page.spring(-k", "is negative"),
+    "a length below 0": ("length=L_0", "length=-L_0", "length=-L_0", "is negative"),
+    "a damper that drives": ("page.spring(k_y, along=y)", "page.damper(-k_c / d / V, along=y)", "page.damper(", "is negative"),
+    "one named as a coordinate": ('becomes="beta"', 'becomes="x"', "k_y = page.parameter(", "as is this coordinate"),
+    "one named as a speed": ('becomes="beta"', 'becomes="vx"', "k_y = page.parameter(", "the rate of x"),
+    "one named as a direction": ('becomes="beta"', 'becomes="c1"', "k_y = page.parameter(", "of spring 1"),
+    "one named as a cosine": ('becomes="beta"', 'becomes="cos0"', "k_y = page.parameter(", "the cos of theta0"),
+    "a word of Python": ('becomes="beta"', 'becomes="lambda"', "k_y = page.parameter(", "no name in Python"),
+    "two words": ('becomes="beta"', 'becomes="k y"', "k_y = page.parameter(", "as 'k_y'"),
+    "a name of the results": ('page.coordinate("y"', 'page.coordinate("count"', '"count"', "results and generated functions"),
+    "a spring twice": ("page.spring(k_y, along=y)", "page.spring(k_x, along=x) #", "along=x) #", "same as that of line"),
+    "both ends at one point": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y), (x, y))", "page.spring(k_y", "same point"),
+    "a point of space": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y, 0), (0, 0, 0))", "(0, 0, 0)", "point of the"),
+    "along a speed": ("page.spring(k_y, along=y)", "page.spring(k_y, along=page.rate(y))", "page.spring(k_y", "a speed; give"),
+    "along what stands still": ("page.spring(k_y, along=y)", "page.spring(k_y, along=L_0)", "along=L_0", "no coordinate moves"),
+    "a preload that lifts": ("page.force(0, -F_L,", "page.force(0, F_L,", "page.force(", "nothing presses the mass"),
+    "a gap that never closes": ("page.contact(y,", "page.contact(L_0,", "page.contact(", "holds no coordinate"),
+    "a belt at rest": ("page.friction(x, V", "page.friction(x, 0", "page.friction(", "nothing slides"),
+    "an energy of speed": ("page.spring(k_y, along=y)", "page.potential(m * page.rate(x) ** 2)", "potential(", "holds a speed"),
+    "a force of speed": ("page.force(0, -F_L,", "page.force(0, -F_L * (1 + page.rate(x) / V),", "page.force(", "holds a speed"),
+    "two contacts": ("page.spring(k_y, along=y)", "page.contact(y, lambda depth: k_y * depth)", "lambda depth: k_c", "already"),
+    "an empty domain": ('"(0, pi)"', '"(pi, 0)"', '"(pi, 0)"', "lower end first"),
+    "a base value as text": ('">= 0", 0.5, latex', '">= 0", "half", latex', '"half"', "no number"),
+    "what is not offered": ("sgn, sin", "sgn, sin, tan", "sin, tan", "offers Abs"),
     "one end": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y))", "page.spring(k_y", "two ends"),
 }  # fmt: skip
 
@@ -88,6 +114,14 @@ def test_a_coordinate_that_no_force_acts_on(tmp_path: Path) -> None:
     )
     message = rf"^mine\.py, line {line_of(path, 'free')}: no force acts on z; .* the forces along x, y are well"
     with pytest.raises(PageError, match=message):
+        pages.read(path)
+
+
+def test_a_page_without_a_drawing(tmp_path: Path) -> None:
+    path = changed(tmp_path)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text[text.index("from spragsym") :], encoding="utf-8")
+    with pytest.raises(PageError, match=r"^mine\.py, line 1: the page has no docstring"):
         pages.read(path)
 
 

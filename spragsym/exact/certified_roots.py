@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -50,6 +51,19 @@ class Roots:
     def error(self) -> FloatArray:
         """Bound on |error| / max(1, |value|), over the unknowns, shape (roots,)."""
         return relative_error(self.ends, self.middle)
+
+
+def concatenated(parts: Sequence[Roots], n: int) -> Roots:
+    """Roots and boxes of several searches for n unknowns, one after the other."""
+    none, nowhere = np.empty((2, n, 0)), np.empty(0, dtype=np.int64)
+    every = [Roots(none, none, nowhere, none, nowhere), *parts]
+    return Roots(
+        np.concatenate([part.ends for part in every], axis=2),
+        np.concatenate([part.alone for part in every], axis=2),
+        np.concatenate([part.point for part in every]),
+        np.concatenate([part.left for part in every], axis=2),
+        np.concatenate([part.left_point for part in every]),
+    )
 
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:

@@ -17,7 +17,7 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .balance import Balance, Model
 from .columns import Columns
-from .polar import around_anchors
+from .polar import around_anchors, stiff_points
 from .precise import assembled, at, boxes_of, hull_of_each, of_each, replaced, settled, settled_by_digits, unsettled
 from .regions import region
 
@@ -101,8 +101,9 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     Notes
     -----
     Source: branch and prune over boxes of coordinates and of parameters, see :mod:`spragsym.exact.boxes`, in a region with all
-    equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.models.regions`. What float64 does not
-    decide is reduced to one unknown and decided with many digits, see :mod:`spragsym.exact.reduction`.
+    equilibria since the springs pull back harder than all else pushes, see :mod:`spragsym.models.regions`. A stiff spring is
+    looked at in its angle and tension, see :mod:`spragsym.models.polar`. What float64 does not decide is reduced to one unknown
+    and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
     balance = Balance(model, contact)
     if not contact and not balance.opens:
@@ -148,6 +149,18 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
     if not given.shape[1]:
         none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
         return Roots(none, none, nowhere, none, nowhere), around, whole
+    stiff, done = stiff_points(balance, given, around)
+    if not done.any():
+        return _by_boxes(balance, given, around), around, whole
+    rest = np.flatnonzero(~done)
+    parts = [stiff]
+    if rest.size:
+        parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
+    return certified_roots.concatenated(parts, balance.n), around, whole
+
+
+def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
+    """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     found = _searched(balance, given, around, *STAGES[0])
     for stage in STAGES[1:]:
         points = unsettled(found)
@@ -158,7 +171,7 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
             found = replaced(found, points, assembled(of_each(around, given), found, points, [part]))
     found = around_anchors(balance, given, around, found)
     found = settled_by_digits(balance, given, around, found)
-    return around_anchors(balance, given, around, found, 0.0), around, whole
+    return around_anchors(balance, given, around, found, 0.0)
 
 
 def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int) -> Roots:

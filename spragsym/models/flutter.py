@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact.certified_roots import Roots
+from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
 from . import stability
@@ -234,13 +234,7 @@ def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
 def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], flat: bool) -> ModelPoints:
     """All parts in one result; ``flat`` where the last is of places without slope."""
     first, roots = parts[0].found, [part.found.roots for part in parts]
-    every = Roots(
-        np.concatenate([one.ends for one in roots], axis=2),
-        np.concatenate([one.alone for one in roots], axis=2),
-        np.concatenate([one.point for one in roots]),
-        np.concatenate([one.left for one in roots], axis=2),
-        np.concatenate([one.left_point for one in roots]),
-    )
+    every = concatenated(roots, balance.n + 1)
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
     remarks = _undamped(balance, vary, given, roots[-1].left) if flat else ()
     region = np.minimum.reduce([part.found.region for part in parts])

@@ -30,6 +30,8 @@ Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
 TOLERANCE = 1e-12
+#: Clusters of boxes of a point: more lie around no equilibria.
+CLUSTERS = 24
 #: Next boxes of the same point that a box is compared with at once.
 TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
@@ -104,12 +106,14 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
 
 def settled_by_digits(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
     """The same with many digits, one point after the other."""
-    points = unsettled(found)
-    if not points.size:
+    if not unsettled(found).size:
         return found
+    hulls, owner = clusters(*boxes_of(found))
+    points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
+    few = count <= CLUSTERS
+    points, hulls, owner = points[few], hulls[:, :, few[which]], owner[few[which]]
     parts = [
         with_digits(point, balance.n, _reduced(balance, given[:, point], widened(hull)))
-        for hulls, owner in [clusters(*boxes_of(found))]
         for hull, point in zip(np.moveaxis(hulls, 2, 0), owner.tolist(), strict=True)
     ]
     return replaced(found, points, assembled(of_each(around, given), found, points, parts))

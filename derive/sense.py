@@ -1,0 +1,191 @@
+"""Whether the statements of a page say something: names that code can bear, springs that hold, quantities that are used.
+
+What is asked of forces and units is in :mod:`derive.soundness`. Each error names the line, what was expected, and the remedy.
+"""
+
+from __future__ import annotations
+
+import keyword
+from collections.abc import Iterator
+
+import sympy as sp
+
+from .model import Contact, Damper, Friction, Page, PageError, Spring, Torsion, expression_of
+
+#: Names that generated functions and results of models have for other things.
+RESERVED = frozenset((
+    "mu", "pushing", "side", "xp", "parameters", "count", "stability", "eigenvalues", "growth", "error", "region", "whole", "complete", "decided",
+    "undecided", "coordinates", "vary", "kind", "values", "remarks", "omega",
+))  # fmt: skip
+
+
+def check(page: Page, docstring: str) -> None:
+    """All of it; a :class:`~derive.model.PageError` names the first line that makes no sense."""
+    if not docstring.strip():
+        raise PageError(1, 'the page has no docstring; begin it with r"""…""": what the model is, and its drawing')
+    _check_names(page)
+    _check_elements(page)
+    _check_places(page)
+
+
+# ------------------------------------------------------------------------------------------------ names
+
+
+def _check_names(page: Page) -> None:
+    taken: dict[str, tuple[str, int]] = {}
+    for name, what, line in _names(page):
+        if not name.isidentifier() or keyword.iskeyword(name):
+            raise PageError(line, f"{what} is named {name!r}, which is no name in Python; give it another, as {_instead(name)!r}")
+        if name in RESERVED:
+            raise PageError(line, f"{what} is named {name!r}, which results and generated functions use; give it another name")
+        if name in taken:
+            other, first = taken[name]
+            place = f" of line {first}" if first else ""
+            raise PageError(line, f"{what} is named {name!r}, as is {other}{place}; give one of them another name")
+        taken[name] = what, line
+
+
+def _names(page: Page) -> Iterator[tuple[str, str, int]]:
+    """Every name that code will bear, what it is, and its line."""
+    lines = {str(element.ends) for element in (*page.springs, *page.torsions, *page.dampers) if element.ends is not None}
+    for count in range(1, len(lines) + 1):
+        for part in "csl":
+            yield f"{part}{count}", f"the direction or length of spring {count}", 0
+    for entry in page.coordinates:
+        yield str(entry.symbol), "this coordinate", entry.line
+        yield str(entry.rate), f"the rate of {entry.symbol}", entry.line
+    for datum in page.parameters:
+        yield datum.becomes, "this parameter", datum.line
+        if datum.unit == "rad" and datum.becomes.isidentifier():
+            suffix = datum.becomes.removeprefix("theta") if datum.becomes.startswith("theta") else f"_{datum.becomes}"
+            for part in ("cos", "sin"):
+                yield f"{part}{suffix}", f"the {part} of {datum.becomes}", datum.line
+
+
+def _instead(name: str) -> str:
+    tidy = "".join(letter if letter.isalnum() else "_" for letter in name).strip("_")
+    return f"{tidy}_" if keyword.iskeyword(tidy) else tidy if tidy.isidentifier() else f"p_{tidy}"
+
+
+# ------------------------------------------------------------------------------------------------ springs and dampers
+
+
+def _check_elements(page: Page) -> None:
+    seen: dict[object, int] = {}
+    moving = {entry.symbol for entry in page.coordinates}
+    rates = {entry.rate for entry in page.coordinates}
+    for element in (*page.springs, *page.torsions, *page.dampers):
+        what = "damper" if isinstance(element, Damper) else "spring"
+        strength = element.coefficient if isinstance(element, Damper) else element.stiffness
+        name = "coefficient" if isinstance(element, Damper) else "stiffness"
+        if _is_negative(page, strength):
+            does = "drives the motion" if what == "damper" else "pushes away from where it is at rest"
+            raise PageError(element.line, f"the {name} of this {what}, {strength}, is negative: it {does}; give a positive one")
+        if isinstance(element, Spring) and _is_negative(page, element.length):
+            raise PageError(
+                element.line, f"the undeformed length {element.length} of this spring is negative; give a positive one"
+            )
+        along = None if isinstance(element, Torsion) else element.along
+        if along is not None:
+            _check_along(along, f"along of this {what}", element.line, moving, rates)
+        elif element.ends is not None:
+            one, two = element.ends
+            vector = [sp.expand(end - begin) for begin, end in zip(one, two, strict=True)]
+            if not any(part.free_symbols & moving for part in vector):
+                apart = "are the same point" if not any(vector) else "do not move against each other"
+                raise PageError(
+                    element.line, f"the two ends of this {what} {apart}: it does nothing; give the mass's end and the anchor's"
+                )
+        key = type(element), strength, str(element.ends), along, getattr(element, "length", getattr(element, "rest", None))
+        if key in seen:
+            raise PageError(
+                element.line,
+                f"this {what} is the same as that of line {seen[key]}; drop it, or write 2*{strength} if there are two",
+            )
+        seen[key] = element.line
+
+
+def _check_along(along: sp.Expr, what: str, line: int, moving: set[sp.Symbol], rates: set[sp.Symbol]) -> None:
+    if along.free_symbols & rates:
+        raise PageError(line, f"{what} is {along}, a speed; give the coordinate itself, as along=x")
+    if not along.free_symbols & moving:
+        raise PageError(line, f"{what} is {along}, which no coordinate moves; give a coordinate, as along=x")
+
+
+def _is_negative(page: Page, value: sp.Expr) -> bool:
+    """By its form, or at the base values, with 1 for what has none."""
+    if value.is_nonnegative:
+        return False
+    bases = {entry.symbol: sp.S.One for entry in page.units}
+    bases |= {entry.symbol: sp.S.One if entry.base is None else sp.Float(entry.base) for entry in page.parameters}
+    at_base = value.subs(bases)
+    return bool((value.is_nonpositive and not value.is_zero) or (at_base.is_number and at_base.is_negative))
+
+
+# ------------------------------------------------------------------------------------------------ laws, forces, energies
+
+
+def _check_places(page: Page) -> None:
+    moving = {entry.symbol for entry in page.coordinates}
+    rates = {entry.rate for entry in page.coordinates}
+    for energy, line in page.energies:
+        if energy.free_symbols & rates:
+            raise PageError(
+                line, "this potential energy holds a speed; what goes with speed is kinetic(...), damper(...) or friction(...)"
+            )
+    for force in page.forces:
+        if any(part.free_symbols & rates for part in force.components):
+            raise PageError(force.line, "this force holds a speed; say it with page.damper(...) or page.friction(...)")
+    contact, sliding = page.normal, page.sliding
+    if contact is not None and contact.gap is not None and not contact.gap.free_symbols & moving:
+        raise PageError(
+            contact.line, f"the gap {contact.gap} holds no coordinate, so it never closes; give the distance of mass and belt"
+        )
+    if sliding is not None:
+        _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
+        if sliding.belt == 0:
+            raise PageError(sliding.line, "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V")
+        if contact is None:
+            raise PageError(
+                sliding.line, "there is friction and no normal force; add page.contact(...) or page.normal_force(...)"
+            )
+
+
+def check_used(page: Page) -> None:
+    """Every parameter stands in a statement."""
+    used: set[sp.Basic] = set()
+    for value in _expressions(page):
+        used |= value.free_symbols
+    for datum in page.parameters:
+        if datum.symbol not in used:
+            raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
+
+
+def _expressions(page: Page) -> Iterator[sp.Expr]:
+    """All that statements are made of."""
+    u = sp.Symbol("u", positive=True)
+    yield sp.S.Zero
+    for element in (*page.springs, *page.torsions, *page.dampers):
+        yield element.coefficient if isinstance(element, Damper) else element.stiffness
+        yield from (part for end in element.ends or () for part in end)
+        if isinstance(element, Spring):
+            yield element.length
+        if isinstance(element, Torsion):
+            yield element.rest
+    yield from (energy for energy, _ in page.energies)
+    if page.inertia is not None:
+        yield page.inertia[0]
+    for force in page.forces:
+        yield from (*force.components, *(force.at or ()))
+    if page.normal is not None:
+        yield from _of_law(page.normal, u)
+    if page.sliding is not None:
+        yield from _of_law(page.sliding, u)
+
+
+def _of_law(statement: Contact | Friction, u: sp.Symbol) -> Iterator[sp.Expr]:
+    yield expression_of(statement.law(u))
+    if isinstance(statement, Friction):
+        yield from (statement.along, statement.belt, statement.at_rest or sp.S.Zero)
+    else:
+        yield statement.gap if statement.gap is not None else sp.S.Zero

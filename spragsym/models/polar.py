@@ -170,7 +170,9 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
     n, count = balance.n, given.shape[1]
     around = np.broadcast_to(regions, (*regions.shape[:2], count))
     done = np.zeros(count, dtype=np.bool_)
-    parts = []
+    parts: list[Roots] = []
+    if not hasattr(balance.model.statics, "stiffnesses"):
+        return certified_roots.concatenated(parts, n), done
     values = balance.arguments(balance.prepared(Intervals.point(given)))
     listed = [values[name] for name in balance.model.about["arguments"]["statics"]]
     stiffness = stacked(undecorated(balance.model.statics.stiffnesses)(*[0] * n, *listed, xp=XP), (count,))
@@ -185,7 +187,8 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
 
 def _of_any_spring(balance: Balance, given: FloatArray, region: FloatArray) -> Roots | None:
     """Roots of one point by the first spring around which all is decided."""
-    if not _ends_are_linear(balance, given):
+    # A folder that was derived before has no forces without springs.
+    if not hasattr(balance.model.statics, "forces_apart") or not _ends_are_linear(balance, given):
         return None
     for number, spring in enumerate(balance.model.about["springs"]):
         if spring["chart"] is None:

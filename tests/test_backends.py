@@ -106,7 +106,8 @@ def test_cosine_and_sine() -> None:
     assert 0.5 < worst < 0.8
 
 
-def test_threads_do_not_show() -> None:
+def test_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solver, "A_THREAD", 1000)
     p = FAMILIES["random"](np.random.default_rng(23), 3000)
     results = []
     for threads in (1, 2):

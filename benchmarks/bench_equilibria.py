@@ -94,7 +94,7 @@ def roots_and_counts(p: ss.Parameters) -> np.ndarray:
     count = np.empty(theta0.size, dtype=np.int8)
     roots = np.empty((4, theta0.size))
     u = np.float64(2.0**-53)
-    np.empty(1 << 19)  # see spragsym.statics.solver: glibc then keeps the memory of the blocks
+    np.empty(1 << 21)  # see spragsym.statics.solver: glibc then keeps the memory of the blocks
     with np.errstate(all="ignore"):
         for begin in range(0, theta0.size, BLOCK):
             rows = slice(begin, begin + BLOCK)

@@ -14,7 +14,7 @@ import pytest
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym.statics import backends, compiled, kernel, ladder
+from spragsym.statics import backends, compiled, kernel, ladder, solver
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
 
@@ -106,7 +106,8 @@ def test_cosine_and_sine() -> None:
     assert 0.5 < worst < 0.8
 
 
-def test_threads_do_not_show() -> None:
+def test_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solver, "A_THREAD", 1000)
     p = FAMILIES["random"](np.random.default_rng(23), 3000)
     results = []
     for threads in (1, 2):

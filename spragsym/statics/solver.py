@@ -30,7 +30,7 @@ T = TypeVar("T")
 #: it does in arrays of 256 KB and more; few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 15
 #: Points that are worth a thread of their own, and the same where they are only counted.
-A_THREAD, A_COUNTING_THREAD = 1 << 13, 1 << 16
+A_THREAD, A_COUNTING_THREAD = 1 << 15, 1 << 17
 #: The same in double-double arithmetic, which has more in between.
 WIDE_BLOCK = 1 << 12
 
@@ -257,8 +257,9 @@ def _in_blocks(p: Parameters, threads: int, a_thread: int, work: Callable[[list[
         end = min(begin + length, size)
         return work([_part(values, begin, end) for values in given], begin, end - begin)
 
-    # Until one large block has been freed, glibc returns freed memory to the system, which must then map it again.
-    np.empty(1 << 19)
+    # glibc returns freed memory to the system, which must then map it again, beyond twice the largest piece freed before: that
+    # has to be more than all arrays in between take.
+    np.empty(1 << 21)
     begins = range(0, size, length)
     if threads > 1:
         with ThreadPoolExecutor(threads) as pool:

@@ -12,15 +12,13 @@ from typing import TypeAlias
 import sympy as sp
 
 from . import laws, units
-from .mechanics import DEPTH, MU, PUSHING, Mechanics
+from .mechanics import DEPTH, Mechanics
 from .model import Damper, Datum, Page, PageError, Spring, expression_of
 from .units import Dimension, UnitsError, spelled
 
 #: Raises unless an expression has a dimension: what it is in words, and its line.
 Expect: TypeAlias = Callable[[object, Dimension, str, int], None]
 
-#: A force that is not 0 by rounding.
-OPENS = 1e-12
 _SPEED = sp.Symbol("v", positive=True)
 
 #: Penetrations and speeds at which a law that can't be decided by its form is looked at.
@@ -163,7 +161,6 @@ def _listed(page: Page) -> str:
 def check_forces(model: Mechanics) -> None:
     """A contact that pushes, a friction that opposes, a force and an inertia for every coordinate."""
     _check_contact(model)
-    _check_pressed(model)
     _check_friction(model)
     laws.friction_at_rest(model)
     for entry, rate in zip(model.page.coordinates, model.rates, strict=True):
@@ -207,28 +204,6 @@ def _check_contact(model: Mechanics) -> None:
         witness = _negative(model, model.law, DEPTH)
         if witness:
             raise PageError(contact.line, f"the contact law pulls: {witness}; a belt pushes, law(depth) >= 0 for every depth > 0")
-
-
-def _check_pressed(model: Mechanics) -> None:
-    """A mass that something presses on the belt, at the base values and where all coordinates are 0."""
-    contact = model.page.normal
-    if contact is None or not contact.unilateral or model.gap is None:
-        return
-    values = {**dict(_bases(model)), **dict.fromkeys(model.coordinates, sp.S.Zero), PUSHING: sp.S.Zero, MU: sp.S.Zero}
-    for spring in model.lines:
-        dx, dy = (sp.N(part.subs(values)) for part in (spring.dx, spring.dy))
-        length = sp.sqrt(dx**2 + dy**2)
-        values |= {spring.c: dx / length, spring.s: dy / length, spring.l: length}
-    opening = -sum(
-        row.subs(values) * sp.diff(model.gap, q).subs(values) for row, q in zip(model.residuals, model.coordinates, strict=True)
-    )
-    if opening.is_number and opening.is_finite and sp.N(opening) > OPENS:
-        line = model.page.forces[0].line if model.page.forces else contact.line
-        raise PageError(
-            line,
-            f"nothing presses the mass on the belt: where all coordinates are 0 the forces open the contact, by {sp.N(opening, 3)} of "
-            "their scale at the base values; turn the sign of this force, or of the gap",
-        )
 
 
 def _check_friction(model: Mechanics) -> None:

@@ -86,7 +86,6 @@ REFUSED = {
     "a point of space": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y, 0), (0, 0, 0))", "(0, 0, 0)", "point of the"),
     "along a speed": ("page.spring(k_y, along=y)", "page.spring(k_y, along=page.rate(y))", "page.spring(k_y", "a speed; give"),
     "along what stands still": ("page.spring(k_y, along=y)", "page.spring(k_y, along=L_0)", "along=L_0", "no coordinate moves"),
-    "a preload that lifts": ("page.force(0, -F_L,", "page.force(0, F_L,", "page.force(", "nothing presses the mass"),
     "a gap that never closes": ("page.contact(y,", "page.contact(L_0,", "page.contact(", "holds no coordinate"),
     "a belt at rest": ("page.friction(x, V", "page.friction(x, 0", "page.friction(", "nothing slides"),
     "an energy of speed": ("page.spring(k_y, along=y)", "page.potential(m * page.rate(x) ** 2)", "potential(", "holds a speed"),

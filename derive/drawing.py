@@ -112,7 +112,9 @@ def _belt(sheet: Sheet, page: Page) -> None:
     sheet.line((-26.0, top - 3), (26.0, top - 3))
     depth = sp.Symbol("depth", positive=True)
     law = sp.sympify(page.normal.law(depth))
-    sheet.name(_letter(law.subs(depth, 1)), (-34.0, height + 0.5 * _CONTACT + 7), anchor="end")
+    terms = sorted(sp.Add.make_args(sp.expand(law)), key=lambda term: sp.degree(term, depth) if term.is_polynomial(depth) else 0)
+    letters = ", ".join(_letter(term.subs(depth, 1)) for term in terms)
+    sheet.name(letters, (-34.0, height + 0.5 * _CONTACT + 7), anchor="end")
 
 
 # ------------------------------------------------------------------------------------------------ springs and dampers

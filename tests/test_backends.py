@@ -107,7 +107,7 @@ def test_cosine_and_sine() -> None:
 
 
 def test_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(solver, "A_THREAD", 1000)
+    monkeypatch.setattr(solver, "A_THREAD", dict.fromkeys(solver.A_THREAD, 1000))
     p = FAMILIES["random"](np.random.default_rng(23), 3000)
     results = []
     for threads in (1, 2):

@@ -268,7 +268,7 @@ def test_blocks_and_threads_do_not_show(monkeypatch: pytest.MonkeyPatch) -> None
     p = _points(8)
     whole = ss.equilibria(p)
     monkeypatch.setattr(solver, "BLOCK", 7)
-    monkeypatch.setattr(solver, "A_THREAD", 7)
+    monkeypatch.setattr(solver, "A_THREAD", dict.fromkeys(solver.A_THREAD, 7))
     for threads in (1, 3):
         ss.set_backend("numpy", threads=threads)
         pieces = ss.equilibria(p)

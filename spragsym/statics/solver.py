@@ -29,8 +29,9 @@ T = TypeVar("T")
 #: Points solved at a time, or up to twice as many: enough to forget the calls' overhead, and for NumPy to compute in place, which
 #: it does in arrays of 256 KB and more; few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 15
-#: Points that are worth a thread of their own, and the same where they are only counted.
-A_THREAD, A_COUNTING_THREAD = 1 << 15, 1 << 17
+#: Points that are worth a thread of their own, by what solves them, and the same where they are only counted.
+A_THREAD = {"compiled": 1 << 15, "numpy": 1 << 16}
+A_COUNTING_THREAD = {"compiled": 1 << 17, "numpy": 1 << 19}
 #: The same in double-double arithmetic, which has more in between.
 WIDE_BLOCK = 1 << 12
 
@@ -181,7 +182,9 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     out = Slots(math.prod(p.shape), 3 if contact else 4)
     compiled_or_not, threads = backends.chosen()
     solve = _compiled if compiled_or_not == "compiled" else _numpy
-    unsettled = _in_blocks(p, threads, A_THREAD, lambda values, begin, size: begin + solve(values, contact, out, begin, size))
+    unsettled = _in_blocks(
+        p, threads, A_THREAD[compiled_or_not], lambda values, begin, size: begin + solve(values, contact, out, begin, size)
+    )
     left = np.concatenate([np.empty(0, dtype=np.int64), *unsettled])
     fold, reasons = _escalate(p, contact, out, left) if left.size else (left, {})
     out.clear()
@@ -231,7 +234,7 @@ def count(p: Parameters) -> NDArray[np.int8]:
     p.require("theta0", "mu0")
     compiled_or_not, threads = backends.chosen()
     method = compiled.count if compiled_or_not == "compiled" else _count
-    blocks = _in_blocks(p, threads, A_COUNTING_THREAD, lambda values, _, size: method(values, size))
+    blocks = _in_blocks(p, threads, A_COUNTING_THREAD[compiled_or_not], lambda values, _, size: method(values, size))
     counts = np.concatenate([np.empty(0, dtype=np.int8), *blocks])
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:

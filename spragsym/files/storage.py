@@ -110,9 +110,12 @@ def fingerprint(arrays: Mapping[str, Any], settings: Mapping[str, Any]) -> str:
 def resolved(path: str | os.PathLike[str]) -> Path:
     """The file that a path leads to through links, even if it does not exist yet."""
     try:
-        return Path(path).resolve()
+        target = Path(path).resolve()
+        if target.is_symlink():
+            target.stat()  # raises what Python from 3.13 on no longer says when it resolves
     except (OSError, RuntimeError) as error:  # a link that leads to itself
         raise ParameterError(f"{path} leads nowhere ({error}); give another path") from error
+    return target
 
 
 def check_target(path: Path, bytes_needed: int) -> None:

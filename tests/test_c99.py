@@ -370,6 +370,7 @@ def test_example_of_the_page(inside: ctypes.CDLL) -> None:
     assert abs(numbers[:5].astype(int) - theirs).max() <= numbers[5] < 10
 
 
+@pytest.mark.thorough
 def test_sanitizers(tmp_path: Path) -> None:
     """No undefined behaviour, no access out of bounds, over the adversarial set and over nonsense."""
     compiler = COMPILERS[0]

@@ -22,7 +22,7 @@ pytest.importorskip("sympy", reason="SymPy is not installed: pages of models are
 
 #: Three coordinates, one coordinate; two springs, and a law of contact with a root.
 MODELS = (
-    "trolley", "stick_slip", *(pytest.param(name, marks=pytest.mark.thorough) for name in ("two_springs", "hertz_contact")),
+    "stick_slip", *(pytest.param(name, marks=pytest.mark.thorough) for name in ("trolley", "two_springs", "hertz_contact")),
 )  # fmt: skip
 
 

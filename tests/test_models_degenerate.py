@@ -156,6 +156,7 @@ def test_springs_however_stiff(contact):
     assert np.nanmax(eq.error) <= 1e-12
 
 
+@pytest.mark.thorough
 def test_a_stiff_spring_on_a_trolley_off_the_belt():
     # By the spring's direction θ all else follows: tension, trolley and mass; the balance along the belt, times sin θ, is left.
     rng = np.random.default_rng(4)

@@ -290,6 +290,7 @@ def test_a_cubic_contact_leaves_no_quartic() -> None:
     assert judged("trolley")["eq-27"][0] == variant.NO_MEANING
 
 
+@pytest.mark.thorough
 def test_check_of_a_mass_on_one_spring() -> None:
     rows = judged("stick_slip")
     # What needs the coordinate x, the friction law or a unit alone can be compared; the rest speaks of what is not there.

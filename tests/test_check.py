@@ -130,7 +130,7 @@ ALGEBRA = [id for id, entry in PRINTED.items() if not callable(entry.expression)
 
 
 #: Those whose LaTeX takes longest to be parsed.
-LONG = ("A2", "A3", "A4", "A6", "A7", "A8", "eq-28")
+LONG = ("A2", "A3", "A4", "A6", "A7", "A8", "A9", "eq-28", "eq-9", "eq-12", "eq-13", "eq-14", "eq-15", "eq-18")
 
 
 @pytest.mark.parametrize("id", [pytest.param(id, marks=pytest.mark.thorough) if id in LONG else id for id in ALGEBRA])

@@ -107,8 +107,11 @@ def test_a_double_root_is_undecided() -> None:
 @pytest.mark.parametrize(
     ("vary", "direction"),
     [
-        ("mu0", "up"), ("theta0", "up"), ("kappa", "down"), ("sigma", "up"),
-        *(pytest.param(*one, marks=pytest.mark.thorough) for one in (("kappa", "up"), ("alpha", "down"), ("beta", "up"))),
+        ("mu0", "up"), ("theta0", "up"), ("kappa", "down"),
+        *(
+            pytest.param(*one, marks=pytest.mark.thorough)
+            for one in (("kappa", "up"), ("sigma", "up"), ("alpha", "down"), ("beta", "up"))
+        ),
     ],
 )  # fmt: skip
 def test_a_jump_value_is_the_first_jump_of_the_path(vary: str, direction: str) -> None:
@@ -250,7 +253,7 @@ def test_shapes_and_mistakes() -> None:
             call()
 
 
-@pytest.mark.parametrize("vary", ["mu0", "theta0", "sigma"])
+@pytest.mark.parametrize("vary", few(["mu0", "theta0", "sigma"], "mu0"))
 def test_gradients_are_those_of_forty_digits(vary: str) -> None:
     """f = f′ = 0 solved with 50 digits from the forces, at parameters moved by 1e-15 both ways."""
     p = BASE.replace(theta0=0.6, mu0=0.70, beta=0.1)
@@ -302,7 +305,7 @@ HOLDS: dict[str, Callable[[ss.Parameters], Any]] = {
 }
 
 
-@pytest.mark.parametrize("claim", HOLDS)
+@pytest.mark.parametrize("claim", few(HOLDS, "no jump", "no flutter"))
 def test_what_is_proved_holds_at_random_points_and_what_is_refuted_does_not(claim: str) -> None:
     rng = np.random.default_rng(11)
     seen = set()

@@ -46,7 +46,7 @@ def everything() -> dict[bool, tuple[ss.Parameters, languages.Found]]:
     return {contact: (p, languages.in_node(p, contact)) for contact in (True, False)}
 
 
-@pytest.mark.parametrize("contact", [True, False])
+@pytest.mark.parametrize("contact", few([True, False], True))
 def test_what_is_vouched_for_is_what_python_proves(everything: Any, contact: bool) -> None:
     """Counts, kinds and errors within the bounds of both, against the ladder's digits; and most points are vouched for."""
     p, found = everything[contact]

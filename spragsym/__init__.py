@@ -20,7 +20,7 @@ import re as _re
 import sys as _sys
 from typing import Any as _Any
 
-_HERE = _pathlib.Path(__file__).parent
+_HERE = _pathlib.Path(__file__).resolve().parent  # a link to this folder, from wherever, leads to its checkout
 
 
 def _find_beside(name: str) -> None:

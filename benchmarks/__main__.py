@@ -1,4 +1,7 @@
-"""``python -m benchmarks [--write FILE] [--quick] [NAME ...]``: run the benchmarks and print, or write, one report of tables."""
+"""``python -m benchmarks [--write FILE] [--quick] [NAME ...]``: run the benchmarks and print, or write, one report of tables.
+
+With names, the other sections of a report that is there stay as they are.
+"""
 
 from __future__ import annotations
 
@@ -47,7 +50,7 @@ def main() -> int:
     parser.add_argument("--quick", action="store_true", help="few points, to see that all runs; the figures mean nothing")
     options = parser.parse_args()
     failed = 0
-    parts = [_header()]
+    found = _sections(options.write) if options.names and options.write and options.write.exists() else {}
     for name in options.names or _SECTIONS:
         if name not in _SECTIONS:
             parser.error(f"{name} is not one of {', '.join(_SECTIONS)}")
@@ -59,10 +62,18 @@ def main() -> int:
         run = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=False)
         print(run.stdout, flush=True)
         failed += run.returncode != 0
-        parts.append(f"## {title}\n\n`python -m benchmarks.{module}`\n\n{_demoted(run.stdout)}\n")
+        day = datetime.date.today().isoformat()
+        found[title] = f"## {title}\n\n`python -m benchmarks.{module}`, {day}\n\n{_demoted(run.stdout)}\n"
     if options.write:
+        parts = [_header(), *(found[title] for _, title in _SECTIONS.values() if title in found)]
         options.write.write_text("\n".join(parts), encoding="utf-8")
     return int(failed > 0)
+
+
+def _sections(report: Path) -> dict[str, str]:
+    """Title → section of a report; those that are not measured again stay."""
+    _, *sections = report.read_text(encoding="utf-8").split("\n## ")
+    return {section.partition("\n")[0]: f"## {section.rstrip()}\n" for section in sections}
 
 
 def _demoted(text: str) -> str:
@@ -81,7 +92,7 @@ def _header() -> str:
         "# Performance\n\n"
         "Measured by `make bench`; ratios within a table come from one run and carry over to other machines better than times do.\n"
         "`python -m benchmarks.bench_before REV` times the solvers beside those of another commit.\n\n"
-        f"{datetime.date.today().isoformat()}; {_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}; "
+        f"{_processor()}, {os.cpu_count()} cores; Python {platform.python_version()}; "
         f"{', '.join(versions)}.\n"
     )
 

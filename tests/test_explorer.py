@@ -34,6 +34,7 @@ BASE = ss.Parameters.article()
 # ------------------------------------------------------------------------------------------------------- bytes
 
 
+@pytest.mark.thorough
 def test_the_page_is_whole_and_the_same_every_time() -> None:
     page = explorer_page()
     assert page == explorer_page()
@@ -72,6 +73,7 @@ def test_presets_are_single_points() -> None:
             Preset.of("mine", bad)
 
 
+@pytest.mark.thorough
 def test_the_page_begins_at_data_of_ones_own(tmp_path: Path) -> None:
     """The dimensionless numbers by hand from those of the example file, and a model that the page can't compute refused."""
     pytest.importorskip("pint", reason="pint is not installed")
@@ -210,6 +212,7 @@ def test_a_fold_crossed_by_mouse_in_both_directions(explorer: Explorer) -> None:
     assert "2 jumps" in explorer.says()
 
 
+@pytest.mark.thorough
 def test_around_the_cusp_there_is_no_jump(explorer: Explorer) -> None:
     explorer.drag((30, 0.5), (30, 0.1), (90, 0.1), (90, 0.5), (60, 0.5))
     assert "jump" not in explorer.says()
@@ -220,6 +223,7 @@ def test_around_the_cusp_there_is_no_jump(explorer: Explorer) -> None:
     assert around == pytest.approx(explorer.theta(), abs=1.0)  # the same sheet; a pixel is half a degree
 
 
+@pytest.mark.thorough
 def test_the_walks_do_what_their_buttons_say(explorer: Explorer) -> None:
     """Across: a jump. Back: none. Home: the second one. Around, from the start again: none."""
     walks: dict[str, tuple[list[float], str]] = {
@@ -240,6 +244,7 @@ def test_the_walks_do_what_their_buttons_say(explorer: Explorer) -> None:
     assert sheets == [True, True, False, True]
 
 
+@pytest.mark.thorough
 def test_the_page_follows_as_python_does(explorer: Explorer) -> None:
     """The rule of the page against the path that Python follows by folds, along random ways at several frictions."""
     for mu0 in (0.25, 0.5, 0.9):
@@ -251,6 +256,7 @@ def test_the_page_follows_as_python_does(explorer: Explorer) -> None:
         assert [float(said[1])] == pytest.approx(jumps, abs=0.01) if said else jumps == []
 
 
+@pytest.mark.thorough
 def test_presets(explorer: Explorer) -> None:
     for i, preset in enumerate(article_presets()):
         explorer.page.select_option("#preset", str(i))
@@ -261,6 +267,7 @@ def test_presets(explorer: Explorer) -> None:
         assert count == len(python_states(explorer.point()))
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(("typed", "value"), [("0,3", 0.3), (" 0.25 ", 0.25), ("٫5", 0.5), ("3e-1", 0.3), ("0", 0.0)])
 def test_numbers_as_people_type_them(explorer: Explorer, typed: str, value: float) -> None:
     explorer.page.fill("#mu0", typed)
@@ -274,6 +281,7 @@ def test_numbers_as_people_type_them(explorer: Explorer, typed: str, value: floa
     ("theta0_deg", "180", "between 0 and 180"), ("theta0_deg", "0", "between 0 and 180"), ("kappa", "0", "greater than 0"),
     ("sigma", "1e999", "not a number"), ("beta", "−1", "at least 0"), ("alpha", "NaN", "not a number"),
 ])  # fmt: skip
+@pytest.mark.thorough
 def test_bad_numbers_change_nothing_and_are_explained(explorer: Explorer, name: str, typed: str, words: str) -> None:
     before = explorer.page.inner_text("#states")
     explorer.page.fill(f"#{name}", typed)
@@ -282,6 +290,7 @@ def test_bad_numbers_change_nothing_and_are_explained(explorer: Explorer, name: 
     assert explorer.page.inner_text("#states") == before
 
 
+@pytest.mark.thorough
 def test_drawings_are_worked_out_beside_the_page(explorer: Explorer) -> None:
     """In a worker, also of a page from a file: curves that have no end cost their drawing, and the page goes on."""
     assert len(explorer.page.workers) == 1
@@ -293,6 +302,7 @@ def test_drawings_are_worked_out_beside_the_page(explorer: Explorer) -> None:
     assert explorer.theta() == pytest.approx(python_states(explorer.point())[0], abs=1e-5)
 
 
+@pytest.mark.thorough
 def test_a_fold_on_a_long_way_is_told_as_on_a_short_one(explorer: Explorer) -> None:
     (fold,) = ss.folds(BASE.replace(theta0=math.radians(30)), vary="mu0").mu0
     for far in ("3", "1e6"):
@@ -306,6 +316,7 @@ def test_a_fold_on_a_long_way_is_told_as_on_a_short_one(explorer: Explorer) -> N
     assert re.search(r"crossed the fold at κ = 0\.0\d+\.", explorer.says())
 
 
+@pytest.mark.thorough
 def test_huge_numbers_do_not_keep_the_page_waiting(explorer: Explorer) -> None:
     """A way of any length is followed in a bounded number of steps; 10 s is the limit of every action here."""
     for name, typed in (("mu0", "1e6"), ("alpha", "1e9"), ("sigma", "1e12"), ("theta0_deg", "1e-9"), ("kappa", "1e300")):
@@ -313,6 +324,7 @@ def test_huge_numbers_do_not_keep_the_page_waiting(explorer: Explorer) -> None:
         assert explorer.page.inner_text(f"#{name}_error") == ""
 
 
+@pytest.mark.thorough
 def test_half_a_number_leaves_no_trace(explorer: Explorer) -> None:
     """On the way from 30 to 45 stands 4, and 30 → 4 → 45 must not be a path; nor must 30 → 60 → 6."""
     explorer.page.fill("#theta0_deg", "60")
@@ -322,6 +334,7 @@ def test_half_a_number_leaves_no_trace(explorer: Explorer) -> None:
     assert explorer.theta() < 60
 
 
+@pytest.mark.thorough
 def test_keyboard_only(explorer: Explorer) -> None:
     page = explorer.page
     page.goto("about:blank")  # the focus begins anew
@@ -366,6 +379,7 @@ def test_a_link_carries_the_sheet(explorer: Explorer) -> None:
     assert explorer.point()["mu0"] == 0.5
 
 
+@pytest.mark.thorough
 def test_on_a_fold_the_page_decides_as_python_does(explorer: Explorer) -> None:
     """At the float nearest to a fold, and at its neighbours: the number of states is the one that Python proves."""
     fold = float(ss.folds(BASE).theta0[0])
@@ -376,6 +390,7 @@ def test_on_a_fold_the_page_decides_as_python_does(explorer: Explorer) -> None:
         assert found["count"] == int(ss.equilibria(BASE.replace(theta0=theta0)).count)
 
 
+@pytest.mark.thorough
 def test_what_is_undecided_is_said(explorer: Explorer) -> None:
     explorer.open("kappa=1e-200")
     assert "Undecided" in explorer.page.inner_text("#status")
@@ -383,6 +398,7 @@ def test_what_is_undecided_is_said(explorer: Explorer) -> None:
     assert "Undecided" in explorer.says()
 
 
+@pytest.mark.thorough
 def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
     page = explorer.page
     page.fill("#theta0_deg", "49")
@@ -401,6 +417,7 @@ def test_the_motion_runs_at_the_pace_of_the_screen(explorer: Explorer) -> None:
     assert page.is_disabled("#still")
 
 
+@pytest.mark.thorough
 def test_anchor_and_mass_are_dragged(explorer: Explorer) -> None:
     """The anchor by 20° on its circle, taken beside its middle; the mass to a place, from which it moves on when let go."""
     page = explorer.page

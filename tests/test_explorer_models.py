@@ -97,6 +97,7 @@ def test_the_motion_is_pythons(opened: tuple[Explorer, Any]) -> None:
     assert end == pytest.approx(tr.state[:, -1], abs=2e-6)
 
 
+@pytest.mark.thorough
 def test_a_state_is_carried_over_a_fold_and_back(opened: tuple[Explorer, Any]) -> None:
     """Up over the fold that Python proves, by slider and by key; back, and it has not returned."""
     explorer, model = opened

@@ -59,7 +59,7 @@ QUICK: dict[str, dict[str, Any]] = {
 
 
 #: The others take a second each.
-QUICKLY_DRAWN = FIGURES.keys() - {"cycles", "sensitivity", "rms-map", "4", "5", "9", "14"}
+QUICKLY_DRAWN = FIGURES.keys() - {"cycles", "sensitivity", "rms-map", "cusp-friction", "4", "5", "9", "11", "14"}
 
 #: Those that integrate many motions.
 MOVING = ("7", "cycles", "cycles-plane", "rms-map", "sensitivity")

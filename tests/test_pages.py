@@ -282,6 +282,7 @@ def test_dampers_change_motion_and_stability_only() -> None:
     assert "zeta_x" in rows["eq-27"][1]
 
 
+@pytest.mark.thorough
 def test_a_cubic_contact_leaves_no_quartic() -> None:
     rows = judged("cubic_contact")
     assert rows["eq-11"] == (variant.FAILS, "n(δ): depth**3*gamma")

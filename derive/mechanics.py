@@ -237,10 +237,8 @@ class _Scaled:
 
 
 def _angle(datum: Datum) -> Angle:
-    """``cos0`` and ``sin0`` for ``theta0``, ``cos_psi`` and ``sin_psi`` for ``psi``."""
-    name = datum.becomes
-    suffix = name.removeprefix("theta") if name.startswith("theta") else f"_{name}"
-    return Angle(number(datum), sp.Symbol(f"cos{suffix}", real=True), sp.Symbol(f"sin{suffix}", real=True))
+    cosine, sine = (sp.Symbol(name, real=True) for name in datum.cosine_and_sine)
+    return Angle(number(datum), cosine, sine)
 
 
 def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:

@@ -54,6 +54,12 @@ class Datum:
     becomes: str = ""  #: empty for a unit of measure
     base: float | None = None
 
+    @property
+    def cosine_and_sine(self) -> tuple[str, str]:
+        """Names that stand for an angle in code: ``cos0`` and ``sin0`` for ``theta0``, ``cos_psi`` and ``sin_psi`` for ``psi``."""
+        suffix = self.becomes.removeprefix("theta") if self.becomes.startswith("theta") else f"_{self.becomes}"
+        return f"cos{suffix}", f"sin{suffix}"
+
 
 @dataclass(frozen=True)
 class Coordinate:
@@ -188,7 +194,7 @@ class Page:
         """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless value unless changed."""
         line = _line()
         symbol = sp.Symbol(name, **_assumptions(domain, line))
-        if base is not None and (isinstance(base, str) or not isinstance(base, int | float | sp.Expr)):
+        if base is not None and not isinstance(base, int | float | sp.Expr):
             raise PageError(line, f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
         number = None if base is None else float(base)
         if number is not None and not _within(domain, number):

@@ -57,9 +57,8 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     for datum in page.parameters:
         yield datum.becomes, "this parameter", datum.line
         if datum.unit == "rad" and datum.becomes.isidentifier():
-            suffix = datum.becomes.removeprefix("theta") if datum.becomes.startswith("theta") else f"_{datum.becomes}"
-            for part in ("cos", "sin"):
-                yield f"{part}{suffix}", f"the {part} of {datum.becomes}", datum.line
+            for part, name in zip(("cos", "sin"), datum.cosine_and_sine, strict=True):
+                yield name, f"the {part} of {datum.becomes}", datum.line
 
 
 def _instead(name: str) -> str:

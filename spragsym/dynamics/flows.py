@@ -82,9 +82,7 @@ def onward(problem: Problem, backend: str) -> Onward:
 
     def plain(ends: Ends) -> Fly:
         """The flow with rough derivatives that cost little."""
-        if backend == "scipy":
-            return variations_scipy.Flight(field(), rtol=LOOSE).fly
-        return by_forward_differences(field(), ends)
+        return scout(field(), backend) or by_forward_differences(field(), ends)
 
     def roughly(state: FloatArray, period: float, reach: float) -> tuple[FloatArray, float, FloatArray]:
         loop = nearly_closed(field(), plain(ends), state, period, reach, ROUGH)

@@ -73,24 +73,6 @@ class WideBalls:
         """Some of the balls."""
         return WideBalls(Wide(self.middle.high[rows], self.middle.low[rows]), self.radius[rows])
 
-    def centre(self) -> WideBalls:
-        """The middles, without width."""
-        return WideBalls(self.middle, np.zeros_like(self.radius))
-
-    def widened(self, factor: float) -> WideBalls:
-        """The same middles with larger radii."""
-        return WideBalls(self.middle, self.radius * factor)
-
-    def union(self, other: WideBalls) -> WideBalls:
-        """Balls around this one's middles that hold both."""
-        off = (other - self.centre()).size
-        return WideBalls(self.middle, np.fmax(self.radius, off))
-
-    def inside(self, other: WideBalls) -> NDArray[np.bool_]:
-        """Whether each lies in the interior of another."""
-        out: NDArray[np.bool_] = (self - other.centre()).size < other.radius
-        return out
-
     def signs(self) -> NDArray[np.int64]:
         """−1 or 1, and 0 where a ball holds 0 or nothing is known."""
         known = np.abs(self.middle.high) > ROOM * self.radius

@@ -77,13 +77,11 @@ class _Polar(boxes.Plain):
 
     def given(self, values: Mapping[str, Any]) -> list[Any]:
         """Arguments of functions of a place."""
-        return [values[name] for name in self.balance.model.about["arguments"]["statics"]]
+        return _arguments_of_a_place(self.balance, values)
 
     def stiffness(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> Intervals:
         """Of this spring."""
-        none = [0] * self.balance.n
-        row = undecorated(self.balance.model.statics.stiffnesses)(*none, *self.given(values), xp=XP)[self.spring]
-        return stacked([row], shape)[0]
+        return _stiffnesses(self.balance, values, shape)[self.spring]
 
     def _rows(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[list[Any], tuple[int, ...]]:
         """The balance over boxes of unknowns."""
@@ -126,6 +124,16 @@ class _Polar(boxes.Plain):
         return stacked(q, ends.shape[2:]).ends
 
 
+def _arguments_of_a_place(balance: Balance, values: Mapping[str, Any]) -> list[Any]:
+    return [values[name] for name in balance.model.about["arguments"]["statics"]]
+
+
+def _stiffnesses(balance: Balance, values: Mapping[str, Any], shape: tuple[int, ...]) -> Intervals:
+    """Of all springs: they depend on no place."""
+    none = [0] * balance.n
+    return stacked(undecorated(balance.model.statics.stiffnesses)(*none, *_arguments_of_a_place(balance, values), xp=XP), shape)
+
+
 def end_slopes(balance: Balance, given: Sequence[Any], near: Intervals) -> list[tuple[list[Any], list[Any]]]:
     """How the vector of every spring changes with the coordinates: for ends that are linear in them the same everywhere."""
     place = jets.variables([near] * balance.n, 1)
@@ -136,8 +144,7 @@ def end_slopes(balance: Balance, given: Sequence[Any], near: Intervals) -> list[
 def _ends_are_linear(balance: Balance, given: FloatArray) -> bool:
     """Whether the ends of all springs are linear in the coordinates."""
     values = balance.arguments(balance.prepared(Intervals.point(given)))
-    listed = [values[name] for name in balance.model.about["arguments"]["statics"]]
-    slopes = end_slopes(balance, listed, Intervals.between(np.array([-2.0]), np.array([3.0])))
+    slopes = end_slopes(balance, _arguments_of_a_place(balance, values), Intervals.between(np.array([-2.0]), np.array([3.0])))
     every = [entry for pair in slopes for row in pair for entry in row]
     return bool((stacked(every, (1,)).width < 1e-12).all()) if every else True
 
@@ -174,9 +181,7 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
     if not hasattr(balance.model.statics, "stiffnesses"):
         return certified_roots.concatenated(parts, n), done
     values = balance.arguments(balance.prepared(Intervals.point(given)))
-    listed = [values[name] for name in balance.model.about["arguments"]["statics"]]
-    stiffness = stacked(undecorated(balance.model.statics.stiffnesses)(*[0] * n, *listed, xp=XP), (count,))
-    stiff = stiffness.high.max(axis=0, initial=0.0) > STIFF
+    stiff = _stiffnesses(balance, values, (count,)).high.max(axis=0, initial=0.0) > STIFF
     for point in np.flatnonzero(stiff):
         again = _of_any_spring(balance, given[:, [point]], around[:, :, [point]])
         if again is not None:

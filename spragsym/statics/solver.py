@@ -201,7 +201,7 @@ def _flags(shape: tuple[int, ...], rows: NDArray[np.int64]) -> NDArray[np.bool_]
 
 
 def count(p: Parameters) -> NDArray[np.int8]:
-    """The number of equilibria in contact, one or three: ``equilibria(p).count``, but faster where it is one.
+    """The number of equilibria in contact, one or three: ``equilibria(p).count``, but faster.
 
     Parameters
     ----------

@@ -21,7 +21,13 @@ class AlgebraPrinter(StrPrinter):
     """Python source in which a rational coefficient stays a multiplication and a division by integers."""
 
     #: What functions are called in the language.
-    functions: ClassVar[Mapping[str, str]] = {"sqrt": "xp.sqrt", "exp": "xp.exp", "abs": "abs", "sign": "xp.sign"}
+    functions: ClassVar[Mapping[str, str]] = {
+        "sqrt": "xp.sqrt",
+        "exp": "xp.exp",
+        "log": "xp.log",
+        "abs": "abs",
+        "sign": "xp.sign",
+    }
 
     def call(self, name: str, argument: sp.Expr) -> str:
         """A function of one argument."""
@@ -52,6 +58,9 @@ class AlgebraPrinter(StrPrinter):
 
     def _print_exp(self, expression: sp.exp) -> str:
         return self.call("exp", *expression.args)
+
+    def _print_log(self, expression: sp.log) -> str:
+        return self.call("log", *expression.args)
 
     def _print_Abs(self, expression: sp.Abs) -> str:
         return self.call("abs", *expression.args)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import mpmath
@@ -160,3 +161,59 @@ def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
         off = np.sin(0.8) * tr.x - np.cos(0.8) * tr.y
         assert (np.sign(off[0]) == np.sign(off)).all()
         assert abs(off[-1]) > 0.2
+
+
+def balance_by_hand(x: Any, y: Any, p: dict[str, Any], pushing: int, digits: Any = mpmath) -> tuple[Any, Any]:
+    """Both components of the force on the mass at steady sliding, from the drawing."""
+    dx, dy = digits.cos(p["theta0"]) - x, digits.sin(p["theta0"]) - y
+    square = dx * dx + dy * dy
+    length = digits.sqrt(square)
+    off = digits.atan2(dy, dx) - p["theta0"]
+    phi = off + 2 * digits.pi if off <= -digits.pi else off
+    pull, torque = p["sigma"] * (length - 1), p["tau"] * phi
+    normal = pushing * (-y + p["gamma"] * y**2)
+    return (
+        pull * dx / length - torque * dy / square - p["alpha"] * x + p["mu0"] * normal,
+        pull * dy / length + torque * dx / square - p["kappa"] + normal,
+    )
+
+
+def roots_by_hand(p: dict[str, float], pushing: int) -> list[tuple[Any, Any]]:
+    """MINPACK's hybrid method from many places, then Newton's with many digits; what is found, each once, sorted."""
+    from scipy.optimize import root
+
+    found: list[tuple[Any, Any]] = []
+    exact = {name: mpmath.mpf(value) for name, value in p.items()}
+    for x0 in np.linspace(-1.7, 2.5, 12):
+        for y0 in np.linspace(-0.2, 0.0, 4) if pushing else np.linspace(0.02, 2.4, 10):
+            near = root(lambda q: balance_by_hand(*map(float, q), p, pushing, math), (x0, y0), tol=1e-13)
+            if not near.success or (near.x[1] < 0) != bool(pushing):
+                continue
+            if all(np.abs(near.x - np.array(other, dtype=float)).max() > 1e-7 for other in found):
+                found.append(tuple(mpmath.findroot(lambda x, y: balance_by_hand(x, y, exact, pushing), tuple(near.x.tolist()))))
+    return sorted(found)
+
+
+SETS = [
+    {},
+    {"theta0": 1.0472, "tau": 0.02},
+    {"theta0": 0.5, "tau": 0.0},
+    {"theta0": 2.5, "mu0": 0.9, "tau": 0.004},
+    {"theta0": 0.4, "tau": 1.0, "sigma": 2.0},
+]
+
+
+@pytest.mark.parametrize("contact", [True, False])
+@pytest.mark.parametrize("changes", SETS)
+def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str, float], contact: bool) -> None:
+    """Every equilibrium that Newton's method finds from many places is among those proved, to 1e-12, and no other one is."""
+    p = model.Parameters(**changes)
+    eq = model.equilibria(p, contact=contact)
+    assert eq.complete or not contact
+    with mpmath.workdps(40):
+        values = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
+        known = roots_by_hand(values, int(contact))
+        proved = sorted((mpmath.mpf(float(x)), mpmath.mpf(float(y))) for x, y in zip(eq.x, eq.y, strict=True) if x == x)
+        assert len(known) == len(proved) == int(eq.count)
+        for one, other in zip(known, proved, strict=True):
+            assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 1e-12

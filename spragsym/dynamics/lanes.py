@@ -95,7 +95,7 @@ class Lanes:
         self.strays: dict[int, float] = {}
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = solver = hy.taylor_adaptive_batch(
-            equations.system, np.zeros((len(equations.system), LANES)), pars=np.zeros((equations.numbers, LANES)), tol=rtol,
+            equations.system, np.zeros((len(equations.system), LANES)), tol=rtol,
             t_events=[
                 hy.t_event_batch(watched(border, *equations.seen), callback=self._crossing(field, row), cooldown=0.0)
                 for row, border in enumerate(field.borders)
@@ -104,6 +104,8 @@ class Lanes:
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars, self.dense, self.look = solver.state, solver.pars, solver.d_output, solver.update_d_output
+        #: How many parameters there are: none beyond the last that the field takes.
+        self.held = len(self.pars)
 
     def _crossing(self, field: Field, row: int) -> Callable[[Any, int, int], bool]:
         """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
@@ -121,7 +123,8 @@ class Lanes:
                 return False
             self.modes[lane] = after
             for place, value in changed:
-                self.pars[place, lane] = value
+                if place < self.held:
+                    self.pars[place, lane] = value
             if kind is not None:
                 self.counts[lane][kind] += 1
             return True
@@ -156,12 +159,11 @@ class Lanes:
 
     def _run(self, stage: Stage, duration: float) -> _Run:
         count = len(stage.modes)
-        state, pars = np.zeros((len(self.state), count)), np.zeros((len(self.pars), count))
+        state = np.zeros((len(self.state), count))
         state[: self.size] = stage.carried[:, : self.size].T
-        constants, modes = stage.motions.constants.T, np.array(stage.modes).T
-        pars[: self.constants], pars[self.constants : self.constants + len(modes)] = constants, modes
-        if self.watch:
-            pars[-2], pars[-1] = stage.carried[:, 0], _scale(duration)
+        watching = [stage.carried[:, 0], np.full(count, _scale(duration))] if self.watch else []
+        pars = np.vstack([stage.motions.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
+        pars = pars[: self.held]
         waiting = [row for row in reversed(range(count)) if row not in stage.errors]
         arrived = np.full((count, len(self.state)), np.nan), stage.modes.copy(), stage.steps.copy()
         return _Run(stage, state, pars, waiting, *arrived, [None] * count, [_NEVER] * count)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -11,11 +10,11 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import Field, Mode
+from .field import JUMPED, Field, Mode
 from .heyoka_library import library
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
-from .with_heyoka import watched
+from .with_heyoka import put, watched
 
 #: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.
 TOLERANCE = 1e-17
@@ -60,6 +59,8 @@ class Compiled:
         self.crossings: list[Crossing] = []
         self.turns: list[Turn] = []
         self.mode: Mode = field.modes[0]
+        self.known: tuple[float, ...] = ()
+        self.jumped = False
         self.solver = hy.taylor_adaptive(
             system, [0.0] * len(system),
             tol=TOLERANCE, compact_mode=True,
@@ -74,16 +75,13 @@ class Compiled:
         """heyoka copies its callbacks; they must go on to write here."""
         return self
 
-    def _set(self, begin: int, values: Sequence[float]) -> None:
-        """Set parameters; those at the end that the model does not use are not there."""
-        end = min(begin + len(values), len(self.solver.pars))
-        if end > begin:
-            self.solver.pars[begin:end] = values[: end - begin]
-
     def _cross(self, index: int, solver: Any, _: int) -> bool:
         border = self.field.borders[index]
+        if self.derivatives and border.jumps is not None and border.jumps(solver.state[: self.m].tolist(), self.known):
+            self.jumped = True
+            return False
         self.mode = after = border.beyond(self.mode)
-        self._set(self.constants, after)
+        put(self.solver.pars, self.constants, after)
         if border.kink:
             self.crossings.append(Crossing(solver.time, index, int(border.sign(after)), solver.state[: self.m].copy()))
         return True
@@ -103,13 +101,14 @@ class Compiled:
     def _begin(self, state: FloatArray, constants: tuple[float, ...], directions: FloatArray) -> None:
         solver, m = self.solver, self.m
         self.crossings, self.turns = [], []
+        self.known, self.jumped = constants, False
         solver.time = 0.0
         solver.state[:] = 0.0
         solver.state[:m] = state
         if self.derivatives:
             solver.state[m : m + m * m : m + 1] = UNIT
         self.mode = self.field.initial_mode(state, constants)
-        self._set(0, (*constants, *self.mode, *np.ravel(directions)))
+        put(self.solver.pars, 0, (*constants, *self.mode, *np.ravel(directions)))
         solver.reset_cooldowns()
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:
@@ -124,6 +123,8 @@ class Compiled:
                 raise ConvergenceError(f"{MAX_STEPS} steps were made by t = {solver.time:.6g} of {duration:.6g}: too stiff")
             outcome, _, _, made, *_ = solver.propagate_until(duration, max_steps=CHUNK)
             steps += made
+        if self.jumped:
+            raise ConvergenceError(JUMPED)
         end, by_state, by_parameters = self._split(solver.state)
         if outcome != hy.taylor_outcome.time_limit or not np.isfinite(end).all():
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}")
@@ -144,6 +145,8 @@ class Compiled:
             _, made = solver.step(duration - begin, write_tc=True)
             if not made > 0 or not np.isfinite(solver.state[: self.m]).all():
                 break
+            if self.jumped:
+                raise ConvergenceError(JUMPED)
             scaled = solver.tc[: self.m] * made ** np.arange(solver.order + 1)
             times.append(begin + made * unit[1:])
             states.append((scaled @ powers)[:, 1:])

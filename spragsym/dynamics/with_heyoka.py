@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
-from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -37,13 +37,10 @@ class Equations:
         error is relative to the largest of all. The parameter before is x(begin).
     seen : tuple
         State, constants and mode.
-    numbers : int
-        How many parameters there are.
     """
 
     system: list[Any]
     seen: tuple[Any, Any, Any]
-    numbers: int
 
     @classmethod
     def of(cls, field: Field, constants: int, *, watch: bool) -> Equations:
@@ -54,14 +51,14 @@ class Equations:
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
         known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = field.acceleration(state, known, mode, SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
+        accelerations = field.acceleration(state, known, mode, hy)
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]
             sums = hy.make_vars("s", "ss", *(f"s{name}" for name in names[1:]))
             sums = sums if isinstance(sums, list | tuple) else [sums]
             system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
-        return cls(system, (state, known, mode), end + 2 * watch)
+        return cls(system, (state, known, mode))
 
 
 class Compiled:
@@ -71,14 +68,14 @@ class Compiled:
         hy = library()
 
         equations = Equations.of(field, constants, watch=False)
-        self.field, self.modes = field, slice(constants, constants + len(field.modes[0]))
+        self.field, self.modes = field, constants
         self.log: list[Crossing] = []
         self.kinds = {(row, up): event_at(border, upward=up) for row, border in enumerate(field.borders) for up in (False, True)}
         self.mode: Mode = field.modes[0]
         self.stray: float | None = None
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            equations.system, [0.0] * field.size, pars=[0.0] * equations.numbers, tol=rtol,
+            equations.system, [0.0] * field.size, tol=rtol,
             t_events=[
                 hy.t_event(watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0)
                 for row, border in enumerate(field.borders)
@@ -98,7 +95,7 @@ class Compiled:
             self.stray = solver.time
             return False
         self.mode = border.beyond(mode)
-        self.pars[self.modes] = self.mode
+        put(self.pars, self.modes, self.mode)
         kind = self.kinds[row, direction > 0]
         if kind is not None:
             self.log.append(Crossing(solver.time, tuple(self.state.tolist()), kind))
@@ -109,7 +106,7 @@ class Compiled:
         self.log, self.stray, self.mode = [], None, initial_mode(problem)
         self.solver.time = 0.0
         self.state[:] = problem.start
-        self.pars[:] = (*problem.constants, *self.mode)
+        put(self.pars, 0, (*problem.constants, *self.mode))
         self.reset()
 
     def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
@@ -135,6 +132,13 @@ class Compiled:
         if not problem.field.is_inside(self.state.tolist(), problem.constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
+
+
+def put(pars: Any, begin: int, values: Sequence[float]) -> None:
+    """Write values into ``par[begin]`` and what follows; heyoka has none beyond the last that a field takes."""
+    end = min(begin + len(values), len(pars))
+    if end > begin:
+        pars[begin:end] = values[: end - begin]
 
 
 def watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:

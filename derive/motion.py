@@ -11,7 +11,7 @@ import sympy as sp
 from . import laws
 from .algebra import difference
 from .emit.function import Function, Module, Results
-from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number
+from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number, waves
 
 Row = tuple[sp.Expr, ...]
 
@@ -115,7 +115,9 @@ class Motion:
         for symbol, rate, acceleration in zip(it.coordinates, it.rates, self.accelerations, strict=True):
             change += it.derivative(self.stored, symbol) * rate + sp.diff(self.stored, rate) * acceleration
         powers = self.friction_power + self.damper_power + self.applied_power
-        return difference(change, powers, tuple((line.c, line.s) for line in it.lines)) == 0
+        turned = {node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair}
+        circles = [(line.c, line.s) for line in it.lines] + [(turned[c], turned[s]) for c, s in waves(sp.Tuple(*turned))]
+        return difference(change.xreplace(turned), powers.xreplace(turned), tuple(circles)) == 0
 
     # ------------------------------------------------------------------------------------------------ borders
 

@@ -12,7 +12,7 @@ from typing import TypeAlias
 import sympy as sp
 
 from . import laws, units
-from .mechanics import DEPTH, Mechanics
+from .mechanics import DEPTH, Mechanics, number
 from .model import Damper, Datum, Page, PageError, Spring, expression_of
 from .units import Dimension, UnitsError, spelled
 
@@ -259,5 +259,5 @@ def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
 def _bases(model: Mechanics) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
     for datum in model.parameters:
         base = sp.S.One if datum.base is None else sp.Rational(str(datum.base))
-        pair = model.pair(next(symbol for symbol in (model.scaled(datum.symbol),)))
-        yield from zip(pair, (base,) if len(pair) == 1 else (sp.cos(base), sp.sin(base)), strict=True)
+        parts = model.parts(number(datum))
+        yield from zip(reversed(parts), (base,) if len(parts) == 1 else (sp.sin(base), sp.cos(base), base), strict=False)

@@ -52,7 +52,8 @@ def _about(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> Iterator[Mirror]:
     centres = dict.fromkeys(turned, sp.S.Zero)
     for line in model.lines:
         upright = line.dx.subs(dict.fromkeys(turned[1:], 0))
-        if upright.has(turned[0]) and not upright.has(*(symbol for symbol in model.coordinates if symbol not in turned)):
+        others = (symbol for symbol in model.coordinates if symbol not in turned)
+        if upright.has(turned[0]) and sp.diff(upright, turned[0], 2) == 0 and not upright.has(*others):
             centres[turned[0]] = 2 * sp.solve(upright, turned[0])[0]
             break
     one = Mirror(centres, ())
@@ -100,7 +101,7 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
     """The smallest sets of parameters that may be 0 and make all of them vanish."""
     used = {part for term in remainders for part in term.free_symbols}
     allowed = [
-        symbol for symbol in (*map(number, model.parameters), MU) if not symbol.is_positive and used & set(model.pair(symbol))
+        symbol for symbol in (*map(number, model.parameters), MU) if not symbol.is_positive and used & set(model.parts(symbol))
     ]
     for size in range(min(MOST, len(allowed)) + 1):
         found = [
@@ -116,6 +117,6 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
 def _at_zero(model: Mechanics, chosen: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, int]:
     values: dict[sp.Symbol, int] = {}
     for symbol in chosen:
-        pair = model.pair(symbol)
-        values |= dict(zip(pair, (1, 0) if len(pair) == 2 else (0,), strict=True))
+        parts = model.parts(symbol)
+        values |= dict.fromkeys(parts, 0) | ({parts[-2]: 1} if len(parts) > 1 else {})
     return values

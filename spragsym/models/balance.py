@@ -61,7 +61,11 @@ class Balance:
             for entry in about["parameters"]
             if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
         ]
-        self.codes = [code for name in self.parameters for code in self.angles.get(name, (name,))]
+        #: Angles that the functions take by themselves too, beside their cosines and sines.
+        self.alone = [name for name in self.angles if name in about["arguments"]["motion"]]
+        self.codes = [
+            code for name in self.parameters for code in (*self.angles.get(name, ()), *(() if self.only_turns(name) else (name,)))
+        ]
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
@@ -84,8 +88,13 @@ class Balance:
         parts: list[Intervals] = []
         for place, name in enumerate(self.parameters):
             value = bounds[place]
-            parts += [cos(value), sin(value)] if name in self.angles else [value]
+            parts += [cos(value), sin(value)] if name in self.angles else []
+            parts += [] if self.only_turns(name) else [value]
         return stacked(parts, bounds.shape[1:])
+
+    def only_turns(self, name: str) -> bool:
+        """Whether a parameter is an angle of which the functions take cosine and sine, and not itself."""
+        return name in self.angles and name not in self.alone
 
     def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """By name; ``changed`` are parameters that are unknowns, of any number type.
@@ -100,8 +109,7 @@ class Balance:
                 turned = value if isinstance(value, jets.Jet) else None
                 values[cosine] = turned.cos() if turned is not None else cos(value)
                 values[sine] = turned.sin() if turned is not None else sin(value)
-            else:
-                values[name] = value
+            values[name] = value
         return values
 
     def _listed(self, values: Mapping[str, Any], kind: str) -> list[Any]:

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import mechanics, sense, soundness
+from . import functions, mechanics, sense, soundness
 from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
@@ -59,6 +59,7 @@ def read(path: Path, name: str = "") -> Model:
 def _model(path: Path, text: str, name: str) -> Model:
     page, docstring = _run(path, text)
     sense.check(page, docstring)
+    functions.check(page)
     soundness.check_units(page)
     soundness.groups(page)
     model = mechanics.of(page)

@@ -10,7 +10,8 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from .model import Contact, Damper, Friction, Page, PageError, Spring, Torsion, expression_of
+from .model import Damper, Page, PageError, Spring, Torsion, expression_of
+from .statements import expressions
 
 #: Names that generated functions and results of models have for other things.
 RESERVED = frozenset((
@@ -152,39 +153,9 @@ def _check_places(page: Page) -> None:
 
 def check_used(page: Page) -> None:
     """Every parameter stands in a statement."""
-    used: set[sp.Basic] = set()
-    for value in _expressions(page):
-        used |= value.free_symbols
+    u = sp.Symbol("u", positive=True)
+    laws = [expression_of(statement.law(u)) for statement in (page.normal, page.sliding) if statement is not None]
+    used = {symbol for value in (*laws, *(value for value, _ in expressions(page))) for symbol in value.free_symbols}
     for datum in page.parameters:
         if datum.symbol not in used:
             raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
-
-
-def _expressions(page: Page) -> Iterator[sp.Expr]:
-    """All that statements are made of."""
-    u = sp.Symbol("u", positive=True)
-    yield sp.S.Zero
-    for element in (*page.springs, *page.torsions, *page.dampers):
-        yield element.coefficient if isinstance(element, Damper) else element.stiffness
-        yield from (part for end in element.ends or () for part in end)
-        if isinstance(element, Spring):
-            yield element.length
-        if isinstance(element, Torsion):
-            yield element.rest
-    yield from (energy for energy, _ in page.energies)
-    if page.inertia is not None:
-        yield page.inertia[0]
-    for force in page.forces:
-        yield from (*force.components, *(force.at or ()))
-    if page.normal is not None:
-        yield from _of_law(page.normal, u)
-    if page.sliding is not None:
-        yield from _of_law(page.sliding, u)
-
-
-def _of_law(statement: Contact | Friction, u: sp.Symbol) -> Iterator[sp.Expr]:
-    yield expression_of(statement.law(u))
-    if isinstance(statement, Friction):
-        yield from (statement.along, statement.belt, statement.at_rest or sp.S.Zero)
-    else:
-        yield statement.gap if statement.gap is not None else sp.S.Zero

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import sympy as sp
 from sympy.printing.str import StrPrinter
@@ -12,6 +12,10 @@ from sympy.printing.str import StrPrinter
 from ...function import Function, Module, Results
 from ...quantities import Quantity
 from ...statements import straight_line
+
+#: What is printed: algebra, and functions by their names in each language.
+KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow)
+BY_NAME: Mapping[type[sp.Function], str] = {sp.exp: "exp", sp.Abs: "abs", sp.sign: "sign"}
 
 _WIDTH = 112
 _TIED = "\N{NO-BREAK SPACE}"
@@ -26,6 +30,12 @@ class AlgebraPrinter(StrPrinter):
     def call(self, name: str, argument: sp.Expr) -> str:
         """A function of one argument."""
         return f"{self.functions[name]}({self._print(argument)})"
+
+    def _print(self, expression: Any, **options: Any) -> str:
+        # The printer of SymPy writes whatever it is given, under SymPy's name for it.
+        if not isinstance(expression, (*KNOWN, *BY_NAME)):
+            raise ArithmeticError(f"{type(expression).__name__} is no function that code is written for: {expression}")
+        return str(super()._print(expression, **options))
 
     def _print_Rational(self, expression: sp.Rational) -> str:
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
@@ -50,14 +60,10 @@ class AlgebraPrinter(StrPrinter):
             raise ArithmeticError(f"{expression} is not a reciprocal or a square root: powers are products by now")
         return str(super()._print_Pow(expression, rational=rational))
 
-    def _print_exp(self, expression: sp.exp) -> str:
-        return self.call("exp", *expression.args)
+    def _print_Function(self, expression: sp.Function) -> str:
+        return self.call(BY_NAME[expression.func], *expression.args)
 
-    def _print_Abs(self, expression: sp.Abs) -> str:
-        return self.call("abs", *expression.args)
-
-    def _print_sign(self, expression: sp.sign) -> str:
-        return self.call("sign", *expression.args)
+    _print_exp = _print_Abs = _print_sign = _print_Function
 
 
 class DividingPrinter(AlgebraPrinter):

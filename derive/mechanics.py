@@ -138,6 +138,12 @@ class Mechanics:
         return PUSHING * self.push if self.unilateral else self.push
 
     @cached_property
+    def contact_energy(self) -> sp.Expr:
+        """The integral of the law over the penetration, from 0, in DEPTH."""
+        energy = sp.integrate(self.law, DEPTH)
+        return energy - energy.subs(DEPTH, 0)
+
+    @cached_property
     def depth(self) -> sp.Expr:
         """What DEPTH stands for: the penetration, and 1 in lift-off, where it is multiplied by 0."""
         if self.gap is None:

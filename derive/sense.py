@@ -10,14 +10,14 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from .model import Damper, Page, PageError, Spring, Torsion, expression_of
-from .statements import expressions
+from . import reserved
+from .laws import near
+from .model import Contact, Damper, Friction, Page, PageError, Spring, Torsion, expression_of
 
-#: Names that generated functions and results of models have for other things.
-RESERVED = frozenset((
-    "mu", "pushing", "side", "xp", "parameters", "count", "stability", "eigenvalues", "growth", "error", "region", "whole", "complete", "decided",
-    "undecided", "coordinates", "vary", "kind", "values", "remarks", "omega",
-))  # fmt: skip
+#: What a coordinate is called in errors.
+COORDINATE = "this coordinate"
+#: So many exponentials of the sliding speed can a friction law have.
+NEAR = 9
 
 
 def check(page: Page, docstring: str) -> None:
@@ -37,8 +37,17 @@ def _check_names(page: Page) -> None:
     for name, what, line in _names(page):
         if not name.isidentifier() or keyword.iskeyword(name):
             raise PageError(line, f"{what} is named {name!r}, which is no name in Python; give it another, as {_instead(name)!r}")
-        if name in RESERVED:
+        if not name.isascii():
+            raise PageError(
+                line,
+                f"{what} is named {name!r}, which C can't spell; give it a name of Latin letters, and its symbol with latex=",
+            )
+        if name in reserved.RESULTS or (what == COORDINATE and name in reserved.OF_MOTIONS):
             raise PageError(line, f"{what} is named {name!r}, which results and generated functions use; give it another name")
+        if name in reserved.WORDS:
+            raise PageError(
+                line, f"{what} is named {name!r}, a word of the languages that functions are written in; give it another name"
+            )
         if name in taken:
             other, first = taken[name]
             place = f" of line {first}" if first else ""
@@ -52,9 +61,15 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     for count in range(1, len(lines) + 1):
         for part in "csl":
             yield f"{part}{count}", f"the direction or length of spring {count}", 0
+    for symbol in near(NEAR):
+        yield str(symbol), "a switch of the friction law", 0
     for entry in page.coordinates:
-        yield str(entry.symbol), "this coordinate", entry.line
+        yield str(entry.symbol), COORDINATE, entry.line
+    for entry in page.coordinates:
         yield str(entry.rate), f"the rate of {entry.symbol}", entry.line
+        yield f"a{entry.symbol}", f"the acceleration of {entry.symbol}", entry.line
+        yield f"{entry.symbol}0", f"the start of {entry.symbol}", entry.line
+        yield f"{entry.rate}0", f"the start of the rate of {entry.symbol}", entry.line
     for datum in page.parameters:
         yield datum.becomes, "this parameter", datum.line
         if datum.unit == "rad" and datum.becomes.isidentifier():
@@ -143,6 +158,17 @@ def _check_places(page: Page) -> None:
         )
     if sliding is not None:
         _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
+        if sliding.belt.free_symbols & (moving | rates):
+            held = ", ".join(sorted(map(str, sliding.belt.free_symbols & (moving | rates))))
+            raise PageError(
+                sliding.line, f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that stays, as V"
+            )
+        if not sliding.belt.is_nonnegative:
+            raise PageError(
+                sliding.line,
+                f"the belt's speed {sliding.belt} may be negative, and equilibria take friction along the belt's direction; give it the "
+                "domain >= 0, and let the coordinate point along the belt",
+            )
         if sliding.belt == 0:
             raise PageError(sliding.line, "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V")
         if contact is None:
@@ -153,9 +179,39 @@ def _check_places(page: Page) -> None:
 
 def check_used(page: Page) -> None:
     """Every parameter stands in a statement."""
-    u = sp.Symbol("u", positive=True)
-    laws = [expression_of(statement.law(u)) for statement in (page.normal, page.sliding) if statement is not None]
-    used = {symbol for value in (*laws, *(value for value, _ in expressions(page))) for symbol in value.free_symbols}
+    used: set[sp.Basic] = set()
+    for value in _expressions(page):
+        used |= value.free_symbols
     for datum in page.parameters:
         if datum.symbol not in used:
             raise PageError(datum.line, f"{datum.symbol} is in no statement of the page; use it, or take this line out")
+
+
+def _expressions(page: Page) -> Iterator[sp.Expr]:
+    """All that statements are made of."""
+    u = sp.Symbol("u", positive=True)
+    yield sp.S.Zero
+    for element in (*page.springs, *page.torsions, *page.dampers):
+        yield element.coefficient if isinstance(element, Damper) else element.stiffness
+        yield from (part for end in element.ends or () for part in end)
+        if isinstance(element, Spring):
+            yield element.length
+        if isinstance(element, Torsion):
+            yield element.rest
+    yield from (energy for energy, _ in page.energies)
+    if page.inertia is not None:
+        yield page.inertia[0]
+    for force in page.forces:
+        yield from (*force.components, *(force.at or ()))
+    if page.normal is not None:
+        yield from _of_law(page.normal, u)
+    if page.sliding is not None:
+        yield from _of_law(page.sliding, u)
+
+
+def _of_law(statement: Contact | Friction, u: sp.Symbol) -> Iterator[sp.Expr]:
+    yield expression_of(statement.law(u))
+    if isinstance(statement, Friction):
+        yield from (statement.along, statement.belt, statement.at_rest or sp.S.Zero)
+    else:
+        yield statement.gap if statement.gap is not None else sp.S.Zero

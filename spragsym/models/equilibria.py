@@ -19,6 +19,7 @@ from .balance import Balance, Model
 from .columns import Columns
 from .polar import around_anchors, stiff_points
 from .precise import assembled, at, boxes_of, hull_of_each, of_each, replaced, settled, settled_by_digits, unsettled
+from .refined import refined
 from .regions import region
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
@@ -151,12 +152,12 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
         return Roots(none, none, nowhere, none, nowhere), around, whole
     stiff, done = stiff_points(balance, given, around)
     if not done.any():
-        return _by_boxes(balance, given, around), around, whole
+        return refined(balance, given, _by_boxes(balance, given, around)), around, whole
     rest = np.flatnonzero(~done)
     parts = [stiff]
     if rest.size:
         parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
-    return certified_roots.concatenated(parts, balance.n), around, whole
+    return refined(balance, given, certified_roots.concatenated(parts, balance.n)), around, whole
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:

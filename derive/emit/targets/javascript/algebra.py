@@ -17,7 +17,13 @@ _WIDTH = 124
 class JavaScriptPrinter(DividingPrinter):
     """Algebra in JavaScript."""
 
-    functions: ClassVar[Mapping[str, str]] = {"sqrt": "Math.sqrt", "exp": "Math.exp", "abs": "Math.abs", "sign": "Math.sign"}
+    functions: ClassVar[Mapping[str, str]] = {
+        "sqrt": "Math.sqrt",
+        "exp": "Math.exp",
+        "log": "Math.log",
+        "abs": "Math.abs",
+        "sign": "Math.sign",
+    }
 
 
 _PRINTER = JavaScriptPrinter({"order": None})

@@ -22,6 +22,9 @@ __all__ = ["Abs", "Page", "PageError", "cos", "exp", "pi", "sgn", "sin", "sqrt"]
 #: The sign function under the name that articles give it.
 sgn = sign
 
+#: The functions that laws and energies are made of, by the names that pages give them.
+FUNCTIONS = {"Abs": Abs, "cos": cos, "exp": exp, "sgn": sgn, "sin": sin}
+
 #: A point of the plane: two lengths.
 Point = tuple[sp.Expr, sp.Expr]
 #: A law: a force or a friction coefficient for a penetration or a sliding speed.
@@ -322,7 +325,7 @@ class Page:
             raise PageError(
                 line,
                 f"the {kind} law can't be taken of an expression: {type(error).__name__}: {error}; give a function of one argument, "
-                "made of Abs, cos, exp, sgn, sin, sqrt of spragsym.derive.model",
+                f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model",
             ) from error
         if moving:
             raise PageError(line, f"the {kind} law depends on {moving}; it is a law of the {of} alone")

@@ -127,6 +127,12 @@ class Motion:
         it = self.model
         return (sp.S.One if it.gap is None or not it.unilateral else it.gap, laws.slip(it) if it.slide is not None else sp.S.One)
 
+    @cached_property
+    def curved(self) -> bool:
+        """Whether a border is no linear function of the coordinates and rates."""
+        it = self.model
+        return any(not sp.hessian(border, (*it.coordinates, *it.rates)).is_zero_matrix for border in self.borders)
+
     def rate(self, expression: sp.Expr, accelerations: tuple[sp.Symbol, ...]) -> sp.Expr:
         """d/dt of an expression in coordinates and rates."""
         it = self.model

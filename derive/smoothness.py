@@ -1,4 +1,4 @@
-"""Whether generated code can say what a page says: smooth, angles by cosine and sine, roots, exponentials and whole powers.
+"""Whether generated code can say what a page says: smooth, roots, cosines, exponentials and whole powers.
 
 Kinks are where a mass touches the belt and where friction turns, and nowhere else: equilibria are sought by derivatives, and a motion
 is integrated from one kink to the next. Each error names the line, what stands there, and the remedy.
@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from . import laws
-from .mechanics import DEPTH, Mechanics, number
+from .mechanics import DEPTH, Mechanics
 from .model import Damper, PageError, Spring, expression_of
 
 #: Functions with a kink or a step, of which a sum of smooth forces has none.
@@ -21,34 +21,20 @@ _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor
 def check(model: Mechanics) -> None:
     """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
     moving = {*model.coordinates, *model.rates, DEPTH, laws.SLIP}
-    angles = {number(datum) for datum in model.parameters if datum.unit == "rad"}
     for value, what, line in _statements(model):
-        _check(value, what, line, moving, angles)
+        _check(value, what, line, moving)
     energy, contact = model.contact_energy, model.page.normal
-    if contact and (energy.has(sp.Integral) or not all(isinstance(node, sp.exp | sp.log) for node in energy.atoms(sp.Function))):
+    if contact and (
+        energy.has(sp.Integral)
+        or not all(isinstance(node, sp.exp | sp.log | sp.cos | sp.sin) for node in energy.atoms(sp.Function))
+    ):
         raise PageError(
-            contact.line, f"the contact law {model.law} has no energy in powers, exponentials and logarithms; give one that has"
+            contact.line,
+            f"the contact law {model.law} has no energy in powers, exponentials, logarithms, cosines and sines; give one that has",
         )
 
 
-def _check(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol], angles: set[sp.Symbol]) -> None:
-    turned = value.atoms(sp.cos, sp.sin)
-    if turned:
-        node = min(turned, key=sp.default_sort_key)
-        inner = node.args[0]
-        if inner.free_symbols & moving:
-            raise PageError(
-                line, f"{what} takes {node}, and {inner} moves; cosines are of angles of the page: write a polynomial, or an exp"
-            )
-        raise PageError(
-            line,
-            f"{what} takes {node}, and {inner} is no sum of whole multiples of angles of the page; make it a parameter with the unit rad",
-        )
-    bare = sorted(map(str, value.free_symbols & angles))
-    if bare:
-        raise PageError(
-            line, f"{what} takes the angle {bare[0]} itself; angles are in forces by cos({bare[0]}) and sin({bare[0]}) only"
-        )
+def _check(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol]) -> None:
     for node in sorted(value.atoms(*_KINKED), key=sp.default_sort_key):
         if node.free_symbols & moving:
             raise PageError(
@@ -59,9 +45,9 @@ def _check(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol], angles:
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         raise PageError(line, f"{what} is {value}, which is no real number; write one that is")
     for node in sorted(value.atoms(sp.Function), key=sp.default_sort_key):
-        if not isinstance(node, (sp.exp, *_KINKED)):
+        if not isinstance(node, (sp.exp, sp.cos, sp.sin, *_KINKED)):
             raise PageError(
-                line, f"{what} holds {node}, which generated code does not know; say it by exp, sqrt and whole powers"
+                line, f"{what} holds {node}, which generated code does not know; say it by exp, cos, sin, sqrt and whole powers"
             )
     for node in sorted(value.atoms(sp.Pow), key=sp.default_sort_key):
         if not (2 * node.exp).is_Integer:

@@ -1,4 +1,6 @@
-"""The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where certain parameters are 0.
+"""Symmetries of a model: its mirror, and angles after a turn of which everything is as before.
+
+The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where certain parameters are 0.
 
 The article's model without friction and without a spring along the belt is one: with x′ = 2 cos θ₀ − x every spring is mirrored. There
 equilibria do not meet at folds but at pitchforks, which no perturbation of one parameter shows.
@@ -16,6 +18,15 @@ from .mechanics import DEPTH, MU, Line, Mechanics, number
 
 #: Most parameters that have to be 0.
 MOST = 4
+
+
+def comes_around(model: Mechanics, place: int) -> bool:
+    """Whether a coordinate is an angle after a turn of which all forces, lines and the gap are as before."""
+    if model.page.coordinates[place].unit != "rad":
+        return False
+    symbol = model.coordinates[place]
+    parts = [*model.residuals, *(part for line in model.lines for part in (line.dx, line.dy)), model.kinetic, model.depth]
+    return all(sp.expand(part.subs(symbol, symbol + 2 * sp.pi) - part) == 0 for part in parts)
 
 
 @dataclass(frozen=True)

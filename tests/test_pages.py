@@ -19,6 +19,10 @@ import sympy as sp
 import spragsym as ss
 from spragsym.derive import folder, pages, soundness
 from spragsym.derive import units as measured
+from spragsym.derive.emit.targets.c99.algebra import CPrinter
+from spragsym.derive.emit.targets.javascript.algebra import JavaScriptPrinter
+from spragsym.derive.emit.targets.matlab.algebra import MatlabPrinter
+from spragsym.derive.emit.targets.python.algebra import AlgebraPrinter
 from spragsym.derive.kang_nam import generality, variant
 from spragsym.derive.model import PageError
 
@@ -28,7 +32,7 @@ NAMES = [path.stem for path in pages.shipped()]
 
 def changed(tmp_path: Path, *changes: tuple[str, str]) -> Path:
     """The article's page with pieces of text replaced, as a user's file."""
-    text = ARTICLE.replace("from ..model import", "from spragsym.derive.model import")
+    text = ARTICLE.replace("from ..model import", "import sympy as sp; from spragsym.derive.model import")
     for before, after in changes:
         assert text.count(before) == 1, before
         text = text.replace(before, after)
@@ -140,6 +144,81 @@ REFUSED = {
     "an exit": ("page.spring(k_y, along=y)", "raise SystemExit(3)", "SystemExit(3)", "SystemExit"),
     "one end": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y))", "page.spring(k_y", "two ends"),
 }  # fmt: skip
+REFUSED |= {
+    "a function without intervals": (
+        "exp(-d * Abs(v))",
+        "sp.erfc(d * Abs(v))",
+        "page.friction(",
+        r"erfc\(d\*v\), which is not among",
+    ),
+    "a least of two": (FRICTION, "lambda v: mu0 * sp.Min(1, d * Abs(v)) * sgn(v)", "page.friction(", "has a kink or a jump"),
+    "a law by cases": (
+        FRICTION,
+        "lambda v: mu0 * sp.Piecewise((d * v, d * Abs(v) < 1), (sgn(v), True))",
+        "page.friction(",
+        "a kink or",
+    ),
+    "a jump of the contact": (
+        LAW,
+        "lambda depth: k_c * depth * (1 + sp.floor(depth / L_0))",
+        "page.contact(",
+        "a kink or a jump",
+    ),
+    "a kink elsewhere": (FRICTION, "lambda v: mu0 * d * v * (1 + Abs(Abs(v) - V))", "page.friction(", "not only where v = 0"),
+    "a kink in the contact": (
+        LAW,
+        "lambda depth: k_c * (depth + Abs(depth - L_0) - L_0)",
+        "page.contact(",
+        "a kink at a penetration",
+    ),
+    "a kink of a contact that never opens": (
+        LAW,
+        "lambda depth: k_c * Abs(depth), unilateral=False",
+        "page.contact(",
+        "never opens",
+    ),
+    "a kink of an energy": (
+        "page.spring(k_y, along=y)",
+        "page.potential(k_y * L_0 * Abs(x))",
+        "page.potential(",
+        "has a kink where x = 0",
+    ),
+    "a root without slope": (
+        FRICTION,
+        "lambda v: mu0 * sp.sqrt(d * Abs(v)) * sgn(v)",
+        "page.friction(",
+        "not seen to be positive",
+    ),
+    "a root of what is negative": (LAW, "lambda depth: k_c * L_0 * sp.sqrt(-depth / L_0)", "page.contact(", "no real number"),
+    "a root of a difference": (
+        "page.spring(k_y, along=y)",
+        "page.potential(k_y * L_0 * sp.sqrt(x * L_0))",
+        "potential(",
+        "not negative every",
+    ),
+    "a symbol for an exponent": (
+        LAW,
+        "lambda depth: k_c * L_0 * (depth / L_0) ** mu0",
+        "page.contact(",
+        "a fraction of two integers",
+    ),
+}
+
+
+def test_no_printer_writes_what_it_does_not_know() -> None:
+    """The last guard: SymPy's own printer would write its name for it, and code that dies."""
+    u = sp.Symbol("u", real=True)
+    for unknown in (sp.erf(u), sp.Min(u, 1), sp.Piecewise((u, u > 0), (0, True)), sp.I * u, sp.Heaviside(u), sp.Function("f")(u)):
+        for printer in (AlgebraPrinter(), CPrinter(), JavaScriptPrinter(), MatlabPrinter()):
+            with pytest.raises(ArithmeticError, match="no function that code is written for"):
+                printer.doprint(1 + unknown)
+
+
+def test_a_decimal_is_the_fraction_that_is_written(tmp_path: Path) -> None:
+    path = changed(tmp_path, (LAW, "lambda depth: 0.1 * k_c * L_0 * (depth / L_0) ** 1.5"))
+    law = pages.read(path).mechanics.law
+    (depth,) = law.free_symbols
+    assert law == depth ** sp.Rational(3, 2) / 10
 
 
 @pytest.mark.parametrize("case", REFUSED)

@@ -21,7 +21,7 @@ from .field import Field, Mode
 from .heyoka_library import library
 from .motions import Measured, Motions, Turns
 from .problem import Event, event_at, out_of_range, too_many_steps
-from .with_heyoka import Equations, watched
+from .with_heyoka import Equations, tolerance, watched
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -95,7 +95,7 @@ class Lanes:
         self.strays: dict[int, float] = {}
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = solver = hy.taylor_adaptive_batch(
-            equations.system, np.zeros((len(equations.system), LANES)), tol=rtol,
+            equations.system, np.zeros((len(equations.system), LANES)), tol=tolerance(field, rtol),
             t_events=[
                 hy.t_event_batch(watched(border, *equations.seen), callback=self._crossing(field, row), cooldown=0.0)
                 for row, border in enumerate(field.borders)
@@ -104,6 +104,8 @@ class Lanes:
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars, self.dense, self.look = solver.state, solver.pars, solver.d_output, solver.update_d_output
+        #: heyoka has no cooldowns where there are no events.
+        self.eventful = bool(field.borders) or watch
         #: How many parameters there are: none beyond the last that the field takes.
         self.held = len(self.pars)
 
@@ -176,7 +178,8 @@ class Lanes:
             del run.waiting[-LANES:]
             self.state[:], self.pars[:] = run.state[:, _span(rows)], run.pars[:, _span(rows)]
             solver.set_time(begin)
-            solver.reset_cooldowns()
+            if self.eventful:
+                solver.reset_cooldowns()
             running |= enumerate(rows)
             self.modes[:] = [run.stage.modes[row] for row in rows]
             self.turns[:], self.counts[:] = [None] * LANES, [[0] * EVENTS for _ in rows]
@@ -190,7 +193,7 @@ class Lanes:
         source, still = lanes[0] if lanes else next(iter(running)), free[len(lanes) :]
         self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
         solver.set_dtime(late, early)
-        for lane in free:
+        for lane in free if self.eventful else ():
             solver.reset_cooldowns(lane)
         for lane, row in zip(lanes, rows, strict=True):
             running[lane] = row

@@ -21,6 +21,9 @@ from .solution import Crossing, Solution, assembled
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
 CHUNK = 20_000
 
+#: Largest tolerance of fields with a border that is curved.
+CURVED = 1e-3 * GAP
+
 #: Times and states by steps, shapes (steps, DEGREE + 1) and (steps, 4, DEGREE + 1).
 Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
@@ -75,14 +78,16 @@ class Compiled:
         self.stray: float | None = None
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            equations.system, [0.0] * field.size, tol=rtol,
+            equations.system, [0.0] * field.size, tol=tolerance(field, rtol),
             t_events=[
                 hy.t_event(watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0)
                 for row, border in enumerate(field.borders)
             ],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
-        self.state, self.pars, self.reset = self.solver.state, self.solver.pars, self.solver.reset_cooldowns
+        self.state, self.pars = self.solver.state, self.solver.pars
+        # heyoka has no cooldowns where there are no events.
+        self.reset = self.solver.reset_cooldowns if field.borders else lambda: None
 
     def __deepcopy__(self, _: object) -> Compiled:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
@@ -132,6 +137,15 @@ class Compiled:
         if not problem.field.is_inside(self.state.tolist(), problem.constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
+
+
+def tolerance(field: Field, rtol: float) -> float:
+    """What heyoka is given for its error.
+
+    A level that is no linear function of the state has a Taylor series of its own, which agrees with that of the state to this
+    tolerance only: where it is not far below the gap behind a border, the border just crossed would be met again.
+    """
+    return min(rtol, CURVED) if field.curved else rtol
 
 
 def put(pars: Any, begin: int, values: Sequence[float]) -> None:

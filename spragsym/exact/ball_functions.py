@@ -55,6 +55,11 @@ def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
     return angle.cos(pair), angle.sin(pair)
 
 
+def _enclosed(value: Any) -> Any:
+    """A number as a ball; jets and balls as they are."""
+    return value if isinstance(value, Jet | Ball) else _BALLS.exact(Fraction(value))
+
+
 class Functions:
     """``xp`` for balls."""
 
@@ -63,14 +68,24 @@ class Functions:
         """Square root."""
         if isinstance(value, Jet):
             return value.sqrt(Functions.sqrt(value.value))
-        return _BALLS.sqrt(value if isinstance(value, Ball) else _BALLS.exact(Fraction(value)))
+        return _BALLS.sqrt(_enclosed(value))
 
     @staticmethod
     def exp(value: Any) -> Any:
         """Exponential."""
         if isinstance(value, Jet):
             return value.exp(Functions.exp(value.value))
-        return exp(value if isinstance(value, Ball) else _BALLS.exact(Fraction(value)))
+        return exp(_enclosed(value))
+
+    @staticmethod
+    def cos(value: Any) -> Any:
+        """Cosine."""
+        return cosine_and_sine(_enclosed(value))[0]
+
+    @staticmethod
+    def sin(value: Any) -> Any:
+        """Sine."""
+        return cosine_and_sine(_enclosed(value))[1]
 
     @staticmethod
     def atan2(sine: Any, cosine: Any) -> Any:

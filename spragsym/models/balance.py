@@ -18,6 +18,8 @@ from .laws import XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
+#: Where an angle is searched that comes around after a turn: more than half of it to either side, so that none is on the border.
+TURN = np.pi + 2e-6
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
@@ -77,6 +79,9 @@ class Balance:
         self.opens = bool(gap and about["contact"]["unilateral"])
         if self.opens and gap in self.coordinates:
             self.border[self.pushing, self.coordinates.index(gap)] = 0.0
+        #: Numbers of coordinates that are angles after a turn of which all is as before: one turn of each is searched.
+        self.around = [place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")]
+        self.border[:, self.around] = TURN
         self._lengths: bool | None = None
         #: Beyond them the forces are not asked for.
         self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border

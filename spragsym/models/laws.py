@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..exact.interval_arrays import Intervals
+from ..exact.interval_functions import cos, sin
 from ..exact.jets import Jet
 from ..exact.methods import Functions
 
@@ -34,6 +35,16 @@ class LawFunctions(Functions):
         return 1 if isinstance(value, int | float) and value == 0 else _enclosed(value).exp()
 
     @staticmethod
+    def cos(value: Any) -> Any:
+        """Cosine: 1 of the number 0."""
+        return _wave(value, 0)
+
+    @staticmethod
+    def sin(value: Any) -> Any:
+        """Sine: 0 of the number 0."""
+        return _wave(value, 1)
+
+    @staticmethod
     def sign(value: Any) -> Any:
         """−1, 0, 1."""
         return _enclosed(value).sign()
@@ -42,6 +53,17 @@ class LawFunctions(Functions):
 def _enclosed(value: Any) -> Any:
     """A number as an interval, so that a function of it is one that is rounded outward."""
     return Intervals.point([float(value)]) if isinstance(value, int | float) else value
+
+
+def _wave(value: Any, which: int) -> Any:
+    """Cosine (0) or sine (1)."""
+    if isinstance(value, Jet):
+        angle = _enclosed(value.value)
+        pair = cos(angle), sin(angle)
+        return value.sin(pair) if which else value.cos(pair)
+    if isinstance(value, int | float) and value == 0:
+        return 1 - which
+    return (cos, sin)[which](_enclosed(value))
 
 
 def _not_negative(value: Any) -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import sympy as sp
 from sympy.printing.str import StrPrinter
@@ -12,6 +12,12 @@ from sympy.printing.str import StrPrinter
 from ...function import Function, Module, Results
 from ...quantities import Quantity
 from ...statements import straight_line
+
+#: What is printed: algebra, and functions by their names in each language.
+KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi)
+BY_NAME: Mapping[type[sp.Function], str] = {
+    sp.exp: "exp", sp.log: "log", sp.cos: "cos", sp.sin: "sin", sp.Abs: "abs", sp.sign: "sign", sp.atan2: "atan2",
+}  # fmt: skip
 
 _WIDTH = 112
 _TIED = "\N{NO-BREAK SPACE}"
@@ -22,12 +28,19 @@ class AlgebraPrinter(StrPrinter):
 
     #: What functions are called in the language.
     functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "xp.sqrt", "exp": "xp.exp", "log": "xp.log", "abs": "abs", "sign": "xp.sign", "atan2": "xp.atan2", "pi": "xp.pi",
+        "sqrt": "xp.sqrt", "exp": "xp.exp", "log": "xp.log", "cos": "xp.cos", "sin": "xp.sin",
+        "abs": "abs", "sign": "xp.sign", "atan2": "xp.atan2", "pi": "xp.pi",
     }  # fmt: skip
 
     def call(self, name: str, *arguments: sp.Expr) -> str:
         """A function of these arguments."""
         return f"{self.functions[name]}({', '.join(map(self._print, arguments))})"
+
+    def _print(self, expression: Any, **options: Any) -> str:
+        # The printer of SymPy writes whatever it is given, under SymPy's name for it.
+        if not isinstance(expression, (*KNOWN, *BY_NAME)):
+            raise ArithmeticError(f"{type(expression).__name__} is no function that code is written for: {expression}")
+        return str(super()._print(expression, **options))
 
     def _print_Rational(self, expression: sp.Rational) -> str:
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
@@ -52,20 +65,10 @@ class AlgebraPrinter(StrPrinter):
             raise ArithmeticError(f"{expression} is not a reciprocal or a square root: powers are products by now")
         return str(super()._print_Pow(expression, rational=rational))
 
-    def _print_exp(self, expression: sp.exp) -> str:
-        return self.call("exp", *expression.args)
+    def _print_Function(self, expression: sp.Function) -> str:
+        return self.call(BY_NAME[expression.func], *expression.args)
 
-    def _print_log(self, expression: sp.log) -> str:
-        return self.call("log", *expression.args)
-
-    def _print_Abs(self, expression: sp.Abs) -> str:
-        return self.call("abs", *expression.args)
-
-    def _print_sign(self, expression: sp.sign) -> str:
-        return self.call("sign", *expression.args)
-
-    def _print_atan2(self, expression: sp.atan2) -> str:
-        return self.call("atan2", *expression.args)
+    _print_exp = _print_log = _print_cos = _print_sin = _print_Abs = _print_sign = _print_atan2 = _print_Function
 
     def _print_Pi(self, expression: sp.Expr) -> str:
         return self.functions["pi"]

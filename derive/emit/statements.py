@@ -72,8 +72,8 @@ def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Sy
 class _Powers:
     """Replaces integer powers by named products of smaller powers, each computed once, so that a number type needs no powers.
 
-    Squares are replaced too: some interval libraries cannot square a ball around zero. Half powers become a square root times a
-    product. A name that the function itself uses, as ``sigma_2`` may be, is given to no power.
+    Squares are replaced too: some interval libraries cannot square a ball around zero. Other powers become products of a
+    root. A name that the function itself uses, as ``sigma_2`` may be, is given to no power.
     """
 
     def __init__(self, taken: set[str]) -> None:
@@ -82,18 +82,20 @@ class _Powers:
 
     def replace(self, expression: sp.Expr) -> sp.Expr:
         return sp.sympify(expression).replace(
-            lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q <= 2 and abs(node.exp) > 1, self._named
+            lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and abs(node.exp.p) > 1, self._named
         )
 
     def _named(self, node: sp.Pow) -> sp.Expr:
-        power = self._power(node.base, abs(int(node.exp))) if node.exp.is_Integer else self._half_power(node.base, abs(node.exp))
+        power = self._power(node.base, abs(int(node.exp))) if node.exp.is_Integer else self._root_power(node.base, abs(node.exp))
         return power if node.exp > 0 else 1 / power
 
-    def _half_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+    def _root_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+        value = sp.Pow(base, sp.Rational(1, exponent.q))
         root = sp.Symbol(self._free(f"root{len(self.definitions)}"), real=True)
-        root = next((symbol for symbol, value in self.definitions.items() if value == sp.sqrt(base)), root)
-        self.definitions.setdefault(root, sp.sqrt(base))
-        return root * self._power(base, int(exponent))
+        root = next((symbol for symbol, known in self.definitions.items() if known == value), root)
+        self.definitions.setdefault(root, value)
+        whole, part = divmod(exponent.p, exponent.q)
+        return (self._power(base, whole) if whole else sp.S.One) * self._power(root, part)
 
     def _free(self, name: str) -> str:
         while name in self.taken:

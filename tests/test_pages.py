@@ -112,8 +112,6 @@ REFUSED = {
     "an angle itself": ("page.force(0, -F_L,", "page.force(0, -F_L * theta0,", "page.force(", "the angle theta0 itself"),
     "an angle in degrees": ('"(0, pi)"', '"(0, 180)"', '"(0, 180)"', "wider than a turn"),
     "a base value in degrees": ('"(0, pi)", latex', '"(0, pi)", 45, latex', '"(0, pi)", 45', "45 degrees are pi/4"),
-    "a cosine of what moves": ("page.spring(k_y, along=y)", "page.potential(k_y * L_0**2 * cos(x / L_0))", "cos(x",
-                               "and x moves"),
     "a kink in the contact": (LAW, "lambda depth: k_c * (depth + Abs(depth - L_0))", "page.contact(", "not smooth"),
     "a step in friction": (FRICTION, "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v) * (2 + sgn(d * Abs(v) - 3))",
                            "page.friction(",

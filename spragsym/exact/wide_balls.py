@@ -187,31 +187,6 @@ def cosine_and_sine(angles: FloatArray) -> tuple[WideBalls, WideBalls]:
     return WideBalls(Wide(*found[:2]), radius), WideBalls(Wide(*found[2:]), radius)
 
 
-def waves(angle: WideBalls) -> tuple[WideBalls, WideBalls]:
-    """Cosine and sine of balls; NaN where they are wide.
-
-    Of what is left of the angle beside a multiple of π: those of a float near it, turned by the little that is left then, whose
-    cosine and sine are Taylor's series.
-    """
-    turns = np.round(angle.middle.high / np.pi)
-    rest = angle - WideBalls(PI, np.full_like(turns, PI_RADIUS)) * WideBalls.exact(turns)
-    near = rest.middle.high
-    one, none = WideBalls.exact(np.ones_like(near)), WideBalls.exact(np.zeros_like(near))
-    c, s = cosine_and_sine(np.where(near == 0, 1.0, np.abs(near)))
-    c, s = WideBalls.where(near == 0, one, c), WideBalls.where(near == 0, none, WideBalls.where(near < 0, -s, s))
-    off = rest - WideBalls.exact(near)
-    cosine, sine, term = one, none, one
-    for order in range(1, WAVE_TERMS + 1):
-        term = term * off / order
-        signed = -term if order % 4 in (2, 3) else term
-        cosine, sine = (cosine, sine + signed) if order % 2 else (cosine + signed, sine)
-    # What is left out is less than the last term that is not.
-    spare = np.where(off.size < MOST_OFF, term.size, np.nan)
-    cosine, sine = (WideBalls(part.middle, part.radius + spare) for part in (cosine, sine))
-    parity = WideBalls.exact(1 - 2 * (turns % 2))
-    return (c * cosine - s * sine) * parity, (s * cosine + c * sine) * parity
-
-
 def atan2(sine: WideBalls, cosine: WideBalls) -> WideBalls:
     """Angle of the vector (cosine, sine), from −π to π; NaN where balls are wide, or meet the ray on which it jumps.
 
@@ -313,20 +288,6 @@ class Functions(JetFunctions):
 
     #: π.
     pi = PI
-
-    @staticmethod
-    def cos(value: Any) -> Any:
-        """Cosine."""
-        if isinstance(value, Jet):
-            return value.cos(waves(value.value))
-        return waves(value)[0] if isinstance(value, WideBalls) else np.cos(value)
-
-    @staticmethod
-    def sin(value: Any) -> Any:
-        """Sine."""
-        if isinstance(value, Jet):
-            return value.sin(waves(value.value))
-        return waves(value)[1] if isinstance(value, WideBalls) else np.sin(value)
 
     @staticmethod
     def atan2(sine: Any, cosine: Any) -> Any:

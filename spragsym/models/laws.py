@@ -44,16 +44,6 @@ class LawFunctions(JetFunctions):
         return 1 if isinstance(value, int | float) and value == 0 else super().exp(value)
 
     @staticmethod
-    def cos(value: Any) -> Any:
-        """Cosine: 1 of the number 0."""
-        return _wave(value, 0)
-
-    @staticmethod
-    def sin(value: Any) -> Any:
-        """Sine: 0 of the number 0."""
-        return _wave(value, 1)
-
-    @staticmethod
     def sign(value: Any) -> Any:
         """−1, 0, 1."""
         return _enclosed(value).sign()
@@ -62,17 +52,6 @@ class LawFunctions(JetFunctions):
 def _enclosed(value: Any) -> Any:
     """A number as an interval, so that a function of it is one that is rounded outward."""
     return Intervals.point([float(value)]) if isinstance(value, int | float) else value
-
-
-def _wave(value: Any, which: int) -> Any:
-    """Cosine (0) or sine (1)."""
-    if isinstance(value, Jet):
-        angle = _enclosed(value.value)
-        pair = cos(angle), sin(angle)
-        return value.sin(pair) if which else value.cos(pair)
-    if isinstance(value, int | float) and value == 0:
-        return 1 - which
-    return (cos, sin)[which](_enclosed(value))
 
 
 def _not_negative(value: Any) -> Any:

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import equations, laws, linearization, motion, pages, soundness, statics, symmetry, units
+from . import equations, laws, linearization, mechanics, motion, pages, soundness, statics, symmetry, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -158,6 +158,7 @@ def description(model: Model) -> dict[str, Any]:
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
         },
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        **({"waves": True} if mechanics.waves(sp.Tuple(*it.residuals)) else {}),
         **({"curved": True} if motion.Motion(it).curved else {}),
         "dampers": bool(it.page.dampers),
         "equations": equations.equations(it),

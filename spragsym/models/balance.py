@@ -14,7 +14,7 @@ from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
 from .directions import direction, turning
-from .laws import XP
+from .laws import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
@@ -327,6 +327,16 @@ class Balance:
         """The same, each coordinate from the row of its number and from forces near 0, which serves where slopes are unknown."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
         return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions)), unknowns.ends)
+
+    def with_waves(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+        """The same with cosines and sines of the coordinates left free, as directions are."""
+        near = np.clip(0.0, unknowns.low, unknowns.high)
+        shape = unknowns.shape[1:]
+        at_near = self.call("forces", list(Intervals.point(near)), directions, values, FREE)
+        rows = self.call("forces", jets.variables(list(unknowns), 1), directions, values, FREE)
+        slopes = matrix([jets.gradient(row, self.n) for row in rows], shape)
+        reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([near, -near])))
+        return np.fmin(contractors.by_rows(stacked(at_near, shape), slopes, near, reach), unknowns.ends)
 
     def _linear(
         self, unknowns: Intervals, middle: FloatArray, values: Mapping[str, Any], directions: Sequence[Any]

@@ -63,6 +63,8 @@ def exact_field(where: str) -> Field:
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
+    if model.about.get("waves"):
+        raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")
     if model.about.get("torsions"):
         raise ParameterError(
             "the turning of a torsion spring is an arc tangent of the place, which proofs of cycles do not take in"

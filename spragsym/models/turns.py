@@ -9,14 +9,14 @@ from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray
 from .balance import Balance
 
-#: Between its negative and it each state lies once. It is between π and the border of the search, and no angle that models have.
-CUT = np.pi + 1.2345e-6
+#: From it each state lies once in a turn, which the search goes beyond at both ends. No angle that models have.
+BEGIN, END = -np.pi + 1.2345e-6, np.pi + 1.2345e-6
 
 
 def once_around(balance: Balance, found: Roots) -> Roots:
     """Roots and boxes that are left, without those whose image after a turn is there too.
 
-    What meets the cut itself, of which this can't be said, is among the boxes that are left.
+    What meets an end of the turn itself, of which this can't be said, is among the boxes that are left.
     """
     if not balance.around:
         return found
@@ -31,8 +31,8 @@ def once_around(balance: Balance, found: Roots) -> Roots:
 
 
 def _parted(ends: FloatArray, around: list[int]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Boxes that lie beyond the cut with one of these unknowns, and boxes that meet it."""
+    """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of it."""
     low, high = -ends[0, around], ends[1, around]
-    beyond = ((low > CUT) | (high < -CUT)).any(axis=0)
-    across = ((low <= CUT) & (high >= CUT) | (low <= -CUT) & (high >= -CUT)).any(axis=0)
+    beyond = ((low > END) | (high < BEGIN)).any(axis=0)
+    across = ((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN)).any(axis=0)
     return beyond, across

@@ -2,7 +2,7 @@
 
 A page is a Python file that makes one :class:`Page` and says, in the order of an article's second section: quantities, coordinates,
 energies, springs and dampers by their ends, applied forces, the contact law, the friction law. Every statement remembers its line, so
-that an error can name it.
+that an error can name it. Laws and energies are made of :data:`FUNCTIONS`, roots and powers of fractions, each smooth where it is used.
 """
 
 from __future__ import annotations

@@ -38,10 +38,15 @@ def straight_line(function: Function) -> Body:
     definitions = dict(powers.definitions)
     everything = [*expressions, *definitions.values(), *leaves]
     temporaries, reduced = sp.cse(everything, symbols=sp.numbered_symbols("w")) if function.share else ([], everything)
+    # Of exp(x) and exp(2 x) sharing makes powers again.
+    again = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands, *definitions)})
+    temporaries = [(symbol, again.rest(expression)) for symbol, expression in temporaries]
+    reduced = [again.rest(expression) for expression in reduced]
     count, extra = len(expressions), len(definitions)
     available = dict(temporaries)
     available.update(zip((symbol for symbol, _ in named), reduced[:count], strict=True))
     available.update(zip(definitions, reduced[count : count + extra], strict=True))
+    available.update(again.definitions)
     outputs = reduced[count + extra :]
 
     ordered: dict[sp.Symbol, sp.Expr] = {}
@@ -84,6 +89,12 @@ class _Powers:
         return sp.sympify(expression).replace(
             lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and abs(node.exp.p) > 1, self._named
         )
+
+    def rest(self, expression: sp.Expr) -> sp.Expr:
+        """The same, but for a whole that is a square of a name."""
+        if isinstance(expression, sp.Pow) and expression.exp == 2 and expression.base.is_Symbol:
+            return expression
+        return self.replace(expression)
 
     def _named(self, node: sp.Pow) -> sp.Expr:
         power = self._power(node.base, abs(int(node.exp))) if node.exp.is_Integer else self._root_power(node.base, abs(node.exp))

@@ -18,8 +18,9 @@ from . import stability as _stability
 from .balance import Balance, Model
 from .columns import Columns
 from .polar import around_anchors, stiff_points
-from .precise import assembled, at, boxes_of, hull_of_each, of_each, replaced, settled, settled_by_digits, unsettled
+from .precise import assembled, at, boxes_of, hull_of_each, of_each, precise_forces, replaced, settled, settled_by_digits, unsettled
 from .regions import region
+from .turning import turned_points
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
@@ -149,11 +150,13 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
     if not given.shape[1]:
         none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
         return Roots(none, none, nowhere, none, nowhere), around, whole
-    stiff, done = stiff_points(balance, given, around)
-    if not done.any():
+    turned, turning = turned_points(balance, given, around)
+    others = np.flatnonzero(~turning)
+    stiff, stiff_done = stiff_points(balance, given[:, others], of_each(around, given)[:, :, others])
+    if not turning.any() and not stiff_done.any():
         return _by_boxes(balance, given, around), around, whole
-    rest = np.flatnonzero(~done)
-    parts = [stiff]
+    rest = others[~stiff_done]
+    parts = [turned, at(stiff, others)]
     if rest.size:
         parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
     return certified_roots.concatenated(parts, balance.n), around, whole
@@ -170,7 +173,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
             part = at(_searched(balance, given[:, points], hulls, *stage), points)
             found = replaced(found, points, assembled(of_each(around, given), found, points, [part]))
     found = around_anchors(balance, given, around, found)
-    found = settled_by_digits(balance, given, around, found)
+    found = settled_by_digits(balance, given, around, found, precise_forces(balance))
     return around_anchors(balance, given, around, found, 0.0)
 
 

@@ -134,14 +134,14 @@ def _stiffnesses(balance: Balance, values: Mapping[str, Any], shape: tuple[int, 
     return stacked(undecorated(balance.model.statics.stiffnesses)(*none, *_arguments_of_a_place(balance, values), xp=XP), shape)
 
 
-def end_slopes(balance: Balance, given: Sequence[Any], near: Intervals) -> list[tuple[list[Any], list[Any]]]:
+def end_slopes(balance: Balance, given: Sequence[Any], near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
     """How the vector of every spring changes with the coordinates: for ends that are linear in them the same everywhere."""
     place = jets.variables([near] * balance.n, 1)
     rows = undecorated(balance.model.statics.geometry)(*place, *given, xp=XP)
     return [(jets.gradient(dx, balance.n), jets.gradient(dy, balance.n)) for dx, dy, _ in rows]
 
 
-def _ends_are_linear(balance: Balance, given: FloatArray) -> bool:
+def ends_are_linear(balance: Balance, given: FloatArray) -> bool:
     """Whether the ends of all springs are linear in the coordinates."""
     values = balance.arguments(balance.prepared(Intervals.point(given)))
     slopes = end_slopes(balance, _arguments_of_a_place(balance, values), Intervals.between(np.array([-2.0]), np.array([3.0])))
@@ -193,7 +193,7 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
 def _of_any_spring(balance: Balance, given: FloatArray, region: FloatArray) -> Roots | None:
     """Roots of one point by the first spring around which all is decided."""
     # A folder that was derived before has no forces without springs.
-    if not hasattr(balance.model.statics, "forces_apart") or not _ends_are_linear(balance, given):
+    if not hasattr(balance.model.statics, "forces_apart") or not ends_are_linear(balance, given):
         return None
     for number, spring in enumerate(balance.model.about["springs"]):
         if spring["chart"] is None:

@@ -42,7 +42,8 @@ from .balance import Balance, matrix, undecorated
 from .directions import direction
 from .laws import XP
 from .polar import ends_are_linear, end_slopes
-from .precise import PreciseBalance, ball, of_each, settled_by_digits
+from .precise import PreciseBalance, ball, of_each, precise_forces, settled_by_digits
+from .refined import refined
 
 #: What is searched beyond φ = ±π, and beyond l = 0 in parts of the largest length.
 BEYOND = 2.0**-6
@@ -315,6 +316,7 @@ def _searched(system: Turning, given: FloatArray, sides: FloatArray, around: Flo
     with np.errstate(all="ignore"):
         outcome = boxes.search(system, sides, given, given)
         found = certified_roots.roots(system, outcome, sides, given, given)
+        found = replace(found, ends=refined(system, given, found.ends, found.point, system.precise))
         found = settled_by_digits(system, given, sides, found, system.precise)
         prepared = system.prepared(Intervals.point(given))
         ends = found.ends if system.tight else _sharpened(system, found.ends, prepared[:, found.point])
@@ -322,7 +324,9 @@ def _searched(system: Turning, given: FloatArray, sides: FloatArray, around: Flo
         left, left_point, _, _ = _possible(system, found.left, found.left_point)
         left = np.concatenate([left, unclear], axis=2)
         left_point = np.concatenate([left_point, unclear_point])
+        balance = system.balance
         roots = system.cartesian(roots, prepared[:, point])
+        roots = refined(balance, given[:-1], roots, point, precise_forces(balance))
         left = system.cartesian(left, prepared[:, left_point])
     return _apart(roots, point, left, left_point, around)
 

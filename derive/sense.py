@@ -51,6 +51,9 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     for count in range(1, len(lines) + 1):
         for part in "csl":
             yield f"{part}{count}", f"the direction or length of spring {count}", 0
+    for count in range(1, len(page.torsions) + 1):
+        for part in ("phi", "way"):
+            yield f"{part}{count}", f"the turning of torsion spring {count}", 0
     for entry in page.coordinates:
         yield str(entry.symbol), "this coordinate", entry.line
         yield str(entry.rate), f"the rate of {entry.symbol}", entry.line

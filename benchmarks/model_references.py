@@ -118,3 +118,63 @@ def two_springs(p: Any) -> list[tuple[Any, Any]]:
                     if L1 > 0 and L2 > 0 and y_ < 0:
                         found.append((x_, y_))
     return sorted(found)
+
+
+#: Parts of the turn from −π to π between which a change of sign is looked for.
+TURN_PARTS = 3000
+
+
+def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
+    """All states of ``tests/soft_brake.py``, an inclined spring with a torsion spring at its anchor, as (x, y), sorted.
+
+    With the angle φ of the torsion spring given, the balance along the spring is a quadratic equation in its length, linear in
+    lift-off, and the balance across it a function of φ on each branch of its roots. Changes of sign on a grid are refined; two roots
+    within one part of the grid are missed, and beside a fold of the branches.
+    """
+    names = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
+    theta0, mu, kappa, alpha, sigma, tau, gamma = (mp.mpf(float(getattr(p, name))) for name in names)
+    X, Y = mp.cos(theta0), mp.sin(theta0)
+
+    def lengths(phi: Any) -> list[Any]:
+        """Of both branches; None where there is none."""
+        c, s = mp.cos(theta0 + phi), mp.sin(theta0 + phi)
+        pull = (mu * c + s) if contact else mp.mpf(0)
+        quadratic = -pull * gamma * s**2
+        linear = -alpha * c**2 - sigma - pull * s * (1 - 2 * gamma * Y)
+        constant = alpha * X * c + s * kappa + sigma - pull * (gamma * Y**2 - Y)
+        root = linear**2 - 4 * quadratic * constant
+        if root < 0:
+            return [None, None]
+        # Without cancellation, and for a quadratic coefficient of 0, too.
+        larger = -(linear + (mp.sqrt(root) if linear >= 0 else -mp.sqrt(root))) / 2
+        return [constant / larger if larger else None, larger / quadratic if quadratic else None]
+
+    def state(phi: Any, l: Any) -> tuple[Any, Any, Any]:
+        """x, y and what the torque lacks to balance."""
+        c, s = mp.cos(theta0 + phi), mp.sin(theta0 + phi)
+        x, y = X - l * c, Y - l * s
+        n = -y + gamma * y**2 if contact else mp.mpf(0)
+        return x, y, l * ((kappa - n) * c - (alpha * x - mu * n) * s) - tau * phi
+
+    def allowed(phi: Any, l: Any) -> bool:
+        return l is not None and l > 0 and (state(phi, l)[1] < 0) == contact
+
+    found = []
+    grid = [mp.pi * (2 * (k + mp.mpf(1) / 3) / TURN_PARTS - 1) for k in range(TURN_PARTS)]
+    known = [lengths(phi) for phi in grid]
+    for branch in (0, 1):
+        for k in range(TURN_PARTS - 1):
+            one, two = known[k][branch], known[k + 1][branch]
+            if one is None or two is None or state(grid[k], one)[2] * state(grid[k + 1], two)[2] >= 0:
+                continue
+            phi = mp.findroot(
+                lambda phi, b=branch: state(phi, lengths(phi)[b])[2],
+                (grid[k], grid[k + 1]),
+                solver="anderson",
+                tol=1e-80,
+                verify=False,
+            )
+            l = lengths(phi)[branch]
+            if allowed(phi, l) and abs(state(phi, l)[2]) < 1e-30:  # a pole of the branch changes sign, too
+                found.append(state(phi, l)[:2])
+    return sorted(found)

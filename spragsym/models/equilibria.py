@@ -15,12 +15,22 @@ from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
+from .anchors import around_anchors, stiff_points, turned_points
 from .balance import Balance, Model
 from .columns import Columns
-from .polar import around_anchors, stiff_points
-from .precise import assembled, at, boxes_of, hull_of_each, of_each, precise_forces, replaced, settled, settled_by_digits, unsettled
+from .precise import (
+    assembled,
+    at,
+    boxes_of,
+    hull_of_each,
+    of_each,
+    precise_forces,
+    replaced,
+    settled,
+    settled_by_digits,
+    unsettled,
+)
 from .regions import region
-from .turning import turned_points
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.

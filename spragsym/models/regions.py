@@ -4,8 +4,9 @@ A spring's force is its stiffness times the vector between its ends, linear in t
 undeformed length along a unit vector, which is bounded. So with unit vectors left free in [−1, 1]² the balance bounds the
 coordinates.
 
-A torsion spring pulls across its line with k_t φ/l, |φ| ≤ π. Either l is less than 1 (:data:`LENGTH`), and the mass is that near to
-the anchor, or the force is at most k_t π, and the coordinates are bounded as without it. The hull of both holds all equilibria.
+A torsion spring pulls across its line with k_t φ/l, |φ| ≤ π. Either l is less than 1 (:data:`LENGTH`), and the mass is that near
+to the anchor, or the force is at most k_t π, and the coordinates are bounded as without it. The hull of both holds all
+equilibria.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ def _any_direction(balance: Balance, count: int) -> list[Intervals]:
 
 
 def _near_anchors(balance: Balance, ends: FloatArray, values: Mapping[str, Any]) -> FloatArray:
-    """Hull of the places where the line of a torsion spring is shorter than :data:`LENGTH`; all there are where that is not known."""
+    """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without bounds where that is not known."""
     hull = np.full(ends.shape, -np.inf)
     for torsion in balance.model.about.get("torsions", ()):
         chart = balance.model.about["springs"][torsion["spring"]]["chart"]
@@ -85,4 +86,5 @@ def _near_anchors(balance: Balance, ends: FloatArray, values: Mapping[str, Any])
         anchor = balance.anchors(q, values, ends.shape[2:])[torsion["spring"]]
         for place, end in zip(places, anchor, strict=True):
             hull[:, place] = np.maximum(hull[:, place], raised(end.ends + LENGTH))
-    return np.minimum(hull, balance.border[:, :, None])
+    out: FloatArray = np.minimum(hull, balance.border[:, :, None])
+    return out

@@ -43,9 +43,8 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
     regions : ndarray
         Shape (2, n, points) or (2, n, 1).
     """
-    torsions = balance.model.about.get("torsions", ())
     done = np.zeros(given.shape[1], dtype=np.bool_)
-    system = _system(balance, given, torsions[0]["spring"], True) if len(torsions) == 1 else None
+    system = _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
     if system is None:
         return certified_roots.concatenated([], balance.n), done
     with np.errstate(all="ignore"):
@@ -98,7 +97,7 @@ def _of_any_spring(
     """Roots of the points of which all is decided around one of the springs, and which these are."""
     done = np.zeros(given.shape[1], dtype=np.bool_)
     parts: list[Roots] = []
-    for spring in range(balance.springs) if not balance.model.about.get("torsions") else ():
+    for spring in range(balance.springs) if not balance.torsions else ():
         points = points[~done[points]]
         system = _system(balance, given, spring, False) if points.size else None
         if system is not None:

@@ -126,7 +126,7 @@ class Polar(boxes.Plain):
 
     def turned(self, directions: Sequence[Any], angle: Any) -> list[Any]:
         """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
-        return [*directions, *(angle if self.turns else 0 for _ in self.balance.model.about.get("torsions", ()))]
+        return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
     def geometry(self, q: Sequence[Any], values: Mapping[str, Any], kind: Kind) -> Any:
         """Vectors and undeformed lengths of all lines."""

@@ -66,24 +66,23 @@ def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
 
 def _any_direction(balance: Balance, count: int) -> list[Intervals]:
     """Cosines, sines and lengths of all lines, and angles by which torsion springs turn, as far as they can be."""
-    torsions = balance.model.about.get("torsions", ())
     directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
     for place in range(balance.springs):
-        shortest = LENGTH if any(torsion["spring"] == place for torsion in torsions) else 0.0
+        shortest = LENGTH if place in balance.torsions else 0.0
         directions[3 * place + 2] = Intervals(np.stack([np.full(count, -shortest), np.full(count, FAR)]))
-    return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in torsions]
+    return directions + [Intervals(np.full((2, count), HALF_TURN)) for _ in balance.torsions]
 
 
 def _near_anchors(balance: Balance, ends: FloatArray, values: Mapping[str, Any]) -> FloatArray:
     """Hull of the places where a torsion spring's line is shorter than :data:`LENGTH`; without bounds where that is not known."""
     hull = np.full(ends.shape, -np.inf)
-    for torsion in balance.model.about.get("torsions", ()):
-        chart = balance.model.about["springs"][torsion["spring"]]["chart"]
+    for spring in balance.torsions:
+        chart = balance.model.about["springs"][spring]["chart"]
         places = [balance.coordinates.index(name) for name in chart or ()]
         if len(places) < balance.n:
             return np.full(ends.shape, np.inf)
         q: list[Any] = [0] * balance.n
-        anchor = balance.anchors(q, values, ends.shape[2:])[torsion["spring"]]
+        anchor = balance.anchors(q, values, ends.shape[2:])[spring]
         for place, end in zip(places, anchor, strict=True):
             hull[:, place] = np.maximum(hull[:, place], raised(end.ends + LENGTH))
     out: FloatArray = np.minimum(hull, balance.border[:, :, None])

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 import sympy as sp
 
 #: Parts of the half circle between which a change of sign is looked for.
@@ -121,7 +122,7 @@ def two_springs(p: Any) -> list[tuple[Any, Any]]:
 
 
 #: Parts of the turn from −π to π between which a change of sign is looked for.
-TURN_PARTS = 3000
+TURN_PARTS = 40_000
 
 
 def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
@@ -133,48 +134,38 @@ def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
     """
     names = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
     theta0, mu, kappa, alpha, sigma, tau, gamma = (mp.mpf(float(getattr(p, name))) for name in names)
-    X, Y = mp.cos(theta0), mp.sin(theta0)
-
-    def lengths(phi: Any) -> list[Any]:
-        """Of both branches; None where there is none."""
-        c, s = mp.cos(theta0 + phi), mp.sin(theta0 + phi)
-        pull = (mu * c + s) if contact else mp.mpf(0)
-        quadratic = -pull * gamma * s**2
-        linear = -alpha * c**2 - sigma - pull * s * (1 - 2 * gamma * Y)
-        constant = alpha * X * c + s * kappa + sigma - pull * (gamma * Y**2 - Y)
-        root = linear**2 - 4 * quadratic * constant
-        if root < 0:
-            return [None, None]
-        # Without cancellation, and for a quadratic coefficient of 0, too.
-        larger = -(linear + (mp.sqrt(root) if linear >= 0 else -mp.sqrt(root))) / 2
-        return [constant / larger if larger else None, larger / quadratic if quadratic else None]
-
-    def state(phi: Any, l: Any) -> tuple[Any, Any, Any]:
-        """x, y and what the torque lacks to balance."""
-        c, s = mp.cos(theta0 + phi), mp.sin(theta0 + phi)
-        x, y = X - l * c, Y - l * s
-        n = -y + gamma * y**2 if contact else mp.mpf(0)
-        return x, y, l * ((kappa - n) * c - (alpha * x - mu * n) * s) - tau * phi
-
-    def allowed(phi: Any, l: Any) -> bool:
-        return l is not None and l > 0 and (state(phi, l)[1] < 0) == contact
-
+    exact = (theta0, mu * contact, kappa, alpha, sigma, tau, gamma)
+    rough = tuple(map(float, exact))
+    grid = np.pi * (2 * (np.arange(TURN_PARTS) + 1 / 3) / TURN_PARTS - 1)
     found = []
-    grid = [mp.pi * (2 * (k + mp.mpf(1) / 3) / TURN_PARTS - 1) for k in range(TURN_PARTS)]
-    known = [lengths(phi) for phi in grid]
     for branch in (0, 1):
-        for k in range(TURN_PARTS - 1):
-            one, two = known[k][branch], known[k + 1][branch]
-            if one is None or two is None or state(grid[k], one)[2] * state(grid[k + 1], two)[2] >= 0:
-                continue
+        with np.errstate(all="ignore"):
+            lacking = _turned(grid, branch, contact, rough, np)[2]
+        for k in np.flatnonzero(lacking[:-1] * lacking[1:] <= 0).tolist():
+            ends = tuple(mp.mpf(float(grid[k + i])) for i in (0, 1))
             phi = mp.findroot(
-                lambda phi, b=branch: state(phi, lengths(phi)[b])[2],
-                (grid[k], grid[k + 1]),
-                solver="anderson",
-                tol=1e-80,
-                verify=False,
+                lambda phi, b=branch: _turned(phi, b, contact, exact, mp)[2], ends, solver="anderson", tol=1e-80, verify=False
             )
-            l = lengths(phi)[branch]
-            if allowed(phi, l) and abs(state(phi, l)[2]) < 1e-30:  # a pole of the branch changes sign, too
-                found.append(state(phi, l)[:2])
+            x, y, lacks, length = _turned(phi, branch, contact, exact, mp)
+            if length > 0 and (y < 0) == contact and abs(lacks) < 1e-30 * (1 + tau):  # a pole of the branch changes sign, too
+                found.append((x, y))
     return sorted(found)
+
+
+def _turned(phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: Any) -> tuple[Any, Any, Any, Any]:
+    """x, y, what the torque lacks to balance, and the length that balances the forces along the spring on a branch."""
+    theta0, mu, kappa, alpha, sigma, tau, gamma = numbers
+    X, Y = xp.cos(theta0), xp.sin(theta0)
+    c, s = xp.cos(theta0 + phi), xp.sin(theta0 + phi)
+    pull = (mu * c + s) * contact
+    quadratic = -pull * gamma * s**2
+    linear = -alpha * c**2 - sigma - pull * s * (1 - 2 * gamma * Y)
+    constant = alpha * X * c + s * kappa + sigma - pull * (gamma * Y**2 - Y)
+    root = xp.sqrt(linear**2 - 4 * quadratic * constant)
+    root = root if xp is np else mp.re(root)
+    # Without cancellation; the first branch is that of a linear law.
+    larger = -(linear + xp.sign(linear) * root) / 2
+    length = constant / larger if branch == 0 else larger / (quadratic + (0 if xp is np else mp.mpf("1e-400")))
+    x, y = X - length * c, Y - length * s
+    n = (gamma * y**2 - y) * contact
+    return x, y, length * ((kappa - n) * c - (alpha * x - mu * n) * s) - tau * phi, length

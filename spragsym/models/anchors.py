@@ -47,9 +47,7 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
     system = _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
     if system is None:
         return certified_roots.concatenated([], balance.n), done
-    with np.errstate(all="ignore"):
-        values = balance.arguments(balance.prepared(Intervals.point(given)))
-        done = stacked([system.stiffness_of_turning(values, over_boxes(done.shape))], done.shape)[0].low > 0
+    done = _torsion(balance, given).low[0] > 0
     return _of_points(system, given, of_each(regions, given), np.flatnonzero(done)), done
 
 
@@ -91,13 +89,23 @@ def _stiffnesses(balance: Balance, given: FloatArray) -> Intervals:
     return stacked(system.stiffnesses(values, over_boxes(given.shape[1:])), given.shape[1:])
 
 
+def _torsion(balance: Balance, given: FloatArray) -> Intervals:
+    """Stiffnesses of all torsion springs, shape (torsion springs, points)."""
+    shape = given.shape[1:]
+    with np.errstate(all="ignore"):
+        values = balance.arguments(balance.prepared(Intervals.point(given)))
+        return stacked(Polar(balance, 0, (0, 0), False, False).stiffnesses_of_turning(values, over_boxes(shape)), shape)
+
+
 def _of_any_spring(
     balance: Balance, given: FloatArray, around: FloatArray, points: NDArray[np.int64]
 ) -> tuple[Roots, NDArray[np.bool_]]:
     """Roots of the points of which all is decided around one of the springs, and which these are."""
     done = np.zeros(given.shape[1], dtype=np.bool_)
     parts: list[Roots] = []
-    for spring in range(balance.springs) if not balance.torsions else ():
+    if balance.torsions:
+        points = points[_torsion(balance, given[:, points]).high.max(axis=0) <= 0]
+    for spring in range(balance.springs):
         points = points[~done[points]]
         system = _system(balance, given, spring, False) if points.size else None
         if system is not None:
@@ -185,7 +193,9 @@ def _searched(system: Polar, given: FloatArray, sides: FloatArray, around: Float
         left_point = np.concatenate([left_point, point[~sure]])
         balance, point = system.balance, point[sure]
         roots = system.cartesian(ends[:, :, sure], prepared[:, point])
-        roots = refined(balance, given[:-1], roots, point, precise_forces(balance))
+        # On which side of the border a root lies that floats can't tell from it, digits do.
+        on_border = ~contractors.within(roots, around[:, :, point])
+        roots = refined(balance, given[:-1], roots, point, precise_forces(balance), on_border)
         left = system.cartesian(left, prepared[:, left_point])
     return _apart(roots, point, left, left_point, around)
 

@@ -31,10 +31,11 @@ from .precise import (
     unsettled,
 )
 from .regions import region
+from .remarks import remarks
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
-STAGES = ((2.0**-9, 4), (2.0**-14, 6), (2.0**-19, 6))
+STAGES = ((2.0**-9, 4), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
 
 
 @dataclass(frozen=True)
@@ -73,6 +74,8 @@ class ModelEquilibria(Columns, held_in="coordinates"):
         Points of which every box is decided.
     undecided : tuple of Undecided
         The other points' boxes.
+    remarks : tuple of str
+        What is known of these boxes.
     """
 
     parameters: Any
@@ -87,6 +90,7 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     decided: NDArray[np.bool_]
     undecided: tuple[Undecided, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
+    remarks: tuple[str, ...] = ()
 
     @property
     def complete(self) -> bool:
@@ -226,4 +230,5 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
         p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(types.eigenvalues, np.nan),
         placed(types.growth, np.nan), placed(errors, np.nan), searched, whole, decided.reshape(shape), undecided,
         {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
+        remarks(balance, columns(p, balance.parameters), found.left, found.left_point),
     )  # fmt: skip

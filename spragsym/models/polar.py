@@ -149,10 +149,10 @@ class Polar(boxes.Plain):
         found: Sequence[Any] = self._of_no_place("stiffnesses", values, kind)
         return found
 
-    def stiffness_of_turning(self, values: Mapping[str, Any], kind: Kind) -> Any:
-        """Of the torsion spring."""
-        (stiffness,) = self._of_no_place("torsions", values, kind)
-        return stiffness
+    def stiffnesses_of_turning(self, values: Mapping[str, Any], kind: Kind) -> Sequence[Any]:
+        """Of all torsion springs."""
+        found: Sequence[Any] = self._of_no_place("torsions", values, kind)
+        return found
 
     def _of_no_place(self, name: str, values: Mapping[str, Any], kind: Kind) -> Any:
         none = [0] * self.balance.n
@@ -173,7 +173,10 @@ class Polar(boxes.Plain):
         tension, across = elongation * stiffnesses[self.spring], forces[y] * c - forces[x] * s
         out = list(forces)
         out[x] = forces[x] * c + forces[y] * s - tension
-        out[y] = length * across - directions[-1] * self.stiffness_of_turning(values, kind) if self.turns else across
+        out[y] = across
+        if self.turns:
+            (torsion,) = self.stiffnesses_of_turning(values, kind)
+            out[y] = length * across - directions[-1] * torsion
         if self.balance.n > 2:
             a, b = end_slopes(self.balance, self._given(values))[self.spring]
             for row in set(range(self.balance.n)) - set(self.chart):

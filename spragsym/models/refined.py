@@ -19,7 +19,14 @@ from .precise import BITS, TOLERANCE, Precise, ball
 STEPS = 8
 
 
-def refined(system: System, given: FloatArray, ends: FloatArray, point: NDArray[np.int64], precise: Precise) -> FloatArray:
+def refined(
+    system: System,
+    given: FloatArray,
+    ends: FloatArray,
+    point: NDArray[np.int64],
+    precise: Precise,
+    among: NDArray[np.bool_] | None = None,
+) -> FloatArray:
     """Boxes that hold the same roots, narrower where the error is beyond :data:`~spragsym.models.precise.TOLERANCE`.
 
     Only the forces at the middle of a box need digits: floats enclose the slopes well, and their errors shrink with the box.
@@ -34,10 +41,14 @@ def refined(system: System, given: FloatArray, ends: FloatArray, point: NDArray[
         The point of each.
     precise : callable
         The system at one point with a number of bits.
+    among : ndarray of bool, optional
+        Others that are narrowed, too.
     """
     ends = ends.copy()
+    chosen = ~(relative_error(ends, Intervals(ends).middle) <= TOLERANCE)
+    chosen = chosen if among is None else chosen | among
     with np.errstate(all="ignore"):
-        for root in np.flatnonzero(~(relative_error(ends, Intervals(ends).middle) <= TOLERANCE)):
+        for root in np.flatnonzero(chosen):
             here = slice(root, root + 1)
             column = given[:, point[root]]
             ends[:, :, here] = _narrowed(system, column, ends[:, :, here], precise)

@@ -213,10 +213,14 @@ class _Search:
         proved = contractors.inside(step.ends, wide)
         self.unique.append(Pairs(wide, pairs.nodes)[proved])
         self.where.append(Pairs(step.ends, pairs.nodes)[proved])
-        rest = np.flatnonzero(~proved & ~contractors.apart(step.ends, pairs.ends))
-        narrower = Pairs(_with_room(step.ends, pairs.ends, step.noise), pairs.nodes)
-        closed = np.logical_and.reduce(step.ends < wide)
-        return self._divided(given[rest], narrower[rest], step.noise[:, rest], slopes[:, :, rest], closed[:, rest])
+        rest = np.flatnonzero(~proved & ~step.none & ~contractors.apart(step.ends, pairs.ends))
+        closed = np.logical_and.reduce(step.ends < wide)[:, rest]
+        given, pairs, noise, slopes = given[rest], pairs[rest], step.noise[:, rest], slopes[:, :, rest]
+        reach = _reach(pairs.ends, middle[:, rest])
+        ends = np.fmin(step.ends[:, :, rest], contractors.by_each_row(at_middle[:, rest], slopes, middle[:, rest], reach))
+        now = Pairs(_with_room(ends, pairs.ends, noise), pairs.nodes)
+        rest = np.flatnonzero(np.logical_and.reduce(ends[0] + ends[1] >= 0) & ~contractors.apart(ends, pairs.ends))
+        return self._divided(given[rest], now[rest], noise[:, rest], slopes[:, :, rest], closed[:, rest])
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
         """Pairs whose boxes may hold a root; what is left of the boxes by the system's own contraction; parameters."""

@@ -36,7 +36,7 @@ class Newton:
 
     ends: FloatArray
     noise: FloatArray
-    dominant: NDArray[np.bool_]
+    none: NDArray[np.bool_]
 
 
 def excluded(values: Intervals, slopes: Intervals, reach: FloatArray) -> NDArray[np.bool_]:
@@ -57,6 +57,23 @@ def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: Flo
     return _solved(slopes.ends, values.ends, middle, reach).ends
 
 
+def by_each_row(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> FloatArray:
+    """What each row leaves of each unknown: ends of all x with F_i(m) + J_i (x − m) = 0, as narrow as the best row makes them.
+
+    Where matrices in J are singular, no row is left to the unknown along which they are, but the others are known well.
+    """
+    n = middle.shape[0]
+    every = np.arange(n)
+    out = np.full((2, *middle.shape), np.inf)
+    for shift in range(n):
+        rows = (every + shift) % n
+        A, b = slopes.ends[:, rows], values.ends[:, rows]
+        turned = A[1, every, every] < 0
+        A, b = np.where(turned[:, None], A[::-1], A), np.where(turned, b[::-1], b)
+        out = np.fmin(out, _solved(A, b, middle, reach).ends)
+    return out
+
+
 def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray) -> Newton:
     n = middle.shape[0]
     magnitude = np.maximum(A[0], A[1])
@@ -69,7 +86,11 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     ends = raised(np.where(ends >= 0, ends / least, ends / most))
     ends = raised(ends + np.stack([-middle, middle]))
     noise = 0.5 * (b[0] + b[1])
-    return Newton(np.where(dominant, ends, np.inf), noise, dominant)
+    # Where A_ii may be 0 the row may still have no root.
+    least_value = np.maximum(-np.minimum(b[0], b[1]), 0.0)
+    magnitude[diagonal, diagonal] = np.maximum(A[0], A[1])[diagonal, diagonal]
+    none = np.logical_or.reduce(least_value > _reached(magnitude, reach))
+    return Newton(np.where(dominant, ends, np.inf), noise, none)
 
 
 def _reached(magnitude: FloatArray, reach: FloatArray) -> FloatArray:

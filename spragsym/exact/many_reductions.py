@@ -149,7 +149,7 @@ class _Reduction:
     equations: NDArray[np.int64]
 
     def roots(self, boxes: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_], FloatArray]:
-        """Boxes around roots and those they are alone in, the box of each; boxes that stay open, and where to cut them, if it helps."""
+        """Boxes around roots and what they are alone in, the box of each; boxes that stay open, and where to cut them, or NaN."""
         every = np.arange(self.rows.size)
         side, *given = Intervals(boxes[:, self.unknowns, every])
         u = Intervals(side.ends + ROOM * side.width)

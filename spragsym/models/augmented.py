@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact.boxes import POLE
+from ..exact.boxes import POLE, Plain
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import constant, gradient, variables
 from .balance import Balance, matrix
@@ -88,7 +88,7 @@ class State:
         return self.balance.slope(self.values, self.xp)
 
 
-class Augmented:
+class Augmented(Plain):
     """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""
 
     def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:

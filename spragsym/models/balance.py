@@ -18,6 +18,8 @@ from .laws import XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
+#: Sizes of a box from all anchors beyond which it counts as small.
+FAR = 2.0
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
@@ -299,6 +301,13 @@ class Balance:
         return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in rows]
 
     # -------------------------------------------------------------------------------------------- contraction
+
+    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes far from the anchors of all springs, for their size: directions hardly change over them."""
+        far = np.full(unknowns.shape[1:], bool(self.springs))
+        for dx, dy in self.anchors(*self._taken(unknowns, parameters)):
+            far &= np.hypot(dx.mignitude, dy.mignitude) > FAR * (dx.width + dy.width)
+        return far
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""

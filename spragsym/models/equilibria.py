@@ -23,7 +23,7 @@ from .regions import region
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
-STAGES = ((2.0**-9, 4), (2.0**-14, 6), (2.0**-19, 6))
+STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6))
 
 
 @dataclass(frozen=True)

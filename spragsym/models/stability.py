@@ -78,7 +78,7 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
     return (
         _filled(mass, shape),
         _filled(damping, shape),
-        _filled(balance.call("forces_jacobian", q, directions, values, np), shape),
+        _filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
     )
 
 

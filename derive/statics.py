@@ -56,10 +56,10 @@ def module(model: Mechanics) -> Module:
     T = rows.sums(model)
     apart = () if T.is_Identity else (
         function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,
-                 tuple(map(sp.expand, T * sp.Matrix(model.residuals))), "(Σ F_j, …)"),
+                 tuple(map(sp.expand, T * sp.Matrix(model.residuals))), "(F_1, …)"),
         function("balance_jacobian", "Their derivatives by the coordinates: the same sums of the rows of K.", state,
                  tuple(tuple(map(model.tidy, row)) for row in (T * sp.Matrix(jacobian(model))).tolist()),
-                 "((∂Σ F_j/∂q_1, …), …)"),
+                 "((∂F_1/∂q_1, …), …)"),
     )  # fmt: skip
     return Module(
         "statics",

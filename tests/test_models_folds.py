@@ -12,8 +12,8 @@ from spragsym.derive import folder, pages
 @pytest.mark.parametrize("vary", ["sigma", "alpha_a"])
 @pytest.mark.parametrize("theta0", [0.7, 1.0, np.pi / 2])
 def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stiffnesses(vary, theta0):
-    # Without friction and α the forces along the belt add up to α_a x_a = 0. What is left is σ (L − 1) cos θ = 0: an unstressed
-    # spring, whatever its stiffness, or an upright one with L − 1 = (sin θ₀ − 1 + κ)/(1 + σ), which changes its sign with κ alone.
+    # Without friction and α the forces along the belt add up to α_a x_a = 0, and σ (L − 1) cos θ = 0 is left: an unstressed
+    # spring, whatever its stiffness, or an upright one with L − 1 = (sin θ₀ − 1 + κ)/(1 + σ): κ alone changes its sign.
     model = ss.load("trolley")
     p = model.Parameters(mu0=0.0, alpha=0.0, theta0=theta0)
     for found in (model.folds(p, vary), model.flutter_onsets(p, vary)):

@@ -14,7 +14,7 @@ from .model import Contact, Damper, Friction, Page, PageError, Spring, Torsion, 
 
 #: Names that generated functions and results of models have for other things.
 RESERVED = frozenset((
-    "mu", "pushing", "side", "xp", "parameters", "count", "stability", "eigenvalues", "growth", "error", "region", "whole", "complete", "decided",
+    "mu", "pushing", "side", "xp", "parameters", "count", "stability", "marginal", "eigenvalues", "growth", "error", "region", "whole", "complete", "decided",
     "undecided", "coordinates", "vary", "kind", "values", "remarks", "omega",
 ))  # fmt: skip
 

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
+import sympy as sp
 
 import spragsym as ss
 from spragsym.derive import folder, pages
@@ -50,3 +53,67 @@ def test_a_force_without_a_potential_can_bring_flutter_without_friction(tmp_path
     assert found.kind.tolist() == ["hopf"]
     assert abs(found.P[0] - 0.25) < 1e-12
     assert abs(found.omega[0] - np.sqrt(1.25)) < 1e-12
+
+
+def test_flutter_begins_where_exact_arithmetic_says_so():
+    # Of the linear model K is rational in its parameters: so is the discriminant whose sign tells flutter from rest.
+    rng = np.random.default_rng(3)
+    alpha, sigma = rng.integers(8, 64, 40) / 32, rng.integers(1, 64, 40) / 32
+    threshold = ((1 - alpha) ** 2 + sigma**2) / (2 * sigma)
+    mu0 = threshold + np.arange(-4, 5)[:, None] * np.spacing(threshold)
+    model = ss.load("mode_coupling")
+    eq = model.equilibria(model.Parameters(mu0=mu0, alpha=alpha, sigma=sigma))
+    assert eq.complete
+    assert (eq.count == 1).all()
+    for place in np.ndindex(mu0.shape):
+        a, s, mu = (Fraction(float(value)) for value in (alpha[place[1]], sigma[place[1]], mu0[place]))
+        exact = (a - 1) ** 2 - 4 * (mu - s / 2) * s / 2
+        assert (eq.stability[place][0] == ss.Stability.FLUTTER) == (exact < 0)
+        assert eq.marginal[place][0] == (exact == 0)
+
+
+def test_two_states_beside_a_fold_differ_by_the_proved_sign_of_their_stiffness():
+    model = ss.load("kang_nam")
+    fold = model.folds(model.Parameters(theta0=1.0), "mu0", between={"mu0": (0.0, 2.0)})
+    for at in fold.mu0:
+        values = at + np.array([-8, -4, -2, 2, 4, 8]) * np.spacing(at) * 2.0**8
+        eq = model.equilibria(model.Parameters(theta0=1.0, mu0=values))
+        assert eq.complete
+        assert sorted(set(eq.count.tolist())) == [int(eq.count.min()), int(eq.count.min()) + 2]
+        assert not eq.marginal.any()
+        more = eq.count == eq.count.max()
+        signs = np.where(eq.stability == ss.Stability.DIVERGENT, -1, 1) * (eq.stability > 0)
+        assert (signs[more].sum(axis=-1) == signs[~more].sum(axis=-1).max()).all()
+
+
+def test_three_coordinates_flutter_where_sturm_counts_too_few_real_roots():
+    rng = np.random.default_rng(4)
+    model = ss.load("trolley")
+    changes = {"theta0": rng.uniform(0.2, 2.9, 60), "mu0": rng.uniform(0.0, 3.0, 60), "nu_a": rng.uniform(0.05, 2.0, 60)}
+    eq = model.equilibria(model.Parameters(**changes))
+    seen = set()
+    for place, slot in np.argwhere(eq.stability > 0):
+        q = [sp.Rational(float(getattr(eq, name)[place, slot])) for name in model.coordinates]
+        at = {name: sp.Rational(float(np.broadcast_to(getattr(eq.parameters, name), (60,))[place])) for name in model.parameters}
+        K = _stiffness_of_trolley(q, at)
+        kappa = sp.Symbol("kappa")
+        polynomial = sp.Poly((K - kappa * sp.diag(1, 1, at["nu_a"])).det(), kappa)
+        real, negative = polynomial.count_roots(), polynomial.count_roots(None, 0)
+        code = ss.Stability.FLUTTER if real < 3 else ss.Stability.DIVERGENT if negative else ss.Stability.STABLE
+        assert eq.stability[place, slot] == code
+        assert not eq.marginal[place, slot]
+        seen.add(code)
+    assert len(seen) == 3
+
+
+def _stiffness_of_trolley(q, at):
+    """K by hand in rational numbers, from directions to 40 digits."""
+    cosine, sine = (sp.Rational(str(function(at["theta0"]).evalf(40))) for function in (sp.cos, sp.sin))
+    dx, dy = cosine - q[0] + q[2], sine - q[1]
+    length = sp.Rational(str(sp.sqrt(dx**2 + dy**2).evalf(40)))
+    c, s, k = dx / length, dy / length, at["sigma"]
+    along, across = sp.Matrix([-c, -s, c]), sp.Matrix([s, -c, -s])
+    K = k * along * along.T + k * (1 - 1 / length) * across * across.T
+    K += sp.diag(at["alpha"], 1 + at["beta"], at["alpha_a"])
+    K[0, 1] += at["mu0"]
+    return K

@@ -127,15 +127,6 @@ def inverse(matrices: FloatArray) -> FloatArray:
     return out if good.all() else np.where(good, out, np.eye(n)[:, :, None])
 
 
-def distance_from_unit(Y: FloatArray, matrices: Intervals) -> FloatArray:
-    """Bound on the norm |1 − Y J| by rows, for Y of shape (n, n, N) and all J of enclosures of that shape."""
-    off = _product(Y, matrices.ends)
-    diagonal = np.arange(len(Y))
-    off[:, diagonal, diagonal] = raised(off[:, diagonal, diagonal] + np.array([1.0, -1.0])[:, None, None])
-    bound: FloatArray = np.maximum(off[0], off[1]).sum(axis=1).max(axis=0) * (1 + 4 * len(Y) * EPS)
-    return bound
-
-
 def _inverse_by_elimination(matrices: FloatArray) -> FloatArray:
     stacked = np.moveaxis(matrices, -1, 0)
     scale = np.abs(stacked).max(axis=(1, 2))

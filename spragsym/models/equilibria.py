@@ -193,7 +193,8 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
     slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
-    types = _stability.classified(balance, states, columns(p, balance.parameters)[:, point], found.ends[:, :, order])
+    boxes_around = (ends[:, :, order] for ends in (found.ends, found.alone))
+    types = _stability.classified(balance, states, columns(p, balance.parameters)[:, point], *boxes_around)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
         out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)

@@ -24,13 +24,15 @@ from .balance import NOTHING, Balance, matrix
 from .conditions import Polynomial, determinant
 from .precise import PreciseBalance, ball
 
-#: Bits of the numbers where intervals of floats do not tell a sign, and steps of the simplified Newton's method.
+#: Bits of the numbers where intervals of floats do not tell a sign, and steps of Newton's method.
 BITS, STEPS = 256, 40
-#: How far a step may leave the box of floats, over the size of the state.
-ROOM = 1e-14
+#: Step of Newton's method after which there is no further one.
+ENOUGH = Fraction(1, 2**160)
 
 
-def classified(balance: Balance, given: FloatArray, ends: FloatArray) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
+def classified(
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray
+) -> tuple[NDArray[np.int8], NDArray[np.bool_]]:
     """Codes of :class:`spragsym.Stability`, and whether each is proved; a sign that is not known counts as that of 0.
 
     Parameters
@@ -39,6 +41,8 @@ def classified(balance: Balance, given: FloatArray, ends: FloatArray) -> tuple[N
         Parameters, shape (P, N).
     ends : ndarray
         Boxes with one equilibrium each, shape (2, n, N).
+    alone : ndarray
+        Larger boxes in which that is the only one.
     """
     shape = ends.shape[2:]
     with np.errstate(all="ignore"):
@@ -53,7 +57,7 @@ def classified(balance: Balance, given: FloatArray, ends: FloatArray) -> tuple[N
     conservative = symmetric & ((friction <= NOTHING) | (balance.opens and not balance.contact))
     codes, proved = _told(elementary, minors, conservative)
     for row in np.flatnonzero(~proved).tolist():
-        again = _with_digits(balance, given[:, row], ends[:, :, row])
+        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row])
         if again is not None:
             codes[row : row + 1], proved[row : row + 1] = _told(*again, conservative[row : row + 1])
     return codes, proved
@@ -94,11 +98,13 @@ def _told(
     return code, flutter | (real & (divergent | (elementary > 0).all(axis=0)))
 
 
-def _with_digits(balance: Balance, given: FloatArray, box: FloatArray) -> tuple[NDArray[np.int8], NDArray[np.int8]] | None:
+def _with_digits(
+    balance: Balance, given: FloatArray, box: FloatArray, alone: FloatArray
+) -> tuple[NDArray[np.int8], NDArray[np.int8]] | None:
     """The signs at one state with many digits; None where the box around it can't be made smaller."""
     precise = PreciseBalance(balance, given, BITS)
     try:
-        q = _narrowed(precise, given, box)
+        q = _narrowed(precise, box, alone)
         if q is None:
             return None
         directions = balance.plain_directions(q, precise.values, BALLS)
@@ -110,43 +116,60 @@ def _with_digits(balance: Balance, given: FloatArray, box: FloatArray) -> tuple[
     return elementary, minors
 
 
-def _narrowed(precise: PreciseBalance, given: FloatArray, box: FloatArray) -> list[Ball] | None:
-    """A box of balls around the only root in a box of floats, shape (2, n).
+def _narrowed(precise: PreciseBalance, box: FloatArray, alone: FloatArray) -> list[Ball] | None:
+    """A box of balls around the root in a box of floats; both of shape (2, n).
 
-    With F(x) = 0 and the mean value theorem x − z = −J⁻¹ F(z) for a J of a box with x and z, so that |x − z| is at most
-    |Y F(z)| / (1 − |1 − Y J|) for any Y. The same Y serves all steps from z to z − Y F(z).
+    Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r around z, and r not less than
+    2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so it holds a root, the only one of ``alone``.
     """
-    balance = precise.balance
-    wide = box + 0.5 * (box[0] + box[1]) + ROOM * np.maximum(1.0, np.abs(box).max(axis=0))
-    wide = np.minimum(wide, balance.limits)
-    with np.errstate(all="ignore"):
-        slopes = balance.jacobian(Intervals(wide[:, :, None]), balance.prepared(Intervals.point(given[:, None])))
-        Y = contractors.inverse(slopes.middle)
-        if not contractors.distance_from_unit(Y, slopes)[0] < 0.5:
-            return None
-    rows = [[ball(float(entry), BITS) for entry in row] for row in Y[:, :, 0]]
     z = [ball(float(value), BITS) for value in Intervals(box).middle]
-    best = None
     for _ in range(STEPS):
-        F = precise.forces(z)
-        step = [sum((entry * value for entry, value in zip(row, F, strict=True)), Ball(0, 0, 0, BITS)) for row in rows]
-        away = 2 * sum((Ball(0, abs(part.mid) + part.rad, part.exp, BITS) for part in step), Ball(0, 0, 0, BITS))
-        if not _inside(z, wide) or (best is not None and _power(away) >= best[0]):
-            break
-        best = _power(away), [part + away for part in z]
+        Y = _inverse(_slopes(precise, z))
+        step = [_dot(row, precise.forces(z)) for row in Y]
+        size = _norm(step)
+        if size <= ENOUGH:
+            return _proved(precise, z, 2 * size, Y, alone)
         z = [Balls().middle(part - change) for part, change in zip(z, step, strict=True)]
-    return None if best is None else best[1]
+    return None
 
 
-def _inside(z: Sequence[Ball], wide: FloatArray) -> bool:
-    """Whether a point lies in a box of floats."""
-    places = [Balls().ends(part)[0] for part in z]
-    return all(Fraction(-float(low)) <= value <= Fraction(float(high)) for value, (low, high) in zip(places, wide.T, strict=True))
+def _proved(
+    precise: PreciseBalance, z: Sequence[Ball], r: Fraction, Y: Sequence[Sequence[Ball]], alone: FloatArray
+) -> list[Ball] | None:
+    """The box of half-width r around z if it is shown to hold the root."""
+    with Balls().precision(BITS):
+        around = [part + Balls().between(-r, r) for part in z]
+    columns = list(zip(*_slopes(precise, around), strict=True))
+    off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
+    within = all(
+        Fraction(-float(low)) <= Balls().ends(part)[0] and Balls().ends(part)[1] <= Fraction(float(high))
+        for part, (low, high) in zip(around, alone.T, strict=True)
+    )
+    return around if within and max(map(_norm, off)) <= Fraction(1, 2) else None
 
 
-def _power(value: Ball) -> int:
-    """n with |x| < 2ⁿ all over a ball around 0."""
-    return value.rad.bit_length() + value.exp
+def _slopes(precise: PreciseBalance, q: Sequence[Ball]) -> list[list[Ball]]:
+    """Slopes of the forces in a box."""
+    balance = precise.balance
+    return _as_balls(
+        balance.call("forces_jacobian", q, balance.plain_directions(q, precise.values, BALLS), precise.values, BALLS)
+    )
+
+
+def _inverse(rows: Sequence[Sequence[Ball]]) -> list[list[Ball]]:
+    """The inverse of the matrix of middles, roughly, of balls without width."""
+    middles = np.array([[float(sum(Balls().ends(entry)) / 2) for entry in row] for row in rows])
+    with np.errstate(all="ignore"):
+        return [[ball(float(entry), BITS) for entry in row] for row in contractors.inverse(middles[:, :, None])[:, :, 0]]
+
+
+def _dot(row: Sequence[Ball], column: Sequence[Ball]) -> Ball:
+    return sum((a * b for a, b in zip(row, column, strict=True)), Ball(0, 0, 0, BITS))
+
+
+def _norm(values: Sequence[Ball]) -> Fraction:
+    """Bound on the sum of |x|."""
+    return sum((max(map(abs, Balls().ends(value))) for value in values), Fraction(0))
 
 
 def _as_balls(rows: Sequence[Sequence[Any]]) -> list[list[Ball]]:

@@ -24,8 +24,8 @@ class Types:
     growth: FloatArray
 
 
-def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray) -> Types:
-    """States of shape (n, N), parameters of shape (P, N), and boxes around the states, shape (2, n, N).
+def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:
+    """States of shape (n, N), parameters of shape (P, N), and boxes of shape (2, n, N): around the states, and around each alone.
 
     Codes are by signs that are proved, see :mod:`spragsym.models.spectrum`; roots and growth are floats.
     """
@@ -36,7 +36,7 @@ def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: Fl
     squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
     roots = np.sqrt(squares)
-    code, proved = spectrum.classified(balance, given, ends)
+    code, proved = spectrum.classified(balance, given, ends, alone)
     return Types(code, proved, np.concatenate([roots, -roots], axis=1), growth(M, C, K))
 
 

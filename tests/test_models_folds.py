@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
 
 import numpy as np
 import pytest
 import sympy as sp
+from click.testing import CliRunner
 
 import spragsym as ss
+from spragsym.cli import cli
 from spragsym.derive import folder, pages
 
 
@@ -117,3 +120,12 @@ def _stiffness_of_trolley(q, at):
     K += sp.diag(at["alpha"], 1 + at["beta"], at["alpha_a"])
     K[0, 1] += at["mu0"]
     return K
+
+
+def test_a_fold_next_to_the_end_of_an_angle_is_not_stepped_over():
+    told = ["--mu0", "500", "--kappa", "1e-4", "--sigma", "0.1"]
+    result = CliRunner().invoke(cli, ["critical", "--model", "kang_nam", *told, "--vary", "theta0", "--json"])
+    found = json.loads(result.output)
+    known = ss.folds(ss.Parameters.article(mu0=500.0, kappa=1e-4, sigma=0.1)).theta0
+    assert known.min() < np.radians(0.01)
+    assert abs(found["jump"]["theta0_deg"] - np.degrees(known.min())) < 1e-12

@@ -129,3 +129,26 @@ def test_a_fold_next_to_the_end_of_an_angle_is_not_stepped_over():
     known = ss.folds(ss.Parameters.article(mu0=500.0, kappa=1e-4, sigma=0.1)).theta0
     assert known.min() < np.radians(0.01)
     assert abs(found["jump"]["theta0_deg"] - np.degrees(known.min())) < 1e-12
+
+
+def test_curves_of_folds_are_smooth_to_their_cusps_and_the_ends_of_the_ranges():
+    # The closed forms of the article's model give folds as near to its cusp as we like: none is farther from the drawn line than
+    # a printed line is wide.
+    model, p = ss.load("kang_nam"), ss.Parameters.article()
+    found = model.bifurcation_set(model.Parameters(theta0=1.0), ("theta0", "mu0"), 12, between={"mu0": (0.0, 2.0)})
+    assert found.complete
+    lines = [np.array([curve.theta0 / np.pi, curve.mu0 / 2]) for curve in found.curves]
+    assert sorted(float(line[1, end]) for line in lines for end in (0, -1)) == [0.0, 0.0, 1.0, 1.0]
+    cusp = found.cusps.mu0[0]
+    assert any(((curve.mu0 == cusp) & (curve.theta0 == found.cusps.theta0[0])).any() for curve in found.curves)
+    steps = np.geomspace(1e-6, 0.3, 25)
+    for mu0 in np.concatenate([cusp * (1 + steps), cusp * (1 - steps[steps < 0.9])]):
+        for theta0 in ss.folds(p.replace(mu0=float(mu0))).theta0:
+            assert min(_distance(np.array([theta0 / np.pi, mu0 / 2]), line) for line in lines) < 3e-4
+
+
+def _distance(point, line):
+    """Of a point from a line through points, shape (2, number)."""
+    begin, step = line[:, :-1], np.diff(line, axis=1)
+    part = np.clip(((point[:, None] - begin) * step).sum(axis=0) / np.maximum((step**2).sum(axis=0), 1e-300), 0.0, 1.0)
+    return np.linalg.norm(begin + part * step - point[:, None], axis=0).min()

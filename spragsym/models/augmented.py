@@ -51,7 +51,7 @@ class State:
     ) -> None:
         self.balance, self.q, self.values, self.shape, self.xp = balance, q, values, shape, xp
         self._upright, self._sides = upright, sides
-        self._stiffness: Any = None
+        self._slopes: Any = None
 
     @cached_property
     def directions(self) -> list[Any]:
@@ -65,11 +65,17 @@ class State:
         rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values, self.xp)
         return rows
 
+    def slopes(self) -> list[list[Any]]:
+        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
+        if self._slopes is None:
+            self._slopes = self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
+        return [list(row) for row in self._slopes]
+
     def stiffness(self) -> list[list[Any]]:
         """K."""
-        if self._stiffness is None:
-            self._stiffness = self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
-        return [list(row) for row in self._stiffness]
+        if not self.balance.sums:
+            return self.slopes()
+        return [list(row) for row in self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)]
 
     def gap(self) -> Any:
         """The gap of the contact."""
@@ -134,7 +140,7 @@ class Augmented(Plain):
         n = self.balance.n
         rows = [
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
-            for row, force in zip(at.stiffness(), at.forces(), strict=True)
+            for row, force in zip(at.slopes(), at.forces(), strict=True)
         ]
         return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], shape)
 

@@ -152,9 +152,9 @@ def _layer(model: Model, number: int, reach: float) -> Border:
 
 
 def _way(model: Model, number: int, torsions: int) -> Border:
-    """Where the turning of a torsion spring has come to π times its way, or to −0.93 times it: from there the other way counts it.
+    """Where the turning of a torsion spring has come to π times its way, or to −0.93 times it: then the other way counts it.
 
-    Each way is smooth beyond its ends. At ±π the least turning jumps, and with it the torque; a motion goes on with the other way.
+    Each way is smooth beyond its ends. At ±π the least turning jumps, and with it the torque; motions go on with the other way.
     """
     level, rate = (inspect.unwrap(getattr(model.motion, name)) for name in ("turning_borders", "turning_rates"))
     first = 2 + model.about["layers"]

@@ -150,7 +150,8 @@ def _chains(
     scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
     place = states / scale[:, None]
     tangent = _tangents(balance, vary, given, states) / scale[:, None]
-    tangent /= np.linalg.norm(tangent, axis=0)
+    with np.errstate(invalid="ignore", divide="ignore"):  # a fold that no parameter moves has no tangent, and is joined to none
+        tangent /= np.linalg.norm(tangent, axis=0)
     gap = place[:, None, :] - place[:, :, None]
     distance = np.linalg.norm(gap, axis=0)
     ahead = (gap * tangent[:, :, None]).sum(axis=0)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..errors import ParameterError
+from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
@@ -106,7 +106,9 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     looked at in its angle and tension, see :mod:`spragsym.models.polar`. What float64 does not decide is reduced to one unknown
     and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
-    balance = Balance(model, contact)
+    if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
+        raise ParameterTypeError(f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off")
+    balance = Balance(model, bool(contact))
     if not contact and not balance.opens:
         raise ParameterError("contact = False: the contact of this model never opens, so it has no lift-off; use contact=True")
     given = columns(p, balance.parameters)

@@ -63,6 +63,9 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
             yield f"{part}{count}", f"the direction or length of spring {count}", 0
     for symbol in near(NEAR):
         yield str(symbol), "a switch of the friction law", 0
+    for count in range(1, len(page.torsions) + 1):
+        for part in ("phi", "way"):
+            yield f"{part}{count}", f"the turning of torsion spring {count}", 0
     for entry in page.coordinates:
         yield str(entry.symbol), COORDINATE, entry.line
     for entry in page.coordinates:

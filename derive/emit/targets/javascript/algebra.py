@@ -18,12 +18,8 @@ class JavaScriptPrinter(DividingPrinter):
     """Algebra in JavaScript."""
 
     functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "Math.sqrt",
-        "exp": "Math.exp",
-        "log": "Math.log",
-        "abs": "Math.abs",
-        "sign": "Math.sign",
-    }
+        "sqrt": "Math.sqrt", "exp": "Math.exp", "log": "Math.log", "abs": "Math.abs", "sign": "Math.sign", "atan2": "Math.atan2", "pi": "Math.PI",
+    }  # fmt: skip
 
 
 _PRINTER = JavaScriptPrinter({"order": None})

@@ -128,3 +128,20 @@ def test_a_plane_of_which_one_parameter_moves_no_fold() -> None:
     model = ss.load("kang_nam")
     found = model.bifurcation_set(model.Parameters(theta0=0.8), ("V", "mu0"), n=3)
     assert found.vary == ("V", "mu0")
+
+
+@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
+def test_a_ball_that_comes_back_to_touch_goes_down_again(backend: str) -> None:
+    """Released at touch with hardly any friction, it comes back to it and falls again: with |t − t_0|³, which no series shows."""
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    model = ss.load("hertz_contact")
+    p = model.Parameters(
+        theta0=0.2084, mu0=17.256, kappa=0.0099346, alpha=0.00010157, sigma=0.00026774, beta=4.5666, V=8.8207e-6, d=7.1211
+    )
+    tr = model.simulate(p, t_end=6.0, rtol=1e-12, backend=backend)
+    low, high = tr.y.min(), tr.y[tr.t > 2.0].max()
+    assert low < -0.004
+    assert abs(high) < 1e-9
+    energy = tr.energy()
+    assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-14

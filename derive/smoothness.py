@@ -25,11 +25,20 @@ LARGEST_ROOT = 1000
 def check(model: Mechanics) -> None:
     """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
     moving = {*model.coordinates, *model.rates, DEPTH, laws.SLIP}
+    angles = {angle.symbol for angle in model.angles}
     for value, what, line in _statements(model):
+        _check_angles(value, what, line, moving | angles)
         _check_kinks(value, what, line, moving)
         _check_known(value, what, line)
         _check_domains(value, what, line, moving)
     _check_contact(model)
+
+
+def _check_angles(value: sp.Expr, what: str, line: int, turning: set[sp.Symbol]) -> None:
+    for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
+        inner = node.args[0]
+        if not inner.free_symbols & turning:
+            raise PageError(line, f"{what} takes {node}, and {inner} is no angle of the page; make it a parameter with the unit rad")
 
 
 def _check_kinks(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol]) -> None:

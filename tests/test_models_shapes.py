@@ -221,3 +221,18 @@ def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     starts = [(x, y) for x in np.linspace(-2, 2, 41) for y in (-0.2, 0.1)]
     want = sorted(root for root in roots(balance, starts) if 0.2 * math.sin(3 * root[0]) - root[1] >= 0)
     assert np.allclose(states(model, eq), want, atol=1e-12)
+
+
+def test_a_fraction_by_itself_is_refused_by_its_line(tmp_path: Path) -> None:
+    """A rod's mass of 1/3 would be rounded before any interval encloses it; one half is a float."""
+    from spragsym.derive import folder
+    from spragsym.derive.model import PageError
+
+    text = HEAD + "x = page.coordinate('x', 'm', 'along')\npage.kinetic(m * page.rate(x)**2 / 6)\npage.spring(k_c / 2, along=x)\n"
+    (tmp_path / "rod.py").write_text(text, encoding="utf-8")
+    with pytest.raises(PageError, match=r"rod\.py, line 8: .*1/3 would be rounded.*make it a parameter"):
+        folder.write_page(tmp_path / "rod.py", tmp_path / "rod")
+    (tmp_path / "rod.py").write_text(text.replace("/ 6", "/ 8"), encoding="utf-8")
+    folder.write_page(tmp_path / "rod.py", tmp_path / "rod")
+    eq = ss.load(tmp_path / "rod").equilibria(ss.load(tmp_path / "rod").Parameters())
+    assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(2))

@@ -162,7 +162,7 @@ def index_of(model: Model, given: FloatArray, states: FloatArray, near: float) -
 
 def columns(p: Any, names: list[str]) -> FloatArray:
     """Parameters as an array of shape (parameters, points)."""
-    return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), -1)
+    return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
 
 
 def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool]:

@@ -35,4 +35,4 @@ def _parted(ends: FloatArray, around: list[int]) -> tuple[NDArray[np.bool_], NDA
     low, high = -ends[0, around], ends[1, around]
     beyond = ((low > END) | (high < BEGIN)).any(axis=0)
     across = ((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN)).any(axis=0)
-    return beyond, across
+    return np.asarray(beyond), np.asarray(across)

@@ -26,6 +26,10 @@ _WIDTH = 112
 _TIED = "\N{NO-BREAK SPACE}"
 
 
+class RoundedError(ArithmeticError):
+    """A fraction that would be rounded: it stands by itself, where no number type makes an enclosure of it."""
+
+
 class AlgebraPrinter(StrPrinter):
     """Python source in which a rational coefficient stays a multiplication and a division by integers."""
 
@@ -46,7 +50,7 @@ class AlgebraPrinter(StrPrinter):
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float, which some are exactly.
         if expression.q & (expression.q - 1) == 0 and abs(expression.p) < 2**53 and expression.q < 2**53:
             return repr(expression.p / expression.q)
-        raise ArithmeticError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
+        raise RoundedError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
 
     def _print_Add(self, expression: sp.Add, order: str | None = None) -> str:
         constant, rest = expression.as_coeff_Add()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import itertools
 import json
 import math
 import shutil
@@ -233,6 +234,31 @@ def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str
         assert len(known) == len(proved) == int(eq.count)
         for one, other in zip(known, proved, strict=True):
             assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 1e-12
+
+
+@pytest.mark.parametrize(("vary", "between"), [("tau", (0.0, 0.5)), ("theta0", (0.1, 3.0))])
+def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tuple[float, float]) -> None:
+    """Where the determinant of the derivatives of the balance by hand is 0; between them as many equilibria as they say."""
+    p = model.Parameters()
+    found = model.folds(p, vary, between={vary: between})
+    assert found.complete
+    assert found.kind.tolist() == ["fold", "fold"]
+    values = {name: mpmath.mpf(float(value)) for name, value in zip(model.parameters, p.scalars(*model.parameters), strict=True)}
+
+    def fold(x: Any, y: Any, value: Any) -> list[Any]:
+        def force(row: int) -> Any:
+            return lambda x, y: balance_by_hand(x, y, values | {vary: value}, 1)[row]
+
+        rows = [[mpmath.diff(force(row), (x, y), order) for order in ((1, 0), (0, 1))] for row in (0, 1)]
+        return [*balance_by_hand(x, y, values | {vary: value}, 1), rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]]
+
+    with mpmath.workdps(40):
+        for x, y, value in zip(found.x, found.y, found.values[vary], strict=True):
+            exact = mpmath.findroot(fold, (float(x), float(y), float(value)), tol=1e-20)
+            assert max(abs(a - float(b)) for a, b in zip(exact, (x, y, value), strict=True)) < 1e-11
+    ends = [between[0], *found.values[vary].tolist(), between[1]]
+    counts = [int(model.equilibria(model.Parameters(**{vary: (low + high) / 2})).count) for low, high in itertools.pairwise(ends)]
+    assert sorted(abs(one - other) for one, other in itertools.pairwise(counts)) == [2, 2]
 
 
 # ---------------------------------------------------------------------------------------------- number types

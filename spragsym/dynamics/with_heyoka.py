@@ -79,7 +79,9 @@ class Compiled:
         self.solver = hy.taylor_adaptive(
             equations.system, [0.0] * field.size, pars=[0.0] * equations.numbers, tol=rtol,
             t_events=[
-                hy.t_event(watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0)
+                hy.t_event(
+                    watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0, direction=ways_out(border)
+                )
                 for row, border in enumerate(field.borders)
             ],
         )  # fmt: skip
@@ -134,6 +136,17 @@ class Compiled:
         if not problem.field.is_inside(self.state.tolist(), problem.constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
+
+
+def ways_out(border: Border) -> Any:
+    """In which directions an event of a border is looked for.
+
+    Where the field jumps, the levels of both modes are 0, and are curved in the state: after a crossing the new one may be negative
+    by the error of a step, and its way up is no event.
+    """
+    import heyoka as hy
+
+    return hy.event_direction.any if border.jumps is None else hy.event_direction.negative
 
 
 def watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:

@@ -173,7 +173,7 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, b
 def test_a_jump_is_crossed_once_however_loose_the_tolerance(model: Any, rtol: float) -> None:
     """The level of the border is curved in the state: by the error of a step a motion begins behind it in the new mode."""
     pytest.importorskip("heyoka")
-    p = model.Parameters(theta0=2.205926133607513, mu0=0.0, kappa=0.30704, alpha=0.0244108, sigma=0.0865712, tau=1.725e-4, gamma=3.44)
+    p = model.Parameters(theta0=2.205926133607513, mu0=0.0, kappa=0.30704, alpha=0.02441, sigma=0.08657, tau=1.725e-4, gamma=3.44)
     start = [-1.0095703714247501, 1.4616892648305715, 0.2977184895486993, -1.058684974734116]
     ends = [model.simulate(p, start=start, t_end=1.0, backend=name, rtol=rtol).state[:, -1] for name in ("heyoka", "scipy")]
     assert np.abs(ends[0] - ends[1]).max() < 100 * rtol

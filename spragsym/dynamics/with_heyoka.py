@@ -141,8 +141,8 @@ class Compiled:
 def ways_out(border: Border) -> Any:
     """In which directions an event of a border is looked for.
 
-    Where the field jumps, the levels of both modes are 0, and are curved in the state: after a crossing the new one may be negative
-    by the error of a step, and its way up is no event.
+    Where the field jumps, the levels of both modes are 0, and are curved in the state: after a crossing the new one may be
+    negative by the error of a step, and its way up is no event.
     """
     import heyoka as hy
 

@@ -29,6 +29,8 @@ PUSHING = sp.Symbol("pushing", real=True)
 SIDE = sp.Symbol("side", real=True)
 #: The friction coefficient, where a function takes it as a number.
 MU = sp.Symbol("mu", real=True)
+#: Penetration in lift-off: small, so that no exponential of it is infinite, and not 0, where slopes of a root are.
+TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = sp.Symbol("depth", positive=True)
 
@@ -203,10 +205,13 @@ class Mechanics:
 
     @cached_property
     def depth(self) -> sp.Expr:
-        """What DEPTH stands for: the penetration, and 1 in lift-off, where it is multiplied by 0."""
+        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by 0, a tiny one at which it is finite.
+
+        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last digits of a shallow penetration.
+        """
         if self.gap is None:
             return sp.S.Zero
-        return PUSHING * (-self.gap) + (1 - PUSHING) if self.unilateral else -self.gap
+        return PUSHING * (-self.gap) + (1 - PUSHING) ** 2 * TOUCH if self.unilateral else -self.gap
 
     @cached_property
     def residuals(self) -> tuple[sp.Expr, ...]:
@@ -357,10 +362,11 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr
 
 def _turning(torsion: Torsion, line: Line, count: int, scaled: _Scaled) -> Turning:
     cosine, sine = (scaled(function(torsion.rest)) for function in (sp.cos, sp.sin))
-    if cosine.has(sp.cos, sp.sin) or sine.has(sp.cos, sp.sin):
+    roots = any(not power.exp.is_Integer for power in (cosine + sp.I * sine).atoms(sp.Pow))
+    if roots or cosine.has(sp.cos, sp.sin) or sine.has(sp.cos, sp.sin):
         raise PageError(
             torsion.line,
-            f"the inclination at rest is {torsion.rest}; expected is an angle of the page, a sum of such, or a fraction of pi: make "
+            f"the inclination at rest is {torsion.rest}; expected is an angle of the page, a sum of such, or a multiple of pi/2: make "
             "another number a parameter in rad, with a base value",
         )
     phi, way = sp.symbols(f"phi{count} way{count}", real=True)

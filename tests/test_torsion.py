@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import importlib.util
+import json
 import math
+import shutil
+import subprocess
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -11,6 +16,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.errors import StoreError
 from spragsym.exact import ball_functions, wide_balls
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.exact.interval_functions import atan2
@@ -319,3 +325,140 @@ def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model
         assert np.isfinite(balance.jacobian(beside, parameters).ends).all()
         assert balance.hopeless(across, parameters).all()
         assert balance.residuals(across, parameters).holds_zero().all()
+
+
+# ---------------------------------------------------------------------------------------------- other languages, older folders
+
+
+@pytest.fixture(scope="module")
+def numbers(model: Any) -> dict[str, list[float]]:
+    """Arguments of functions: one turned by 170 degrees, the other way round."""
+    p = model.Parameters(theta0=0.7)
+    place, moving = [1.55, 1.2], [float(value) for value in model.arguments(p, "motion")]
+    return {
+        "rhs": [*place, 0.1, -0.2, *moving],
+        "regime_rhs": [*place, 0.1, -0.2, *moving, 0.0, 1.0, 1.0, -1.0],
+        "regime_jacobian": [*place, 0.1, -0.2, *moving, 0.0, 1.0, 1.0, 1.0],
+        "turning_borders": [*place, 0.1, -0.2, *moving, 1.0],
+        "energy": [*place, 0.1, -0.2, *moving, 0.0],
+    }
+
+
+@pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
+def test_c_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp_path: Path) -> None:
+    from spragsym.derive import export
+
+    for name, text in export.export(PAGE, "soft", "c").items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    calls, want = [], []
+    for function, given in numbers.items():
+        result = np.array(getattr(model.motion, function)(*given), dtype=float).ravel()
+        want += result.tolist()
+        listed = ", ".join(value.hex() for value in given)
+        shown = "".join(f'printf("%.17g\\n", r[{i}]);' for i in range(result.size))
+        calls.append(f"{{ double r[{result.size}]; if (soft_{function}({listed}, r)) return 1; {shown} }}")
+    program = '#include <stdio.h>\n#include "soft.h"\nint main(void) {\n' + "\n".join(calls) + "\nreturn 0;\n}\n"
+    (tmp_path / "try.c").write_text(program, encoding="utf-8")
+    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O0", "try.c", "soft.c", "-lm", "-o", "try"]
+    subprocess.run(build, cwd=tmp_path, check=True, timeout=120)
+    shown = subprocess.run(["./try"], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=60).stdout
+    np.testing.assert_allclose([float(line) for line in shown.split()], want, rtol=1e-13, atol=1e-15)
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="there is no node")
+def test_javascript_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp_path: Path) -> None:
+    from spragsym.derive import export
+
+    files = export.export(PAGE, "soft", "javascript")
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (module,) = [name for name in files if name.endswith(".mjs") and "example" not in name]
+    calls = ", ".join(f"it.algebra.{function}({', '.join(map(repr, given))})" for function, given in numbers.items())
+    (tmp_path / "try.mjs").write_text(
+        f'import * as it from "./{module}";\nconsole.log(JSON.stringify([{calls}].flat(9)));\n', encoding="utf-8"
+    )
+    shown = subprocess.run(["node", "try.mjs"], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=60).stdout
+    want = [np.array(getattr(model.motion, function)(*given), dtype=float).ravel() for function, given in numbers.items()]
+    np.testing.assert_allclose(json.loads(shown), np.concatenate(want), rtol=1e-13, atol=1e-15)
+
+
+def test_a_folder_of_the_old_approximation_is_refused(model: Any, tmp_path: Path) -> None:
+    """One that was derived before torsion springs were exact has no list of them; its page still has."""
+    folder = tmp_path / "old"
+    shutil.copytree(model.where, folder)
+    about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+    del about["torsions"]
+    (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
+    with pytest.raises(StoreError, match="up to 41 degrees only; derive the page again"):
+        ss.load(folder)
+
+
+def test_a_number_is_no_inclination_at_rest(tmp_path: Path) -> None:
+    """Its cosine would be no algebra: a parameter is, and pi/2 is."""
+    from spragsym.derive import pages
+    from spragsym.derive.model import PageError
+
+    text = PAGE.read_text(encoding="utf-8").replace("Page, cos, exp, sgn", "Page, cos, exp, pi, sgn")
+    wrong, right = tmp_path / "wrong.py", tmp_path / "right.py"
+    wrong.write_text(text.replace("rest=theta0)", "rest=theta0 + 1)"), encoding="utf-8")
+    right.write_text(text.replace("rest=theta0)", "rest=2 * theta0 - pi / 2)"), encoding="utf-8")
+    with pytest.raises(PageError, match=r"line 41: the inclination at rest is theta0 \+ 1; expected is an angle of the page"):
+        pages.read(wrong)
+    (torsion,) = pages.read(right).mechanics.torsions
+    (angle,) = pages.read(right).mechanics.angles
+    value = torsion.cosine_of_rest.subs({angle.c: mpmath.cos(0.3), angle.s: mpmath.sin(0.3)})
+    assert abs(value - mpmath.cos(0.6 - mpmath.pi / 2)) < 1e-14
+
+
+def test_a_cycle_behind_the_anchor_is_refused(model: Any) -> None:
+    """Derivatives of an orbit are not carried across a jump of the field."""
+    from spragsym.dynamics import variations_scipy
+    from spragsym.models.field import exact_field, field_of
+
+    p = model.Parameters(tau=0.02, mu0=0.3)
+    field = field_of(model, 40.0)
+    constants = field.constants(list(map(float, p.scalars(*model.parameters))))
+    none = np.zeros((2, len(model.parameters)))
+    start = np.array(behind(p, -0.1, 0.5))
+    flights = [variations_scipy.flight(field).fly]
+    if importlib.util.find_spec("heyoka"):
+        from spragsym.dynamics import variations_heyoka
+
+        flights.append(variations_heyoka.compiled(field).fly)
+    for fly in flights:
+        with pytest.raises(ss.ConvergenceError, match="passes behind the end of a torsion spring"):
+            fly(start, constants, 3.0, none)
+        assert fly(start, constants, 0.1, none).state[0] != start[0]
+    with pytest.raises(ss.ParameterError, match="arc tangent"):
+        exact_field(model.where)
+
+
+@pytest.mark.thorough
+def test_the_explorer_has_the_states_and_the_motion(model: Any, tmp_path: Path) -> None:
+    """Its search finds the proved states, and its motion passes behind the anchor as Python's does."""
+    from click.testing import CliRunner
+
+    from spragsym.cli.explore import explore
+    from tests.explorer_pages import Explorer, chromium
+
+    out = tmp_path / "page.html"
+    done = CliRunner().invoke(explore, ["--model", model.where, "--out", str(out), "--no-open"])
+    assert done.exit_code == 0, done.output
+    with chromium() as browser:
+        page = Explorer(browser.new_context().new_page(), out.as_uri())
+        page.open()
+        for changes in ({}, {"tau": 0.02}):
+            p = model.Parameters(**changes)
+            point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
+            found = page.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": True})
+            assert [state["x"] for state in found["states"]] == pytest.approx(sorted(model.equilibria(p).x), abs=1e-9)
+        p = model.Parameters(tau=0.02, mu0=0.3)
+        point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
+        start = list(map(float, behind(p, -0.1, 0.5)))
+        run = "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 300; i++) s = m.step(s, 0.01); return s; }"
+        assert page.page.evaluate(run, [point, start]) == pytest.approx(
+            model.simulate(p, start=start, t_end=3.0).state[:, -1], abs=2e-6
+        )
+        assert page.errors == []

@@ -207,7 +207,7 @@ class _Task:
         middle = [_BALLS.middle(value) for value in others]
         values = [row for number, row in enumerate(self.evaluate(self._all(u, middle))) if number != self.equation]
         slopes = self._jets(u, others)[1]
-        return [m - step for m, step in zip(middle, solved(slopes, values, largest_pivot), strict=True)]
+        return [m - step for m, step in zip(middle, solved(slopes, values, _largest_pivot), strict=True)]
 
     def _expansion(self, u: Ball, others: Sequence[Ball], highest: int = 3) -> list[Any]:
         """Taylor coefficients of g to the third or less, at any point of u."""
@@ -216,7 +216,7 @@ class _Task:
         variable = Jet.variable(u, 0, highest)
         for order in range(1, highest + 1):
             rows = [row for number, row in enumerate(self.evaluate(self._all(variable, jets))) if number != self.equation]
-            steps = solved(slopes, [_coefficient(row, order) for row in rows], largest_pivot)
+            steps = solved(slopes, [_coefficient(row, order) for row in rows], _largest_pivot)
             jets = [Jet({**jet.terms, (0,) * order: -step}, highest) for jet, step in zip(jets, steps, strict=True)]
         last = self.evaluate(self._all(variable, jets))[self.equation]
         return [_coefficient(last, order) for order in range(highest + 1)]
@@ -298,8 +298,7 @@ def _inside(one: Any, other: Ball) -> bool:
     return least < low and high < most
 
 
-def largest_pivot(rows: list[list[Any]], k: int) -> None:
-    """The row whose entry is largest comes first; :class:`Undecided` where that may be 0."""
+def _largest_pivot(rows: list[list[Any]], k: int) -> None:
     pivot = max(range(k, len(rows)), key=lambda i: abs(_size(rows[i][k])))
     rows[k], rows[pivot] = rows[pivot], rows[k]
     if not _sign(rows[k][k]):

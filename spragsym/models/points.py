@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ParameterError
+from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
+from ..parameters import as_numbers
 from . import near_zero
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
@@ -82,18 +83,25 @@ class Found:
 
 def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""
+    if not isinstance(between, Mapping):
+        raise ParameterTypeError(f'between = {between!r:.60} is no mapping; give the ends by name, as {{"mu0": (0, 1)}}')
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
     rows = []
     for name in vary:
-        if name not in entries:
+        if not isinstance(name, str) or name not in entries:
             raise ParameterError(f"vary = {name!r} is not a parameter of this model; choose one of {', '.join(entries)}")
         entry = entries[name]
         low, high = (entry[end] for end in ("low", "high"))
         far = FAR * max(1.0, abs(entry["base"] or 0.0))
         default = (-far if low is None else low, far if high is None else high)
-        rows.append(between.get(name, default))
-        if not rows[-1][0] < rows[-1][1]:
-            raise ParameterError(f"between[{name!r}] = {rows[-1]} is no range; give its lower and upper end")
+        ends = as_numbers(f"between[{name!r}]", between[name]) if name in between else np.array(default)
+        if ends.shape != (2,) or not ends[0] < ends[1]:
+            raise ParameterError(f"between[{name!r}] = {between[name]} is no range; give its lower and upper end")
+        if (ends[0] < default[0] and low is not None) or (ends[1] > default[1] and high is not None):
+            raise ParameterError(
+                f"between[{name!r}] = {between[name]} leaves the range of {name}, {entry['domain']}; stay within it"
+            )
+        rows.append(ends)
     for name in between:
         if name not in vary:
             raise ParameterError(f"between has a range for {name!r}, which does not vary; {', '.join(vary)} does")
@@ -121,11 +129,7 @@ def search(
         Boxes looked at for one point.
     """
     places = [balance.parameters.index(name) for name in vary]
-    low, high = given.copy(), given.copy()
-    low[places], high[places] = spans[:, :1], spans[:, 1:]
-    around, whole = region(balance, Intervals.between(low, high))
-    sides = np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(vary), given.shape[1]))
-    around = np.concatenate([around, sides], axis=1)
+    around, whole = _region(balance, places, given, spans)
     limits = np.concatenate([balance.limits, np.full((2, len(vary)), np.inf)], axis=1)
     system = Augmented(balance, vary, condition)
     fixed = given.copy()
@@ -145,6 +149,22 @@ def search(
         dropped = shared(system, given, spans[0], roots.left)
         roots = without(roots, dropped)
     return Found(roots, around, whole)
+
+
+def nothing(balance: Balance, vary: Sequence[str], given: FloatArray, spans: FloatArray) -> Found:
+    """The result of a search where it is known beforehand that there are no points."""
+    around, whole = _region(balance, [balance.parameters.index(name) for name in vary], given, spans)
+    none, nowhere = np.empty((2, around.shape[1], 0)), np.empty(0, dtype=np.int64)
+    return Found(Roots(none, none, nowhere, none, nowhere), around, whole)
+
+
+def _region(balance: Balance, places: Sequence[int], given: FloatArray, spans: FloatArray) -> tuple[FloatArray, bool]:
+    """Coordinates and the parameters of these numbers, and whether that holds all equilibria."""
+    low, high = given.copy(), given.copy()
+    low[places], high[places] = spans[:, :1], spans[:, 1:]
+    around, whole = region(balance, Intervals.between(low, high))
+    sides = np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(places), given.shape[1]))
+    return np.concatenate([around, sides], axis=1), whole
 
 
 def merged(found: Found) -> Found:

@@ -1,77 +1,81 @@
-"""Roots that are proved but known to few digits, as with stiff springs: interval Newton with many digits on the box of each."""
+"""Roots that floats know to few digits, by interval Newton with forces of many digits."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
-from fractions import Fraction
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..exact.certified_roots import Roots
-from ..exact.elimination import solved
-from ..exact.interval_arrays import FloatArray
+from ..exact import contractors
+from ..exact.boxes import System
+from ..exact.certified_roots import relative_error
+from ..exact.interval_arrays import FloatArray, Intervals, raised
 from ..exact.intervals import Ball, Balls
-from ..exact.jets import constant, gradient, variables
 from ..exact.polynomials import Undecided
-from ..exact.reduction import Evaluate, largest_pivot
-from .balance import Balance
-from .precise import BITS, TOLERANCE, PreciseBalance
+from .precise import BITS, TOLERANCE, Precise, ball
 
-_BALLS = Balls()
-#: Steps on one root: each squares the width.
+#: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
 
 
-def refined(balance: Balance, given: FloatArray, found: Roots) -> Roots:
-    """The same roots, those with an error beyond the tolerance in narrower boxes where the forces are regular there.
+def refined(
+    system: System,
+    given: FloatArray,
+    ends: FloatArray,
+    point: NDArray[np.int64],
+    precise: Precise,
+    among: NDArray[np.bool_] | None = None,
+) -> FloatArray:
+    """Boxes that hold the same roots, narrower where the error is beyond :data:`~spragsym.models.precise.TOLERANCE`.
 
-    Every box holds one root, and interval Newton loses none: the narrower box holds it too.
+    Only the forces at the middle of a box need digits: floats enclose the slopes well, and their errors shrink with the box.
 
     Parameters
     ----------
     given : ndarray
         Parameters, shape (parameters, points).
+    ends : ndarray
+        Boxes that hold one root each, shape (2, n, roots).
+    point : ndarray
+        The point of each.
+    precise : callable
+        The system at one point with a number of bits.
+    among : ndarray of bool, optional
+        Others that are narrowed, too.
     """
-    poor = np.flatnonzero(~(found.error <= TOLERANCE))
-    if not poor.size:
-        return found
-    ends = found.ends.copy()
-    for row in poor.tolist():
-        forces = PreciseBalance(balance, given[:, found.point[row]], BITS[0]).forces
-        ends[:, :, row] = np.minimum(ends[:, :, row], _narrowed(forces, ends[:, :, row]))
-    return replace(found, ends=ends)
+    ends = ends.copy()
+    chosen = ~(relative_error(ends, Intervals(ends).middle) <= TOLERANCE)
+    chosen = chosen if among is None else chosen | among
+    with np.errstate(all="ignore"):
+        for root in np.flatnonzero(chosen):
+            here = slice(root, root + 1)
+            column = given[:, point[root]]
+            ends[:, :, here] = _narrowed(system, column, ends[:, :, here], precise)
+    return ends
 
 
-def _narrowed(forces: Evaluate, ends: FloatArray) -> FloatArray:
-    """A box within a box, as −low and high, with the same root."""
-    box = [(-Fraction(low), Fraction(high)) for low, high in ends.T.tolist()]
-    with _BALLS.precision(BITS[0]):
-        for _ in range(STEPS):
-            try:
-                new = _step(forces, box)
-            except (Undecided, ZeroDivisionError):
-                break
-            narrower = any(2 * (b - a) < high - low for (a, b), (low, high) in zip(new, box, strict=True))
-            box = new
-            if not narrower:
-                break
-    sides = np.array([[-float(low) for low, _ in box], [float(high) for _, high in box]])
-    out: FloatArray = np.nextafter(sides, np.inf)
-    return out
+def _narrowed(system: System, given: FloatArray, ends: FloatArray, precise: Precise) -> FloatArray:
+    """One box of shape (2, n, 1), as narrow as floats can say."""
+    parameters, evaluate = system.prepared(Intervals.point(given[:, None])), precise(given, BITS[0])
+    for _ in range(STEPS):
+        box = Intervals(ends)
+        middle = box.middle
+        try:
+            values = evaluate([ball(value, BITS[0]) for value in middle[:, 0].tolist()])
+        except Undecided:
+            break
+        reach = np.maximum(*raised(ends + np.stack([middle, -middle])))
+        step = contractors.newton(as_intervals(values), system.jacobian(box, parameters), middle, reach)
+        new = np.fmin(step.ends, ends)
+        if not (new < ends).any():
+            break
+        ends = new
+    return ends
 
 
-def _step(forces: Evaluate, box: Sequence[tuple[Fraction, Fraction]]) -> list[tuple[Fraction, Fraction]]:
-    """A box that holds middle − J(box)⁻¹ forces(middle), as the root does."""
-    n = len(box)
-    middles = [(low + high) / 2 for low, high in box]
-    rows = forces(variables([_BALLS.between(low, high) for low, high in box], 1))
-    values = [constant(value) for value in forces([_BALLS.exact(middle) for middle in middles])]
-    steps = solved([gradient(row, n) for row in rows], values, largest_pivot)
-    out = []
-    for (low, high), middle, step in zip(box, middles, steps, strict=True):
-        least, most = _BALLS.ends(step) if isinstance(step, Ball) else (Fraction(step), Fraction(step))
-        out.append((max(low, middle - most), min(high, middle - least)))
-        if out[-1][0] > out[-1][1]:  # can't happen: the box holds a root
-            raise ArithmeticError("a box with a root has none")
-    return out
+def as_intervals(values: Sequence[Ball]) -> Intervals:
+    """Balls as intervals of floats, shape (numbers, 1)."""
+    bounds = [Balls().ends(value) for value in values]
+    ends = np.array([[-float(low) for low, _ in bounds], [float(high) for _, high in bounds]])
+    return Intervals(np.nextafter(ends, np.inf)[:, :, None])  # a float is the nearest to its end, or the next one

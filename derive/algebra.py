@@ -7,6 +7,8 @@ the unit circles. No float takes part.
 
 from __future__ import annotations
 
+import math
+
 import sympy as sp
 
 #: Pairs of symbols, each for the cosine and the sine of one angle.
@@ -29,22 +31,38 @@ def reduce_circles(polynomial: sp.Expr, circles: Circles) -> sp.Expr:
 def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit circles.
 
-    Every root, exponential, absolute value and sign is treated as an independent unknown. An equality that holds only because of
-    a relation between two of them is therefore not recognised.
+    Every exponential, absolute value, sign or other function is treated as an independent unknown, and so is one root of every base,
+    of which its powers are powers. An equality that holds only because of a relation between two of them is not recognised.
     """
     unknowns: dict[sp.Expr, sp.Dummy] = {}
     gap = (sp.sympify(left) - sp.sympify(right)).replace(
-        _is_transcendental, lambda node: unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}"))
+        lambda node: isinstance(node, sp.Function | sp.Piecewise),
+        lambda node: unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}")),
+    )
+    order = math.lcm(*(node.exp.q for node in gap.atoms(sp.Pow) if node.exp.is_Rational))
+    roots: dict[sp.Expr, sp.Dummy] = {}
+    gap = gap.replace(
+        lambda node: isinstance(node, sp.Pow) and not node.exp.is_Integer,
+        lambda node: roots.setdefault(node.base, sp.Dummy(f"r{len(roots)}")) ** (order * node.exp),
     )
     numerator, denominator = sp.fraction(sp.together(gap))
+    for base, root in reversed(roots.items()):
+        numerator, further = sp.fraction(sp.together(_without_powers(numerator, root, base, order)))
+        denominator *= further
     numerator = reduce_circles(numerator, circles)
     if numerator == 0:
         return sp.S.Zero
-    return (numerator / sp.factor(denominator)).subs({dummy: node for node, dummy in unknowns.items()})
+    known = {root: sp.Pow(base, sp.Rational(1, order)) for base, root in reversed(roots.items())}
+    shown = numerator / sp.factor(denominator)
+    for root, value in known.items():
+        shown = shown.subs(root, value)
+    return shown.subs({dummy: node for node, dummy in reversed(unknowns.items())})
 
 
-def _is_transcendental(node: sp.Basic) -> bool:
-    return isinstance(node, sp.exp | sp.Abs | sp.sign | sp.Piecewise) or (isinstance(node, sp.Pow) and not node.exp.is_Integer)
+def _without_powers(polynomial: sp.Expr, root: sp.Symbol, base: sp.Expr, order: int) -> sp.Expr:
+    """Normal form modulo root^order = base."""
+    terms = sp.Poly(sp.expand(polynomial), root).terms()
+    return sp.Add(*(value * base ** (power // order) * root ** (power % order) for (power,), value in terms))
 
 
 def manifestly_positive(polynomial: sp.Expr, symbols: tuple[sp.Symbol, ...], strict_symbols: tuple[sp.Symbol, ...]) -> bool:

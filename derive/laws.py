@@ -1,7 +1,7 @@
 """The friction law: its two smooth sides, the thin layers in it that a large time step would jump over, and its value at steady sliding.
 
-An exponential of the sliding speed makes a layer at v = 0: far from it all its derivatives are below rounding. Every one gets a
-factor NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers` says how far away a motion is, as minus its exponent.
+An exponential of the sliding speed makes a layer at v = 0, as does a hyperbolic tangent, which is ±1 and an exponential: far from it
+all its derivatives are below rounding. Every one gets a factor NEAR, 1 where it is felt and 0 where it is left out, and :func:`layers` says how far away a motion is, as minus its exponent.
 """
 
 from __future__ import annotations
@@ -34,23 +34,30 @@ def _sides(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
     return ahead, behind
 
 
-def _exponentials(model: Mechanics) -> list[sp.Expr]:
-    """Exponentials of the sliding speed in the law, in an order of their own."""
-    found = {node for side in _sides(model) for node in side.atoms(sp.exp) if node.has(SLIP)}
-    return sorted(found, key=sp.default_sort_key)
+def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
+    """Exponentials and hyperbolic tangents of the sliding speed, in an order of their own; what each is far away; minus its exponent."""
+    nodes = {node for side in _sides(model) for node in side.atoms(sp.exp, sp.tanh) if node.has(SLIP)}
+    found = []
+    for node in sorted(nodes, key=sp.default_sort_key):
+        argument = node.args[0]
+        if isinstance(node, sp.exp):
+            found.append((node, sp.S.Zero, -argument))
+        elif (end := sp.limit(argument, SLIP, sp.oo)).is_infinite:
+            found.append((node, sp.sign(end), 2 * sp.sign(end) * argument))
+    return found
 
 
 def layers(model: Mechanics) -> tuple[sp.Expr, ...]:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
-    return tuple(sp.expand(-node.args[0]).subs(SLIP, SIDE * slip(model)) for node in _exponentials(model))
+    return tuple(sp.expand(exponent).subs(SLIP, SIDE * slip(model)) for _, _, exponent in _layers(model))
 
 
 def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
     """μ without the absolute value and the sign that kink it, for either SIDE; its exponentials with their NEAR unless all are felt."""
     ahead, behind = _sides(model)
-    nodes = _exponentials(model)
+    found = _layers(model)
     if not felt:
-        factors = {node: factor * node for node, factor in zip(nodes, near(len(nodes)), strict=True)}
+        factors = {node: far + factor * (node - far) for (node, far, _), factor in zip(found, near(len(found)), strict=True)}
         ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
     if sp.expand(ahead + behind) == 0:
         return SIDE * ahead.subs(SLIP, SIDE * slip(model))

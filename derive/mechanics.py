@@ -175,7 +175,8 @@ class Mechanics:
 
     def tidy(self, expression: sp.Expr) -> sp.Expr:
         """In the fewest terms: by c² + s² = 1, either square of every direction may go; common factors stand outside."""
-        nodes = sorted(expression.atoms(sp.exp), key=sp.default_sort_key)  # kept whole: expanded, they may overflow
+        # Kept whole: expanded, they may overflow, or become sums of logarithms.
+        nodes = sorted(expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan), key=sp.default_sort_key)
         kept = {1 / line.l: sp.Dummy() for line in self.lines} | {node: sp.Dummy() for node in nodes}
         shortest = sp.expand(sp.expand(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)).subs(SIDE**2, 1)
         for line in self.lines:

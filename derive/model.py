@@ -2,7 +2,7 @@
 
 A page is a Python file that makes one :class:`Page` and says, in the order of an article's second section: quantities, coordinates,
 energies, springs and dampers by their ends, applied forces, the contact law, the friction law. Every statement remembers its line, so
-that an error can name it.
+that an error can name it. Laws and energies are made of :data:`FUNCTIONS`, roots and powers of fractions, each smooth where it is used.
 """
 
 from __future__ import annotations
@@ -13,14 +13,23 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import sympy as sp
-from sympy import Abs, cos, exp, pi, sign, sin, sqrt
+from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
 
 from .emit.quantities import interval
 
-__all__ = ["Abs", "Page", "PageError", "cos", "exp", "pi", "sgn", "sin", "sqrt"]
+__all__ = [
+    "Abs", "Page", "PageError", "atan", "cos", "cosh", "exp", "log", "pi", "sgn", "sin", "sinh", "sqrt", "tanh",
+]  # fmt: skip
 
 #: The sign function under the name that articles give it.
 sgn = sign
+
+#: The functions that laws and energies are made of, by the names that pages give them; beside them roots and other powers.
+FUNCTIONS = {
+    "Abs": Abs, "atan": atan, "cos": cos, "cosh": cosh, "exp": exp, "log": log, "sgn": sgn, "sin": sin, "sinh": sinh, "tanh": tanh,
+}  # fmt: skip
+#: Those of which code is made: the hyperbolic sine and cosine are two exponentials.
+WRITTEN = tuple(function for name, function in FUNCTIONS.items() if name not in ("cosh", "sinh"))
 
 #: A point of the plane: two lengths.
 Point = tuple[sp.Expr, sp.Expr]
@@ -144,6 +153,9 @@ def expression_of(value: object) -> sp.Expr:
         said = "nothing" if value is None else f"{value!r}, a text"
         raise PageError(_line(), f"here is {said}; give a quantity of the page, without quotation marks, or a number")
     expression = sp.sympify(value)
+    if expression.has(sinh, cosh):
+        for function in (sinh, cosh):
+            expression = expression.replace(function, lambda u, whole=function: whole(u).rewrite(exp))
     return sp.nsimplify(expression, rational=True) if expression.atoms(sp.Float) else expression
 
 
@@ -322,7 +334,7 @@ class Page:
             raise PageError(
                 line,
                 f"the {kind} law can't be taken of an expression: {type(error).__name__}: {error}; give a function of one argument, "
-                "made of Abs, cos, exp, sgn, sin, sqrt of spragsym.derive.model",
+                f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model",
             ) from error
         if moving:
             raise PageError(line, f"the {kind} law depends on {moving}; it is a law of the {of} alone")

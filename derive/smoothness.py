@@ -1,4 +1,4 @@
-"""Whether generated code can say what a page says: smooth, angles by cosine and sine, roots, exponentials and whole powers.
+"""Whether generated code can say what a page says: smooth, angles by cosine and sine, and functions that every number type has.
 
 Kinks are where a mass touches the belt and where friction turns, and nowhere else: equilibria are sought by derivatives, and a motion
 is integrated from one kink to the next. Each error names the line, what stands there, and the remedy.
@@ -12,10 +12,14 @@ import sympy as sp
 
 from . import laws
 from .mechanics import DEPTH, Mechanics, number
-from .model import Damper, PageError, Spring, expression_of
+from .model import FUNCTIONS, WRITTEN, Damper, PageError, Spring, expression_of
 
 #: Functions with a kink or a step, of which a sum of smooth forces has none.
 _KINKED = (sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside, sp.floor, sp.ceiling)
+#: What stands between functions.
+_ALGEBRA = (sp.Symbol, sp.Rational, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
+#: Largest denominator of an exponent.
+LARGEST_ROOT = 1000
 
 
 def check(model: Mechanics) -> None:
@@ -23,51 +27,92 @@ def check(model: Mechanics) -> None:
     moving = {*model.coordinates, *model.rates, DEPTH, laws.SLIP}
     angles = {number(datum) for datum in model.parameters if datum.unit == "rad"}
     for value, what, line in _statements(model):
-        _check(value, what, line, moving, angles)
-    energy, contact = model.contact_energy, model.page.normal
-    if contact and (energy.has(sp.Integral) or not all(isinstance(node, sp.exp | sp.log) for node in energy.atoms(sp.Function))):
-        raise PageError(
-            contact.line, f"the contact law {model.law} has no energy in powers, exponentials and logarithms; give one that has"
-        )
+        _check_angles(value, what, line, moving, angles)
+        _check_kinks(value, what, line, moving)
+        _check_known(value, what, line)
+        _check_domains(value, what, line, moving)
+    _check_contact(model)
 
 
-def _check(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol], angles: set[sp.Symbol]) -> None:
-    turned = value.atoms(sp.cos, sp.sin)
-    if turned:
-        node = min(turned, key=sp.default_sort_key)
+def _check_angles(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol], angles: set[sp.Symbol]) -> None:
+    for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
         inner = node.args[0]
-        if inner.free_symbols & moving:
+        if inner.free_symbols & angles or not inner.free_symbols & moving:
             raise PageError(
-                line, f"{what} takes {node}, and {inner} moves; cosines are of angles of the page: write a polynomial, or an exp"
+                line,
+                f"{what} takes {node}, and {inner} is no sum of whole multiples of angles of the page; make it a parameter with the unit rad",
             )
-        raise PageError(
-            line,
-            f"{what} takes {node}, and {inner} is no sum of whole multiples of angles of the page; make it a parameter with the unit rad",
-        )
     bare = sorted(map(str, value.free_symbols & angles))
     if bare:
         raise PageError(
             line, f"{what} takes the angle {bare[0]} itself; angles are in forces by cos({bare[0]}) and sin({bare[0]}) only"
         )
+
+
+def _check_kinks(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol]) -> None:
     for node in sorted(value.atoms(*_KINKED), key=sp.default_sort_key):
         if node.free_symbols & moving:
             raise PageError(
                 line,
                 f"{what} holds {node}, which is not smooth where its argument changes its sign; kinks are at the touch of the belt and at "
-                "the turn of friction only: write something smooth, as a power or an exp",
+                "the turn of friction only: write something smooth, as tanh, a power or an exp",
             )
+
+
+def _check_known(value: sp.Expr, what: str, line: int) -> None:
+    """Algebra, and functions that every number type has."""
     if value.has(sp.I, sp.oo, sp.nan, sp.zoo):
         raise PageError(line, f"{what} is {value}, which is no real number; write one that is")
-    for node in sorted(value.atoms(sp.Function), key=sp.default_sort_key):
-        if not isinstance(node, (sp.exp, *_KINKED)):
+    for node in sp.preorder_traversal(value):
+        if isinstance(node, sp.Pow) and not (isinstance(node.exp, sp.Rational) and node.exp.q <= LARGEST_ROOT):
             raise PageError(
-                line, f"{what} holds {node}, which generated code does not know; say it by exp, sqrt and whole powers"
+                line,
+                f"{what} holds {node}: an exponent is a fraction of two integers, as in {node.base}**Rational(4, 3), and no other; "
+                "what varies in it is said by exp and log",
             )
-    for node in sorted(value.atoms(sp.Pow), key=sp.default_sort_key):
-        if not (2 * node.exp).is_Integer:
+        if not isinstance(node, (*_ALGEBRA, *WRITTEN)):
             raise PageError(
-                line, f"{what} holds {node}; powers are whole or halves of whole ones, as {node.base}**2 or sqrt({node.base})"
+                line,
+                f"{what} holds {node}, which generated code does not know; it knows {', '.join(FUNCTIONS)}, sqrt and powers: write what "
+                "is near it with these, or leave it out to derive the rest of the page",
             )
+
+
+def _check_domains(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol]) -> None:
+    """Roots of what is not negative, and in friction of what is positive, for a step may end behind its border; logarithms of that."""
+    border = {symbol: sp.Symbol(symbol.name, nonnegative=True) for symbol in (DEPTH, laws.SLIP)}
+    closed = value.xreplace(border)
+    varying = moving | set(border.values())
+    for node in sorted(closed.atoms(sp.Pow, sp.log), key=sp.default_sort_key):
+        argument = node.args[0]
+        if not argument.free_symbols & varying or not (isinstance(node, sp.log) or not node.exp.is_Integer):
+            continue
+        positive = isinstance(node, sp.log) or argument.has(border[laws.SLIP])
+        forms = (argument, sp.factor_terms(sp.expand(argument)))
+        if not any(form.is_positive or (not positive and form.is_nonnegative) for form in forms):
+            raise PageError(
+                line,
+                f"{what} holds {node}, and {argument} is not seen to be {'positive' if positive else 'not negative'}, 0 of its variables "
+                f"included; take a form that is, as {'log' if isinstance(node, sp.log) else 'sqrt'}(1 + …), of parameters that are positive",
+            )
+
+
+def _check_contact(model: Mechanics) -> None:
+    contact, energy = model.page.normal, model.contact_energy
+    if contact is None:
+        return
+    if contact.gap is not None and not contact.unilateral:
+        # The penetration is of either sign: what is smooth where it is positive may not be so beyond.
+        depth = sp.Symbol("depth", real=True)
+        law = model.scaled(expression_of(contact.law(depth)))
+        _check_kinks(law, "the contact law, with unilateral=False,", contact.line, {depth})
+        _check_domains(law, "the contact law, with unilateral=False,", contact.line, {depth})
+    unknown = [node for node in energy.atoms(sp.Function, sp.Integral, sp.nan, sp.zoo) if not isinstance(node, WRITTEN)]
+    if unknown or energy.has(sp.nan, sp.zoo, sp.oo, sp.I):
+        raise PageError(
+            contact.line,
+            f"the contact law {model.law} has no energy in {', '.join(FUNCTIONS)} and powers; give one whose integral SymPy finds in these",
+        )
 
 
 def _statements(model: Mechanics) -> Iterator[tuple[sp.Expr, str, int]]:

@@ -38,10 +38,15 @@ def straight_line(function: Function) -> Body:
     definitions = dict(powers.definitions)
     everything = [*expressions, *definitions.values(), *leaves]
     temporaries, reduced = sp.cse(everything, symbols=sp.numbered_symbols("w")) if function.share else ([], everything)
+    # Of exp(x) and exp(2 x) sharing makes powers again.
+    again = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands, *definitions)})
+    temporaries = [(symbol, again.rest(expression)) for symbol, expression in temporaries]
+    reduced = [again.rest(expression) for expression in reduced]
     count, extra = len(expressions), len(definitions)
     available = dict(temporaries)
     available.update(zip((symbol for symbol, _ in named), reduced[:count], strict=True))
     available.update(zip(definitions, reduced[count : count + extra], strict=True))
+    available.update(again.definitions)
     outputs = reduced[count + extra :]
 
     ordered: dict[sp.Symbol, sp.Expr] = {}
@@ -72,8 +77,8 @@ def _needed(leaves: tuple[sp.Expr, ...], function: Function) -> list[tuple[sp.Sy
 class _Powers:
     """Replaces integer powers by named products of smaller powers, each computed once, so that a number type needs no powers.
 
-    Squares are replaced too: some interval libraries cannot square a ball around zero. Half powers become a square root times a
-    product. A name that the function itself uses, as ``sigma_2`` may be, is given to no power.
+    Squares are replaced too: some interval libraries cannot square a ball around zero. Other powers become products of a
+    root. A name that the function itself uses, as ``sigma_2`` may be, is given to no power.
     """
 
     def __init__(self, taken: set[str]) -> None:
@@ -82,18 +87,26 @@ class _Powers:
 
     def replace(self, expression: sp.Expr) -> sp.Expr:
         return sp.sympify(expression).replace(
-            lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and node.exp.q <= 2 and abs(node.exp) > 1, self._named
+            lambda node: isinstance(node, sp.Pow) and node.exp.is_Rational and abs(node.exp.p) > 1, self._named
         )
 
+    def rest(self, expression: sp.Expr) -> sp.Expr:
+        """The same, but for a whole that is a square of a name."""
+        if isinstance(expression, sp.Pow) and expression.exp == 2 and expression.base.is_Symbol:
+            return expression
+        return self.replace(expression)
+
     def _named(self, node: sp.Pow) -> sp.Expr:
-        power = self._power(node.base, abs(int(node.exp))) if node.exp.is_Integer else self._half_power(node.base, abs(node.exp))
+        power = self._power(node.base, abs(int(node.exp))) if node.exp.is_Integer else self._root_power(node.base, abs(node.exp))
         return power if node.exp > 0 else 1 / power
 
-    def _half_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+    def _root_power(self, base: sp.Expr, exponent: sp.Rational) -> sp.Expr:
+        value = sp.Pow(base, sp.Rational(1, exponent.q))
         root = sp.Symbol(self._free(f"root{len(self.definitions)}"), real=True)
-        root = next((symbol for symbol, value in self.definitions.items() if value == sp.sqrt(base)), root)
-        self.definitions.setdefault(root, sp.sqrt(base))
-        return root * self._power(base, int(exponent))
+        root = next((symbol for symbol, known in self.definitions.items() if known == value), root)
+        self.definitions.setdefault(root, value)
+        whole, part = divmod(exponent.p, exponent.q)
+        return (self._power(base, whole) if whole else sp.S.One) * self._power(root, part)
 
     def _free(self, name: str) -> str:
         while name in self.taken:

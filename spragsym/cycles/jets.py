@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ..exact.methods import repeated_product
+from ..exact.methods import Functions, repeated_product
 
 
 class Jet:
@@ -78,19 +78,51 @@ class Jet:
         return root
 
     def exp(self) -> Jet:
-        """Exponential: k e_k = Σ i a_i e_{k−i}, 0 < i ≤ k."""
-        power = Jet()
+        """Exponential: y′ = y x′."""
+        return self._of_slope(lambda first: first.exp(), lambda y: y)
+
+    def log(self) -> Jet:
+        """Natural logarithm: y′ = x′/x."""
+        return self._of_slope(lambda first: first.log(), lambda y: 1 / self)
+
+    def tanh(self) -> Jet:
+        """Hyperbolic tangent: y′ = (1 − y²) x′."""
+        return self._of_slope(lambda first: first.tanh(), lambda y: 1 - y * y)
+
+    def atan(self) -> Jet:
+        """Arc tangent: y′ = x′/(1 + x²)."""
+        return self._of_slope(lambda first: first.atan(), lambda y: 1 / (1 + self * self))
+
+    def sin(self) -> Jet:
+        """Sine."""
+        return self._waves()[0]
+
+    def cos(self) -> Jet:
+        """Cosine."""
+        return self._waves()[1]
+
+    def _waves(self) -> tuple[Jet, Jet]:
+        """Sine and cosine, each the slope of the other but for a sign."""
+        cosine = Jet()
+        sine = self._of_slope(lambda first: first.sin(), lambda y: cosine)
+        cosine._following = self._of_slope(lambda first: first.cos(), lambda y: -sine)._following
+        return sine, cosine
+
+    def _of_slope(self, at: Callable[[Any], Any], slope: Callable[[Jet], Jet]) -> Jet:
+        """A function y of this series x with y′ = s x′: k y_k = Σ i x_i s_{k−i}, 0 < i ≤ k."""
+        found = Jet()
+        factor = slope(found)
 
         def following(k: int) -> Any:
             if k == 0:
-                return self[0].exp()
-            total = self[1] * power[k - 1]
+                return at(self[0])
+            total = self[1] * factor[k - 1]
             for i in range(2, k + 1):
-                total += i * self[i] * power[k - i]
+                total += i * self[i] * factor[k - i]
             return total / k
 
-        power._following = following
-        return power
+        found._following = following
+        return found
 
 
 def _convolved(one: Jet, other: Jet, begin: int, end: int, total: int | None = None) -> Any:
@@ -119,3 +151,19 @@ def _quotient(numerator: Callable[[int], Any], divisor: Jet) -> Jet:
 
     quotient._following = following
     return quotient
+
+
+class BallFunctions:
+    """The namespace ``xp`` of python-flint's balls and of series and jets of them; a number is a ball without width."""
+
+    def __getattr__(self, name: str) -> Any:
+        from flint import arb
+
+        if name == "pi":
+            return arb.pi()
+        function = getattr(Functions, name)
+        return lambda value: function(arb(value) if isinstance(value, int | float) else value)
+
+
+#: The one that is needed.
+XP = BallFunctions()

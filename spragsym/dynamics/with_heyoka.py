@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import GAP, Border, Field, Mode
-from .heyoka_library import library
+from .heyoka_library import XP, library
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
@@ -53,7 +53,7 @@ class Equations:
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
         known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = field.acceleration(state, known, mode, hy)
+        accelerations = field.acceleration(state, known, mode, XP)
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]

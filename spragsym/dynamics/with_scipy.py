@@ -19,8 +19,11 @@ from .solution import Crossing, Solution, assembled
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
-FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)), atan2=math.atan2, pi=math.pi)
-ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)), atan2=np.atan2, pi=np.pi)
+FLOATS = SimpleNamespace(**{**vars(math), "exp": lambda z: math.exp(min(z, 100.0))})
+ARRAYS = SimpleNamespace(
+    sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)), log=np.log, tanh=np.tanh, atan=np.atan, atan2=np.atan2,
+    cos=np.cos, sin=np.sin, pi=np.pi,
+)  # fmt: skip
 
 #: Each step is searched for crossings on this many intervals, and between them at extrema.
 _SEARCH = np.linspace(0.0, 1.0, 9)

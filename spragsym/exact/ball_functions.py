@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import Any
 
 from .intervals import GUARD_BITS, Ball, Balls
-from .jets import Jet, argument, constant, turned
+from .jets import Jet, JetFunctions, argument, constant, turned
 from .polynomials import Undecided
 
 _BALLS = Balls()
@@ -55,22 +56,56 @@ def cosine_and_sine(angle: Any) -> tuple[Any, Any]:
     return angle.cos(pair), angle.sin(pair)
 
 
-class Functions:
+def log(value: Ball) -> Ball:
+    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1, by Taylor's series.
+
+    Raises
+    ------
+    Undecided
+        Where the ball holds 0 or negative numbers, or is wider than its middle.
+    """
+    if value.mid <= 2 * value.rad:
+        raise Undecided("the logarithm of a ball that holds 0, or nearly does")
+    bits = value.bits + GUARD_BITS
+    near = math.log(value.mid) + value.exp * math.log(2)
+    numerator, denominator = near.as_integer_ratio()
+    y = Ball(numerator, 0, 1 - denominator.bit_length(), bits)
+    z = Ball(value.mid, value.rad, value.exp, bits) * exp(-y) - 1
+    total, power, order = z, z, 1
+    # z is below 2/3: all that is left out together is less than three times its first term.
+    while _size(power) > -bits and order < bits:
+        order += 1
+        power = power * -z
+        total = total + power / order
+    total = total + Ball(0, 3, _size(power), bits) + y
+    return Ball(total.mid, total.rad, total.exp, value.bits)
+
+
+def tanh(value: Ball) -> Ball:
+    """Hyperbolic tangent, 1 − 2/(e^2x + 1), with the bits that it lacks near 0."""
+    bits = value.bits + max(0, min(-_size(value), 4 * value.bits)) + GUARD_BITS
+    found = 1 - 2 / (exp(Ball(value.mid, value.rad, value.exp + 1, bits)) + 1)
+    return Ball(found.mid, found.rad, found.exp, value.bits)
+
+
+def _taken(value: Any) -> Ball:
+    return value if isinstance(value, Ball) else _BALLS.exact(Fraction(value))
+
+
+class Functions(JetFunctions):
     """``xp`` for balls."""
 
-    @staticmethod
-    def sqrt(value: Any) -> Any:
-        """Square root."""
-        if isinstance(value, Jet):
-            return value.sqrt(Functions.sqrt(value.value))
-        return _BALLS.sqrt(value if isinstance(value, Ball) else _BALLS.exact(Fraction(value)))
+    def __init__(self) -> None:
+        functions = {
+            "sqrt": _BALLS.sqrt, "exp": exp, "log": log, "tanh": tanh, "atan": _BALLS.atan,
+            "cos": lambda angle: _BALLS.cos_sin(angle)[0], "sin": lambda angle: _BALLS.cos_sin(angle)[1],
+        }  # fmt: skip
+        super().__init__(functions, _taken)
 
-    @staticmethod
-    def exp(value: Any) -> Any:
-        """Exponential."""
-        if isinstance(value, Jet):
-            return value.exp(Functions.exp(value.value))
-        return exp(value if isinstance(value, Ball) else _BALLS.exact(Fraction(value)))
+    @property
+    def pi(self) -> Ball:
+        """π."""
+        return _BALLS.pi()
 
     @staticmethod
     def atan2(sine: Any, cosine: Any) -> Any:

@@ -27,8 +27,10 @@ FloatArray: TypeAlias = NDArray[np.float64]
 EPS = 2.0**-52
 #: More than half the distance between subnormal numbers, and far enough from them that products with it stay fast.
 TINY = 2.0**-1000
-#: Bound, in units of EPS relative, on the error of NumPy's exp; NumPy's own promise is 4.
+#: Bound, in units of EPS relative, on the error of NumPy's exp, log, tanh and arctan; what NumPy's own tests allow is 4.
 FUNCTION_ULPS = 8
+#: What an upper end −∞ is given as, a bound like it with which one can go on.
+_LEAST = -1e300
 
 
 def raised(ends: FloatArray, ulps: float = 1.0) -> FloatArray:
@@ -218,11 +220,34 @@ class Intervals:
 
     def exp(self) -> Intervals:
         """Exponential, off by no more than :data:`FUNCTION_ULPS`."""
-        values = np.exp(np.stack([-self.ends[0], self.ends[1]]))
+        values = self._at_ends(np.exp)
         # A lower end beyond the largest number is at least that: so that an infinite force is told from an unknown one.
-        values[0] = -np.minimum(values[0], np.finfo(np.float64).max)
+        values[0] = np.maximum(values[0], -np.finfo(np.float64).max)
         # Of 0 it is 1, exactly: laws of friction vanish there.
         return Intervals(np.where(self.ends == 0, values, _not_negative(raised(values, FUNCTION_ULPS))))
+
+    def log(self) -> Intervals:
+        """Natural logarithm; NaN where the interval holds negative numbers, −∞ for an end that is 0."""
+        values = self._at_ends(np.log)
+        ends = np.where(
+            self.ends == 0, np.array([np.inf, _LEAST]).reshape(2, *(1,) * (values.ndim - 1)), raised(values, FUNCTION_ULPS)
+        )
+        return Intervals(ends)
+
+    def tanh(self) -> Intervals:
+        """Hyperbolic tangent, between −1 and 1."""
+        values = self._at_ends(np.tanh)
+        return Intervals(np.where(self.ends == 0, 0.0, np.minimum(raised(values, FUNCTION_ULPS), 1.0)))
+
+    def atan(self) -> Intervals:
+        """Arc tangent."""
+        return Intervals(np.where(self.ends == 0, 0.0, raised(self._at_ends(np.atan), FUNCTION_ULPS)))
+
+    def _at_ends(self, function: np.ufunc) -> FloatArray:
+        """A function that grows with its argument: −least and greatest, as NumPy rounds them."""
+        values: FloatArray = function(np.stack([-self.ends[0], self.ends[1]]))
+        values[0] *= -1
+        return values
 
     def sign(self) -> Intervals:
         """−1, 0 or 1, or an interval of these."""

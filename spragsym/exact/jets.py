@@ -6,7 +6,7 @@ coefficients are numbers of any type: arrays of intervals give enclosures of der
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache
 from math import comb, factorial
@@ -155,15 +155,95 @@ class Jet:
     def __abs__(self) -> Jet:
         return self.composed([abs(self.value), self.value.sign(), *(_flat(self.value) for _ in range(self.order - 1))])
 
+    def log(self, value: Any = None) -> Jet:
+        """Natural logarithm; ``value`` as for the exponential."""
+        inverse = 1 / self.value
+        return self.composed([
+            self.value.log() if value is None else value,
+            *(inverse**k * (-1) ** (k - 1) / k if k > 1 else inverse for k in range(1, self.order + 1)),
+        ])  # fmt: skip
+
+    def tanh(self, value: Any = None) -> Jet:
+        """Hyperbolic tangent, y′ = 1 − y²; ``value`` as for the exponential."""
+        y = [self.value.tanh() if value is None else value]
+        for k in range(self.order):
+            # A square of its own is narrower than a product.
+            middle = y[k // 2] ** 2 if k % 2 == 0 else 0
+            square = sum((y[i] * y[k - i] * 2 for i in range((k + 1) // 2)), middle)
+            y.append((-square if k else 1 - square) / (k + 1))
+        return self.composed(y)
+
+    def atan(self, value: Any = None) -> Jet:
+        """Arc tangent, (1 + x²) y′ = 1; ``value`` as for the exponential."""
+        x, y = self.value, [self.value.atan() if value is None else value]
+        inverse = 1 / (1 + x**2)
+        slope: list[Any] = []
+        for k in range(self.order):
+            slope.append(inverse if not k else -(x * slope[k - 1] * 2 + (slope[k - 2] if k > 1 else 0)) * inverse)
+            y.append(slope[k] / (k + 1) if k else slope[k])
+        return self.composed(y)
+
     def cos(self, pair: tuple[Any, Any] | None = None) -> Jet:
         """Cosine; ``pair`` is cosine and sine of the value, for numbers that have no functions for them."""
-        c, s = pair or (cos(self.value), sin(self.value))
+        c, s = pair or _cosine_and_sine(self.value)
         return self.composed(_wave([c, -s, -c, s], self.order))
 
     def sin(self, pair: tuple[Any, Any] | None = None) -> Jet:
         """Sine; ``pair`` as for the cosine."""
-        c, s = pair or (cos(self.value), sin(self.value))
+        c, s = pair or _cosine_and_sine(self.value)
         return self.composed(_wave([s, c, -s, -c], self.order))
+
+
+class JetFunctions:
+    """``xp`` of generated functions for numbers of some type and for jets of them, given the functions of the numbers.
+
+    Parameters
+    ----------
+    functions : mapping
+        By the name of the function.
+    taken : callable
+        Makes a number of the type of what else may stand in an expression, an integer or a float.
+    """
+
+    def __init__(self, functions: Mapping[str, Callable[[Any], Any]], taken: Callable[[Any], Any]) -> None:
+        self.functions, self.taken = functions, taken
+
+    def sqrt(self, value: Any) -> Any:
+        """Square root."""
+        return self._of("sqrt", value)
+
+    def exp(self, value: Any) -> Any:
+        """Exponential."""
+        return self._of("exp", value)
+
+    def log(self, value: Any) -> Any:
+        """Natural logarithm."""
+        return self._of("log", value)
+
+    def tanh(self, value: Any) -> Any:
+        """Hyperbolic tangent."""
+        return self._of("tanh", value)
+
+    def atan(self, value: Any) -> Any:
+        """Arc tangent."""
+        return self._of("atan", value)
+
+    def cos(self, value: Any) -> Any:
+        """Cosine."""
+        if isinstance(value, Jet):
+            return value.cos((self.cos(value.value), self.sin(value.value)))
+        return self._of("cos", value)
+
+    def sin(self, value: Any) -> Any:
+        """Sine."""
+        if isinstance(value, Jet):
+            return value.sin((self.cos(value.value), self.sin(value.value)))
+        return self._of("sin", value)
+
+    def _of(self, name: str, value: Any) -> Any:
+        if isinstance(value, Jet):
+            return getattr(value, name)(self._of(name, value.value))
+        return self.functions[name](self.taken(value))
 
 
 def argument(u: Jet, v: Jet) -> Jet:
@@ -224,6 +304,10 @@ def constant(value: Any) -> Any:
 def _times(one: Jet, other: Jet) -> Jet:
     """A product, also of a thing with itself, without its constant term."""
     return one * Jet(other.terms, other.order)
+
+
+def _cosine_and_sine(value: Any) -> tuple[Any, Any]:
+    return (cos(value), sin(value)) if isinstance(value, Intervals) else (value.cos(), value.sin())
 
 
 def _wave(cycle: Sequence[Any], order: int) -> list[Any]:

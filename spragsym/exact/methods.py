@@ -29,6 +29,21 @@ class Functions:
         return value.exp()
 
     @staticmethod
+    def log(value: Any) -> Any:
+        """Natural logarithm."""
+        return value.log()
+
+    @staticmethod
+    def tanh(value: Any) -> Any:
+        """Hyperbolic tangent."""
+        return value.tanh()
+
+    @staticmethod
+    def atan(value: Any) -> Any:
+        """Arc tangent."""
+        return value.atan()
+
+    @staticmethod
     def cos(value: Any) -> Any:
         """Cosine."""
         return value.cos()

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..generated import double_double as dd
 from ..generated.double_double import Wide
 from .interval_arrays import FloatArray, Intervals, exactly, raised
-from .jets import Jet, argument, constant, turned
+from .jets import Jet, JetFunctions, argument, constant, turned
 from .methods import repeated_product
 
 #: Unit of relative errors of double-double operations.
@@ -29,6 +29,10 @@ ROOM = 1 + 2.0**-48
 TURN = 2.0**-100
 #: Sine of the width up to which a vector of balls has an angle.
 MOST_OFF = 2.0**-6
+#: Terms of the logarithm's series; those of cosine and sine, up to that power.
+LOGARITHM, SINE = 6, 6
+#: Beyond it the hyperbolic tangent is 1 in all digits.
+FLAT = 60.0
 #: Halvings of the argument of an exponential, and terms of its series then.
 HALVINGS, TERMS = 10, 14
 
@@ -171,6 +175,10 @@ class WideBalls:
         return total
 
 
+#: π, as two floats and what these leave.
+PI = WideBalls(Wide(np.array(np.pi), np.array(1.2246467991473532e-16)), np.array(4e-33))
+
+
 def cosine_and_sine(angles: FloatArray) -> tuple[WideBalls, WideBalls]:
     """Of floats between 0 and π, both exclusive; NaN beyond."""
     found = dd.dd_cosine_and_sine(angles)
@@ -195,6 +203,61 @@ def atan2(sine: WideBalls, cosine: WideBalls) -> WideBalls:
     return WideBalls(off.middle, np.where(known, off.radius + off.size**3, np.nan)) + WideBalls.exact(near)
 
 
+def atan(value: WideBalls) -> WideBalls:
+    """Arc tangent."""
+    return atan2(value, WideBalls.exact(np.ones_like(value.radius)))
+
+
+def log(value: WideBalls) -> WideBalls:
+    """Natural logarithm: y + log(1 + z) for a float y near it and z = x e^−y − 1; NaN for balls that are wide."""
+    near = np.where(value.middle.high > 0, np.log(np.maximum(value.middle.high, TINY)), np.nan)
+    z = value * WideBalls.exact(-near).exp() - 1
+    series = WideBalls.exact(np.zeros_like(near))
+    for order in range(LOGARITHM, 0, -1):
+        series = series * -z + _ball(1.0, value) / order
+    total = series * z
+    # What is left out is less than twice its first term where z is small.
+    rest = 2 * z.size ** (LOGARITHM + 1)
+    return WideBalls(total.middle, np.where(z.size < MOST_OFF, total.radius + rest, np.nan)) + WideBalls.exact(near)
+
+
+def tanh(value: WideBalls) -> WideBalls:
+    """Hyperbolic tangent, 1 − 2/(e^2x + 1); beyond :data:`FLAT` it is ±1, off by less than 2e^(−2x)."""
+    far = np.abs(value.middle.high) / ROOM - value.radius > FLAT
+    near = WideBalls.where(far, WideBalls.exact(np.zeros_like(value.radius)), value)
+    found = 1 - 2 / ((near * 2).exp() + 1)
+    sign = np.sign(value.middle.high)
+    return WideBalls.where(
+        far, WideBalls(Wide(sign, np.zeros_like(sign)), np.full_like(sign, 2 * np.exp(-2 * FLAT) * ROOM)), found
+    )
+
+
+def _waves(angle: WideBalls) -> tuple[WideBalls, WideBalls]:
+    """Cosine and sine: those of a float φ between −π and π that is near the angle less whole turns, turned by what is left."""
+    turns = np.rint(angle.middle.high / (2 * np.pi))
+    known = np.abs(turns) < 2.0**40
+    reduced = angle - PI * 2 * WideBalls.exact(np.where(known, turns, np.nan))
+    near = reduced.middle.high
+    level = near == 0
+    one, none = WideBalls.exact(np.ones_like(near)), WideBalls.exact(np.zeros_like(near))
+    c, s = cosine_and_sine(np.where(level, 1.0, np.abs(near)))
+    c, s = WideBalls.where(level, one, c), WideBalls.where(level, none, WideBalls.where(near < 0, -s, s))
+    off = reduced - WideBalls.exact(near)
+    square = off * off
+    cosine, sine = one, one
+    for order in range(SINE, 1, -2):
+        cosine, sine = one - cosine * square / (order * (order - 1)), one - sine * square / (order * (order + 1))
+    sine = sine * off
+    # The series alternate, and what is left out is less than the next term.
+    rest = np.where(off.size < 1, off.size ** (SINE + 2), np.nan)
+    cosine, sine = (WideBalls(part.middle, part.radius + rest) for part in (cosine, sine))
+    return c * cosine - s * sine, s * cosine + c * sine
+
+
+def _taken(value: Any) -> WideBalls:
+    return value if isinstance(value, WideBalls) else WideBalls.exact(np.asarray(value, dtype=float))
+
+
 def _ball(value: Any, like: WideBalls) -> WideBalls:
     if isinstance(value, WideBalls):
         return value
@@ -206,22 +269,18 @@ def _rounded(middle: Wide, radius: NDArray[np.float64], units: float) -> WideBal
     return WideBalls(middle, (radius + np.abs(middle.high) * (units * UNIT)) * ROOM + TINY)
 
 
-class Functions:
+class Functions(JetFunctions):
     """``xp`` of generated functions for these balls."""
 
-    @staticmethod
-    def sqrt(value: Any) -> Any:
-        """Square root."""
-        if isinstance(value, Jet):
-            return value.sqrt(Functions.sqrt(value.value))
-        return value.sqrt() if isinstance(value, WideBalls) else np.sqrt(value)
+    def __init__(self) -> None:
+        functions = {
+            "sqrt": WideBalls.sqrt, "exp": WideBalls.exp, "log": log, "tanh": tanh, "atan": atan,
+            "cos": lambda angle: _waves(angle)[0], "sin": lambda angle: _waves(angle)[1],
+        }  # fmt: skip
+        super().__init__(functions, _taken)
 
-    @staticmethod
-    def exp(value: Any) -> Any:
-        """Exponential."""
-        if isinstance(value, Jet):
-            return value.exp(Functions.exp(value.value))
-        return value.exp() if isinstance(value, WideBalls) else np.exp(value)
+    #: π.
+    pi = PI
 
     @staticmethod
     def atan2(sine: Any, cosine: Any) -> Any:

@@ -92,6 +92,15 @@ class _Rooted:
     def __getattr__(self, name: str) -> Any:
         return getattr(self._xp, name)
 
+    def log(self, value: Any) -> Any:
+        """The same of a logarithm: −∞ of 0, whose exponential is 0."""
+        if isinstance(value, float):
+            return math.log(value) if value > 0 else -math.inf
+        if isinstance(value, np.ndarray):
+            with np.errstate(divide="ignore"):
+                return np.log(np.maximum(value, 0.0))
+        return self._xp.log(value)
+
     def sqrt(self, value: Any) -> Any:
         """Of a float or an array; an expression of heyoka's is taken as it is."""
         if isinstance(value, float | np.ndarray | np.floating):

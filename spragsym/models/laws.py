@@ -7,31 +7,41 @@ from typing import Any
 import numpy as np
 
 from ..exact.interval_arrays import Intervals
-from ..exact.jets import Jet
-from ..exact.methods import Functions
+from ..exact.interval_functions import cos, sin
+from ..exact.jets import Jet, JetFunctions
 
 
-class LawFunctions(Functions):
-    """As for any interval, but that a root is taken of what is not negative.
+class LawFunctions(JetFunctions):
+    """As for any interval, but that roots and logarithms are taken of what is not negative.
 
-    A law of contact that is no polynomial is asked for on its own side of the border only (``Balance.limits``). So its argument
-    is not negative, and where its enclosure reaches below 0 that is rounding.
+    A law of contact that is no polynomial is asked for on its own side of the border only (``Balance.limits``), and what else has
+    roots or logarithms has them of what is seen to be positive when its page is read. So their arguments are not negative, and
+    where an enclosure reaches below 0 that is rounding, or an enclosure that is not sharp.
     """
 
-    @staticmethod
-    def sqrt(value: Any) -> Any:
-        """Square root of the part that is not negative."""
-        if isinstance(value, Jet):
-            value = Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
-            return value.sqrt()
-        return _not_negative(_enclosed(value)).sqrt()
+    def __init__(self) -> None:
+        functions = {
+            "sqrt": lambda value: _not_negative(value).sqrt(),
+            "exp": lambda value: value.exp(),
+            "log": lambda value: _not_negative(value).log(),
+            "tanh": lambda value: value.tanh(),
+            "atan": lambda value: value.atan(),
+            "cos": cos,
+            "sin": sin,
+        }
+        super().__init__(functions, _enclosed)
 
-    @staticmethod
-    def exp(value: Any) -> Any:
+    def _of(self, name: str, value: Any) -> Any:
+        if isinstance(value, Jet) and name in ("sqrt", "log"):
+            value = Jet({**value.terms, (): _not_negative(_enclosed(value.value))}, value.order)
+        return super()._of(name, value)
+
+    #: π.
+    pi = Intervals.between([np.pi], [np.nextafter(np.pi, 4.0)])
+
+    def exp(self, value: Any) -> Any:
         """Exponential: 1 of the number 0."""
-        if isinstance(value, Jet):
-            return value.exp(LawFunctions.exp(value.value))
-        return 1 if isinstance(value, int | float) and value == 0 else _enclosed(value).exp()
+        return 1 if isinstance(value, int | float) and value == 0 else super().exp(value)
 
     @staticmethod
     def sign(value: Any) -> Any:

@@ -13,7 +13,7 @@ import sympy as sp
 from ...function import SPELLED, Function
 from ...quantities import Quantity
 from ...statements import flatten, straight_line
-from ..python.algebra import AlgebraPrinter
+from ..python.algebra import NAMES, AlgebraPrinter
 from .layout import broken, comment, plain
 
 _LARGEST_EXACT = 2**53
@@ -22,9 +22,7 @@ _LARGEST_EXACT = 2**53
 class CPrinter(AlgebraPrinter):
     """The statements of the Python printer in C, operation for operation."""
 
-    functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "sqrt", "exp": "exp", "log": "log", "abs": "fabs", "sign": "sign", "atan2": "atan2", "pi": "3.14159265358979323846",
-    }  # fmt: skip
+    functions: ClassVar[Mapping[str, str]] = {name: name for name in NAMES} | {"abs": "fabs", "pi": "3.14159265358979323846"}
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
         return c_name(str(expression.name))

@@ -9,7 +9,7 @@ from typing import ClassVar
 from ...function import Function, Results
 from ...quantities import Quantity
 from ...statements import straight_line
-from ..python.algebra import DividingPrinter
+from ..python.algebra import NAMES, DividingPrinter
 
 _WIDTH = 124
 
@@ -17,9 +17,7 @@ _WIDTH = 124
 class JavaScriptPrinter(DividingPrinter):
     """Algebra in JavaScript."""
 
-    functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "Math.sqrt", "exp": "Math.exp", "log": "Math.log", "abs": "Math.abs", "sign": "Math.sign", "atan2": "Math.atan2", "pi": "Math.PI",
-    }  # fmt: skip
+    functions: ClassVar[Mapping[str, str]] = {name: f"Math.{name}" for name in NAMES} | {"pi": "Math.PI"}
 
 
 _PRINTER = JavaScriptPrinter({"order": None})

@@ -11,7 +11,7 @@ import sympy as sp
 from ...function import Function
 from ...quantities import Quantity
 from ...statements import flatten, straight_line
-from ..python.algebra import DividingPrinter
+from ..python.algebra import NAMES, DividingPrinter
 
 WIDTH = 110
 
@@ -19,9 +19,7 @@ WIDTH = 110
 class MatlabPrinter(DividingPrinter):
     """Algebra in MATLAB."""
 
-    functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "sqrt", "exp": "exp", "log": "log", "abs": "abs", "sign": "sign", "atan2": "atan2", "pi": "pi",
-    }  # fmt: skip
+    functions: ClassVar[Mapping[str, str]] = {name: name for name in NAMES}
 
 
 _PRINTER = MatlabPrinter({"order": None})

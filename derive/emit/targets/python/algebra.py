@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import sympy as sp
 from sympy.printing.str import StrPrinter
@@ -12,6 +12,15 @@ from sympy.printing.str import StrPrinter
 from ...function import Function, Module, Results
 from ...quantities import Quantity
 from ...statements import straight_line
+
+#: What is printed: algebra, and functions by their names in each language.
+KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
+BY_NAME: Mapping[type[sp.Basic], str] = {
+    sp.exp: "exp", sp.log: "log", sp.tanh: "tanh", sp.atan: "atan", sp.cos: "cos", sp.sin: "sin", sp.atan2: "atan2",
+    sp.Abs: "abs", sp.sign: "sign",
+}  # fmt: skip
+#: All that a language has a name for.
+NAMES = ("sqrt", "pi", *BY_NAME.values())
 
 _WIDTH = 112
 _TIED = "\N{NO-BREAK SPACE}"
@@ -21,13 +30,17 @@ class AlgebraPrinter(StrPrinter):
     """Python source in which a rational coefficient stays a multiplication and a division by integers."""
 
     #: What functions are called in the language.
-    functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "xp.sqrt", "exp": "xp.exp", "log": "xp.log", "abs": "abs", "sign": "xp.sign", "atan2": "xp.atan2", "pi": "xp.pi",
-    }  # fmt: skip
+    functions: ClassVar[Mapping[str, str]] = {name: f"xp.{name}" for name in NAMES} | {"abs": "abs"}
 
     def call(self, name: str, *arguments: sp.Expr) -> str:
         """A function of these arguments."""
         return f"{self.functions[name]}({', '.join(map(self._print, arguments))})"
+
+    def _print(self, expression: Any, **options: Any) -> str:
+        # The printer of SymPy writes whatever it is given, under SymPy's name for it.
+        if not isinstance(expression, (*KNOWN, *BY_NAME)):
+            raise ArithmeticError(f"{type(expression).__name__} is no function that code is written for: {expression}")
+        return str(super()._print(expression, **options))
 
     def _print_Rational(self, expression: sp.Rational) -> str:
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
@@ -44,28 +57,27 @@ class AlgebraPrinter(StrPrinter):
         raise ArithmeticError(f"the float {expression} has no place in exact algebra")
 
     def _print_Pow(self, expression: sp.Pow, rational: bool = False) -> str:
-        if expression.exp == sp.S.Half:
-            return self.call("sqrt", expression.base)
-        if expression.exp == -sp.S.Half:
-            return f"1/{self.call('sqrt', expression.base)}"
-        if expression.exp != -1:
-            raise ArithmeticError(f"{expression} is not a reciprocal or a square root: powers are products by now")
-        return str(super()._print_Pow(expression, rational=rational))
+        if expression.exp == -1:
+            return str(super()._print_Pow(expression, rational=rational))
+        if abs(expression.exp.p) != 1 or not expression.exp.is_Rational:
+            raise ArithmeticError(f"{expression} is not a reciprocal or a root: powers are products by now")
+        root = self.root(expression.base, expression.exp.q)
+        return root if expression.exp > 0 else f"1/{root}"
 
-    def _print_exp(self, expression: sp.exp) -> str:
-        return self.call("exp", *expression.args)
+    def root(self, base: sp.Expr, order: int) -> str:
+        """A root of what is not negative; of 0, exp(−∞)."""
+        if order == 2:
+            return self.call("sqrt", base)
+        return f"{self.functions['exp']}({self.call('log', base)}/{self._print(sp.Integer(order))})"
 
-    def _print_log(self, expression: sp.log) -> str:
-        return self.call("log", *expression.args)
+    def _print_Function(self, expression: sp.Function) -> str:
+        return self.call(BY_NAME[expression.func], *expression.args)
 
-    def _print_Abs(self, expression: sp.Abs) -> str:
-        return self.call("abs", *expression.args)
+    # SymPy's printer has methods of its own for these.
+    _print_exp = _print_log = _print_Abs = _print_sign = _print_Function
 
-    def _print_sign(self, expression: sp.sign) -> str:
-        return self.call("sign", *expression.args)
-
-    def _print_atan2(self, expression: sp.atan2) -> str:
-        return self.call("atan2", *expression.args)
+    def _print_Exp1(self, expression: sp.Expr) -> str:
+        return self.call("exp", sp.S.One)
 
     def _print_Pi(self, expression: sp.Expr) -> str:
         return self.functions["pi"]

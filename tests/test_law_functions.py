@@ -1,0 +1,159 @@
+"""Functions of laws in every number type that evaluates a model, against mpmath with more digits than any of them has."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+from spragsym.exact.ball_functions import XP as BALLS
+from spragsym.exact.interval_arrays import Intervals
+from spragsym.exact.intervals import Ball, Balls
+from spragsym.exact.jets import Jet
+from spragsym.exact.wide_balls import XP as WIDE
+from spragsym.exact.wide_balls import WideBalls
+from spragsym.models.laws import XP as BOXES
+
+#: Each function, and arguments: about 0 and far from it, and where it is 1 or 0.
+ARGUMENTS = {
+    "exp": (0.0, 1e-300, -1e-9, 0.3, -0.7, 5.0, -40.0, 60.0),
+    "log": (1.0, 1.0 + 1e-9, 1e-30, 0.3, 0.9999, 2.0, 1e20),
+    "tanh": (0.0, 1e-300, 1e-9, -1e-4, 0.3, -1.0, 17.0, -45.0, 300.0),
+    "atan": (0.0, 1e-200, 1e-9, -1e-4, 0.3, -1.0, 17.0, -1e12),
+    "cos": (0.0, 1e-9, 0.3, -1.5707963267948966, 3.0, -3.2, 17.0, 1000.0),
+    "sin": (0.0, 1e-9, 0.3, -1.5707963267948966, 3.0, -3.2, 17.0, 1000.0),
+    "sqrt": (1e-30, 0.3, 2.0, 1e20),
+}
+CASES = [(name, x) for name, values in ARGUMENTS.items() for x in values]
+
+
+@pytest.fixture(autouse=True)
+def digits() -> Iterator[None]:
+    with mpmath.workdps(130), Balls().precision(160):
+        yield
+
+
+def true(name: str, x: Any) -> mpmath.mpf:
+    return getattr(mpmath, name)(mpmath.mpf(x))
+
+
+def ends(value: Any) -> tuple[mpmath.mpf, mpmath.mpf]:
+    """Of the one number that it is."""
+    if isinstance(value, Ball):
+        return tuple(mpmath.mpf(end.numerator) / end.denominator for end in Balls().ends(value))  # type: ignore[return-value]  # two
+    if isinstance(value, WideBalls):
+        (high,), (low,), (radius,) = (np.atleast_1d(part) for part in (value.middle.high, value.middle.low, value.radius))
+        middle = mpmath.mpf(float(high)) + mpmath.mpf(float(low))
+        return middle - float(radius), middle + float(radius)
+    return mpmath.mpf(float(value.low[0])), mpmath.mpf(float(value.high[0]))
+
+
+#: How a float becomes a number of each type, its functions, and the width allowed, relative to what is larger, the value or 1.
+TYPES: dict[str, tuple[Callable[[float], Any], Any, float]] = {
+    "intervals": (lambda x: Intervals.point([x]), BOXES, 2e-14),
+    "double-double": (lambda x: WideBalls.exact(np.array([x])), WIDE, 4e-27),
+    "balls": (lambda x: Balls().exact(Fraction(x)), BALLS, 2.0**-150),
+}
+
+
+@pytest.mark.parametrize("kind", TYPES)
+@pytest.mark.parametrize(("name", "x"), CASES)
+def test_a_function_holds_its_value_and_little_else(kind: str, name: str, x: float) -> None:
+    made, functions, width = TYPES[kind]
+    with np.errstate(all="ignore"):
+        low, high = ends(getattr(functions, name)(made(x)))
+    value = true(name, x)
+    assert low <= value <= high
+    # What is halved for a series and then squared, or less whole turns, loses the digits of its size.
+    assert high - low <= width * max(abs(value), 1) * max(abs(x), abs(value) if name == "log" else 1, 1)
+
+
+@pytest.mark.parametrize("kind", TYPES)
+@pytest.mark.parametrize(("name", "x"), [case for case in CASES if not 0 < abs(case[1]) < 1e-100 and abs(case[1]) < 50])
+def test_derivatives_of_a_function(kind: str, name: str, x: float) -> None:
+    made, functions, width = TYPES[kind]
+    x = x or 0.25
+    with np.errstate(all="ignore"):
+        jet = getattr(functions, name)(Jet.variable(made(x), 0, 3))
+    for order in (1, 2, 3):
+        low, high = ends(jet.derivative(*(0,) * order))
+        value = mpmath.diff(
+            lambda at: getattr(mpmath, name)(at), mpmath.mpf(x), order, h=mpmath.mpf(abs(x)) * mpmath.mpf(10) ** -25
+        )
+        close = mpmath.mpf(10) ** -40 * max(1, abs(value)) if abs(x) > 1e-3 else mpmath.mpf(10) ** -20 * max(1, abs(value))
+        assert low - close <= value <= high + close
+        assert high - low <= 1e3 * width * max(abs(value), 1) + close
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_an_interval_of_arguments_holds_all_values(name: str) -> None:
+    rng = np.random.default_rng(14)
+    low = rng.uniform(-3, 3, 200)
+    high = low + 10.0 ** rng.uniform(-12, 0.5, 200)
+    if name in ("log", "sqrt"):
+        high, low = np.abs(low) + (high - low), np.abs(low)
+    low[0], high[0] = 0.0, 1.0
+    with np.errstate(all="ignore"):
+        found = getattr(BOXES, name)(Intervals.between(low, high))
+    for share in (0.0, 0.2, 0.5, 1.0):
+        inside = np.clip(low + share * (high - low), low, high)
+        for x, least, most in zip(inside.tolist(), found.low.tolist(), found.high.tolist(), strict=True):
+            if name != "log" or x:
+                assert least <= true(name, x) <= most
+    sampled = np.array([[float(true(name, x)) if name != "log" or x else -np.inf for x in side] for side in (low, high)])
+    if name not in ("cos", "sin"):  # those have their extremes inside
+        assert np.allclose(found.low, sampled[0], rtol=1e-14, atol=1e-15)
+        assert np.allclose(found.high, sampled[1], rtol=1e-14, atol=1e-15)
+
+
+@pytest.mark.parametrize("name", ARGUMENTS)
+def test_balls_of_arguments_hold_all_values(name: str) -> None:
+    for x, r in ((0.5, 1e-3), (0.3, 1e-12), (2.0, 1e-20), (1.0, 2.0**-60), (3.0, 1e-5)):
+        wide = WideBalls.exact(np.array([x]))
+        wide.radius[0] = r
+        ball = Balls().between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r))
+        for found, most in ((getattr(WIDE, name)(wide), 2e-27), (getattr(BALLS, name)(ball), 2.0**-150)):
+            low, high = ends(found)
+            size = max(abs(true(name, x)), 1)
+            for share in (-1, -0.3, 0.5, 1):
+                assert low <= true(name, mpmath.mpf(x) + share * mpmath.mpf(r)) <= high
+            assert high - low <= 60 * r * size + most * size
+
+
+def test_numbers_without_width_are_as_right_as_others() -> None:
+    """A number of the page, as the 2 of sqrt(2), is no exact float after its root."""
+    for functions in (BOXES, WIDE, BALLS):
+        low, high = ends(functions.sqrt(2))
+        assert low < mpmath.sqrt(2) < high
+        low, high = ends(functions.pi)
+        assert low < mpmath.pi < high
+
+
+def test_a_root_by_exponential_and_logarithm_begins_at_zero() -> None:
+    with np.errstate(all="ignore"):
+        found = BOXES.exp(BOXES.log(Intervals.between([0.0, 0.0, -1e-18], [0.0, 8.0, 1e-3])) / 3)
+    assert (found.low == 0).all()
+    assert found.high[0] < 1e-300
+    assert found.high[1] == pytest.approx(2.0, rel=1e-14)
+    assert found.high[2] == pytest.approx(0.1, rel=1e-13)
+
+
+@pytest.mark.parametrize("name", ["exp", "log", "tanh", "atan", "cos", "sin"])
+def test_series_in_time_are_those_of_mpmath(name: str) -> None:
+    """Of x(t) = 0.4 + t − t²/2, by balls of python-flint."""
+    flint = pytest.importorskip("flint")
+    from spragsym.cycles import jets as series
+
+    x = series.Jet.constant(flint.arb(2) / 5)
+    x.known += [flint.arb(1), flint.arb(-1) / 2]
+    found = getattr(series.XP, name)(x)
+    with mpmath.workdps(60):
+        want = mpmath.taylor(lambda t: getattr(mpmath, name)(mpmath.mpf(2) / 5 + t - t * t / 2), 0, 8)
+        for k, value in enumerate(want):
+            middle, radius = mpmath.mpf(found[k].mid().str(40, radius=False)), float(found[k].rad())
+            assert abs(middle - value) <= radius + 1e-30
+            assert radius < 1e-10

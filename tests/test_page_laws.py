@@ -1,0 +1,185 @@
+"""Laws of many shapes on one page, from the page to states, folds, motions and C, against equations written down here by hand."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+pytest.importorskip("sympy")
+
+import spragsym as ss
+from spragsym.derive import export, folder, pages
+
+ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
+OFFERED = "from spragsym.derive.model import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
+COMPILER = shutil.which("cc")
+
+
+@dataclass(frozen=True)
+class Case:
+    """Two laws as a page has them, and the same for numbers of mpmath at V = 0.5, d = 10, mu0 = 0.5, the scales being 1."""
+
+    contact: str
+    friction: str
+    push: Callable[[Any], Any]
+    mu: Callable[[Any], Any]
+    at_rest: bool = False
+
+
+CASES = {
+    "tanh": Case(
+        "k_c * L_0 * tanh(depth / L_0)",
+        "mu0 * tanh(d * v), at_rest=mu0",
+        mpmath.tanh,
+        lambda v: mpmath.tanh(10 * v) / 2,
+        at_rest=True,
+    ),
+    "log": Case(
+        "k_c * L_0 * log(1 + depth / L_0)",
+        "mu0 * log(1 + d * Abs(v)) * sgn(v)",
+        lambda depth: mpmath.log(1 + depth),
+        lambda v: mpmath.log(1 + 10 * abs(v)) * mpmath.sign(v) / 2,
+    ),
+    "powers": Case(
+        "k_c * L_0 * (depth / L_0) ** (4 / 3)",
+        "mu0 * v / (v**2 + 1 / d**2) ** 0.5 * (1 + d * Abs(v)) ** (-1 / 5)",
+        lambda depth: depth ** mpmath.mpf("4/3") if depth else mpmath.mpf(0),
+        lambda v: v / mpmath.sqrt(v**2 + mpmath.mpf("0.01")) * (1 + 10 * abs(v)) ** -mpmath.mpf("0.2") / 2,
+    ),
+    "atan": Case(
+        "k_c * L_0 * (atan(depth / L_0) + depth / (2 * L_0) * (1 + depth / L_0) ** 1.5)",
+        "mu0 * 2 / pi * atan(d * v), at_rest=mu0",
+        lambda depth: mpmath.atan(depth) + depth / 2 * (1 + depth) ** mpmath.mpf(1.5),
+        lambda v: mpmath.atan(10 * v) / mpmath.pi,
+        at_rest=True,
+    ),
+    "waves": Case(
+        "k_c * L_0 * sinh(depth / L_0) * sqrt(2) * log(3) * exp(1) / 4",
+        "mu0 * sinh(d * v) / cosh(d * v) * (1 + sin(v * d / 4) ** 2 / 8)",
+        lambda depth: mpmath.sinh(depth) * mpmath.sqrt(2) * mpmath.log(3) * mpmath.e / 4,
+        lambda v: mpmath.tanh(10 * v) * (1 + mpmath.sin(v * 2.5) ** 2 / 8) / 2,
+    ),
+}
+#: theta0, kappa, alpha, sigma, mu0.
+THETA0, KAPPA, ALPHA, SIGMA = 0.8, 0.007, 0.007, 0.1
+
+
+@pytest.fixture(scope="module", params=list(CASES))
+def model(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    name = request.param
+    case = CASES[name]
+    place = tmp_path_factory.mktemp(name)
+    text = ARTICLE.replace("from ..model import Abs, Page, cos, exp, pi, sgn, sin", OFFERED)
+    text = text.replace("from ..model import Abs, Page, cos, exp, sgn, sin", OFFERED)
+    text = text.replace("k_c * depth)", f"{case.contact})")
+    text = text.replace("mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0", case.friction)
+    (place / f"{name}_page.py").write_text(text, encoding="utf-8")
+    folder.write_page(place / f"{name}_page.py", place / "out")
+    return case, ss.load(place / "out"), place
+
+
+def forces(case: Case, x: Any, y: Any, mu: Any) -> tuple[Any, Any]:
+    """Along the belt and across it: ties, the inclined spring of length 1 from its anchor, the preload, contact and friction."""
+    dx, dy = mpmath.cos(THETA0) - x, mpmath.sin(THETA0) - y
+    length = mpmath.sqrt(dx**2 + dy**2)
+    tension = mpmath.mpf(SIGMA) * (length - 1)
+    n = case.push(-y) if y < 0 else mpmath.mpf(0)
+    along = tension * dx / length - mpmath.mpf(ALPHA) * x + mu * n
+    return along, tension * dy / length - mpmath.mpf(KAPPA) + n
+
+
+def test_states_are_those_of_the_equations(model: Any) -> None:
+    case, it, _ = model
+    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
+    found = it.equilibria(p)
+    assert bool(found.complete)
+    assert int(found.count) >= 1
+    with mpmath.workdps(50):
+        mu = mpmath.mpf("0.5") if case.at_rest else case.mu(mpmath.mpf("0.5"))
+        for x, y, error in zip(*np.broadcast_arrays(found.x, found.y, found.error), strict=True):
+            if np.isnan(x):
+                continue
+            truth = mpmath.findroot(lambda *q: forces(case, *q, mu), (mpmath.mpf(x), mpmath.mpf(y)), tol=1e-60)
+            assert error < 1e-12
+            assert max(abs(truth[0] - x), abs(truth[1] - y)) <= error * max(1, abs(x), abs(y))
+
+
+def test_stiffness_is_the_derivative_of_the_forces(model: Any) -> None:
+    case, it, _ = model
+    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
+    taken = [float(value) for value in it.arguments(p)]
+    x, y, mu = 0.13, -0.07, 0.4
+    ((dx, dy, _),) = it.statics.geometry(x, y, *taken)
+    length = np.hypot(dx, dy)
+    K = it.statics.forces_jacobian(x, y, dx / length, dy / length, length, *taken, mu, 1)
+    H = it.statics.forces_hessian(x, y, dx / length, dy / length, length, *taken, mu, 1)
+    with mpmath.workdps(50):
+        for i in range(2):
+
+            def row(a: Any, b: Any, i: int = i) -> Any:
+                return -forces(case, a, b, mpmath.mpf(mu))[i]
+
+            for j, way in enumerate(((1, 0), (0, 1))):
+                assert float(K[i][j]) == pytest.approx(float(mpmath.diff(row, (x, y), way)), rel=1e-12, abs=1e-14)
+                for k, other in enumerate(((1, 0), (0, 1))):
+                    both = (way[0] + other[0], way[1] + other[1])
+                    assert float(H[i][j][k]) == pytest.approx(float(mpmath.diff(row, (x, y), both)), rel=1e-11, abs=1e-13)
+
+
+@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
+def test_motions_are_those_of_the_equations(model: Any, backend: str) -> None:
+    """The mass begins beyond the belt's speed, above the belt: both borders are crossed."""
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    case, it, _ = model
+    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
+    start, t_end = (0.05, 0.01, 0.6, -0.05), 12.0
+    found = it.simulate(p, start=start, t_end=t_end, rtol=1e-11, backend=backend)
+
+    def field(_: float, state: Any) -> list[float]:
+        x, y, vx, vy = map(mpmath.mpf, state.tolist())
+        with mpmath.workdps(17):
+            return [float(vx), float(vy), *map(float, forces(case, x, y, case.mu(mpmath.mpf("0.5") - vx)))]
+
+    want = solve_ivp(field, (0, t_end), start, method="DOP853", rtol=1e-8, atol=1e-10, max_step=0.25)
+    ends = [float(getattr(found, name)[-1]) for name in ("x", "y", "vx", "vy")]
+    assert ends == pytest.approx(want.y[:, -1], abs=2e-7)
+
+
+@pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
+def test_c_gives_the_numbers_of_python(model: Any) -> None:
+    _, it, place = model
+    (page,) = place.glob("*_page.py")
+    name = page.stem
+    out = place / "c"
+    out.mkdir()
+    for file, text in export.export(page, name, "c").items():
+        (out / file).parent.mkdir(parents=True, exist_ok=True)
+        (out / file).write_text(text, encoding="utf-8")
+    p = it.Parameters(theta0=THETA0, kappa=KAPPA, alpha=ALPHA, sigma=SIGMA)
+    taken = [float(value) for value in it.arguments(p, "motion")]
+    calls, want = [], []
+    for function, sides in (("rhs", ()), ("regime_jacobian", (1.0, -1.0, *[1.0] * it.about["layers"]))):
+        given = [0.1, -0.05, 0.7, 0.02, *taken, *sides]
+        values = np.array(getattr(it.motion, function)(*given), dtype=float).ravel()
+        want.append(values)
+        listed = ", ".join(float(value).hex() for value in given)
+        calls.append(
+            f"{{ double r[{values.size}]; if ({name}_{function}({listed}, r)) return 1; "
+            f'for (int i = 0; i < {values.size}; i++) printf("%.17g\\n", r[i]); }}'
+        )
+    (out / "try.c").write_text(
+        f'#include <stdio.h>\n#include "{name}.h"\nint main(void) {{\n' + "\n".join(calls) + "\nreturn 0;\n}\n"
+    )
+    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O0", "try.c", f"{name}.c", "-lm", "-o", "try"]
+    subprocess.run(build, cwd=out, check=True, timeout=120)
+    shown = subprocess.run(["./try"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout
+    np.testing.assert_allclose([float(line) for line in shown.split()], np.concatenate(want), rtol=1e-12, atol=1e-15)

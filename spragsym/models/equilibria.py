@@ -35,11 +35,7 @@ from .remarks import remarks
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
-<<<<<<< HEAD
-STAGES = ((2.0**-9, 4), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
-=======
-STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6))
->>>>>>> turn
+STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
 
 
 @dataclass(frozen=True)

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..errors import ParameterError
+from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
@@ -30,6 +30,7 @@ from .precise import (
     settled_by_digits,
     unsettled,
 )
+from .refined import refined
 from .regions import region
 from .remarks import remarks
 
@@ -123,7 +124,9 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     looked at in its angle and tension, see :mod:`spragsym.models.polar`. What float64 does not decide is reduced to one unknown
     and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
-    balance = Balance(model, contact)
+    if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
+        raise ParameterTypeError(f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off")
+    balance = Balance(model, bool(contact))
     if not contact and not balance.opens:
         raise ParameterError("contact = False: the contact of this model never opens, so it has no lift-off; use contact=True")
     given = columns(p, balance.parameters)
@@ -171,12 +174,17 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
     others = np.flatnonzero(~turning)
     stiff, stiff_done = stiff_points(balance, given[:, others], of_each(around, given)[:, :, others])
     if not turning.any() and not stiff_done.any():
-        return _by_boxes(balance, given, around), around, whole
+        return _narrowed(balance, given, _by_boxes(balance, given, around)), around, whole
     rest = others[~stiff_done]
     parts = [turned, at(stiff, others)]
     if rest.size:
         parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
-    return certified_roots.concatenated(parts, balance.n), around, whole
+    return _narrowed(balance, given, certified_roots.concatenated(parts, balance.n)), around, whole
+
+
+def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
+    """The same roots, those that are known to few digits in narrower boxes."""
+    return replace(found, ends=refined(balance, given, found.ends, found.point, precise_forces(balance)))
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:

@@ -241,8 +241,8 @@ class Page:
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
         """A torsion spring: it resists the turning φ of the line from the first end to the second, from the inclination ``rest``.
 
-        Its torque is k φ to 0.1 % up to 23°, to 1 % up to 41° and to 5 % up to 61°: the energy k φ²/2 is written as a polynomial of
-        cos φ, so that all forces stay algebraic in the direction of the line, see :func:`derive.mechanics.turning`.
+        Its energy is k φ²/2, with φ in (−π, π]: the least turning. On the ray φ = ±π the torque jumps from k π to −k π, away from
+        the ray on either side; the energy is continuous there.
         """
         line = _line()
         both = _ends(ends, None, line)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy as sp
 
-from . import laws, symmetry
+from . import laws, rows, symmetry
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
@@ -13,6 +15,7 @@ def parameters(model: Mechanics) -> tuple[sp.Symbol, ...]:
     """Parameters of the balance of forces, an angle as the angle."""
     used = {symbol for row in model.residuals for symbol in row.free_symbols}
     parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)] + [model.depth]
+    parts += [part for torsion in model.torsions for part in (torsion.cosine, torsion.sine, torsion.stiffness)]
     used |= {symbol for part in parts for symbol in part.free_symbols}
     return tuple(symbol for symbol in map(number, model.parameters) if used & set(model.pair(symbol)))
 
@@ -45,7 +48,7 @@ def by_parameters(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
 def module(model: Mechanics) -> Module:
     """The generated module."""
     place = (*model.coordinates, *arguments(model))
-    state = (*model.coordinates, *model.directions, *arguments(model), MU, PUSHING)
+    state = (*model.coordinates, *model.directions, *model.turned, *arguments(model), MU, PUSHING)
     depth = {DEPTH: model.depth}
     friction = laws.friction_at_rest(model)
     mirror = symmetry.mirror(model)
@@ -53,6 +56,14 @@ def module(model: Mechanics) -> Module:
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, depth, transcendental=True)
 
+    T = rows.sums(model)
+    apart = () if T.is_Identity else (
+        function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,
+                 tuple(map(sp.expand, T * sp.Matrix(model.residuals))), "(F_1, …)"),
+        function("balance_jacobian", "Their derivatives by the coordinates: the same sums of the rows of K.", state,
+                 tuple(tuple(map(model.tidy, row)) for row in (T * sp.Matrix(jacobian(model))).tolist()),
+                 "((∂F_1/∂q_1, …), …)"),
+    )  # fmt: skip
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
@@ -70,9 +81,10 @@ def module(model: Mechanics) -> Module:
             function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
                      tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
                      "(∂mu/∂p_1, …)"),
+            *_torsions(model, place, function),
             function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
             function("stiffnesses", "The stiffness of every spring.", place, model.stiffnesses, "(k_1, …)"),
-            function("forces_apart", "The forces without those springs; each adds its tension times (c ∂dx + s ∂dy).", state,
+            function("forces_apart", _apart(model), state,
                      model.residuals_apart, "(F_1, …)"),
             function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,
                      jacobian(model), "((∂F_1/∂q_1, …), …)"),
@@ -80,5 +92,24 @@ def module(model: Mechanics) -> Module:
                      "(((∂²F_1/∂q_1∂q_1, …), …), …)"),
             function("forces_by_parameters", "Derivatives of the forces by the parameters, an angle as the angle, and by mu.", state,
                      by_parameters(model), "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)"),
+            *apart,
         ),
     )  # fmt: skip
+
+
+def _torsions(model: Mechanics, place: tuple[sp.Symbol, ...], function: Callable[..., Function]) -> tuple[Function, ...]:
+    """What only a model with torsion springs has."""
+    if not model.torsions:
+        return ()
+    return (
+        function("turnings", "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
+                 (*model.coordinates, *model.directions, *arguments(model)),
+                 tuple((torsion.cosine, torsion.sine) for torsion in model.torsions), "((cos φ_1, sin φ_1), …)"),
+        function("torsions", "The stiffness of every torsion spring.", place,
+                 tuple(torsion.stiffness for torsion in model.torsions), "(k_1, …)"),
+    )  # fmt: skip
+
+
+def _apart(model: Mechanics) -> str:
+    said = "The forces without those springs; each adds its tension times (c ∂dx + s ∂dy)."
+    return said + (" A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else "")

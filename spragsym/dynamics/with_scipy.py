@@ -19,8 +19,8 @@ from .solution import Crossing, Solution, assembled
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
-FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
-ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
+FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)), atan2=math.atan2, pi=math.pi)
+ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)), atan2=np.atan2, pi=np.pi)
 
 #: Each step is searched for crossings on this many intervals, and between them at extrema.
 _SEARCH = np.linspace(0.0, 1.0, 9)

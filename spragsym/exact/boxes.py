@@ -263,10 +263,11 @@ class _Search:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
         n = now.ends.shape[1]
         widths = now.ends[0] + now.ends[1]
-        ratio = widths / (before.ends[0] + before.ends[1])
         single = self.points.size[now.nodes] == 1
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
         scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
+        # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
+        ratio = np.where(widths <= NARROW * scale, 1.0, widths / (before.ends[0] + before.ends[1]))
         stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
         narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])

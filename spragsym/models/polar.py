@@ -193,7 +193,7 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
 def _of_any_spring(balance: Balance, given: FloatArray, region: FloatArray) -> Roots | None:
     """Roots of one point by the first spring around which all is decided."""
     # A folder that was derived before has no forces without springs.
-    if not hasattr(balance.model.statics, "forces_apart") or not _ends_are_linear(balance, given):
+    if not hasattr(balance.model.statics, "forces_apart") or balance.torsions or not _ends_are_linear(balance, given):
         return None
     for number, spring in enumerate(balance.model.about["springs"]):
         if spring["chart"] is None:

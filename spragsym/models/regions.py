@@ -40,6 +40,7 @@ def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
         directions = [Intervals(np.ones((2, count))) for _ in range(3 * balance.springs)]
         for place in range(balance.springs):
             directions[3 * place + 2] = Intervals(np.stack([np.zeros(count), np.full(count, FAR)]))
+        directions += [Intervals(np.full((2, count), raised(np.array(np.pi)))) for _ in balance.torsions]
         for _ in range(ROUNDS):
             before = ends
             ends = balance.by_rows(Intervals(ends), values, directions)

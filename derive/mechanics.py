@@ -29,6 +29,8 @@ PUSHING = sp.Symbol("pushing", real=True)
 SIDE = sp.Symbol("side", real=True)
 #: The friction coefficient, where a function takes it as a number.
 MU = sp.Symbol("mu", real=True)
+#: Penetration in lift-off: small, so that no exponential of it is infinite, and not 0, where slopes of a root are.
+TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = sp.Symbol("depth", positive=True)
 
@@ -195,11 +197,20 @@ class Mechanics:
         return PUSHING * self.push if self.unilateral else self.push
 
     @cached_property
+    def contact_energy(self) -> sp.Expr:
+        """The integral of the law over the penetration, from 0, in DEPTH."""
+        energy = sp.integrate(self.law, DEPTH)
+        return energy - energy.subs(DEPTH, 0)
+
+    @cached_property
     def depth(self) -> sp.Expr:
-        """What DEPTH stands for: the penetration, and 1 in lift-off, where it is multiplied by 0."""
+        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by 0, a tiny one at which it is finite.
+
+        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last digits of a shallow penetration.
+        """
         if self.gap is None:
             return sp.S.Zero
-        return PUSHING * (-self.gap) + (1 - PUSHING) if self.unilateral else -self.gap
+        return PUSHING * (-self.gap) + (1 - PUSHING) ** 2 * TOUCH if self.unilateral else -self.gap
 
     @cached_property
     def residuals(self) -> tuple[sp.Expr, ...]:

@@ -65,8 +65,7 @@ class Motion:
         """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the contact's."""
         it = self.model
         work = self.work
-        contact = sp.integrate(it.law, DEPTH)
-        contact = contact - contact.subs(DEPTH, 0)
+        contact = it.contact_energy
         if it.gap is None:
             contact = sp.S.Zero
         elif it.polynomial:

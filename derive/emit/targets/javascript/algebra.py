@@ -18,7 +18,7 @@ class JavaScriptPrinter(DividingPrinter):
     """Algebra in JavaScript."""
 
     functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "Math.sqrt", "exp": "Math.exp", "abs": "Math.abs", "sign": "Math.sign", "atan2": "Math.atan2", "pi": "Math.PI",
+        "sqrt": "Math.sqrt", "exp": "Math.exp", "log": "Math.log", "abs": "Math.abs", "sign": "Math.sign", "atan2": "Math.atan2", "pi": "Math.PI",
     }  # fmt: skip
 
 

@@ -22,7 +22,7 @@ class AlgebraPrinter(StrPrinter):
 
     #: What functions are called in the language.
     functions: ClassVar[Mapping[str, str]] = {
-        "sqrt": "xp.sqrt", "exp": "xp.exp", "abs": "abs", "sign": "xp.sign", "atan2": "xp.atan2", "pi": "xp.pi",
+        "sqrt": "xp.sqrt", "exp": "xp.exp", "log": "xp.log", "abs": "abs", "sign": "xp.sign", "atan2": "xp.atan2", "pi": "xp.pi",
     }  # fmt: skip
 
     def call(self, name: str, *arguments: sp.Expr) -> str:
@@ -54,6 +54,9 @@ class AlgebraPrinter(StrPrinter):
 
     def _print_exp(self, expression: sp.exp) -> str:
         return self.call("exp", *expression.args)
+
+    def _print_log(self, expression: sp.log) -> str:
+        return self.call("log", *expression.args)
 
     def _print_Abs(self, expression: sp.Abs) -> str:
         return self.call("abs", *expression.args)

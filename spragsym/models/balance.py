@@ -20,6 +20,8 @@ from .laws import XP
 AWAY = 1.0
 #: Sizes of a box from all anchors beyond which it counts as small.
 FAR = 2.0
+#: Steps of Newton's method from the middle of a box that has one root.
+GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
@@ -228,6 +230,17 @@ class Balance:
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """Forces at floats, shape (n, N)."""
         return self.residuals(Intervals.point(middles), parameters)
+
+    def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray:
+        """Newton's method in floats."""
+        values = dict(zip(self.codes, parameters.middle, strict=True))
+        q = middles
+        for _ in range(GUESSES):
+            directions = self.plain_directions(list(q), values, np)
+            forces, rows = (self.call(name, list(q), directions, values, np) for name in ("forces", "forces_jacobian"))
+            J = contractors.inverse(np.array([[entry + 0.0 * q[0] for entry in row] for row in rows]))
+            q = q - (J * np.array([force + 0.0 * q[0] for force in forces])[None]).sum(axis=1)
+        return q
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Stiffness over boxes, shape (n, n, N)."""

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import mpmath as mp
+import numpy as np
 import sympy as sp
 
 #: Parts of the half circle between which a change of sign is looked for.
@@ -118,3 +119,53 @@ def two_springs(p: Any) -> list[tuple[Any, Any]]:
                     if L1 > 0 and L2 > 0 and y_ < 0:
                         found.append((x_, y_))
     return sorted(found)
+
+
+#: Parts of the turn from −π to π between which a change of sign is looked for.
+TURN_PARTS = 40_000
+
+
+def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
+    """All states of ``tests/soft_brake.py``, an inclined spring with a torsion spring at its anchor, as (x, y), sorted.
+
+    With the angle φ of the torsion spring given, the balance along the spring is a quadratic equation in its length, linear in
+    lift-off, and the balance across it a function of φ on each branch of its roots. Changes of sign on a grid are refined; two roots
+    within one part of the grid are missed, and beside a fold of the branches.
+    """
+    names = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
+    theta0, mu, kappa, alpha, sigma, tau, gamma = (mp.mpf(float(getattr(p, name))) for name in names)
+    exact = (theta0, mu * contact, kappa, alpha, sigma, tau, gamma)
+    rough = tuple(map(float, exact))
+    grid = np.pi * (2 * (np.arange(TURN_PARTS) + 1 / 3) / TURN_PARTS - 1)
+    found = []
+    for branch in (0, 1):
+        with np.errstate(all="ignore"):
+            lacking = _turned(grid, branch, contact, rough, np)[2]
+        for k in np.flatnonzero(lacking[:-1] * lacking[1:] <= 0).tolist():
+            ends = tuple(mp.mpf(float(grid[k + i])) for i in (0, 1))
+            phi = mp.findroot(
+                lambda phi, b=branch: _turned(phi, b, contact, exact, mp)[2], ends, solver="anderson", tol=1e-80, verify=False
+            )
+            x, y, lacks, length = _turned(phi, branch, contact, exact, mp)
+            if length > 0 and (y < 0) == contact and abs(lacks) < 1e-30 * (1 + tau):  # a pole of the branch changes sign, too
+                found.append((x, y))
+    return sorted(found)
+
+
+def _turned(phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: Any) -> tuple[Any, Any, Any, Any]:
+    """x, y, what the torque lacks to balance, and the length that balances the forces along the spring on a branch."""
+    theta0, mu, kappa, alpha, sigma, tau, gamma = numbers
+    X, Y = xp.cos(theta0), xp.sin(theta0)
+    c, s = xp.cos(theta0 + phi), xp.sin(theta0 + phi)
+    pull = (mu * c + s) * contact
+    quadratic = -pull * gamma * s**2
+    linear = -alpha * c**2 - sigma - pull * s * (1 - 2 * gamma * Y)
+    constant = alpha * X * c + s * kappa + sigma - pull * (gamma * Y**2 - Y)
+    root = xp.sqrt(linear**2 - 4 * quadratic * constant)
+    root = root if xp is np else mp.re(root)
+    # Without cancellation; the first branch is that of a linear law.
+    larger = -(linear + xp.sign(linear) * root) / 2
+    length = constant / larger if branch == 0 else larger / (quadratic + (0 if xp is np else mp.mpf("1e-400")))
+    x, y = X - length * c, Y - length * s
+    n = (gamma * y**2 - y) * contact
+    return x, y, length * ((kappa - n) * c - (alpha * x - mu * n) * s) - tau * phi, length

@@ -21,6 +21,10 @@ def equations(model: Mechanics) -> list[str]:
     for line in model.lines:
         for cosine, vector in ((line.c, line.dx), (line.s, line.dy)):
             lines.append(f"{names[line.l]} {names[cosine]} = {_latex(vector, names)}")
+    for torsion in model.torsions:
+        theta = names[torsion.line.c].removeprefix(r"(\cos").removesuffix(")")
+        phi, rest = names[torsion.phi], _latex(torsion.rest, names)
+        lines.append(rf"{phi} = {theta} - {rest if torsion.rest.is_Symbol else f'({rest})'}, \quad -\pi < {phi} \le \pi")
     if model.slide is not None:
         speed = sp.Symbol("v", positive=True)
         assert model.page.sliding is not None
@@ -47,6 +51,8 @@ def _names(model: Mechanics) -> dict[sp.Symbol, str]:
     for count, line in enumerate(model.lines, 1):
         mark = "" if len(model.lines) == 1 else f"_{count}"
         names |= {line.c: rf"(\cos\theta{mark})", line.s: rf"(\sin\theta{mark})", line.l: f"L{mark}"}
+    for count, torsion in enumerate(model.torsions, 1):
+        names[torsion.phi] = r"\varphi" if len(model.torsions) == 1 else rf"\varphi_{count}"
     return names | {MU: r"\mu", PUSHING: r"\overline{n}", DEPTH: r"\delta"}
 
 

@@ -100,6 +100,13 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
             str(line.s): f"sine of the direction of spring {count}",
             str(line.l): f"length of spring {count}",
         }
+    for count, torsion in enumerate(model.torsions, 1):
+        entries |= {
+            str(torsion.phi): f"turning of torsion spring {count}, from −π to π",
+            str(
+                torsion.way
+            ): f"1 where that turning is counted from −π/2 to 3π/2, −1 from −3π/2 to π/2; of torsion spring {count}",
+        }
     return entries | {
         str(MU): "friction coefficient",
         str(PUSHING): "1 in contact, 0 in lift-off",
@@ -157,6 +164,7 @@ def description(model: Model) -> dict[str, Any]:
             "turned": [str(symbol) for symbol in mirror.centres], "zero": mirror.zero,
             "upright": [place for place, line in enumerate(it.lines) if mirror.turns(line)],
         },
+        "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],
         "symmetric": rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip

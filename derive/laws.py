@@ -11,7 +11,8 @@ import sympy as sp
 from .mechanics import SIDE, Mechanics
 from .model import PageError, expression_of
 
-_SLIP = sp.Symbol("slip", positive=True)
+#: A sliding speed, positive.
+SLIP = sp.Symbol("slip", positive=True)
 
 
 def slip(model: Mechanics) -> sp.Expr:
@@ -25,23 +26,23 @@ def near(count: int) -> tuple[sp.Symbol, ...]:
 
 
 def _sides(model: Mechanics) -> tuple[sp.Expr, sp.Expr]:
-    """The law for the belt ahead and for the mass ahead, in the positive speed _SLIP."""
+    """The law for the belt ahead and for the mass ahead, in the positive speed SLIP."""
     if model.page.sliding is None:
         return sp.S.Zero, sp.S.Zero
     law = model.page.sliding.law
-    ahead, behind = (model.scaled(expression_of(law(sign * _SLIP))) for sign in (1, -1))
+    ahead, behind = (model.scaled(expression_of(law(sign * SLIP))) for sign in (1, -1))
     return ahead, behind
 
 
 def _exponentials(model: Mechanics) -> list[sp.Expr]:
     """Exponentials of the sliding speed in the law, in an order of their own."""
-    found = {node for side in _sides(model) for node in side.atoms(sp.exp) if node.has(_SLIP)}
+    found = {node for side in _sides(model) for node in side.atoms(sp.exp) if node.has(SLIP)}
     return sorted(found, key=sp.default_sort_key)
 
 
 def layers(model: Mechanics) -> tuple[sp.Expr, ...]:
     """Minus the exponent of every exponential of the sliding speed: large where it is not felt."""
-    return tuple(sp.expand(-node.args[0]).subs(_SLIP, SIDE * slip(model)) for node in _exponentials(model))
+    return tuple(sp.expand(-node.args[0]).subs(SLIP, SIDE * slip(model)) for node in _exponentials(model))
 
 
 def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
@@ -52,21 +53,21 @@ def smooth_friction(model: Mechanics, felt: bool = False) -> sp.Expr:
         factors = {node: factor * node for node, factor in zip(nodes, near(len(nodes)), strict=True)}
         ahead, behind = (side.xreplace(factors) for side in (ahead, behind))
     if sp.expand(ahead + behind) == 0:
-        return SIDE * ahead.subs(_SLIP, SIDE * slip(model))
-    forward, backward = ahead.subs(_SLIP, slip(model)), behind.subs(_SLIP, -slip(model))
+        return SIDE * ahead.subs(SLIP, SIDE * slip(model))
+    forward, backward = ahead.subs(SLIP, slip(model)), behind.subs(SLIP, -slip(model))
     return ((1 + SIDE) * forward + (1 - SIDE) * backward) / 2
 
 
 def friction_at_speed(model: Mechanics) -> sp.Expr:
     """μ at the belt's speed: what holds a motion that has come to rest."""
     ahead, _ = _sides(model)
-    return ahead.subs(_SLIP, model.belt)
+    return ahead.subs(SLIP, model.belt)
 
 
 def slope_at_rest(model: Mechanics) -> sp.Expr:
     """dμ/dv at steady sliding."""
     ahead, _ = _sides(model)
-    return sp.factor_terms(sp.diff(ahead, _SLIP).subs(_SLIP, model.belt))
+    return sp.factor_terms(sp.diff(ahead, SLIP).subs(SLIP, model.belt))
 
 
 def slope_by_sizes(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...]:
@@ -94,7 +95,7 @@ def friction_at_rest(model: Mechanics) -> sp.Expr:
     ahead, _ = _sides(model)
     if sliding.at_rest is None:
         return friction_at_speed(model)
-    limit, named = sp.limit(ahead, _SLIP, sp.oo), model.scaled(sliding.at_rest)
+    limit, named = sp.limit(ahead, SLIP, sp.oo), model.scaled(sliding.at_rest)
     if sp.simplify(limit - named) != 0:
         raise PageError(
             sliding.line,

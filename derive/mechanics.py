@@ -5,7 +5,11 @@ A spring between two points has the vector (dx, dy) from its first end, the mass
 
     ∂l = c ∂dx + s ∂dy,    ∂c = s (s ∂dx − c ∂dy)/l,    ∂s = −c (s ∂dx − c ∂dy)/l,
 
-so that no square root is ever differentiated.
+so that no square root is ever differentiated. Likewise the turning of a torsion spring is a symbol φ of its own, with
+
+    ∂φ = (c ∂dy − s ∂dx)/l − ∂rest,
+
+so that its energy k φ²/2 is exact and its forces are linear in φ: an arc tangent is taken once, in numbers.
 """
 
 from __future__ import annotations
@@ -17,7 +21,7 @@ from functools import cached_property
 import sympy as sp
 
 from .algebra import reduce_circles
-from .model import Datum, Page, PageError, Point, expression_of
+from .model import Datum, Page, PageError, Point, Torsion, expression_of
 
 #: 1 on the contact's side of its law, 0 on the other: n̄ of the article.
 PUSHING = sp.Symbol("pushing", real=True)
@@ -25,6 +29,8 @@ PUSHING = sp.Symbol("pushing", real=True)
 SIDE = sp.Symbol("side", real=True)
 #: The friction coefficient, where a function takes it as a number.
 MU = sp.Symbol("mu", real=True)
+#: Penetration in lift-off: small, so that no exponential of it is infinite, and not 0, where slopes of a root are.
+TOUCH = sp.Rational(1, 2**40)
 #: Penetration, positive, of a law that is no polynomial.
 DEPTH = sp.Symbol("depth", positive=True)
 
@@ -48,6 +54,49 @@ class Line:
 
 
 @dataclass(frozen=True)
+class Turning:
+    """How far a line is turned from an inclination at rest, against a torsion spring: φ in (−π, π], the least turning."""
+
+    line: Line
+    stiffness: sp.Expr
+    rest: sp.Expr  #: the inclination at rest, in angles
+    cosine_of_rest: sp.Expr
+    sine_of_rest: sp.Expr
+    phi: sp.Symbol
+    way: sp.Symbol  #: where φ is continued beyond π (1) or beyond −π (−1)
+
+    @property
+    def cosine(self) -> sp.Expr:
+        """cos φ."""
+        return self.line.c * self.cosine_of_rest + self.line.s * self.sine_of_rest
+
+    @property
+    def sine(self) -> sp.Expr:
+        """sin φ."""
+        return self.line.s * self.cosine_of_rest - self.line.c * self.sine_of_rest
+
+    @property
+    def energy(self) -> sp.Expr:
+        """k φ²/2."""
+        return self.stiffness * self.phi**2 / 2
+
+    @property
+    def least(self) -> sp.Expr:
+        """φ by its cosine and sine."""
+        return sp.atan2(self.sine, self.cosine)
+
+    @property
+    def continued(self) -> sp.Expr:
+        """φ on its way: from −π/2 to 3π/2, or from −3π/2 to π/2, smooth across the ray on which the least turning jumps."""
+        return self.way * (sp.pi / 2 - sp.atan2(self.cosine, self.way * self.sine))
+
+    @property
+    def border(self) -> sp.Expr:
+        """Positive from −0.93 to π, times the way: where a motion changes it. The two ways share the border ±π."""
+        return 1 + self.cosine + 2 * self.way * self.sine
+
+
+@dataclass(frozen=True)
 class Angle:
     """An angle enters by its cosine and sine."""
 
@@ -66,8 +115,9 @@ class Mechanics:
     parameters: tuple[Datum, ...]
     angles: tuple[Angle, ...]
     lines: tuple[Line, ...]
+    torsions: tuple[Turning, ...]
     kinetic: sp.Expr
-    potential: sp.Expr  #: in coordinates and lengths, without the contact and the applied forces
+    potential: sp.Expr  #: in coordinates, lengths and turnings, without the contact and the applied forces
     stiffnesses: tuple[sp.Expr, ...]  #: of the spring along every line, 0 where there is none
     applied: tuple[sp.Expr, ...]  #: generalized applied forces
     dissipation: sp.Expr  #: half of the power that the dampers take, in rates, directions and lengths
@@ -95,6 +145,11 @@ class Mechanics:
         """c, s and l of every line."""
         return tuple(symbol for line in self.lines for symbol in (line.c, line.s, line.l))
 
+    @cached_property
+    def turned(self) -> tuple[sp.Symbol, ...]:
+        """φ of every torsion spring."""
+        return tuple(torsion.phi for torsion in self.torsions)
+
     # ------------------------------------------------------------------------------------------------ the chain rule
 
     def partial(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
@@ -105,11 +160,15 @@ class Mechanics:
         return sp.diff(expression, symbol)
 
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-        """d/dsymbol, by a coordinate or a parameter, with directions, lengths and the penetration following."""
+        """d/dsymbol, by a coordinate or a parameter, with directions, lengths, turnings and the penetration following."""
         total = self.partial(expression, symbol)
         for line in self.lines:
             slopes = line.slopes(self.partial(line.dx, symbol), self.partial(line.dy, symbol))
             total += sum((sp.diff(expression, inner) * slope for inner, slope in slopes.items()), sp.S.Zero)
+        for torsion in self.torsions:
+            line = torsion.line
+            turn = (line.c * self.partial(line.dy, symbol) - line.s * self.partial(line.dx, symbol)) / line.l
+            total += sp.diff(expression, torsion.phi) * (turn - sp.diff(torsion.rest, symbol))
         if self.gap is not None and expression.has(DEPTH):
             total -= sp.diff(expression, DEPTH) * self.partial(self.gap, symbol)
         return total
@@ -138,11 +197,20 @@ class Mechanics:
         return PUSHING * self.push if self.unilateral else self.push
 
     @cached_property
+    def contact_energy(self) -> sp.Expr:
+        """The integral of the law over the penetration, from 0, in DEPTH."""
+        energy = sp.integrate(self.law, DEPTH)
+        return energy - energy.subs(DEPTH, 0)
+
+    @cached_property
     def depth(self) -> sp.Expr:
-        """What DEPTH stands for: the penetration, and 1 in lift-off, where it is multiplied by 0."""
+        """What DEPTH stands for: the penetration, and in lift-off, where the law is multiplied by 0, a tiny one at which it is finite.
+
+        The square keeps 1 − PUSHING, a whole number, together: added apart, 1 would take the last digits of a shallow penetration.
+        """
         if self.gap is None:
             return sp.S.Zero
-        return PUSHING * (-self.gap) + (1 - PUSHING) if self.unilateral else -self.gap
+        return PUSHING * (-self.gap) + (1 - PUSHING) ** 2 * TOUCH if self.unilateral else -self.gap
 
     @cached_property
     def residuals(self) -> tuple[sp.Expr, ...]:
@@ -151,8 +219,9 @@ class Mechanics:
 
     @cached_property
     def residuals_apart(self) -> tuple[sp.Expr, ...]:
-        """The same without the springs along lines: each of them adds its tension times (c ∂dx + s ∂dy)."""
-        springs = (elastic(line, stiffness) for line, stiffness in zip(self.lines, self.stiffnesses, strict=True))
+        """The same without the springs along lines, each of which adds its tension times (c ∂dx + s ∂dy), and without torsion springs."""
+        springs = [elastic(line, stiffness) for line, stiffness in zip(self.lines, self.stiffnesses, strict=True)]
+        springs += [torsion.energy for torsion in self.torsions]
         return self._residuals(sp.expand(self.potential - sum(springs, sp.S.Zero)))
 
     def _residuals(self, potential: sp.Expr) -> tuple[sp.Expr, ...]:
@@ -195,7 +264,7 @@ def of(page: Page) -> Mechanics:
     scaled = _Scaled(page, angles)
     coordinates = tuple(entry.symbol for entry in page.coordinates)
     rates = tuple(entry.rate for entry in page.coordinates)
-    lines, stiffnesses, rest_energy, dissipation = _lines(page, scaled)
+    lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
     potential = rest_energy + sum((scaled(energy) for energy, _ in page.energies), sp.S.Zero)
     gap, law = _contact(page, scaled)
     return Mechanics(
@@ -205,6 +274,7 @@ def of(page: Page) -> Mechanics:
         parameters=tuple(page.parameters),
         angles=angles,
         lines=lines,
+        torsions=torsions,
         kinetic=scaled(page.inertia[0]),
         potential=sp.expand(potential),
         stiffnesses=stiffnesses,
@@ -246,8 +316,8 @@ def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
     return stiffness * ((line.dx**2 + line.dy**2) / 2 - line.rest * line.l)
 
 
-def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr, ...], sp.Expr, sp.Expr]:
-    """Lines of springs and dampers, each once; stiffness along each; energy of springs; half the power that the dampers take."""
+def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr, ...], tuple[Turning, ...], sp.Expr, sp.Expr]:
+    """Lines of springs and dampers, each once; stiffness along each; turnings; energy of springs; half the power of the dampers."""
     found: list[Line] = []
     along: dict[Line, sp.Expr] = {}
     energy = dissipation = sp.S.Zero
@@ -273,10 +343,11 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr
             line = line_of(spring.ends, scaled(spring.length), spring.line)
             energy += elastic(line, stiffness)
             along[line] = along.get(line, sp.S.Zero) + stiffness
-    for torsion in page.torsions:
-        line = line_of(torsion.ends, None, torsion.line)
-        cosine, sine = (scaled(function(torsion.rest)) for function in (sp.cos, sp.sin))
-        energy += scaled(torsion.stiffness) * turning(line.c * cosine + line.s * sine) / 2
+    torsions = tuple(
+        _turning(torsion, line_of(torsion.ends, None, torsion.line), count, scaled)
+        for count, torsion in enumerate(page.torsions, 1)
+    )
+    energy += sum((torsion.energy for torsion in torsions), sp.S.Zero)
     for damper in page.dampers:
         coefficient = scaled(damper.coefficient)
         if damper.ends is None:
@@ -285,13 +356,20 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr
             line = line_of(damper.ends, None, damper.line)
             speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
         dissipation += coefficient * speed**2 / 2
-    return tuple(found), tuple(along.get(line, sp.S.Zero) for line in found), energy, dissipation
+    return tuple(found), tuple(along.get(line, sp.S.Zero) for line in found), torsions, energy, dissipation
 
 
-def turning(cosine: sp.Expr) -> sp.Expr:
-    """φ² by its cosine, to the second power of u = sin²(φ/2) = (1 − cos φ)/2: φ² = 4 (u + u²/3 + 8 u³/45 + …)."""
-    u = (1 - cosine) / 2
-    return 4 * (u + u**2 / 3)
+def _turning(torsion: Torsion, line: Line, count: int, scaled: _Scaled) -> Turning:
+    cosine, sine = (scaled(function(torsion.rest)) for function in (sp.cos, sp.sin))
+    roots = any(not power.exp.is_Integer for power in (cosine + sp.I * sine).atoms(sp.Pow))
+    if roots or cosine.has(sp.cos, sp.sin) or sine.has(sp.cos, sp.sin):
+        raise PageError(
+            torsion.line,
+            f"the inclination at rest is {torsion.rest}; expected is an angle of the page, a sum of such, or a multiple of pi/2: make "
+            "another number a parameter in rad, with a base value",
+        )
+    phi, way = sp.symbols(f"phi{count} way{count}", real=True)
+    return Turning(line, scaled(torsion.stiffness), scaled(torsion.rest), cosine, sine, phi, way)
 
 
 def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:

@@ -139,8 +139,12 @@ class Friction:
 
 
 def expression_of(value: object) -> sp.Expr:
-    """A number or an expression, as an expression; a decimal as the fraction that is written."""
-    return sp.nsimplify(value, rational=True) if isinstance(value, float) else sp.sympify(value)
+    """A number or an expression, as an expression; decimals in it as the fractions that are written."""
+    if value is None or isinstance(value, str):
+        said = "nothing" if value is None else f"{value!r}, a text"
+        raise PageError(_line(), f"here is {said}; give a quantity of the page, without quotation marks, or a number")
+    expression = sp.sympify(value)
+    return sp.nsimplify(expression, rational=True) if expression.atoms(sp.Float) else expression
 
 
 def speed_of(symbol: sp.Symbol) -> sp.Symbol:
@@ -176,6 +180,7 @@ class Page:
 
     def unit(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
         """A positive quantity that becomes 1: a unit of measure of the dimensionless model."""
+        _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = sp.Symbol(name, positive=True)
         self.units.append(Datum(symbol, unit, meaning, "> 0", latex or sp.latex(symbol), _line()))
         self._once(name)
@@ -193,12 +198,20 @@ class Page:
     ) -> sp.Symbol:
         """A quantity that stays: ``becomes`` is its dimensionless name, ``base`` its dimensionless value unless changed."""
         line = _line()
+        _check_texts(name=name, unit=unit, meaning=meaning, domain=domain, becomes=becomes, latex=latex)
         symbol = sp.Symbol(name, **_assumptions(domain, line))
-        if base is not None and not isinstance(base, int | float | sp.Expr):
+        if base is not None and (
+            isinstance(base, bool) or not isinstance(base, int | float | sp.Expr) or not sp.sympify(base).is_number
+        ):
             raise PageError(line, f"the base value {base!r} of {name} is no number; give one without quotation marks, as 0.5")
         number = None if base is None else float(base)
         if number is not None and not _within(domain, number):
-            raise PageError(line, f"the base value {base} of {name} is not in its domain {domain}")
+            turn = "; angles are in radians: 45 degrees are pi/4" if unit == "rad" else ""
+            raise PageError(line, f"the base value {base} of {name} is not in its domain {domain}{turn}")
+        if unit == "rad" and _beyond_a_turn(domain):
+            raise PageError(
+                line, f"the domain {domain} of the angle {name} is wider than a turn; angles are in radians, as (0, pi)"
+            )
         for other in self.parameters:
             if other.becomes == (becomes or name):
                 raise PageError(
@@ -210,6 +223,7 @@ class Page:
 
     def coordinate(self, name: str, unit: str, meaning: str, latex: str = "") -> sp.Symbol:
         """A coordinate: a length, or another quantity that says where the model is."""
+        _check_texts(name=name, unit=unit, meaning=meaning, latex=latex)
         symbol = sp.Symbol(name, real=True)
         self.coordinates.append(Coordinate(symbol, speed_of(symbol), unit, meaning, latex or sp.latex(symbol), _line()))
         self._once(name)
@@ -236,13 +250,18 @@ class Page:
         moving = self._moving(expression_of(stiffness))
         if moving:
             raise PageError(line, f"the stiffness of this spring depends on {moving}; say its energy with page.potential")
+        growing = self._moving(expression_of(length))
+        if growing:
+            raise PageError(
+                line, f"the undeformed length of this spring depends on {growing}; say its energy with page.potential"
+            )
         self.springs.append(Spring(expression_of(stiffness), _ends(ends, along, line), expression_of(length), along, line))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
         """A torsion spring: it resists the turning φ of the line from the first end to the second, from the inclination ``rest``.
 
-        Its torque is k φ to 0.1 % up to 23°, to 1 % up to 41° and to 5 % up to 61°: the energy k φ²/2 is written as a polynomial of
-        cos φ, so that all forces stay algebraic in the direction of the line, see :func:`derive.mechanics.turning`.
+        Its energy is k φ²/2, with φ in (−π, π]: the least turning. On the ray φ = ±π the torque jumps from k π to −k π, away from
+        the ray on either side; the energy is continuous there.
         """
         line = _line()
         both = _ends(ends, None, line)
@@ -261,6 +280,8 @@ class Page:
             raise PageError(line, "a force has two components at a point, force(F_x, F_y, at=(x, y)), or one along a coordinate")
         if along is not None and not isinstance(along, sp.Expr):
             raise PageError(line, f"along = {along!r} is no coordinate; give the coordinate itself, as along=x")
+        if at is not None and (not isinstance(at, tuple | list) or len(at) != 2):
+            raise PageError(line, f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
         point = None if at is None else (expression_of(at[0]), expression_of(at[1]))
         self.forces.append(Force(point, tuple(map(expression_of, components)), along, line))
 
@@ -345,6 +366,15 @@ def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Po
     return (expression_of(ax), expression_of(ay)), (expression_of(bx), expression_of(by))
 
 
+def _check_texts(**texts: object) -> None:
+    """What describes a quantity is text."""
+    for what, text in texts.items():
+        if not isinstance(text, str):
+            raise PageError(
+                _line(), f"{what} = {text!r} is no text; write it in quotation marks, in its place among the arguments"
+            )
+
+
 def _assumptions(domain: str, line: int) -> dict[str, bool]:
     try:
         allowed = interval(domain)
@@ -355,6 +385,12 @@ def _assumptions(domain: str, line: int) -> dict[str, bool]:
     if allowed.low > 0 or (allowed.low == 0 and allowed.low_open):
         return {"positive": True}
     return {"nonnegative": True} if allowed.low == 0 else {"real": True}
+
+
+def _beyond_a_turn(domain: str) -> bool:
+    """Whether a bounded domain of an angle is wider than 2 π, as one in degrees is."""
+    allowed = interval(domain)
+    return 2 * math.pi * (1 + 1e-9) < allowed.high - allowed.low < math.inf
 
 
 def _within(domain: str, value: float) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -64,8 +65,7 @@ class Motion:
         """Kinetic and stored energy, with the work of the applied forces and, where it pushes, the contact's."""
         it = self.model
         work = self.work
-        contact = sp.integrate(it.law, DEPTH)
-        contact = contact - contact.subs(DEPTH, 0)
+        contact = it.contact_energy
         if it.gap is None:
             contact = sp.S.Zero
         elif it.polynomial:
@@ -144,13 +144,19 @@ def module(model: Mechanics) -> Module:
     direction = {symbol: value for line in model.lines for symbol, value in (
         (line.l, sp.sqrt(line.dx**2 + line.dy**2)), (line.c, line.dx / line.l), (line.s, line.dy / line.l),
     )}  # fmt: skip
-    shorthands = {**direction, DEPTH: model.depth, MU: motion.friction}
+    least = {torsion.phi: torsion.least for torsion in model.torsions}
+    ways = tuple(torsion.way for torsion in model.torsions)
+    shorthands = {**direction, **least, DEPTH: model.depth, MU: motion.friction}
     accelerations = tuple(sp.Symbol(f"a{symbol}", real=True) for symbol in model.coordinates)
     borders = motion.borders
     layers = laws.layers(model)
 
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, shorthands, transcendental=True)
+
+    def smooth(name: str, summary: str, results: Results, returns: str) -> Function:
+        continued = {**shorthands, **{torsion.phi: torsion.continued for torsion in model.torsions}}
+        return Function(name, summary, "the page", (*regime, *ways), results, returns, continued, transcendental=True)
 
     below, overlap = sp.symbols("below overlap", real=True)
     everywhere = {
@@ -161,7 +167,7 @@ def module(model: Mechanics) -> Module:
         DEPTH: overlap / 2 if model.unilateral else model.depth,
         **dict.fromkeys(felt, sp.S.One),
     }
-    kinked = {**direction, **everywhere, MU: motion.friction}
+    kinked = {**direction, **least, **everywhere, MU: motion.friction}
     jacobian = tuple(
         tuple(motion.derivative(row, symbol) for symbol in (*model.coordinates, *model.rates)) for row in motion.accelerations
     )
@@ -174,12 +180,12 @@ def module(model: Mechanics) -> Module:
         (
             Function("rhs", "Accelerations, kinked where a border is zero.", "the page", moving, motion.accelerations, "(q_1″, …)",
                      kinked, transcendental=True),
-            function("regime_rhs", "Accelerations in a smooth regime, continued beyond its borders.", regime,
-                     motion.accelerations, "(q_1″, …)"),
-            function("regime_jacobian", "Derivatives of regime_rhs by the coordinates and the rates.", regime, jacobian,
-                     "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)"),
-            function("regime_by_parameters", "Derivatives of regime_rhs by all parameters, an angle as the angle.", regime,
-                     by_parameters, "((∂q_1″/∂p_1, …), …)"),
+            smooth("regime_rhs", "Accelerations in a smooth regime, continued beyond its borders.", motion.accelerations,
+                   "(q_1″, …)"),
+            smooth("regime_jacobian", "Derivatives of regime_rhs by the coordinates and the rates.", jacobian,
+                   "((∂q_1″/∂q_1, …, ∂q_1″/∂v_1, …), …)"),
+            smooth("regime_by_parameters", "Derivatives of regime_rhs by all parameters, an angle as the angle.", by_parameters,
+                   "((∂q_1″/∂p_1, …), …)"),
             function("borders", "The gap and the sliding speed, each zero on a kink of the field; 1 where there is none.", moving,
                      borders, "gap, slip"),
             function("border_rates", "How the borders change along a motion with the given accelerations.",
@@ -190,6 +196,7 @@ def module(model: Mechanics) -> Module:
             function("layer_rates", "How they change along a motion with the given accelerations.",
                      (*place, *accelerations, *model.arguments, SIDE),
                      tuple(motion.rate(layer, accelerations) for layer in layers), "rates of (z_1, …)"),
+            *_turns(motion, function, moving, (*place, *accelerations, *model.arguments), ways),
             function("energy", "Kinetic and stored energy, applied forces and contact included.", (*moving, PUSHING), motion.stored,
                      "energy"),
             function("friction_power", "Rate at which friction changes that energy.", regime, motion.friction_power, "power"),
@@ -197,4 +204,30 @@ def module(model: Mechanics) -> Module:
             function("applied_power", "Rate at which applied forces without a potential change it.", moving, motion.applied_power,
                      "power"),
         ),
+    )  # fmt: skip
+
+
+def _turns(
+    motion: Motion,
+    function: Callable[..., Function],
+    moving: tuple[sp.Symbol, ...],
+    accelerated: tuple[sp.Symbol, ...],
+    ways: tuple[sp.Symbol, ...],
+) -> tuple[Function, ...]:
+    """What only a model with torsion springs has: where a motion changes the way on which it counts a turning."""
+    model = motion.model
+    if not ways:
+        return ()
+    borders = tuple(torsion.border for torsion in model.torsions)
+    rates = tuple(
+        sum(
+            (model.derivative(border, symbol) * rate for symbol, rate in zip(model.coordinates, model.rates, strict=True)),
+            sp.S.Zero,
+        )
+        for border in borders
+    )
+    return (
+        function("turning_borders", "Positive where a turning is counted on its way, from −0.93 to π times it.", (*moving, *ways),
+                 borders, "(b_1, …)"),
+        function("turning_rates", "How they change along a motion.", (*accelerated, *ways), rates, "rates of (b_1, …)"),
     )  # fmt: skip

@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import mechanics, sense, soundness
+from . import mechanics, sense, smoothness, soundness
 from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
@@ -51,6 +51,8 @@ def read(path: Path, name: str = "") -> Model:
     """
     try:
         return _model(path, path.read_text(encoding="utf-8"), name or path.stem)
+    except UnicodeDecodeError as error:
+        raise PageError(0, f"the file is no text in UTF-8: {error.reason}; save it as UTF-8", path.name) from error
     except PageError as error:
         raise error.of(path.name) from error
 
@@ -62,6 +64,7 @@ def _model(path: Path, text: str, name: str) -> Model:
     soundness.check_units(page)
     soundness.groups(page)
     model = mechanics.of(page)
+    smoothness.check(model)
     soundness.check_forces(model)
     sense.check_used(page)
     return Model(name, text, docstring, page, model)
@@ -84,7 +87,7 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         line = next((f.lineno or 0 for f in reversed(traceback.extract_tb(error.__traceback__)) if f.filename == str(path)), 0)
         what = str(error).partition(" (")[0]  # without the place of the package
         raise PageError(line, f"{what}; {offered}") from error
-    except Exception as error:
+    except (Exception, SystemExit) as error:
         lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
         raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}") from error
     page = names.get("page")

@@ -12,15 +12,15 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from . import reserved
 from .emit.quantities import interval
+from .laws import near
 from .model import Contact, Damper, Datum, Friction, Page, PageError, Spring, Torsion, expression_of
 
-#: Names that generated functions and results of models have for other things.
-RESERVED = frozenset((
-    "mu", "pushing", "side", "xp", "parameters", "count", "stability", "marginal", "eigenvalues", "growth", "error", "region", "whole", "complete", "decided",
-    "undecided", "coordinates", "vary", "kind", "values", "remarks", "omega",
-))  # fmt: skip
-
+#: What a coordinate is called in errors.
+COORDINATE = "this coordinate"
+#: So many exponentials of the sliding speed can a friction law have.
+NEAR = 9
 #: Places at which the sign of a coefficient is looked at, and where a range without an end is ended for it.
 MOST_PLACES, FAR = 2000, 1000.0
 
@@ -42,8 +42,17 @@ def _check_names(page: Page) -> None:
     for name, what, line in _names(page):
         if not name.isidentifier() or keyword.iskeyword(name):
             raise PageError(line, f"{what} is named {name!r}, which is no name in Python; give it another, as {_instead(name)!r}")
-        if name in RESERVED:
+        if not name.isascii():
+            raise PageError(
+                line,
+                f"{what} is named {name!r}, which C can't spell; give it a name of Latin letters, and its symbol with latex=",
+            )
+        if name in reserved.RESULTS or (what == COORDINATE and name in reserved.OF_MOTIONS):
             raise PageError(line, f"{what} is named {name!r}, which results and generated functions use; give it another name")
+        if name in reserved.WORDS:
+            raise PageError(
+                line, f"{what} is named {name!r}, a word of the languages that functions are written in; give it another name"
+            )
         if name in taken:
             other, first = taken[name]
             place = f" of line {first}" if first else ""
@@ -57,9 +66,18 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
     for count in range(1, len(lines) + 1):
         for part in "csl":
             yield f"{part}{count}", f"the direction or length of spring {count}", 0
+    for symbol in near(NEAR):
+        yield str(symbol), "a switch of the friction law", 0
+    for count in range(1, len(page.torsions) + 1):
+        for part in ("phi", "way"):
+            yield f"{part}{count}", f"the turning of torsion spring {count}", 0
     for entry in page.coordinates:
-        yield str(entry.symbol), "this coordinate", entry.line
+        yield str(entry.symbol), COORDINATE, entry.line
+    for entry in page.coordinates:
         yield str(entry.rate), f"the rate of {entry.symbol}", entry.line
+        yield f"a{entry.symbol}", f"the acceleration of {entry.symbol}", entry.line
+        yield f"{entry.symbol}0", f"the start of {entry.symbol}", entry.line
+        yield f"{entry.rate}0", f"the start of the rate of {entry.symbol}", entry.line
     for datum in page.parameters:
         yield datum.becomes, "this parameter", datum.line
         if datum.unit == "rad" and datum.becomes.isidentifier():
@@ -176,6 +194,17 @@ def _check_places(page: Page) -> None:
         )
     if sliding is not None:
         _check_along(sliding.along, "what friction opposes", sliding.line, moving, rates)
+        if sliding.belt.free_symbols & (moving | rates):
+            held = ", ".join(sorted(map(str, sliding.belt.free_symbols & (moving | rates))))
+            raise PageError(
+                sliding.line, f"the belt's speed {sliding.belt} holds {held}, which moves; give a speed that stays, as V"
+            )
+        if not sliding.belt.is_nonnegative:
+            raise PageError(
+                sliding.line,
+                f"the belt's speed {sliding.belt} may be negative, and equilibria take friction along the belt's direction; give it the "
+                "domain >= 0, and let the coordinate point along the belt",
+            )
         if sliding.belt == 0:
             raise PageError(sliding.line, "the belt's speed is 0, so nothing slides steadily; give the belt a speed, as V")
         if contact is None:

@@ -113,6 +113,13 @@ def groups(page: Page) -> dict[str, sp.Expr]:
     """Every dimensionless parameter as its quantity over the product of units of measure that has its dimension."""
     known = _dimensions(page)
     measures = tuple(known[unit.symbol] for unit in page.units)
+    for place, unit in enumerate(page.units):
+        if units.powers(measures[place], measures[:place]) is not None:
+            others = ", ".join(str(other.symbol) for other in page.units[:place]) or "numbers"
+            raise PageError(
+                unit.line,
+                f"{unit.symbol} is in {unit.unit}, as is a product of powers of {others}: it can't become 1 too; make it a parameter",
+            )
     found = {}
     for datum in page.parameters:
         found[datum.becomes] = datum.symbol / _measure(page, datum, known[datum.symbol], measures)
@@ -167,7 +174,9 @@ def check_forces(model: Mechanics) -> None:
         if all(sp.diff(momentum, rate) == 0 for momentum in (sp.diff(model.kinetic, other) for other in model.rates)):
             raise PageError(entry.line, f"{entry.symbol} has no inertia: the kinetic energy does not hold its rate; add it")
     third = [sp.diff(model.kinetic, one, two, three) for one in model.rates for two in model.rates for three in model.rates]
-    if any(value != 0 for value in third) or model.mass.det() == 0:
+    rest = model.kinetic.subs(dict.fromkeys(model.rates, 0))
+    linear = [sp.diff(model.kinetic, rate).subs(dict.fromkeys(model.rates, 0)) for rate in model.rates]
+    if any(value != 0 for value in (rest, *linear, *third)) or model.mass.det() == 0:
         line = model.page.inertia[1] if model.page.inertia else 0
         raise PageError(
             line, "the kinetic energy is no regular quadratic form of the rates: the equations of motion can't be solved for q″"
@@ -194,6 +203,12 @@ def _check_contact(model: Mechanics) -> None:
     contact = model.page.normal
     if contact is None:
         return
+    if model.law == 0:
+        raise PageError(contact.line, "the normal force is 0, so that nothing pushes and nothing rubs; give one that is positive")
+    if contact.gap is None:
+        pulling = _negative(model, model.law, DEPTH) if model.law.is_nonnegative is not True else ""
+        if pulling:
+            raise PageError(contact.line, f"the normal force {model.law} pulls: {pulling}; a mass is pressed by a positive one")
     if contact.unilateral and model.law.subs(DEPTH, 0) != 0:
         raise PageError(
             contact.line,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import sympy as sp
 
 from . import laws, rows, symmetry
@@ -13,6 +15,7 @@ def parameters(model: Mechanics) -> tuple[sp.Symbol, ...]:
     """Parameters of the balance of forces, an angle as the angle."""
     used = {symbol for row in model.residuals for symbol in row.free_symbols}
     parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)] + [model.depth]
+    parts += [part for torsion in model.torsions for part in (torsion.cosine, torsion.sine, torsion.stiffness)]
     used |= {symbol for part in parts for symbol in part.free_symbols}
     return tuple(symbol for symbol in map(number, model.parameters) if used & set(model.pair(symbol)))
 
@@ -45,7 +48,7 @@ def by_parameters(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:
 def module(model: Mechanics) -> Module:
     """The generated module."""
     place = (*model.coordinates, *arguments(model))
-    state = (*model.coordinates, *model.directions, *arguments(model), MU, PUSHING)
+    state = (*model.coordinates, *model.directions, *model.turned, *arguments(model), MU, PUSHING)
     depth = {DEPTH: model.depth}
     friction = laws.friction_at_rest(model)
     mirror = symmetry.mirror(model)
@@ -78,9 +81,10 @@ def module(model: Mechanics) -> Module:
             function("friction_by_parameters", "Its derivatives by all parameters, an angle as the angle.", model.arguments,
                      tuple(model.tidy(model.derivative(friction, symbol)) for symbol in map(number, model.parameters)),
                      "(∂mu/∂p_1, …)"),
+            *_torsions(model, place, function),
             function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
             function("stiffnesses", "The stiffness of every spring.", place, model.stiffnesses, "(k_1, …)"),
-            function("forces_apart", "The forces without those springs; each adds its tension times (c ∂dx + s ∂dy).", state,
+            function("forces_apart", _apart(model), state,
                      model.residuals_apart, "(F_1, …)"),
             function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,
                      jacobian(model), "((∂F_1/∂q_1, …), …)"),
@@ -91,3 +95,21 @@ def module(model: Mechanics) -> Module:
             *apart,
         ),
     )  # fmt: skip
+
+
+def _torsions(model: Mechanics, place: tuple[sp.Symbol, ...], function: Callable[..., Function]) -> tuple[Function, ...]:
+    """What only a model with torsion springs has."""
+    if not model.torsions:
+        return ()
+    return (
+        function("turnings", "Cosine and sine of the turning φ of every torsion spring: φ in (−π, π].",
+                 (*model.coordinates, *model.directions, *arguments(model)),
+                 tuple((torsion.cosine, torsion.sine) for torsion in model.torsions), "((cos φ_1, sin φ_1), …)"),
+        function("torsions", "The stiffness of every torsion spring.", place,
+                 tuple(torsion.stiffness for torsion in model.torsions), "(k_1, …)"),
+    )  # fmt: skip
+
+
+def _apart(model: Mechanics) -> str:
+    said = "The forces without those springs; each adds its tension times (c ∂dx + s ∂dy)."
+    return said + (" A torsion spring adds k φ (c ∂dy − s ∂dx)/l." if model.torsions else "")

@@ -74,6 +74,13 @@ def _remainders(model: Mechanics, one: Mirror) -> list[sp.Expr]:
             others = sp.symbols(f"{line.c}_image {line.s}_image {line.l}_image", real=True)
             unknown += others
             changes |= dict(zip((line.c, line.s, line.l), others, strict=True))
+    unknown += model.turned
+    for torsion in model.torsions:
+        # A mirrored line that is at rest upright is turned the other way; of another nothing is known.
+        odd = one.turns(torsion.line) and torsion.cosine_of_rest == 0
+        image = sp.Symbol(f"{torsion.phi}_image", real=True)
+        changes[torsion.phi] = -torsion.phi if odd else image
+        unknown += [] if odd else [image]
     rows = []
     if model.gap is not None and sp.expand(model.gap.subs(images, simultaneous=True) - model.gap) != 0:
         return [sp.S.One]

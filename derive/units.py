@@ -122,6 +122,8 @@ def _of_sum(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimens
 
 def powers(dimension: Dimension, units: tuple[Dimension, ...]) -> tuple[Fraction, ...] | None:
     """Exponents p with ``dimension = Π unitsᵢ^pᵢ``; None if there are none."""
+    if not units:
+        return () if dimension == NONE else None
     symbols = sp.symbols(f"p0:{len(units)}")
     equations = [
         sum((sp.Rational(unit[row]) * symbol for symbol, unit in zip(symbols, units, strict=True)), -sp.Rational(dimension[row]))

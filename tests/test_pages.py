@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
+import math
 import os
 import shutil
 import sys
@@ -103,6 +105,48 @@ REFUSED = {
     "an empty domain": ('"(0, pi)"', '"(pi, 0)"', '"(pi, 0)"', "lower end first"),
     "a base value as text": ('">= 0", 0.5, latex', '">= 0", "half", latex', '"half"', "no number"),
     "what is not offered": ("sgn, sin", "sgn, sin, tan", "sin, tan", "offers Abs"),
+    "a name of C": ('becomes="beta"', 'becomes="int"', "k_y = page.parameter(", "a word of the languages"),
+    "a function of C": ('becomes="beta"', 'becomes="exp"', "k_y = page.parameter(", "a word of the languages"),
+    "a name of a start": ('becomes="beta"', 'becomes="x0"', "k_y = page.parameter(", "the start of x"),
+    "a name of an acceleration": ('becomes="beta"', 'becomes="ay"', "k_y = page.parameter(", "the acceleration of y"),
+    "a name of a switch": ('becomes="beta"', 'becomes="near1"', "k_y = page.parameter(", "a switch of the friction law"),
+    "a name of a sweep": ('becomes="beta"', 'becomes="rms"', "k_y = page.parameter(", "results and generated functions"),
+    "a Greek name": ('becomes="beta"', 'becomes="β"', "k_y = page.parameter(", "which C can't spell"),
+    "a coordinate as time": ('page.coordinate("y"', 'page.coordinate("t"', 'coordinate("t"', "results and generated functions"),
+    "an angle without its unit": ('"theta0", "rad"', '"theta0", "1"', "page.spring(k, (x, y)", "with the unit rad"),
+    "an angle itself": ("page.force(0, -F_L,", "page.force(0, -F_L * theta0,", "page.force(", "the angle theta0 itself"),
+    "an angle in degrees": ('"(0, pi)"', '"(0, 180)"', '"(0, 180)"', "wider than a turn"),
+    "a base value in degrees": ('"(0, pi)", latex', '"(0, pi)", 45, latex', '"(0, pi)", 45', "45 degrees are pi/4"),
+    "a cosine of what moves": ("page.spring(k_y, along=y)", "page.potential(k_y * L_0**2 * cos(x / L_0))", "cos(x",
+                               "and x moves"),
+    "a kink in the contact": (LAW, "lambda depth: k_c * (depth + Abs(depth - L_0))", "page.contact(", "not smooth"),
+    "a step in friction": (FRICTION, "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v) * (2 + sgn(d * Abs(v) - 3))",
+                           "page.friction(",
+                           "not smooth"),
+    "a kink in a potential": ("page.spring(k_y, along=y)", "page.potential(k_y * L_0 * Abs(y))", "Abs(y)", "not smooth"),
+    "a cube root": (LAW, "lambda depth: k_c * L_0 * (depth / L_0) ** (1 / 3)", "page.contact(", "halves of whole ones"),
+    "an arc tangent in the energy": (LAW, "lambda depth: k_c * depth**2 / L_0 / (1 + depth**2 / L_0**2)", "page.contact(",
+                                     "has no energy"),
+    "a complex law": (LAW, "lambda depth: k_c * depth * (-1) ** 0.5", "page.contact(", "no real number"),
+    "no contact": (LAW, "lambda depth: 0", "page.contact(", "nothing pushes"),
+    "a force that pulls": ("page.contact(y, lambda depth: k_c * depth)", "page.normal_force(-F_L)", "normal_force", "pulls"),
+    "a law as text": (LAW, 'lambda depth: "k_c * depth"', "page.contact(", "a text"),
+    "a stiffness as text": ("page.spring(k_y, along=y)", 'page.spring("k_y", along=y)', 'spring("k_y"', "a text"),
+    "a length that moves": ("length=L_0", "length=L_0 + x", "length=L_0 + x", "depends on x"),
+    "a belt backwards": ("page.friction(x, V", "page.friction(x, -V", "page.friction(", "may be negative"),
+    "a belt of any direction": ('"belt speed", ">= 0"', '"belt speed", "real"', "page.friction(", "may be negative"),
+    "a belt that moves": ("page.friction(x, V", "page.friction(x, V + page.rate(y)", "page.friction(", "holds vy, which moves"),
+    "a potential among kinetic energies": ("page.rate(y) ** 2) / 2)", "page.rate(y) ** 2) / 2 - k_y * y**2)", "page.kinetic(",
+                                           "no regular quadratic form"),
+    "a unit too many": ("theta0 = page.p", 'q = page.unit("q", "N", "a force")\ntheta0 = page.p', '"a force"',
+                        "can't become 1 too"),
+    "a place in space": ("at=(x, y))", "at=(x, y, 0))", "page.force(", "no point of the plane"),
+    "a truth as base value": ('">= 0", 0.0, becomes="beta"', '">= 0", True, becomes="beta"', "k_y = page.parameter(",
+                              "no number"),
+    "a base value in the place of the domain": ('">= 0", 0.0, becomes="beta"', '0.0, ">= 0", becomes="beta"',
+                                                "k_y = page.parameter(",
+                                                "domain = 0.0 is no text"),
+    "an exit": ("page.spring(k_y, along=y)", "raise SystemExit(3)", "SystemExit(3)", "SystemExit"),
     "one end": ("page.spring(k_y, along=y)", "page.spring(k_y, (x, y))", "page.spring(k_y", "two ends"),
 }  # fmt: skip
 
@@ -113,6 +157,47 @@ def test_a_page_that_makes_no_sense_is_refused_by_its_line(case: str, tmp_path: 
     path = changed(tmp_path, (before, after))
     with pytest.raises(PageError, match=rf"^mine\.py, line {line_of(path, place)}: .*{words.replace('^', '.')}"):
         pages.read(path)
+
+
+def test_a_page_that_is_no_text_in_utf_8(tmp_path: Path) -> None:
+    path = tmp_path / "mine.py"
+    path.write_bytes(ARTICLE.encode("utf-16"))
+    with pytest.raises(PageError, match=r"mine\.py: the file is no text in UTF-8"):
+        pages.read(path)
+
+
+def test_a_coordinate_hides_nothing_of_the_results() -> None:
+    """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that of a parameter."""
+    from spragsym.derive import reserved
+    from spragsym.models import equilibria, paths, points, sweep, trajectory
+    from spragsym.sweeps.result import REPORTED
+
+    def asked(kind: type) -> set[str]:
+        return {name for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind))) if not name.startswith("_")}
+
+    for kind in (trajectory.ModelTrajectory, sweep.ModelSweep, equilibria.ModelEquilibria, points.ModelPoints, paths.ModelPath):
+        assert asked(kind) <= reserved.RESULTS | reserved.OF_MOTIONS, kind
+    assert asked(points.ModelPoints) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
+
+
+def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
+    """A power 2.5 is 5/2, and the law of a penetration is its slope's integral: in floats by hand."""
+    path = changed(tmp_path, (LAW, "lambda depth: k_c * L_0 * (depth / L_0) ** 2.5"))
+    folder.write_page(path, tmp_path / "mine")
+    model = ss.load(tmp_path / "mine")
+    taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0, sigma=1e-9, kappa=1e-9, beta=0.0), "motion")]
+    _, pushed = model.motion.rhs(0.0, -0.09, 0.0, 0.0, *taken)
+    assert pushed == pytest.approx(0.3**5, rel=1e-6)
+
+
+def test_the_energy_of_a_saturating_contact_has_a_logarithm(tmp_path: Path) -> None:
+    """δ/(1 + δ) has the energy δ − log(1 + δ)."""
+    path = changed(tmp_path, (LAW, "lambda depth: k_c * depth / (1 + depth / L_0)"))
+    folder.write_page(path, tmp_path / "mine")
+    model = ss.load(tmp_path / "mine")
+    taken = [float(value) for value in model.arguments(model.Parameters(theta0=1.0), "motion")]
+    inside, outside = (model.motion.energy(0.0, -0.3, 0.0, 0.0, *taken, pushing) for pushing in (1, 0))
+    assert inside - outside == pytest.approx(0.3 - math.log(1.3), rel=1e-12)
 
 
 def test_a_coordinate_that_no_force_acts_on(tmp_path: Path) -> None:

@@ -11,6 +11,12 @@ from numpy.typing import NDArray
 
 from ..parameters import FloatArray
 
+#: What is said of an orbit on which the field jumps.
+JUMPED = (
+    "the orbit passes behind the end of a torsion spring, where its torque jumps: derivatives are not carried across a jump; "
+    "simulate the motion, or look for another orbit"
+)
+
 #: Numbers that say which smooth piece of the field is meant, such as (contact, side, near).
 Mode: TypeAlias = tuple[int, ...]
 
@@ -39,6 +45,8 @@ class Border:
         What crossing it is called, to positive and to negative levels.
     watched : callable or None
         ``watched(state, constants, mode)``: what a Taylor method watches in the place of the level, zero where the mode is left.
+    jumps : callable or None
+        ``jumps(state, constants)``: whether the field jumps where a motion leaves through the border; None where it never does.
     """
 
     name: str
@@ -49,11 +57,13 @@ class Border:
     kink: bool = True
     crossings: tuple[str, str] = ("", "")
     watched: Callable[..., Any] | None = None
+    jumps: Callable[..., bool] | None = None
 
 
 @dataclass(frozen=True)
 class Field:
-    """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across the borders between modes.
+    """A model's motion: n coordinates q, q″ = acceleration(q, q′) in each mode, continuous across the borders between modes
+    but where a border ``jumps``.
 
     Attributes
     ----------
@@ -85,6 +95,8 @@ class Field:
         Whether ``initial_mode`` takes columns of many states and constants too, and gives columns.
     again : tuple of str
         Module, function and arguments that make the field once more in another process; empty where none do.
+    ways : int
+        How many numbers at the end of a mode go with the place alone.
     """
 
     name: str
@@ -103,6 +115,12 @@ class Field:
     forces: tuple[tuple[str, Callable[..., Any]], ...] = ()
     columns: bool = False
     again: tuple[str, ...] = ()
+    ways: int = 0
+
+    def mode_at_rest(self, state: Any, constants: Any) -> Mode:
+        """The first mode, but for its last numbers, which are as at the state."""
+        first = self.modes[0]
+        return first[: -self.ways] + self.initial_mode(state, constants)[-self.ways :] if self.ways else first
 
     @property
     def size(self) -> int:

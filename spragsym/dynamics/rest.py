@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -28,8 +27,6 @@ VISIBLE = 1e-3
 #: Newton's method has gone astray beyond this, in L_0.
 FAR = 1e6
 
-_FLOATS: Any = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
-
 
 @dataclass(frozen=True)
 class Rest:
@@ -43,12 +40,12 @@ class Rest:
 def rest_near(problem: Problem, place: FloatArray) -> Rest | None:
     """The equilibrium in contact that Newton's method finds from a place, at the friction μ(V); None where it finds none."""
     field, constants, n = problem.field, problem.constants, len(place)
-    mode = field.modes[0]
     q = place.tolist()
     still = [0.0] * n
+    mode = field.mode_at_rest([*q, *still], constants)
     for _ in range(30):
-        pull = field.acceleration([*q, *still], constants, mode, _FLOATS)
-        rows = field.jacobian([*q, *still], constants, mode, _FLOATS)
+        pull = field.acceleration([*q, *still], constants, mode, math)
+        rows = field.jacobian([*q, *still], constants, mode, math)
         step = _solved([row[:n] for row in rows], pull)
         if step is None:
             return None

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import Field, Mode
+from .field import JUMPED, Field, Mode
 from .heyoka_library import library
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
@@ -60,6 +60,8 @@ class Compiled:
         self.crossings: list[Crossing] = []
         self.turns: list[Turn] = []
         self.mode: Mode = field.modes[0]
+        self.known: tuple[float, ...] = ()
+        self.jumped = False
         self.solver = hy.taylor_adaptive(
             system, [0.0] * len(system),
             tol=TOLERANCE, compact_mode=True,
@@ -82,6 +84,9 @@ class Compiled:
 
     def _cross(self, index: int, solver: Any, _: int) -> bool:
         border = self.field.borders[index]
+        if self.derivatives and border.jumps is not None and border.jumps(solver.state[: self.m].tolist(), self.known):
+            self.jumped = True
+            return False
         self.mode = after = border.beyond(self.mode)
         self._set(self.constants, after)
         if border.kink:
@@ -103,6 +108,7 @@ class Compiled:
     def _begin(self, state: FloatArray, constants: tuple[float, ...], directions: FloatArray) -> None:
         solver, m = self.solver, self.m
         self.crossings, self.turns = [], []
+        self.known, self.jumped = constants, False
         solver.time = 0.0
         solver.state[:] = 0.0
         solver.state[:m] = state
@@ -124,6 +130,8 @@ class Compiled:
                 raise ConvergenceError(f"{MAX_STEPS} steps were made by t = {solver.time:.6g} of {duration:.6g}: too stiff")
             outcome, _, _, made, *_ = solver.propagate_until(duration, max_steps=CHUNK)
             steps += made
+        if self.jumped:
+            raise ConvergenceError(JUMPED)
         end, by_state, by_parameters = self._split(solver.state)
         if outcome != hy.taylor_outcome.time_limit or not np.isfinite(end).all():
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}")
@@ -144,6 +152,8 @@ class Compiled:
             _, made = solver.step(duration - begin, write_tc=True)
             if not made > 0 or not np.isfinite(solver.state[: self.m]).all():
                 break
+            if self.jumped:
+                raise ConvergenceError(JUMPED)
             scaled = solver.tc[: self.m] * made ** np.arange(solver.order + 1)
             times.append(begin + made * unit[1:])
             states.append((scaled @ powers)[:, 1:])

@@ -11,7 +11,7 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .field import Field, Mode
+from .field import JUMPED, Field, Mode
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
 from .with_scipy import ARRAYS, FLOATS, first_crossing
@@ -102,7 +102,10 @@ class Flight:
                 continue
             # The state at the border by a step of its own: the interpolant is of lower order than the method.
             at, border = found
+            jumps = self.field.borders[border].jumps
             first, whole = solver.step_size, _stepped(rates, begin, before, at, options)
+            if self.derivatives and jumps is not None and jumps(whole[:m].tolist(), constants):
+                raise ConvergenceError(JUMPED)
             after = self.field.borders[border].beyond(mode)
             yield _Piece(clock + begin, clock + at, whole, _shifted(dense, clock), mode, border, after)
             clock, mode = clock + at, after

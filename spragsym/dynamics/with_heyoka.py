@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 from dataclasses import dataclass
 from functools import partial
-from types import SimpleNamespace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -54,7 +53,7 @@ class Equations:
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
         known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = field.acceleration(state, known, mode, SimpleNamespace(sqrt=hy.sqrt, exp=hy.exp))
+        accelerations = field.acceleration(state, known, mode, hy)
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]

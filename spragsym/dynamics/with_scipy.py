@@ -14,13 +14,13 @@ from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import GAP, Field, Mode
 from .lobatto import unit_points
-from .problem import Problem, event_at, initial_mode, too_many_steps
+from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
 
 # The continuation of a mode grows without bound far outside it. Trial steps that go there are rejected
 # in any case: the number must only be finite.
-FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)))
-ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)))
+FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=lambda z: math.exp(min(z, 100.0)), atan2=math.atan2, pi=math.pi)
+ARRAYS = SimpleNamespace(sqrt=np.sqrt, exp=lambda z: np.exp(np.minimum(z, 100.0)), atan2=np.atan2, pi=np.pi)
 
 #: Each step is searched for crossings on this many intervals, and between them at extrema.
 _SEARCH = np.linspace(0.0, 1.0, 9)
@@ -28,6 +28,11 @@ _SEARCH = np.linspace(0.0, 1.0, 9)
 
 def integrate(problem: Problem) -> Solution:
     """Integrate a problem from 0 to ``t_end`` and keep what follows ``t_record``."""
+    with np.errstate(all="ignore"):  # trial steps may go as far as numbers do not, and are rejected
+        return _integrated(problem)
+
+
+def _integrated(problem: Problem) -> Solution:
     from scipy.integrate import DOP853
 
     unit = unit_points()
@@ -36,6 +41,8 @@ def integrate(problem: Problem) -> Solution:
     states: list[FloatArray] = []
     crossings: list[Crossing] = []
     steps = 0
+    if not np.isfinite(_field(problem, mode)(0.0, state)).all():
+        raise out_of_range()
 
     def points(begin: float, end: float) -> FloatArray:
         """Times of the samples of a step, none before ``t_record``."""
@@ -61,6 +68,8 @@ def integrate(problem: Problem) -> Solution:
             steps += 1
             if steps > problem.max_steps:
                 raise too_many_steps(problem, clock + solver.t)
+            if not np.isfinite(solver.y).all():
+                raise out_of_range()
             dense, begin, end = solver.dense_output(), solver.t_old, solver.t
             local = points(begin, end)
             # What is searched and what is kept in one call: a call costs more than its numbers.

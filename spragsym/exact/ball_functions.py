@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from .intervals import GUARD_BITS, Ball, Balls
-from .jets import Jet
+from .jets import Jet, argument, constant, turned
 from .polynomials import Undecided
 
 _BALLS = Balls()
@@ -29,6 +29,17 @@ def exp(value: Ball) -> Ball:
     for _ in range(halvings):
         total = total * total
     return Ball(total.mid, total.rad, total.exp, value.bits)
+
+
+def atan2(sine: Ball, cosine: Ball) -> Ball:
+    """Angle of a vector of balls, from −π to π."""
+    up, right = (_BALLS.sign(part) for part in (sine, cosine))
+    if right > 0 and (not up or _size(sine) <= _size(cosine)):
+        return _BALLS.atan(sine / cosine)
+    if not up:
+        raise Undecided("the angle of balls that meet the ray on which it jumps")
+    half = _BALLS.atan(Ball(1, 0, 0, sine.bits)) * 2
+    return (half if up > 0 else -half) - _BALLS.atan(cosine / sine)
 
 
 def _size(value: Ball) -> int:
@@ -60,6 +71,13 @@ class Functions:
         if isinstance(value, Jet):
             return value.exp(Functions.exp(value.value))
         return exp(value if isinstance(value, Ball) else _BALLS.exact(Fraction(value)))
+
+    @staticmethod
+    def atan2(sine: Any, cosine: Any) -> Any:
+        """Angle of the vector (cosine, sine), from −π to π; :class:`Undecided` where the balls meet the ray on which it jumps."""
+        if isinstance(sine, Jet) or isinstance(cosine, Jet):
+            return argument(*turned(sine, cosine)) + atan2(constant(sine), constant(cosine))
+        return atan2(sine, cosine)
 
     @staticmethod
     def sign(value: Any) -> int:

@@ -219,7 +219,8 @@ class Intervals:
     def exp(self) -> Intervals:
         """Exponential, off by no more than :data:`FUNCTION_ULPS`."""
         values = np.exp(np.stack([-self.ends[0], self.ends[1]]))
-        values[0] *= -1
+        # A lower end beyond the largest number is at least that: so that an infinite force is told from an unknown one.
+        values[0] = -np.minimum(values[0], np.finfo(np.float64).max)
         # Of 0 it is 1, exactly: laws of friction vanish there.
         return Intervals(np.where(self.ends == 0, values, _not_negative(raised(values, FUNCTION_ULPS))))
 

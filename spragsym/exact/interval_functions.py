@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .interval_arrays import Intervals, raised
+from .interval_arrays import FUNCTION_ULPS, FloatArray, Intervals, raised
 
 #: Bound on the absolute error of NumPy's sine and cosine, for arguments up to :data:`LARGEST_ANGLE`.
 TRIGONOMETRIC_ERROR = 2.0**-50
@@ -60,3 +60,44 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
     values = raised(ends / np.sqrt(ends * ends + other * other), 4)
     known = (np.maximum(np.abs(ends), other) > 1e-140) & (values <= 1)
     return Intervals(np.where(known, values, 1.0))
+
+
+def atan2(sine: Intervals, cosine: Intervals, side: int | None = None) -> Intervals:
+    """The angle of the vector (cosine, sine), from −π to π; NaN where the vectors meet the ray on which it jumps, or 0.
+
+    Parameters
+    ----------
+    side : int, optional
+        What is given there instead: with 1 or −1 the angles of vectors with a sine that is not negative or not positive, with 0
+        all angles.
+
+    Notes
+    -----
+    Over a rectangle that does not meet the ray the angle is least and greatest at corners: on each side it is monotone.
+    """
+    x, y = (np.stack([part.low, part.high]) for part in (cosine, sine))
+    cut = ~((x[0] > 0) | (y[0] > 0) | (y[1] < 0))
+    corners = np.stack([np.arctan2(y[j], x[i]) for i in (0, 1) for j in (0, 1)])
+    ends = _bounded_by_pi(np.stack([-corners.min(axis=0), corners.max(axis=0)]))
+    if cut.any():
+        ends = np.where(cut, _across(x, y, side), ends)
+    return Intervals(ends)
+
+
+def _across(x: FloatArray, y: FloatArray, side: int | None) -> FloatArray:
+    """Ends of angles of rectangles that meet the ray of negative cosines: x and y are lower and upper ends."""
+    if side is None:
+        return np.full(x.shape, np.nan)
+    most = np.full(x.shape[1:], raised(np.array(np.pi)))
+    if side == 0:
+        return np.stack([most, most])
+    # Of vectors with a sine of this sign the angle is least in size at the greatest cosine.
+    far = np.maximum(y[1] if side > 0 else -y[0], 0.0)
+    least = -_bounded_by_pi(-np.minimum(np.arctan2(far, x[1]), np.arctan2(0.0, x[1])))
+    return np.stack([-least, most] if side > 0 else [most, -least])
+
+
+def _bounded_by_pi(ends: FloatArray) -> FloatArray:
+    """Upper bounds of angles that NumPy gives, none of which is larger than π."""
+    out: FloatArray = np.minimum(raised(ends, FUNCTION_ULPS), raised(np.array(np.pi)))
+    return out

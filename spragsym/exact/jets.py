@@ -125,10 +125,10 @@ class Jet:
 
     def composed(self, coefficients: Sequence[Any]) -> Jet:
         """Σ coefficients[k] hᵏ for the part h of this polynomial that is not constant: a function by its Taylor series."""
-        change = Jet({term: coefficient for term, coefficient in self.terms.items() if term}, self.order)
+        varying = change(self, self.order)
         result, power = Jet({(): coefficients[0]}, self.order), None
         for coefficient in coefficients[1:]:
-            power = change if power is None else _times(power, change)
+            power = varying if power is None else _times(power, varying)
             result = result + power * coefficient
         return result
 
@@ -164,6 +164,31 @@ class Jet:
         """Sine; ``pair`` as for the cosine."""
         c, s = pair or (cos(self.value), sin(self.value))
         return self.composed(_wave([s, c, -s, -c], self.order))
+
+
+def argument(u: Jet, v: Jet) -> Jet:
+    """The angle of 1 + u + i v, for changes u and v without a constant term: the imaginary part of log(1 + z) = z − z²/2 + …."""
+    one, other = u, v
+    total = v
+    for power in range(2, max(u.order, v.order) + 1):
+        one, other = _times(one, u) - _times(other, v), _times(one, v) + _times(other, u)
+        total = total + other / (power if power % 2 else -power)
+    return total
+
+
+def turned(sine: Any, cosine: Any) -> tuple[Jet, Jet]:
+    """How the vector (cosine, sine) changes, as a multiple 1 + u + i v of its value, of any length."""
+    order = max(part.order for part in (sine, cosine) if isinstance(part, Jet))
+    c, s = constant(cosine), constant(sine)
+    dc, ds = (change(part, order) for part in (cosine, sine))
+    square = c * c + s * s
+    return (dc * c + ds * s) / square, (ds * c - dc * s) / square
+
+
+def change(value: Any, order: int) -> Jet:
+    """The part of it that is not constant."""
+    terms = value.terms if isinstance(value, Jet) else {}
+    return Jet({term: coefficient for term, coefficient in terms.items() if term}, order)
 
 
 @cache

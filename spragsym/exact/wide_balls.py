@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..generated import double_double as dd
 from ..generated.double_double import Wide
 from .interval_arrays import FloatArray, Intervals, exactly, raised
-from .jets import Jet
+from .jets import Jet, argument, constant, turned
 from .methods import repeated_product
 
 #: Unit of relative errors of double-double operations.
@@ -27,6 +27,9 @@ TINY = 1e-290
 ROOM = 1 + 2.0**-48
 #: Absolute error of cosine and sine.
 TURN = 2.0**-100
+#: Terms of the arc sine, over odd powers: numerators and denominators; and sines up to which they are taken.
+ARC_SINE = ((1, 1), (1, 6), (3, 40), (15, 336), (105, 3456))
+MOST_OFF = 2.0**-6
 #: Halvings of the argument of an exponential, and terms of its series then.
 HALVINGS, TERMS = 10, 14
 
@@ -176,6 +179,29 @@ def cosine_and_sine(angles: FloatArray) -> tuple[WideBalls, WideBalls]:
     return WideBalls(Wide(*found[:2]), radius), WideBalls(Wide(*found[2:]), radius)
 
 
+def atan2(sine: WideBalls, cosine: WideBalls) -> WideBalls:
+    """Angle of the vector (cosine, sine), from −π to π; NaN where balls are wide, or meet the ray on which it jumps.
+
+    A float φ₀ near it, and the angle off that, whose sine is s cos φ₀ − c sin φ₀ over the vector's length, by Taylor's series.
+    """
+    near = np.arctan2(sine.middle.high, cosine.middle.high)
+    level = near == 0
+    c, s = cosine_and_sine(np.where(level, 1.0, np.abs(near)))
+    one, none = WideBalls.exact(np.ones_like(near)), WideBalls.exact(np.zeros_like(near))
+    c, s = WideBalls.where(level, one, c), WideBalls.where(level, none, WideBalls.where(near < 0, -s, s))
+    length = (sine * sine + cosine * cosine).sqrt()
+    off, along = (sine * c - cosine * s) / length, cosine * c + sine * s
+    square = off * off
+    series = none
+    for factor, by in reversed(ARC_SINE):
+        series = series * square + one * factor / by
+    # What is left out is less than twice its first term where the sine is small.
+    rest = 2 * off.size ** (2 * len(ARC_SINE) + 1)
+    known = (along.signs() > 0) & (off.size < MOST_OFF) & (np.abs(near) + 2 * off.size < np.pi)
+    total = off * series
+    return WideBalls(total.middle, np.where(known, total.radius + rest, np.nan)) + WideBalls.exact(near)
+
+
 def _ball(value: Any, like: WideBalls) -> WideBalls:
     if isinstance(value, WideBalls):
         return value
@@ -203,6 +229,13 @@ class Functions:
         if isinstance(value, Jet):
             return value.exp(Functions.exp(value.value))
         return value.exp() if isinstance(value, WideBalls) else np.exp(value)
+
+    @staticmethod
+    def atan2(sine: Any, cosine: Any) -> Any:
+        """Angle of the vector (cosine, sine)."""
+        if isinstance(sine, Jet) or isinstance(cosine, Jet):
+            return argument(*turned(sine, cosine)) + atan2(constant(sine), constant(cosine))
+        return atan2(sine, cosine)
 
     @staticmethod
     def sign(value: Any) -> Any:

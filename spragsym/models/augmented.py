@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact.boxes import POLE
+from ..exact.boxes import POLE, Plain
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import constant, gradient, variables
 from .balance import Balance, matrix
@@ -47,16 +47,17 @@ class State:
         shape: tuple[int, ...],
         upright: Sequence[int] = (),
         xp: Any = XP,
+        sides: Sequence[int] | None = None,
     ) -> None:
         self.balance, self.q, self.values, self.shape, self.xp = balance, q, values, shape, xp
-        self._upright = upright
+        self._upright, self._sides = upright, sides
         self._slopes: Any = None
 
     @cached_property
     def directions(self) -> list[Any]:
-        """Cosine, sine and length of every spring."""
+        """Cosine, sine and length of every spring, and turnings."""
         if self.xp is XP:
-            return self.balance.directions(self.q, self.values, self.shape, self._upright)
+            return self.balance.directions(self.q, self.values, self.shape, self._upright, self._sides)
         return self.balance.plain_directions(self.q, self.values, self.xp)
 
     def forces(self) -> Sequence[Any]:
@@ -93,7 +94,7 @@ class State:
         return self.balance.slope(self.values, self.xp)
 
 
-class Augmented:
+class Augmented(Plain):
     """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""
 
     def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:
@@ -104,20 +105,26 @@ class Augmented:
         """As for the balance; what is an unknown is replaced at each evaluation."""
         return self.balance.prepared(bounds)
 
-    def state(self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...]) -> State:
+    def state(
+        self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
+    ) -> State:
         """The evaluation at unknowns of any number type."""
         n = self.balance.n
         changed = dict(zip(self.vary, unknowns[n:], strict=True))
-        return State(self.balance, unknowns[:n], self.balance.arguments(parameters, changed), shape)
+        return State(self.balance, unknowns[:n], self.balance.arguments(parameters, changed), shape, sides=sides)
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces and condition over boxes."""
+        return self._values(unknowns, parameters, self.balance.anywhere)
+
+    def _values(self, unknowns: Intervals, parameters: Intervals, sides: Sequence[int]) -> Intervals:
+        """The same on sides of the rays where turnings jump."""
         shape = unknowns.shape[1:]
-        at = self.state(list(unknowns), parameters, shape)
+        at = self.state(list(unknowns), parameters, shape, sides)
         extra = at
         if self.condition.order:
             # Derivatives that the condition itself is made of.
-            extra = self.state(variables(list(unknowns), self.condition.order), parameters, shape)
+            extra = self.state(variables(list(unknowns), self.condition.order), parameters, shape, sides)
         values = [*at.forces(), *self.condition.equations(extra)]
         return stacked([constant(value) for value in values], shape)
 
@@ -142,7 +149,13 @@ class Augmented:
         shape = unknowns.shape[1:]
         at = self.state(list(unknowns), parameters, shape)
         out: NDArray[np.bool_] = self.balance.nothing_at(at.q, at.values, shape) | self.condition.hopeless(at)
-        return out
+
+        def no_root(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
+            values = self._values(unknowns[:, rows], parameters[:, rows], sides)
+            excluded: NDArray[np.bool_] = ~np.logical_and.reduce(values.holds_zero())
+            return excluded
+
+        return out | self.balance.beside_jumps(at.q, at.values, ~out, no_root)
 
     def given_up(self, unknowns: Intervals, parameters: Intervals, width: float = POLE) -> NDArray[np.bool_]:
         """As for the balance, and for the condition."""
@@ -153,6 +166,6 @@ class Augmented:
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The coordinates contracted by the balance over the box of parameters."""
         n, shape = self.balance.n, unknowns.shape[1:]
-        at = self.state(list(unknowns), parameters, shape)
+        at = self.state(list(unknowns), parameters, shape, self.balance.anywhere)
         ends = self.balance.with_directions(unknowns[:n], at.values, at.directions)
         return np.concatenate([ends, unknowns.ends[:, n:]], axis=1)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +13,13 @@ from ..exact import contractors, jets
 from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
-from .directions import direction
+from .directions import direction, turning
 from .laws import XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
+#: Sizes of a box from all anchors beyond which it counts as small.
+FAR = 2.0
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
@@ -27,6 +30,10 @@ class Model(Protocol):
     statics: Any
     linearization: Any
     about: Mapping[str, Any]
+
+
+#: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
+Excluded: TypeAlias = Callable[[NDArray[np.int64], Sequence[int]], NDArray[np.bool_]]
 
 
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
@@ -59,6 +66,8 @@ class Balance:
         self.codes = [code for name in self.parameters for code in self.angles.get(name, (name,))]
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
+        #: Of each torsion spring the number of the spring that it turns with.
+        self.torsions: list[int] = [entry["spring"] for entry in about.get("torsions", ())]
         self.pushing = int(contact)
         #: −low and high of each coordinate: on which side of the border the contact's gap is, where that is a coordinate.
         self.border = np.full((2, self.n), np.inf)
@@ -108,20 +117,64 @@ class Balance:
     # ---------------------------------------------------------------------------------------------- forces
 
     def directions(
-        self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...], upright: Sequence[int] = ()
+        self,
+        q: Sequence[Any],
+        values: Mapping[str, Any],
+        shape: tuple[int, ...],
+        upright: Sequence[int] = (),
+        sides: Sequence[int] | None = None,
     ) -> list[Any]:
-        """Cosine, sine and length of every spring; those that are known to be ``upright`` have dx = 0."""
+        """Cosine, sine and length of every spring, then the turning of every torsion spring.
+
+        Parameters
+        ----------
+        upright : sequence of int
+            Springs that are known to have dx = 0.
+        sides : sequence of int, optional
+            For each torsion spring what its turning is in boxes that meet the ray where it jumps: NaN if nothing is said, with 1
+            or −1 that on one side of the ray, with 0 anything from −π to π.
+        """
         rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
         steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
-        return [part for dx, dy in steps for part in direction(dx, dy, shape)]
+        parts = [part for dx, dy in steps for part in direction(dx, dy, shape)]
+        return parts + self._turnings(q, values, shape, steps, parts, sides) if self.torsions else parts
+
+    def _turnings(
+        self,
+        q: Sequence[Any],
+        values: Mapping[str, Any],
+        shape: tuple[int, ...],
+        steps: Sequence[tuple[Any, Any]],
+        directions: Sequence[Any],
+        sides: Sequence[int] | None,
+    ) -> list[Any]:
+        """φ of every torsion spring; 0 where its stiffness is."""
+        given = self._listed(values, "statics")
+        cosine_and_sine = undecorated(self.model.statics.turnings)
+        fixed = [jets.constant(part) for part in (*q, *directions, *given)]
+        rests = cosine_and_sine(*q, *(1, 0, 1) * self.springs, *given, xp=XP)
+        stiffnesses = undecorated(self.model.statics.torsions)(*q, *given, xp=XP)
+        found = []
+        for place, value in enumerate(cosine_and_sine(*fixed, xp=XP)):
+            if _is_none(stiffnesses[place]):
+                found.append(Intervals(np.zeros((2, *shape))))
+                continue
+            cosine, minus_sine = rests[place]
+            side = None if sides is None else sides[place]
+            found.append(turning(value, steps[self.torsions[place]], (cosine, -minus_sine), shape, side))
+        return found
 
     def plain_directions(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any) -> list[Any]:
-        """Cosine, sine and length of every spring, for numbers that are narrow: quotients."""
+        """Cosine, sine and length of every spring, then turnings, for numbers that are narrow: quotients."""
         directions: list[Any] = []
-        for dx, dy, _ in undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=xp):
+        given = self._listed(values, "statics")
+        for dx, dy, _ in undecorated(self.model.statics.geometry)(*q, *given, xp=xp):
             length = xp.sqrt(dx**2 + dy**2)
             directions += [dx / length, dy / length, length]
-        return directions
+        if not self.torsions:
+            return directions
+        pairs = undecorated(self.model.statics.turnings)(*q, *directions, *given, xp=xp)
+        return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """A function of ``statics`` that has the arguments of ``forces``; of ``forces`` and their slopes :attr:`sums`."""
@@ -148,7 +201,8 @@ class Balance:
     ) -> Any:
         """C of dampers and of the slope of the friction law."""
         function = undecorated(self.model.linearization.damping)
-        return function(*q, *directions, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=xp)
+        lines = directions[: 3 * self.springs]
+        return function(*q, *lines, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=xp)
 
     def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Slope of the friction law at steady sliding."""
@@ -177,7 +231,12 @@ class Balance:
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces over boxes, shape (n, N)."""
         q, values, shape = self._taken(unknowns, parameters)
-        return stacked(self.call("forces", q, self.directions(q, values, shape), values), shape)
+        return stacked(self.call("forces", q, self.directions(q, values, shape, sides=self.anywhere), values), shape)
+
+    @property
+    def anywhere(self) -> list[int]:
+        """``sides`` for what needs no derivatives: turnings that jump in a box have any value there."""
+        return [0] * len(self.torsions)
 
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """Forces at floats, shape (n, N)."""
@@ -200,8 +259,29 @@ class Balance:
             # Farther from the anchor the direction is known so well that the forces themselves tell.
             rows = np.flatnonzero(~out & (np.hypot(dx.mignitude, dy.mignitude) <= AWAY * (dx.width + dy.width)))
             if rows.size:
-                some = {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}
-                out[rows] = self._no_direction([part[rows] for part in q], some, rows.shape, spring)
+                out[rows] = self._no_direction([part[rows] for part in q], taken(values, rows), rows.shape, spring)
+
+        def unbalanced(rows: NDArray[np.int64], sides: Sequence[int]) -> NDArray[np.bool_]:
+            place, some = [part[rows] for part in q], taken(values, rows)
+            forces = self.call("forces", place, self.directions(place, some, rows.shape, sides=sides), some)
+            no_root: NDArray[np.bool_] = ~np.logical_and.reduce(stacked(forces, rows.shape).holds_zero())
+            return no_root
+
+        return out | self.beside_jumps(q, values, ~out, unbalanced)
+
+    def beside_jumps(
+        self, q: Sequence[Intervals], values: Mapping[str, Any], among: NDArray[np.bool_], excluded: Excluded
+    ) -> NDArray[np.bool_]:
+        """Boxes in which a turning jumps, and that are excluded on each side of the jump."""
+        out = np.zeros(among.shape, dtype=np.bool_)
+        if not self.torsions or not among.any():
+            return out
+        turnings = self.directions(q, values, among.shape)[3 * self.springs :]
+        jumps = np.logical_or.reduce([np.isnan(phi.ends[0]) for phi in turnings])
+        rows = np.flatnonzero(among & jumps)
+        if rows.size:
+            every = itertools.product((1, -1), repeat=len(self.torsions))
+            out[rows] = np.logical_and.reduce([excluded(rows, sides) for sides in every])
         return out
 
     def beyond_border(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
@@ -244,10 +324,17 @@ class Balance:
 
     # -------------------------------------------------------------------------------------------- contraction
 
+    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes far from the anchors of all springs, for their size: directions hardly change over them."""
+        far = np.full(unknowns.shape[1:], bool(self.springs))
+        for dx, dy in self.anchors(*self._taken(unknowns, parameters)):
+            far &= np.hypot(dx.mignitude, dy.mignitude) > FAR * (dx.width + dy.width)
+        return far
+
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""
         q, values, shape = self._taken(unknowns, parameters)
-        return self.with_directions(unknowns, values, self.directions(q, values, shape))
+        return self.with_directions(unknowns, values, self.directions(q, values, shape, sides=self.anywhere))
 
     def with_directions(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
         """Smaller boxes with the same roots, for springs of the given directions, whatever their lengths."""
@@ -284,7 +371,7 @@ class Balance:
         # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
         # for a derivative that its stiffness has in a sharper form.
         endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
-        far = [endless if i % 3 == 2 else part for i, part in enumerate(directions)]
+        far = [endless if self._is_length(i) else part for i, part in enumerate(directions)]
         return matrix(call("forces_jacobian", list(unknowns), far, values), shape)
 
     def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
@@ -292,14 +379,21 @@ class Balance:
         if self._lengths is None and unknowns.shape[1]:
             one = np.zeros(1, dtype=np.int64)
             unknown = Intervals(np.full((2, 1), np.nan))
-            parts = [unknown if i % 3 == 2 else part[one] for i, part in enumerate(directions)]
-            some = {name: value[one] if isinstance(value, Intervals) else value for name, value in values.items()}
-            forces = self.call("forces", [part[one] for part in unknowns], parts, some)
+            parts = [unknown if self._is_length(i) else part[one] for i, part in enumerate(directions)]
+            forces = self.call("forces", [part[one] for part in unknowns], parts, taken(values, one))
             self._lengths = bool(np.isnan(stacked(forces, (1,)).ends).all(axis=(0, 2)).any())
         return bool(self._lengths)
 
+    def _is_length(self, place: int) -> bool:
+        return place < 3 * self.springs and place % 3 == 2
+
     def _taken(self, unknowns: Intervals, parameters: Intervals) -> tuple[list[Intervals], dict[str, Any], tuple[int, ...]]:
         return list(unknowns), self.arguments(parameters), unknowns.shape[1:]
+
+
+def taken(values: Mapping[str, Any], rows: NDArray[np.int64]) -> dict[str, Any]:
+    """The arguments of some boxes."""
+    return {name: value[rows] if isinstance(value, Intervals) else value for name, value in values.items()}
 
 
 def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
@@ -310,3 +404,8 @@ def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
 
 def _is_nothing(values: Intervals) -> bool:
     return values.ends.size > 0 and not values.ends.any()
+
+
+def _is_none(stiffness: Any) -> bool:
+    """0 everywhere, and no unknown."""
+    return not stiffness if isinstance(stiffness, int) else isinstance(stiffness, Intervals) and _is_nothing(stiffness)

@@ -40,7 +40,7 @@ def cusps(model: Model, p: Any, vary: Sequence[str], *, between: Mapping[str, tu
     -----
     Source: F = 0, det K = 0 and ∇(det K) · v = 0 with K v = 0, v a column of the adjugate of K.
     """
-    if len(vary) != 2 or vary[0] == vary[1]:
+    if isinstance(vary, str) or not isinstance(vary, Sequence) or len(vary) != 2 or vary[0] == vary[1]:
         raise ParameterError(f"vary = {vary!r}; give two different parameters")
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})

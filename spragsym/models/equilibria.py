@@ -3,27 +3,40 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..errors import ParameterError
+from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
+from .anchors import around_anchors, stiff_points, turned_points
 from .balance import Balance, Model
 from .columns import Columns
-from .polar import around_anchors, stiff_points
-from .precise import assembled, at, boxes_of, hull_of_each, of_each, replaced, settled, settled_by_digits, unsettled
+from .precise import (
+    assembled,
+    at,
+    boxes_of,
+    hull_of_each,
+    of_each,
+    precise_forces,
+    replaced,
+    settled,
+    settled_by_digits,
+    unsettled,
+)
+from .refined import refined
 from .regions import region
+from .remarks import remarks
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
-STAGES = ((2.0**-9, 4), (2.0**-14, 6), (2.0**-19, 6))
+STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
 
 
 @dataclass(frozen=True)
@@ -64,6 +77,8 @@ class ModelEquilibria(Columns, held_in="coordinates"):
         Points of which every box is decided.
     undecided : tuple of Undecided
         The other points' boxes.
+    remarks : tuple of str
+        What is known of these boxes.
     """
 
     parameters: Any
@@ -79,6 +94,7 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     decided: NDArray[np.bool_]
     undecided: tuple[Undecided, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
+    remarks: tuple[str, ...] = ()
 
     @property
     def complete(self) -> bool:
@@ -108,7 +124,9 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     looked at in its angle and tension, see :mod:`spragsym.models.polar`. What float64 does not decide is reduced to one unknown
     and decided with many digits, see :mod:`spragsym.exact.reduction`.
     """
-    balance = Balance(model, contact)
+    if not isinstance(contact, int | np.bool_) or contact not in (0, 1):
+        raise ParameterTypeError(f"contact = {contact!r:.60} is neither True, for states in contact, nor False, for lift-off")
+    balance = Balance(model, bool(contact))
     if not contact and not balance.opens:
         raise ParameterError("contact = False: the contact of this model never opens, so it has no lift-off; use contact=True")
     given = columns(p, balance.parameters)
@@ -152,14 +170,21 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
     if not given.shape[1]:
         none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
         return Roots(none, none, nowhere, none, nowhere), around, whole
-    stiff, done = stiff_points(balance, given, around)
-    if not done.any():
-        return _by_boxes(balance, given, around), around, whole
-    rest = np.flatnonzero(~done)
-    parts = [stiff]
+    turned, turning = turned_points(balance, given, around)
+    others = np.flatnonzero(~turning)
+    stiff, stiff_done = stiff_points(balance, given[:, others], of_each(around, given)[:, :, others])
+    if not turning.any() and not stiff_done.any():
+        return _narrowed(balance, given, _by_boxes(balance, given, around)), around, whole
+    rest = others[~stiff_done]
+    parts = [turned, at(stiff, others)]
     if rest.size:
         parts.append(at(_by_boxes(balance, given[:, rest], of_each(around, given)[:, :, rest]), rest))
-    return certified_roots.concatenated(parts, balance.n), around, whole
+    return _narrowed(balance, given, certified_roots.concatenated(parts, balance.n)), around, whole
+
+
+def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
+    """The same roots, those that are known to few digits in narrower boxes."""
+    return replace(found, ends=refined(balance, given, found.ends, found.point, precise_forces(balance)))
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
@@ -173,7 +198,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
             part = at(_searched(balance, given[:, points], hulls, *stage), points)
             found = replaced(found, points, assembled(of_each(around, given), found, points, [part]))
     found = around_anchors(balance, given, around, found)
-    found = settled_by_digits(balance, given, around, found)
+    found = settled_by_digits(balance, given, around, found, precise_forces(balance))
     return around_anchors(balance, given, around, found, 0.0)
 
 
@@ -218,4 +243,5 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
         placed(types.eigenvalues, np.nan), placed(types.growth, np.nan), placed(errors, np.nan),
         searched, whole, decided.reshape(shape), undecided,
         {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
+        remarks(balance, columns(p, balance.parameters), found.left, found.left_point),
     )  # fmt: skip

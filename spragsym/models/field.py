@@ -34,6 +34,10 @@ def field_of(model: Model, reach: float) -> Field:
     if slip is not None:
         borders.append(_slip(model))
     borders += [_layer(model, number, reach) for number in range(layers)]
+    turns = _turns(model)
+    borders += [_turn(model) for _ in range(turns)]
+    torsions = len(model.about.get("torsions", ()))
+    borders += [_way(model, number, torsions) for number in range(torsions)]
     return Field(
         f"{model.where}:{model.about['source']}:{reach!r}",
         model.coordinates,
@@ -44,11 +48,12 @@ def field_of(model: Model, reach: float) -> Field:
         _in_mode(model, "regime_by_parameters"),
         tuple(borders),
         _initial_mode(model, reach),
-        tuple(itertools.product((1, 0), (1, -1), *((1, 0) for _ in range(layers)))),
+        tuple(itertools.product((1, 0), (1, -1), *((1, 0),) * layers, *((1, -1),) * (turns + torsions))),
         _check(model),
         _simulate(model),
-        lambda mode: (*mode[:2], *(1 for _ in range(layers))),
+        lambda mode: (*mode[:2], *(1 for _ in range(layers)), *mode[2 + layers :]),
         again=(__name__, "exact_field", model.where),
+        ways=torsions,
     )
 
 
@@ -59,15 +64,21 @@ def exact_field(where: str) -> Field:
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
+    if model.about.get("torsions"):
+        raise ParameterError(
+            "the turning of a torsion spring is an arc tangent of the place, which proofs of cycles do not take in"
+        )
     return field_of(model, REACH)
 
 
 def _in_mode(model: Model, name: str) -> Callable[..., Any]:
     plain = inspect.unwrap(getattr(model.motion, name))
     rooted = not model.about["contact"]["polynomial"]
+    turn = 2 + model.about["layers"]
+    after = turn + _turns(model)
 
     def call(state: Sequence[Any], constants: Sequence[Any], mode: Sequence[Any], xp: Any) -> Any:
-        return plain(*state, *constants, *mode, xp=_Rooted(xp) if rooted else xp)
+        return plain(*state, *constants, *mode[:turn], *mode[after:], xp=_Rooted(xp) if rooted else xp)
 
     return call
 
@@ -76,13 +87,16 @@ class _Rooted:
     """A namespace whose root of a negative number is 0: trial steps leave the contact, and are rejected."""
 
     def __init__(self, xp: Any) -> None:
-        self.exp, self._sqrt = xp.exp, xp.sqrt
+        self._xp = xp
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._xp, name)
 
     def sqrt(self, value: Any) -> Any:
         """Of a float or an array; an expression of heyoka's is taken as it is."""
         if isinstance(value, float | np.ndarray | np.floating):
-            return self._sqrt(np.maximum(value, 0.0))
-        return self._sqrt(value)
+            return self._xp.sqrt(np.maximum(value, 0.0))
+        return self._xp.sqrt(value)
 
 
 def _borders(model: Model, row: int) -> tuple[Callable[..., Any], Callable[..., Any]]:
@@ -141,9 +155,72 @@ def _layer(model: Model, number: int, reach: float) -> Border:
     )  # fmt: skip
 
 
+def _turns(model: Model) -> int:
+    """1 where a motion is stopped at each turn of the gap: of a law with a root, as Hertz's, at a coordinate that is the gap.
+
+    Where the mass only just touches, the depth goes with (t − t_0)² and its power 3/2 with |t − t_0|³. Before t_0 the series
+    is that of −(t − t_0)³, which nothing shows to be wrong beyond: so a step ends at t_0.
+    """
+    contact = model.about["contact"]
+    return int(not contact["polynomial"] and contact["unilateral"] and contact["gap"] in model.coordinates)
+
+
+def _turn(model: Model) -> Border:
+    """Where the gap is largest or smallest."""
+    row, n, place = model.coordinates.index(model.about["contact"]["gap"]), len(model.coordinates), 2 + model.about["layers"]
+    return Border(
+        "gap' = 0", lambda state, *_: state[n + row], lambda _, accelerations, *__: accelerations[row], lambda mode: mode[place],
+        lambda mode: (*mode[:place], -mode[place], *mode[place + 1 :]),
+    )  # fmt: skip
+
+
+def _way(model: Model, number: int, torsions: int) -> Border:
+    """Where the turning of a torsion spring comes to π times its way, or to −0.93 times it: from there the other way counts it.
+
+    Each way is smooth beyond its ends. At ±π the least turning jumps, and so does the torque; a motion goes on the other way.
+    """
+    level, rate = (inspect.unwrap(getattr(model.motion, name)) for name in ("turning_borders", "turning_rates"))
+    first = 2 + model.about["layers"] + _turns(model)
+    place = first + number
+
+    def level_of(state: Any, constants: Any, mode: Any) -> Any:
+        return level(*state, *constants, *mode[first : first + torsions], xp=_namespace(state))[number]
+
+    def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
+        return rate(*state, *accelerations, *constants, *mode[first : first + torsions], xp=_namespace(state))[number]
+
+    def jumps(state: Any, constants: Any) -> bool:
+        return bool(_turned(model, state, constants)[number][1] < 0)
+
+    return Border(
+        f"turning {number + 1}", level_of, rate_of, lambda mode: 1,
+        lambda mode: (*mode[:place], -mode[place], *mode[place + 1 :]), jumps=jumps,
+    )  # fmt: skip
+
+
+def _turned(model: Model, state: Sequence[float], constants: Sequence[float]) -> list[tuple[float, float]]:
+    """Sine and cosine of every turning."""
+    count = len(model.about.get("torsions", ()))
+    if not count:
+        return []
+    level = inspect.unwrap(model.motion.turning_borders)
+    forward, backward = (level(*state, *constants, *(way,) * count) for way in (1, -1))
+    return [((one - other) / 4, (one + other) / 2 - 1) for one, other in zip(forward, backward, strict=True)]
+
+
+def _namespace(state: Any) -> Any:
+    """Where functions of a state's numbers are: in NumPy, or heyoka for its expressions."""
+    if isinstance(state[0], int | float | np.ndarray | np.floating):
+        return np
+    from ..dynamics.heyoka_library import library
+
+    return library()
+
+
 def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
     borders, layers = (inspect.unwrap(function) for function in (model.motion.borders, model.motion.layers))
-    lifts = model.about["contact"]["unilateral"]
+    lifts, turns = model.about["contact"]["unilateral"], _turns(model)
+    fallen = len(model.coordinates) + model.coordinates.index(model.about["contact"]["gap"]) if turns else 0
     # A law that is no polynomial begins without contact on the border itself.
     highest = 0.0 if model.about["contact"]["polynomial"] else -2 * GAP
 
@@ -151,7 +228,9 @@ def _initial_mode(model: Model, reach: float) -> Callable[..., Mode]:
         gap, slip = borders(*state, *constants)
         side = 1 if slip >= 0 else -1
         near = (int(depth <= reach) for depth in layers(*state, *constants, side))
-        return int(not lifts or gap <= highest), side, *near
+        turn = [1 if state[fallen] >= 0 else -1] * turns
+        ways = (1 if sine >= 0 else -1 for sine, _ in _turned(model, state, constants))
+        return int(not lifts or gap <= highest), side, *near, *turn, *ways
 
     return mode
 

@@ -105,7 +105,7 @@ class Model:
         """
         from .equilibria import equilibria
 
-        return equilibria(self, p, contact)
+        return equilibria(self, _parameters.own(self, p), contact)
 
     def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
         """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
@@ -114,7 +114,7 @@ class Model:
         """
         from .folds import folds
 
-        return folds(self, p, vary, **options)
+        return folds(self, _parameters.own(self, p), vary, **options)
 
     def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
         """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
@@ -123,7 +123,7 @@ class Model:
         """
         from .cusps import cusps
 
-        return cusps(self, p, vary, **options)
+        return cusps(self, _parameters.own(self, p), vary, **options)
 
     def bifurcation_set(
         self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 60, **options: Any
@@ -134,7 +134,7 @@ class Model:
         """
         from .bifurcation import bifurcation_set
 
-        return bifurcation_set(self, p, vary, n, **options)
+        return bifurcation_set(self, _parameters.own(self, p), vary, n, **options)
 
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
         """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
@@ -143,7 +143,7 @@ class Model:
         """
         from .paths import quasi_static_path
 
-        return quasi_static_path(self, p, vary, values, **options)
+        return quasi_static_path(self, _parameters.own(self, p), vary, values, **options)
 
     def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
         """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
@@ -153,13 +153,13 @@ class Model:
         """
         from .flutter import flutter_onsets
 
-        return flutter_onsets(self, p, vary, **options)
+        return flutter_onsets(self, _parameters.own(self, p), vary, **options)
 
     def cycle(self, p: ParameterSet, near: Any = None, **options: Any) -> Cycle:
         """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
         from .oscillation import cycle
 
-        return cycle(self, p, near, **options)
+        return cycle(self, _parameters.own(self, p), near, **options)
 
     def cycle_branch(self, cycle: Cycle, vary: str, to: tuple[float, float], **options: Any) -> CycleBranch:
         """A cycle followed as one of the model's parameters varies: see :func:`spragsym.cycle_branch`, which is the same."""
@@ -171,13 +171,13 @@ class Model:
         """Lyapunov exponents of the motion from ``start``: see :func:`spragsym.lyapunov`."""
         from .oscillation import lyapunov
 
-        return lyapunov(self, p, **options)
+        return lyapunov(self, _parameters.own(self, p), **options)
 
     def fate_boundary(self, p: ParameterSet, **options: Any) -> FateBoundary:
         """The value of ``vary`` in ``bracket`` at which ``start`` changes its fate: see :func:`spragsym.fate_boundary`."""
         from .oscillation import fate_boundary
 
-        return fate_boundary(self, p, **options)
+        return fate_boundary(self, _parameters.own(self, p), **options)
 
     def basin_boundary(self, p: ParameterSet, **options: Any) -> BasinBoundary:
         """The stable manifold of a saddle in a plane of starts: see :func:`spragsym.basin_boundary`.
@@ -186,7 +186,7 @@ class Model:
         """
         from .oscillation import basin_boundary
 
-        return basin_boundary(self, p, **options)
+        return basin_boundary(self, _parameters.own(self, p), **options)
 
     def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
         """Integrate the motion from an initial state, restarted at every kink of the model's laws.

@@ -30,9 +30,11 @@ BUDGET = 100_000
 class Logarithmic(Augmented):
     """The same system with the logarithm of its parameter for an unknown."""
 
-    def state(self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...]) -> State:
+    def state(
+        self, unknowns: Sequence[Any], parameters: Intervals, shape: tuple[int, ...], sides: Sequence[int] | None = None
+    ) -> State:
         """The evaluation at coordinates and logarithm."""
-        return super().state([*unknowns[:-1], unknowns[-1].exp()], parameters, shape)
+        return super().state([*unknowns[:-1], unknowns[-1].exp()], parameters, shape, sides)
 
 
 def begins(system: Augmented, given: FloatArray, around: FloatArray) -> bool:

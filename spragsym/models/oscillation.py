@@ -11,7 +11,7 @@ from ..cycles.saddles import Saddle, equilibrium_near, saddle_near
 from ..dynamics.field import Field
 from ..dynamics.sprag import REACH
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, POSITIVE, FloatArray, ParameterSet, as_number
+from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, as_numbers
 from .field import field_of
 from .trajectory import start_of
 
@@ -37,7 +37,10 @@ def fate_boundary(
     """As :meth:`spragsym.Model.fate_boundary`."""
     if vary not in model.parameters:
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
-    low, high = (as_number("bracket", value, FINITE) for value in bracket)
+    ends = as_numbers("bracket", bracket)
+    if ends.shape != (2,):
+        raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
+    low, high = ends.tolist()
     values = p.replace(**{vary: low}).scalars(*model.parameters)
     return fates.boundary_of(field_of(model, REACH), values, vary, (low, high), _state(model, start), backend)
 
@@ -60,8 +63,13 @@ def _state(model: Model, start: Any) -> FloatArray:
 
 def _saddle(model: Model, field: Field, p: ParameterSet, values: tuple[float, ...], near: Any) -> Saddle:
     """The saddle from which to look: near a place that is given, or the one among the equilibria of steady sliding."""
-    places = [np.asarray(near, dtype=float)] if near is not None else _places(model, p)
+    places = [as_numbers("saddle", near)] if near is not None else _places(model, p)
     found: list[Saddle] = []
+    for place in places:
+        if place.shape not in ((len(model.coordinates),), (2 * len(model.coordinates),)):
+            raise ParameterError(
+                f"saddle has the shape {place.shape}; give the {len(model.coordinates)} coordinates of a place near it"
+            )
     for place in places:
         try:
             known = saddle_near(field, values, equilibrium_near(field, values, place))

@@ -208,7 +208,7 @@ class _Way:
         """The slot at the first value."""
         count = int(self.eq.count[0])
         if not isinstance(start, str):
-            if isinstance(start, bool) or not 0 <= start < count:
+            if isinstance(start, bool) or not isinstance(start, int | np.integer) or not 0 <= start < count:
                 raise ParameterError(f"start = {start!r}: the first value has {count} equilibria, slots 0 to {count - 1}")
             return int(start)
         if start not in ("small", "large"):

@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import ParameterError
+from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
+from ..parameters import as_numbers
 from . import near_zero
 from .augmented import Augmented, Condition
 from .balance import Balance, Model
@@ -82,18 +83,25 @@ class Found:
 
 def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> FloatArray:
     """Lower and upper ends of the parameters that vary, shape (number, 2)."""
+    if not isinstance(between, Mapping):
+        raise ParameterTypeError(f'between = {between!r:.60} is no mapping; give the ends by name, as {{"mu0": (0, 1)}}')
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
     rows = []
     for name in vary:
-        if name not in entries:
+        if not isinstance(name, str) or name not in entries:
             raise ParameterError(f"vary = {name!r} is not a parameter of this model; choose one of {', '.join(entries)}")
         entry = entries[name]
         low, high = (entry[end] for end in ("low", "high"))
         far = FAR * max(1.0, abs(entry["base"] or 0.0))
         default = (-far if low is None else low, far if high is None else high)
-        rows.append(between.get(name, default))
-        if not rows[-1][0] < rows[-1][1]:
-            raise ParameterError(f"between[{name!r}] = {rows[-1]} is no range; give its lower and upper end")
+        ends = as_numbers(f"between[{name!r}]", between[name]) if name in between else np.array(default)
+        if ends.shape != (2,) or not ends[0] < ends[1]:
+            raise ParameterError(f"between[{name!r}] = {between[name]} is no range; give its lower and upper end")
+        if (ends[0] < default[0] and low is not None) or (ends[1] > default[1] and high is not None):
+            raise ParameterError(
+                f"between[{name!r}] = {between[name]} leaves the range of {name}, {entry['domain']}; stay within it"
+            )
+        rows.append(ends)
     for name in between:
         if name not in vary:
             raise ParameterError(f"between has a range for {name!r}, which does not vary; {', '.join(vary)} does")

@@ -1,269 +1,283 @@
-"""Equilibria around a spring's anchor, in its angle θ and its elongation, which for a stiff spring is its tension.
+"""The balance around a spring's anchor, in the angle φ and the length l of the spring's line in place of its end's coordinates.
 
-A stiff spring with little else to hold the mass has near-equilibria on the whole circle of its undeformed length. Boxes of x
-and y that cover the circle in small pieces do not tell the few equilibria on it. In θ and the tension T = k (l − r) the circle is
-straight, and no difference of large forces is left: the spring adds T (c ∂dx + s ∂dy) to the balance of all else, the balance
-along the spring gives T, and one equation in θ remains, however stiff the spring. At the anchor itself, where x and y do not say
-the direction, θ does.
+Let the vector from the mass to the anchor be l (c, s), with (c, s) at the angle φ (from the angle at rest, where a torsion
+spring resists turning), let T be the tension of the spring, and A_x, A_y the sums of all other forces, on the side of the
+balance. Then
+
+    along the line:                 A_x c + A_y s − T = 0,
+    across the line:                A_y c − A_x s = 0.
+
+A stiff spring with little else to hold the mass has near-equilibria on the whole circle of its undeformed length, which is
+straight here; with the tension k (l − r) for an unknown no difference of large forces is left. At the anchor, where x and y do
+not say the direction, φ does.
+
+A torsion spring pulls across its line with k_t φ/l, which has no bound at the anchor. There the balance
+
+    across the line, times l:       l (A_y c − A_x s) − k_t φ = 0
+
+is smooth at l = 0, too. A third coordinate z, by which the vector changes by (a, b), has
+A_z + T (c a + s b) + (c b − s a) k_t φ/l = 0, where the balance across gives k_t φ/l = A_y c − A_x s. For l > 0 these equations
+have the same roots as the balance of forces, since the one are regular combinations of the other; so exclusion and interval
+Newton decide there as anywhere else.
+
+What a root of them means:
+
+- l > 0, and with a torsion spring −π < φ < π: an equilibrium.
+- l < 0: none, since the line's angle is another one there.
+- l = 0: none. These are two equations for φ alone; the page's energy has no derivative at the anchor, with a torsion spring no
+  value. At such parameters an equilibrium arrives at the anchor and is no more.
+- |φ| > π with a torsion spring: none, since φ is the least turning. At φ = ±π the energy has a ridge: its slopes on both sides,
+  ∓k_t π, lead away.
+
+So a search goes a little beyond l = 0 and |φ| = π; roots that are proved to lie there are dropped, and those that can't be told
+from one on the border are undecided.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import boxes, certified_roots, contractors, jets
-from ..exact.certified_roots import Roots
+from ..exact import ball_functions, boxes, jets
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
+from ..exact.interval_functions import length as interval_length
+from ..exact.reduction import Evaluate
 from .balance import Balance, matrix, undecorated
+from .directions import direction
 from .laws import XP
-from .precise import replaced
+from .precise import PreciseBalance, ball
 
-#: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
-WIDE = 2.0**-10
-#: The angles that are searched, more than once around, so that no root lies on their border.
-AROUND = 3.3
-#: Once around, outside of it.
-TURN = Intervals.between(np.array(2 * np.pi - 1e-15), np.array(2 * np.pi + 1e-15))
-#: By what the tension may be larger than it can be, so that none lies on the border of the region.
-ROOM = 1.0 + 2.0**-10
-#: Stiffness over that of the contact from which on a point is looked at in polar coordinates first.
-STIFF = 3e3
+#: Bound, in units of 2⁻⁵² relative, on the error of NumPy's arctangent.
+ARCTAN_ULPS = 8.0
 
 
-#: Coordinates, directions, arguments of generated functions, shape, tension.
-_State: TypeAlias = tuple[list[Any], list[Any], dict[str, Any], tuple[int, ...], Any]
+#: Coordinates, directions, elongation.
+Place: TypeAlias = tuple[list[Any], list[Any], Any]
 
 
 @dataclass(frozen=True)
-class _Polar(boxes.Plain):
-    """The balance with θ and the elongation of a spring in place of the coordinates of its end; others follow.
+class Kind:
+    """A kind of numbers: namespace of generated functions, cosine and sine, direction and length of a vector."""
 
-    The elongation is measured in its unit, or where a force of 1 stretches the spring by less, by that force.
+    xp: Any
+    turn: Callable[[Any], tuple[Any, Any]]
+    direction: Callable[[Any, Any], tuple[Any, Any, Any]]
+
+
+def over_boxes(shape: tuple[int, ...]) -> Kind:
+    """Intervals of that shape, and jets of them."""
+    return Kind(
+        XP,
+        lambda angle: (angle.cos(), angle.sin()) if isinstance(angle, jets.Jet) else (cos(angle), sin(angle)),
+        lambda dx, dy: direction(dx, dy, shape),
+    )
+
+
+def _quotients(dx: Any, dy: Any) -> tuple[Any, Any, Any]:
+    length = ball_functions.XP.sqrt(dx * dx + dy * dy)
+    return dx / length, dy / length, length
+
+
+_BALLS = Kind(ball_functions.XP, ball_functions.cosine_and_sine, _quotients)
+
+
+@dataclass(frozen=True)
+class Polar(boxes.Plain):
+    """The balance along and across a spring's line; unknowns are φ, the length, and the other coordinates.
+
+    The unknown for the length is l over a scale, or where the spring is so stiff that l stays beyond half of its undeformed
+    length, the elongation over a scale (``tight``). The scale is one more parameter, the last. ``turns`` where a torsion spring
+    resists φ.
     """
 
     balance: Balance
     spring: int
     chart: tuple[int, int]
+    turns: bool
+    tight: bool
 
     def prepared(self, bounds: Intervals) -> Intervals:
-        """As for the balance."""
-        return self.balance.prepared(bounds)
+        """As for the balance, with the scale behind."""
+        return Intervals(np.concatenate([self.balance.prepared(bounds[:-1]).ends, bounds[-1:].ends], axis=1))
 
-    def state(self, unknowns: Sequence[Any], parameters: Intervals) -> _State:
-        """Coordinates, directions, arguments, shape, and tension."""
-        shape = parameters.shape[1:]
-        values = self.balance.arguments(parameters)
-        angle, elongation, *others = unknowns
-        turned = isinstance(angle, jets.Jet)
-        c, s = (angle.cos(), angle.sin()) if turned else (cos(angle), sin(angle))
+    def place(self, unknowns: Sequence[Any], values: Mapping[str, Any], scale: Any, kind: Kind) -> Place:
+        """Coordinates, directions and lengths with φ behind, and the elongation."""
+        angle, part, *others = unknowns
+        cosine, sine = kind.turn(angle)
+        c0, s0 = self._at_rest(values, kind)
+        c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
         q: list[Any] = [0] * self.balance.n
-        for place, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
-            q[place] = value
-        *anchor, rest = undecorated(self.balance.model.statics.geometry)(*q, *self.given(values), xp=XP)[self.spring]
-        stiffness = self.stiffness(values, shape)
-        unit = Intervals.point(np.maximum(1.0, stiffness.high))
-        length = elongation * (1 / unit) + rest
-        for place, end, part in zip(self.chart, anchor, (c, s), strict=True):
-            q[place] = -(length * part) + end
-        directions = self.balance.directions(q, values, shape)
-        directions[3 * self.spring : 3 * self.spring + 3] = [c, s, length]
-        return q, directions, values, shape, elongation * (stiffness / unit)
+        for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
+            q[number] = value
+        *anchor, rest = self.geometry(q, values, kind)[self.spring]
+        far = part * scale
+        length, elongation = (far + rest, far) if self.tight else (far, far - rest)
+        for number, end, share in zip(self.chart, anchor, (c, s), strict=True):
+            q[number] = -(length * share) + end
+        directions: list[Any] = []
+        for number, (dx, dy, _) in enumerate(self.geometry(q, values, kind)):
+            directions += [c, s, length] if number == self.spring else kind.direction(dx, dy)
+        return q, self.turned(directions, angle), elongation
 
-    def given(self, values: Mapping[str, Any]) -> list[Any]:
-        """Arguments of functions of a place."""
-        return _arguments_of_a_place(self.balance, values)
+    def turned(self, directions: Sequence[Any], angle: Any) -> list[Any]:
+        """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
+        return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
-    def stiffness(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> Intervals:
-        """Of this spring."""
-        return _stiffnesses(self.balance, values, shape)[self.spring]
+    def geometry(self, q: Sequence[Any], values: Mapping[str, Any], kind: Kind) -> Any:
+        """Vectors and undeformed lengths of all lines."""
+        return undecorated(self.balance.model.statics.geometry)(*q, *self._given(values), xp=kind.xp)
 
-    def _rows(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[list[Any], tuple[int, ...]]:
-        """The balance over boxes of unknowns."""
-        q, directions, values, shape, tension = self.state(unknowns, parameters)
-        return self.rows(q, directions, values, tension), shape
-
-    def rows(self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], tension: Any) -> list[Any]:
-        """The balance in a state with a tension of this spring."""
+    def _at_rest(self, values: Mapping[str, Any], kind: Kind) -> tuple[Any, Any]:
+        """Cosine and sine of the direction at φ = 0: a line along x has turned by minus the angle at rest."""
+        if not self.turns:
+            return 1, 0
         balance = self.balance
-        rows = list(balance.call("forces_apart", q, directions, values))
-        statics = balance.model.statics
-        stiffnesses = undecorated(statics.stiffnesses)(*q, *self.given(values), xp=XP)
-        rests = [row[2] for row in undecorated(statics.geometry)(*q, *self.given(values), xp=XP)]
-        slopes = end_slopes(balance, self.given(values), Intervals.point(np.zeros(1)))
-        for place, (k, rest, (along, across)) in enumerate(zip(stiffnesses, rests, slopes, strict=True)):
-            c, s, length = directions[3 * place : 3 * place + 3]
-            pull = tension if place == self.spring else (length - rest) * k
-            for row in range(balance.n):
-                rows[row] = rows[row] + pull * (c * along[row] + s * across[row])
-        return rows
+        function = undecorated(balance.model.statics.turnings)
+        ((cosine, sine),) = function(*[0] * balance.n, *[1, 0, 1] * balance.springs, *self._given(values), xp=kind.xp)
+        return cosine, -sine
+
+    def _given(self, values: Mapping[str, Any]) -> list[Any]:
+        return [values[name] for name in self.balance.model.about["arguments"]["statics"]]
+
+    def stiffnesses(self, values: Mapping[str, Any], kind: Kind) -> Sequence[Any]:
+        """Of all springs along their lines."""
+        found: Sequence[Any] = self._of_no_place("stiffnesses", values, kind)
+        return found
+
+    def stiffnesses_of_turning(self, values: Mapping[str, Any], kind: Kind) -> Sequence[Any]:
+        """Of all torsion springs."""
+        found: Sequence[Any] = self._of_no_place("torsions", values, kind)
+        return found
+
+    def _of_no_place(self, name: str, values: Mapping[str, Any], kind: Kind) -> Any:
+        none = [0] * self.balance.n
+        return undecorated(getattr(self.balance.model.statics, name))(*none, *self._given(values), xp=kind.xp)
+
+    def rows(self, unknowns: Sequence[Any], values: Mapping[str, Any], scale: Any, kind: Kind) -> list[Any]:
+        """Balance along, and across times l, in the rows of the line's end; of the other coordinates."""
+        return self.rows_at(*self.place(unknowns, values, scale, kind), values, kind)
+
+    def rows_at(
+        self, q: Sequence[Any], directions: Sequence[Any], elongation: Any, values: Mapping[str, Any], kind: Kind
+    ) -> list[Any]:
+        """The same in a place with directions."""
+        stiffnesses = self.stiffnesses(values, kind)
+        c, s, length = directions[3 * self.spring : 3 * self.spring + 3]
+        forces = self.other_forces(q, directions, values, stiffnesses, kind)
+        x, y = self.chart
+        tension, across = elongation * stiffnesses[self.spring], forces[y] * c - forces[x] * s
+        out = list(forces)
+        out[x] = forces[x] * c + forces[y] * s - tension
+        out[y] = across
+        if self.turns:
+            (torsion,) = self.stiffnesses_of_turning(values, kind)
+            out[y] = length * across - directions[-1] * torsion
+        if self.balance.n > 2:
+            a, b = end_slopes(self.balance, self._given(values))[self.spring]
+            for row in set(range(self.balance.n)) - set(self.chart):
+                out[row] = forces[row] + tension * (c * a[row] + s * b[row]) + (c * b[row] - s * a[row]) * across
+        return out
+
+    def other_forces(
+        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], stiffnesses: Sequence[Any], kind: Kind
+    ) -> list[Any]:
+        """All but those of this line."""
+        forces = list(self.balance.call("forces_apart", q, directions, values, kind.xp))
+        if self.balance.springs == 1:
+            return forces
+        rests = [row[2] for row in self.geometry(q, values, kind)]
+        slopes = end_slopes(self.balance, self._given(values))
+        for place, (k, rest, (a, b)) in enumerate(zip(stiffnesses, rests, slopes, strict=True)):
+            if place != self.spring:
+                c, s, length = directions[3 * place : 3 * place + 3]
+                tension = (length - rest) * k
+                forces = [force + tension * (c * a[row] + s * b[row]) for row, force in enumerate(forces)]
+        return forces
+
+    # ------------------------------------------------------------------------------------------ over boxes
+
+    def _taken(self, unknowns: Sequence[Any], parameters: Intervals) -> tuple[Sequence[Any], Mapping[str, Any], Any, Kind]:
+        return unknowns, self.balance.arguments(parameters), parameters[-1], over_boxes(parameters.shape[1:])
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Forces over boxes of θ and tension."""
-        rows, shape = self._rows(list(unknowns), parameters)
-        return stacked(rows, shape)
+        """The equations over boxes."""
+        return stacked(self.rows(*self._taken(list(unknowns), parameters)), parameters.shape[1:])
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
-        """Their slopes by θ, tension and the other coordinates."""
-        rows, shape = self._rows(jets.variables(list(unknowns), 1), parameters)
-        return matrix([jets.gradient(row, self.balance.n) for row in rows], shape)
+        """Their slopes."""
+        rows = self.rows(*self._taken(jets.variables(list(unknowns), 1), parameters))
+        return matrix([jets.gradient(row, self.balance.n) for row in rows], parameters.shape[1:])
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """Boxes beyond the contact's border, or where no direction of another spring balances the forces."""
-        q, _, values, shape, _ = self.state(list(unknowns), parameters)
-        return self.balance.beyond_border(q, values, shape)
+        """Boxes beyond the contact's border."""
+        _, values, scale, kind = self._taken(list(unknowns), parameters)
+        q, _, _ = self.place(list(unknowns), values, scale, kind)
+        return self.balance.beyond_border(q, values, parameters.shape[1:])
+
+    def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
+        """Smaller boxes: the coordinates that balance the forces with these directions, and the directions towards these.
+
+        A stiff straight guide is thin in the coordinates, and bent in angle and length.
+        """
+        _, values, scale, kind = self._taken(list(unknowns), parameters)
+        q, directions, elongation = self.place(list(unknowns), values, scale, kind)
+        shape = parameters.shape[1:]
+        places = stacked(q, shape)
+        places = Intervals(self.balance.with_directions(places, values, directions))
+        rows = stacked(self.rows_at(list(places), directions, elongation, values, kind), shape)
+        empty = ~np.logical_and.reduce(rows.holds_zero()) | np.logical_or.reduce(places.ends[0] + places.ends[1] < 0)
+        ends = self._towards(places, unknowns, values, scale, kind)
+        ends[:, :, empty] = -1.0
+        return ends
+
+    def _towards(self, places: Intervals, unknowns: Intervals, values: Mapping[str, Any], scale: Any, kind: Kind) -> FloatArray:
+        """Boxes that hold the angles and lengths of places among the given ones, where lengths are positive."""
+        dx, dy, rest = self.geometry(list(places), values, kind)[self.spring]
+        c0, s0 = self._at_rest(values, kind)
+        cosine, sine = kind.turn(Intervals.point(unknowns[0].middle))
+        c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
+        along, across = dx * c + dy * s, dy * c - dx * s
+        lengths = interval_length(dx, dy)
+        part = ((lengths - rest) if self.tight else lengths) / scale
+        # What the tangent is known of turns by less than a quarter from the middle of the box.
+        slope = (across / along).ends
+        turned = raised(np.arctan(slope), ARCTAN_ULPS) + np.stack([-unknowns[0].middle, unknowns[0].middle])
+        ahead = (self._length(unknowns[1], rest, scale).low > 0) & (along.low > 0) & (unknowns[0].width < 3)
+        ends = unknowns.ends.copy()
+        ends[:, 0] = np.where(ahead, np.fmin(raised(turned), ends[:, 0]), ends[:, 0])
+        ends[:, 1] = np.where(ahead, np.fmin(part.ends, ends[:, 1]), ends[:, 1])
+        return ends
+
+    def _length(self, part: Any, rest: Any, scale: Any) -> Any:
+        return part * scale + rest if self.tight else part * scale
 
     def cartesian(self, ends: FloatArray, parameters: Intervals) -> FloatArray:
         """Boxes that hold the coordinates."""
-        q = self.state(list(Intervals(ends)), parameters)[0]
+        q, _, _ = self.place(*self._taken(list(Intervals(ends)), parameters))
         return stacked(q, ends.shape[2:]).ends
 
-
-def _arguments_of_a_place(balance: Balance, values: Mapping[str, Any]) -> list[Any]:
-    return [values[name] for name in balance.model.about["arguments"]["statics"]]
-
-
-def _stiffnesses(balance: Balance, values: Mapping[str, Any], shape: tuple[int, ...]) -> Intervals:
-    """Of all springs: they depend on no place."""
-    none = [0] * balance.n
-    return stacked(undecorated(balance.model.statics.stiffnesses)(*none, *_arguments_of_a_place(balance, values), xp=XP), shape)
+    def precise(self, given: FloatArray, bits: int) -> Evaluate:
+        """The equations of balls."""
+        values, scale = PreciseBalance(self.balance, given[:-1], bits).values, ball(float(given[-1]), bits)
+        return lambda unknowns: self.rows(unknowns, values, scale, _BALLS)
 
 
-def end_slopes(balance: Balance, given: Sequence[Any], near: Intervals) -> list[tuple[list[Any], list[Any]]]:
+def end_slopes(balance: Balance, given: Sequence[Any], near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
     """How the vector of every spring changes with the coordinates: for ends that are linear in them the same everywhere."""
     place = jets.variables([near] * balance.n, 1)
     rows = undecorated(balance.model.statics.geometry)(*place, *given, xp=XP)
     return [(jets.gradient(dx, balance.n), jets.gradient(dy, balance.n)) for dx, dy, _ in rows]
 
 
-def _ends_are_linear(balance: Balance, given: FloatArray) -> bool:
+def ends_are_linear(balance: Balance, given: FloatArray) -> bool:
     """Whether the ends of all springs are linear in the coordinates."""
     values = balance.arguments(balance.prepared(Intervals.point(given)))
-    slopes = end_slopes(balance, _arguments_of_a_place(balance, values), Intervals.between(np.array([-2.0]), np.array([3.0])))
+    given_place = [values[name] for name in balance.model.about["arguments"]["statics"]]
+    slopes = end_slopes(balance, given_place, Intervals.between(np.array([-2.0]), np.array([3.0])))
     every = [entry for pair in slopes for row in pair for entry in row]
     return bool((stacked(every, (1,)).width < 1e-12).all()) if every else True
-
-
-def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, found: Roots, wider: float = WIDE) -> Roots:
-    """What a search has left along circles around anchors, decided in polar coordinates where that succeeds.
-
-    Parameters
-    ----------
-    given : ndarray
-        Parameters, shape (parameters, points).
-    regions : ndarray
-        Shape (2, n, points) or (2, n, 1).
-    wider : float
-        Width of a box that is left from which on a point is looked at.
-    """
-    if not balance.model.about["contact"].get("polynomial") and balance.contact:
-        return found  # a law that is asked for on its own side only
-    wide = (found.left[0] + found.left[1]).max(axis=0, initial=0.0) > wider
-    around = np.broadcast_to(regions, (*regions.shape[:2], given.shape[1]))
-    for point in np.unique(found.left_point[wide]):
-        again = _of_any_spring(balance, given[:, [point]], around[:, :, [point]])
-        if again is not None:
-            found = replaced(found, np.array([point]), again)
-    return found
-
-
-def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tuple[Roots, NDArray[np.bool_]]:
-    """Roots of points with a stiff spring, and which points these are that are decided."""
-    n, count = balance.n, given.shape[1]
-    around = np.broadcast_to(regions, (*regions.shape[:2], count))
-    done = np.zeros(count, dtype=np.bool_)
-    parts: list[Roots] = []
-    if not hasattr(balance.model.statics, "stiffnesses"):
-        return certified_roots.concatenated(parts, n), done
-    values = balance.arguments(balance.prepared(Intervals.point(given)))
-    stiff = _stiffnesses(balance, values, (count,)).high.max(axis=0, initial=0.0) > STIFF
-    for point in np.flatnonzero(stiff):
-        again = _of_any_spring(balance, given[:, [point]], around[:, :, [point]])
-        if again is not None:
-            done[point] = True
-            parts.append(replace(again, point=np.full(again.point.size, point)))
-    return certified_roots.concatenated(parts, n), done
-
-
-def _of_any_spring(balance: Balance, given: FloatArray, region: FloatArray) -> Roots | None:
-    """Roots of one point by the first spring around which all is decided."""
-    # A folder that was derived before has no forces without springs.
-    if not hasattr(balance.model.statics, "forces_apart") or not _ends_are_linear(balance, given):
-        return None
-    for number, spring in enumerate(balance.model.about["springs"]):
-        if spring["chart"] is None:
-            continue
-        chart = tuple(balance.coordinates.index(name) for name in spring["chart"])
-        again = _searched(_Polar(balance, number, (chart[0], chart[1])), given, region)
-        if again is not None:
-            return again
-    return None
-
-
-def _searched(system: _Polar, given: FloatArray, region: FloatArray) -> Roots | None:
-    """All roots of a point, each in a box of coordinates apart from the others; None where not all is decided."""
-    balance = system.balance
-    with np.errstate(all="ignore"):
-        sides = _region(system, given, region)
-        if sides is None:
-            return None
-        outcome = boxes.search(system, sides, given, given)
-        roots = certified_roots.roots(system, outcome, sides, given, given)
-        once = None if roots.left.shape[2] else _once_around(roots)
-        if once is None:
-            return None
-        columns = system.prepared(Intervals.point(np.repeat(given, once.shape[2], axis=1)))
-        ends = system.cartesian(once, columns)
-    ends = ends[:, :, ~contractors.apart(ends, region)]
-    ends = ends[:, :, np.argsort(-ends[0, 0])]
-    place = np.arange(ends.shape[2])
-    together = ~contractors.apart(ends[:, :, :, None], ends[:, :, None, :]) & (place[:, None] != place)
-    if together.any() or not contractors.within(ends, region).all():
-        return None
-    # All roots are known, and no other one is in the box of any.
-    nothing = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
-    return Roots(ends, ends, np.zeros(place.size, dtype=np.int64), *nothing)
-
-
-def _region(system: _Polar, given: FloatArray, region: FloatArray) -> FloatArray | None:
-    """Ends of angle, elongation and the others that hold the region; None where no spring pulls."""
-    parameters = system.prepared(Intervals.point(given))
-    values = system.balance.arguments(parameters)
-    stiffness = system.stiffness(values, (1,))
-    if not stiffness.low[0] > 0:
-        return None
-    others = [i for i in range(system.balance.n) if i not in system.chart]
-    q: list[Any] = [Intervals(region[:, i]) if i in others else 0 for i in range(system.balance.n)]
-    *anchor, rest = stacked(
-        undecorated(system.balance.model.statics.geometry)(*q, *system.given(values), xp=XP)[system.spring], (1,)
-    )
-    ends = np.stack([part.ends for part in anchor], axis=1)
-    reach = np.maximum(*raised(region[:, list(system.chart)] + ends[::-1]))[:, 0]
-    length = float(raised(np.hypot(*reach), 4))
-    unit = np.maximum(1.0, stiffness.high[0])
-    elongation = (Intervals.between(np.zeros(1), np.array([length])) - rest) * Intervals.point(np.array([unit]))
-    # Along the spring its tension balances all else.
-    whole = list(Intervals(region))
-    rest_of_forces = stacked(system.rows(whole, system.balance.directions(whole, values, (1,)), values, 0), (1,))
-    most = rest_of_forces[list(system.chart)].magnitude.sum(axis=0) * (unit / stiffness.low[0])
-    elongation = Intervals(np.fmin(elongation.ends, ROOM * raised(np.stack([most, most]), 4)))
-    sides = [[AROUND, AROUND], elongation.ends[:, 0].tolist(), *(region[:, i, 0].tolist() for i in others)]
-    out: FloatArray = np.array(sides).T[:, :, None]
-    return out
-
-
-def _once_around(roots: Roots) -> FloatArray | None:
-    """Boxes of roots without those a turn away from another; None where that is not known."""
-    shifted = roots.ends.copy()
-    shifted[:, 0] = (Intervals(roots.ends[:, 0]) - TURN).ends
-    back = roots.ends.copy()
-    back[:, 0] = (Intervals(roots.ends[:, 0]) + TURN).ends
-    one, other = np.nonzero(~contractors.apart(roots.ends[:, :, :, None], shifted[:, :, None, :]))
-    same = contractors.within(shifted[:, :, other], roots.alone[:, :, one])
-    same |= contractors.within(back[:, :, one], roots.alone[:, :, other])
-    return np.delete(roots.ends, other, axis=2) if same.all() else None

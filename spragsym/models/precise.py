@@ -26,6 +26,8 @@ from .wide import Clusters, WideBalance
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]
+#: A system at one point of parameters, with a number of bits.
+Precise: TypeAlias = Callable[[FloatArray, int], Evaluate]
 #: Bits of the forces.
 BITS = (160, 320)
 #: Bound on the error up to which a state counts as settled.
@@ -104,7 +106,12 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     return replaced(found, points, assembled(of_each(around, given), found, points, [part]))
 
 
-def settled_by_digits(balance: Balance, given: FloatArray, around: FloatArray, found: Roots) -> Roots:
+def precise_forces(balance: Balance) -> Precise:
+    """The balance at a point of parameters with a number of bits."""
+    return lambda given, bits: PreciseBalance(balance, given, bits).forces
+
+
+def settled_by_digits(system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise) -> Roots:
     """The same with many digits, one point after the other."""
     if not unsettled(found).size:
         return found
@@ -113,7 +120,7 @@ def settled_by_digits(balance: Balance, given: FloatArray, around: FloatArray, f
     few = count <= CLUSTERS
     points, hulls, owner = points[few], hulls[:, :, few[which]], owner[few[which]]
     parts = [
-        with_digits(point, balance.n, _reduced(balance, given[:, point], widened(hull)))
+        with_digits(point, around.shape[1], _reduced(system, given[:, point], widened(hull), precise))
         for hull, point in zip(np.moveaxis(hulls, 2, 0), owner.tolist(), strict=True)
     ]
     return replaced(found, points, assembled(of_each(around, given), found, points, parts))
@@ -204,9 +211,9 @@ def assembled(regions: FloatArray, found: Roots, points: NDArray[np.int64], part
     )  # fmt: skip
 
 
-def _reduced(balance: Balance, given: FloatArray, cluster: FloatArray) -> Reduced:
-    """Equilibria in a cluster."""
-    return reduced(balance, given, cluster, lambda bits: PreciseBalance(balance, given, bits).forces)
+def _reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Precise) -> Reduced:
+    """Roots in a cluster."""
+    return reduced(system, given, cluster, lambda bits: precise(given, bits))
 
 
 def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Callable[[int], Evaluate]) -> Reduced:

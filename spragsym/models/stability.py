@@ -67,13 +67,10 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
             values[name] = value
     q = list(states)
     model = balance.model
-    statics, motion = ([values[name] for name in model.about["arguments"][kind]] for kind in ("statics", "motion"))
-    directions: list[Any] = []
-    for dx, dy, _ in undecorated(model.statics.geometry)(*q, *statics, xp=np):
-        length = np.hypot(dx, dy)
-        directions += [dx / length, dy / length, length]
+    motion = [values[name] for name in model.about["arguments"]["motion"]]
+    directions = balance.plain_directions(q, values, np)
     mass = undecorated(model.linearization.mass_matrix)(*q, *motion, xp=np)
-    damping = undecorated(model.linearization.damping)(*q, *directions, *motion, balance.pushing, xp=np)
+    damping = undecorated(model.linearization.damping)(*q, *directions[: 3 * balance.springs], *motion, balance.pushing, xp=np)
     return (
         _filled(mass, shape),
         _filled(damping, shape),

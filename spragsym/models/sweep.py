@@ -15,7 +15,7 @@ from ..dynamics.integrators import OF_ANY_MODEL
 from ..dynamics.motions import Motions
 from ..dynamics.problem import MAX_STEPS
 from ..dynamics.regimes import SETTLED
-from ..errors import ParameterError, ParameterTypeError
+from ..errors import ParameterError
 from ..files import storage
 from ..parameters import FloatArray, ParameterSet
 from ..sweeps import code
@@ -26,6 +26,7 @@ from ..sweeps.workers import Workers
 from .describe import explained
 from .equilibria import index_of
 from .field import field_of
+from .parameters import own
 from .trajectory import check_start, start_of
 
 if TYPE_CHECKING:
@@ -118,8 +119,7 @@ def rms_sweep(
     **single: ArrayLike,
 ) -> Sweep:
     """Simulate every point of a broadcast; see :meth:`spragsym.Model.rms_sweep`."""
-    if not isinstance(p, model.Parameters):
-        raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)")
+    own(model, p)
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **start_of(model, None, single)}
     settings = settings_of(t_end, transient, rtol, backend, max_steps, OF_ANY_MODEL)

@@ -24,6 +24,7 @@ from ..names import hint
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
 from .describe import explained
 from .field import field_of
+from .parameters import own
 
 if TYPE_CHECKING:
     from .model import Model
@@ -179,8 +180,7 @@ def prepare(
     max_steps: int = MAX_STEPS,
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
-    if not isinstance(p, model.Parameters):
-        raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)")
+    own(model, p)
     p.scalars(*model.parameters)
     constants = tuple(float(value) for value in model.arguments(p, "motion"))
     check_start(model, constants, start)

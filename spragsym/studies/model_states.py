@@ -46,13 +46,8 @@ def _values(model: Any, p: Any) -> dict[str, Any]:
 
 
 def _directions(model: Any, place: Mapping[str, float], values: Mapping[str, Any]) -> list[float]:
-    """Cosine, sine and length of every spring."""
-    rows = model.statics.geometry(*place.values(), *(values[name] for name in model.about["arguments"]["statics"]))
-    found: list[float] = []
-    for dx, dy, _ in rows:
-        length = math.hypot(float(dx), float(dy))
-        found += [float(dx) / length, float(dy) / length, length]
-    return found
+    """Cosine, sine and length of every spring, then turnings."""
+    return [float(part) for part in Balance(model, True).plain_directions(list(place.values()), values, np)]
 
 
 def _rates(model: Any, p: Any, place: Mapping[str, float]) -> FloatArray:

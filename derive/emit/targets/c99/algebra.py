@@ -22,7 +22,9 @@ _LARGEST_EXACT = 2**53
 class CPrinter(AlgebraPrinter):
     """The statements of the Python printer in C, operation for operation."""
 
-    functions: ClassVar[Mapping[str, str]] = {"sqrt": "sqrt", "exp": "exp", "abs": "fabs", "sign": "sign"}
+    functions: ClassVar[Mapping[str, str]] = {
+        "sqrt": "sqrt", "exp": "exp", "log": "log", "abs": "fabs", "sign": "sign", "atan2": "atan2", "pi": "3.14159265358979323846",
+    }  # fmt: skip
 
     def _print_Symbol(self, expression: sp.Symbol) -> str:
         return c_name(str(expression.name))

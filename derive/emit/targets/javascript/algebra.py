@@ -17,7 +17,9 @@ _WIDTH = 124
 class JavaScriptPrinter(DividingPrinter):
     """Algebra in JavaScript."""
 
-    functions: ClassVar[Mapping[str, str]] = {"sqrt": "Math.sqrt", "exp": "Math.exp", "abs": "Math.abs", "sign": "Math.sign"}
+    functions: ClassVar[Mapping[str, str]] = {
+        "sqrt": "Math.sqrt", "exp": "Math.exp", "log": "Math.log", "abs": "Math.abs", "sign": "Math.sign", "atan2": "Math.atan2", "pi": "Math.PI",
+    }  # fmt: skip
 
 
 _PRINTER = JavaScriptPrinter({"order": None})

@@ -19,7 +19,9 @@ WIDTH = 110
 class MatlabPrinter(DividingPrinter):
     """Algebra in MATLAB."""
 
-    functions: ClassVar[Mapping[str, str]] = {"sqrt": "sqrt", "exp": "exp", "abs": "abs", "sign": "sign"}
+    functions: ClassVar[Mapping[str, str]] = {
+        "sqrt": "sqrt", "exp": "exp", "log": "log", "abs": "abs", "sign": "sign", "atan2": "atan2", "pi": "pi",
+    }  # fmt: skip
 
 
 _PRINTER = MatlabPrinter({"order": None})

@@ -21,11 +21,13 @@ class AlgebraPrinter(StrPrinter):
     """Python source in which a rational coefficient stays a multiplication and a division by integers."""
 
     #: What functions are called in the language.
-    functions: ClassVar[Mapping[str, str]] = {"sqrt": "xp.sqrt", "exp": "xp.exp", "abs": "abs", "sign": "xp.sign"}
+    functions: ClassVar[Mapping[str, str]] = {
+        "sqrt": "xp.sqrt", "exp": "xp.exp", "log": "xp.log", "abs": "abs", "sign": "xp.sign", "atan2": "xp.atan2", "pi": "xp.pi",
+    }  # fmt: skip
 
-    def call(self, name: str, argument: sp.Expr) -> str:
-        """A function of one argument."""
-        return f"{self.functions[name]}({self._print(argument)})"
+    def call(self, name: str, *arguments: sp.Expr) -> str:
+        """A function of these arguments."""
+        return f"{self.functions[name]}({', '.join(map(self._print, arguments))})"
 
     def _print_Rational(self, expression: sp.Rational) -> str:
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
@@ -53,11 +55,20 @@ class AlgebraPrinter(StrPrinter):
     def _print_exp(self, expression: sp.exp) -> str:
         return self.call("exp", *expression.args)
 
+    def _print_log(self, expression: sp.log) -> str:
+        return self.call("log", *expression.args)
+
     def _print_Abs(self, expression: sp.Abs) -> str:
         return self.call("abs", *expression.args)
 
     def _print_sign(self, expression: sp.sign) -> str:
         return self.call("sign", *expression.args)
+
+    def _print_atan2(self, expression: sp.atan2) -> str:
+        return self.call("atan2", *expression.args)
+
+    def _print_Pi(self, expression: sp.Expr) -> str:
+        return self.functions["pi"]
 
 
 class DividingPrinter(AlgebraPrinter):

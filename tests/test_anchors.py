@@ -1,0 +1,184 @@
+"""Equilibria around the anchors of springs: torsion springs, whose force has no value there, and springs however stiff."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+import spragsym as ss
+from benchmarks.model_references import turned_spring
+from spragsym.exact.interval_arrays import Intervals
+from spragsym.models.balance import Balance
+from spragsym.models.regions import region
+from spragsym.models.remarks import remarks
+from tests.conftest import Once
+from tests.test_documents import ROOT
+
+pytest.importorskip("sympy")
+
+PAGE = ROOT / "tests/soft_brake.py"
+NAMES = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
+
+
+def derived(once: Once, tmp_path_factory: pytest.TempPathFactory, name: str, page: Path) -> Any:
+    from spragsym.derive import folder
+
+    def write() -> str:
+        out = tmp_path_factory.mktemp("anchors") / name
+        folder.write_page(page, out)
+        return str(out)
+
+    return ss.load(once(f"anchors_{name}", write))
+
+
+@pytest.fixture(scope="module")
+def model(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    return derived(once, tmp_path_factory, "soft_brake", PAGE)
+
+
+def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool) -> None:
+    """Counts, and states within their bounds, of sets of shape (N,)."""
+    eq = model.equilibria(model.Parameters(**sets), contact=contact)
+    assert eq.complete
+    assert eq.whole
+    for i in range(eq.count.size):
+        with mp.workdps(50):
+            want = turned_spring(model.Parameters(**{name: values[i] for name, values in sets.items()}), contact)
+        assert eq.count[i] == len(want), (contact, {name: float(values[i]) for name, values in sets.items()})
+        for slot, (x, y) in enumerate(want):
+            for value, exact in ((eq.x[i, slot], x), (eq.y[i, slot], y)):
+                assert abs(value - float(exact)) <= eq.error[i, slot] * max(1, abs(value)) + 1e-16
+    assert np.nanmax(eq.error, initial=0.0) <= 1e-12
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_states_with_a_torsion_spring_are_those_of_a_scalar_equation_in_its_angle(model: Any, contact: bool) -> None:
+    rng = np.random.default_rng(14)
+    base = model.base
+    sets = {name: base[name] * 10.0 ** rng.uniform(-1.5, 1.5, 24) for name in NAMES[2:]}
+    same_as_the_scalar_equation(model, sets | {"theta0": rng.uniform(0.1, 3.0, 24), "mu0": rng.uniform(0, 1, 24)}, contact)
+
+
+def test_states_as_near_to_the_anchor_as_the_torsion_spring_is_weak_are_found(model: Any) -> None:
+    """A load that the spring can't carry pushes the mass to the anchor, where only the torque holds it: l is about τ φ/κ."""
+    tau = 10.0 ** -np.arange(2.0, 13.0)
+    ones = np.ones(tau.size)
+    sets = {"theta0": 3.0, "mu0": 0.5, "kappa": 0.5, "alpha": 0.0, "sigma": 0.1, "gamma": 5.0}
+    every = {name: value * ones for name, value in sets.items()} | {"tau": tau}
+    same_as_the_scalar_equation(model, every, False)
+    eq = model.equilibria(model.Parameters(**every), contact=False)
+    nearest = np.nanmin(np.hypot(eq.x - np.cos(3.0), eq.y - np.sin(3.0)), axis=1)
+    assert (nearest < 20 * tau).all()
+    assert (nearest > tau).all()
+
+
+def test_without_torsion_and_hardening_the_article_comes_back(model: Any) -> None:
+    rng = np.random.default_rng(2)
+    n = 40
+    common = {
+        "theta0": rng.uniform(0.1, 3.0, n), "mu0": rng.uniform(0, 1.2, n), "kappa": 10.0 ** rng.uniform(-2.5, -0.5, n),
+        "alpha": 10.0 ** rng.uniform(-2.5, -0.5, n), "sigma": 10.0 ** rng.uniform(-1.5, 5.0, n),
+    }  # fmt: skip
+    for contact in (True, False):
+        eq = model.equilibria(model.Parameters(**common, tau=0.0, gamma=0.0), contact=contact)
+        known = ss.equilibria(ss.Parameters(**common, beta=0.0), contact=contact)
+        assert eq.complete
+        assert (eq.count == known.count).all()
+        want = np.sort(known.x, axis=-1)[:, : eq.x.shape[1]]
+        assert np.nanmax(np.abs(eq.x - want)) < 1e-11
+
+
+def test_a_torsion_spring_that_vanishes_leaves_what_is_there_without_it(model: Any) -> None:
+    p = {"theta0": 0.8, "mu0": 0.5, "kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "gamma": 5.0}
+    for contact in (True, False):
+        with_it, without = (model.equilibria(model.Parameters(**p, tau=tau), contact=contact) for tau in (1e-13, 0.0))
+        assert with_it.count == without.count
+        assert np.nanmax(np.abs(with_it.x - without.x), initial=0.0) < 1e-10
+
+
+def test_turned_by_half_a_turn_it_pushes_away_from_the_ray(model: Any) -> None:
+    """The ray φ = ±π has no equilibrium on it, however the parameters lie: states beside it have the least turning."""
+    rng = np.random.default_rng(5)
+    n = 60
+    p = model.Parameters(
+        theta0=np.pi / 2 + np.where(np.arange(n) % 3, 1e-9 * rng.normal(size=n), 0.0), mu0=0.0,
+        kappa=10.0 ** rng.uniform(-2, 1, n), alpha=10.0 ** rng.uniform(-6, 0, n), sigma=0.1,
+        tau=10.0 ** rng.uniform(-12, -1, n), gamma=0.0,
+    )  # fmt: skip
+    eq = model.equilibria(p, contact=False)
+    assert eq.complete
+    c0, s0 = np.cos(p.theta0)[:, None], np.sin(p.theta0)[:, None]
+    dx, dy = c0 - eq.x, s0 - eq.y
+    length, phi = np.hypot(dx, dy), np.arctan2(dy * c0 - dx * s0, dx * c0 + dy * s0)
+    there = np.isfinite(eq.x)
+    across = eq.x * p.alpha[:, None] * dy / length - p.kappa[:, None] * dx / length + p.tau[:, None] * phi / length
+    assert np.abs(across[there & (length > 1e-6)]).max() < 1e-9
+
+
+def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
+    """A proved region holds the states of any larger one; here those of the scalar equation, which knows no region."""
+    rng = np.random.default_rng(9)
+    for _ in range(8):
+        p = {name: model.base[name] * 10.0 ** rng.uniform(-2, 2) for name in NAMES[2:]}
+        p |= {"theta0": rng.uniform(0.1, 3.0), "mu0": rng.uniform(0, 1)}
+        for contact in (True, False):
+            eq = model.equilibria(model.Parameters(**p), contact=contact)
+            assert eq.whole
+            with mp.workdps(50):
+                for state in turned_spring(model.Parameters(**p), contact):
+                    assert all(low <= value <= high for value, (low, high) in zip(map(float, state), eq.region, strict=True))
+
+
+@pytest.mark.thorough
+def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open(
+    once: Once, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    text = PAGE.read_text(encoding="utf-8")
+    line = "page.torsion(k_t, mass, anchor, rest=theta0)\n"
+    assert line in text
+    page = tmp_path_factory.mktemp("page") / "two_torsions.py"
+    page.write_text(
+        text.replace(line, line + "page.torsion(k_t, mass, (-anchor[0], anchor[1]), rest=theta0)\n"), encoding="utf-8"
+    )
+    two = derived(once, tmp_path_factory, "two_torsions", page)
+    eq = two.equilibria(two.Parameters(), contact=False)
+    assert eq.whole
+    assert eq.complete or any("anchor" in remark for remark in eq.remarks)
+
+
+def test_what_is_open_is_said_in_words(model: Any) -> None:
+    """A box of each kind: around the anchor, across the contact's border, of no size, and of some."""
+    balance = Balance(model, False)
+    given = np.array([[model.base[name]] for name in balance.parameters])
+    region(balance, Intervals.point(given))
+    low = np.array([[np.cos(0.8) - 0.1, 0.2, 0.2, 0.1], [np.sin(0.8) - 0.1, -1e-3, 0.3, 0.2]])
+    high = low + np.array([0.2, 2e-3, 1e-12, 0.1])
+    told = remarks(balance, given, np.stack([-low, high]), np.zeros(4, dtype=np.int64))
+    assert [text[:6] for text in told] == ["1 of 4"] * 4
+    for text, word in zip(told, ("anchor", "touches", "one place", "along"), strict=True):
+        assert word in text
+    assert not remarks(balance, given, np.empty((2, 2, 0)), np.zeros(0, dtype=np.int64))
+
+
+STIFF = [
+    {"theta0": 1.494433804, "mu0": 80.9, "kappa": 6.43e-10, "alpha": 15109725.8, "sigma": 298310475810.0, "beta": 1e-6},
+    {"theta0": 2.350596, "mu0": 0.0, "kappa": 1.05e-07, "alpha": 2.53e-12, "sigma": 947591542275.0, "beta": 2.4e8},
+    {"theta0": np.pi / 2, "mu0": 9276805406.2, "kappa": 42529.8, "alpha": 3.7e-12, "sigma": 1.4e11, "beta": 5.3e10},
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("p", STIFF)
+def test_stiff_springs_between_extremes_are_decided_to_12_digits(p: dict[str, float]) -> None:
+    """States so near to the contact's border that floats do not tell the side; against the article's closed forms."""
+    model = ss.load("kang_nam")
+    for contact in (True, False):
+        eq = model.equilibria(model.Parameters(**p), contact=contact)
+        known = ss.equilibria(ss.Parameters(**p), contact=contact)
+        assert eq.complete
+        assert eq.count == known.count
+        assert np.nanmax(eq.error, initial=0.0) <= 1e-12
+        assert np.nanmax(np.abs(eq.x - np.sort(known.x)[: eq.x.size]), initial=0.0) < 1e-9

@@ -1,0 +1,147 @@
+"""What a random attack on all models has found: each case as it was, against forces written by hand from the drawing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from benchmarks.attack_models import equilibria, load
+from benchmarks.attack_motions import field
+from benchmarks.attack_references import DRAWN
+
+#: Springs as stiff as these left errors up to 7e-8 on states that were proved.
+STIFF = {
+    "cubic_contact": {
+        "theta0": 5e-324, "mu0": 149698.0, "kappa": 0.00011, "alpha": 4.3e-5, "sigma": 0.004,
+        "beta": 0.0002, "gamma": 6.4,
+    },
+    "damped": {"theta0": np.pi / 2, "mu0": 661074.0, "kappa": 0.278, "alpha": 0.0021, "sigma": 775083.0},
+    "two_springs": {
+        "theta0": 0.35697, "mu0": 85.89, "kappa": 2.58476, "alpha": 0.0047653, "sigma": 8.228e-5, "beta": 2558.934,
+        "theta0_2": 1.78451, "sigma_2": 202940.26, "lambda_2": 43.80468,
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", STIFF)
+def test_states_of_stiff_springs_are_known_to_all_digits(name: str) -> None:
+    """The bound is 1e-12 here too, and it holds in 40 digits."""
+    model = ss.load(name)
+    values = {**model.base, **STIFF[name]}
+    outcome = equilibria(model, DRAWN[name], values, True, np.random.default_rng(1))
+    assert outcome["wrong"] == []
+    assert outcome["undecided"] == 0
+
+
+# ------------------------------------------------------------------------------------- a contact that hardens exponentially
+
+
+@pytest.fixture(scope="module")
+def penalty(tmp_path_factory: pytest.TempPathFactory) -> Any:
+    pytest.importorskip("sympy")
+    return load("penalty", tmp_path_factory.mktemp("derived"))
+
+
+#: N = k_c l (e^(δ/l) − 1) with an l so small that e^(1/l) is no number.
+SHALLOW = {
+    "theta0": 0.12052879740527103, "mu0": 1.61e-5, "kappa": 2.63e-06, "alpha": 0.0, "sigma": 284164.3, "depth_e": 1.44e-05,
+    "V": 0.96439, "d": 344.5567,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool) -> None:
+    """Forces deep in the belt are infinite, and in lift-off, where the law is multiplied by 0, none is."""
+    outcome = equilibria(penalty, DRAWN["penalty"], SHALLOW, contact, np.random.default_rng(1))
+    assert outcome["wrong"] == []
+    assert outcome["undecided"] == 0
+    assert int(penalty.equilibria(penalty.Parameters(**SHALLOW), contact).count) == (3 if contact else 1)
+
+
+@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
+def test_a_motion_above_a_belt_that_hardens_within_a_hair(penalty: Any, backend: str) -> None:
+    """From touch to lift-off: against SciPy's LSODA on forces by hand, and the energy is a number."""
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    from scipy.integrate import solve_ivp
+
+    start, t_end = [0.0, 0.0, SHALLOW["V"], 0.0], 0.01
+    tr = penalty.simulate(penalty.Parameters(**SHALLOW), start=start, t_end=t_end, backend=backend)
+    known = solve_ivp(field(DRAWN["penalty"], SHALLOW), (0.0, t_end), start, method="LSODA", rtol=1e-11, atol=1e-13)
+    np.testing.assert_allclose(tr.state[:, -1], known.y[:, -1], rtol=0, atol=2e-7)
+    assert len(tr.events.t) == 2
+    energy = tr.energy()
+    assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-6 * np.abs(tr.vx).max() ** 2
+
+
+def test_a_shallow_penetration_keeps_its_digits() -> None:
+    """Hertz's force goes with (depth)^(3/2), however small the depth."""
+    model = ss.load("hertz_contact")
+    taken = model.arguments(model.Parameters(theta0=1.0), "motion")
+    powers = [float(model.motion.friction_power(0.0, -depth, 1.0, 0.0, *taken, 1, -1, 1)) for depth in (3e-13, 1e-12)]
+    assert powers[0] / powers[1] == pytest.approx(0.3**1.5, rel=1e-12)
+
+
+# ------------------------------------------------------------------------------------------------ arguments
+
+WRONG: dict[str, tuple[Callable[[Any, Any], Any], str]] = {
+    "another model's parameters": (
+        lambda m, p: m.equilibria(ss.load("trolley").Parameters(theta0=1.0)),
+        "no set of parameters of kang",
+    ),
+    "no parameters": (lambda m, p: m.folds(None), "p = None is no set of parameters of kang_nam"),
+    "the article's": (lambda m, p: m.cusps(ss.Parameters.article(theta0=1.0)), "no set of parameters of kang_nam"),
+    "their class": (lambda m, p: m.bifurcation_set(type(p)), "no set of parameters of kang_nam"),
+    "a regime by name": (lambda m, p: m.equilibria(p, contact="lift-off"), "contact = 'lift-off' is neither True"),
+    "a regime by number": (lambda m, p: m.equilibria(p, contact=2), "contact = 2 is neither True"),
+    "a list of names": (lambda m, p: m.folds(p, vary=["theta0"]), "is not a parameter of this model"),
+    "no names": (lambda m, p: m.cusps(p, None), "give two different parameters"),
+    "a range by itself": (lambda m, p: m.folds(p, between=(0.5, 1.0)), "between = .* is no mapping"),
+    "one end": (lambda m, p: m.folds(p, between={"theta0": (1,)}), "is no range"),
+    "a range of text": (lambda m, p: m.folds(p, between={"theta0": "ab"}), "not text"),
+    "an endless range": (lambda m, p: m.folds(p, vary="mu0", between={"mu0": (0, np.inf)}), "is not in"),
+    "beyond the range": (lambda m, p: m.folds(p, between={"theta0": (0, 9)}), "leaves the range of theta0"),
+    "a start of a path": (lambda m, p: m.quasi_static_path(p, "mu0", [0.1, 0.2], start=[0.0]), "start = .* slots 0 to 0"),
+    "one end of a bracket": (lambda m, p: m.fate_boundary(p, vary="mu0", bracket=(1,)), "is no range; give its two ends"),
+    "a saddle of one number": (lambda m, p: m.basin_boundary(p, plane=("x", "vx"), saddle=[1.0]), "saddle has the shape"),
+    "a start beyond numbers": (
+        lambda m, p: m.simulate(p, y0=1e200, backend="scipy", t_end=1.0),
+        "stopped at t = 0",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_arguments_that_make_no_sense(case: str) -> None:
+    model = ss.load("kang_nam")
+    ask, words = WRONG[case]
+    with pytest.raises(ss.SpragsymError, match=words):
+        ask(model, model.Parameters(theta0=1.0))
+
+
+def test_a_plane_of_which_one_parameter_moves_no_fold() -> None:
+    """V is none of the statics' of the article: its folds in (V, mu0) are lines, and nothing warns."""
+    model = ss.load("kang_nam")
+    found = model.bifurcation_set(model.Parameters(theta0=0.8), ("V", "mu0"), n=3)
+    assert found.vary == ("V", "mu0")
+
+
+@pytest.mark.parametrize("backend", ["scipy", "heyoka"])
+def test_a_ball_that_comes_back_to_touch_goes_down_again(backend: str) -> None:
+    """Released at touch with hardly any friction, it comes back to it and falls again: with |t − t_0|³, which no series shows."""
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    model = ss.load("hertz_contact")
+    p = model.Parameters(
+        theta0=0.2084, mu0=17.256, kappa=0.0099346, alpha=0.00010157, sigma=0.00026774, beta=4.5666, V=8.8207e-6, d=7.1211
+    )
+    tr = model.simulate(p, t_end=6.0, rtol=1e-12, backend=backend)
+    low, high = tr.y.min(), tr.y[tr.t > 2.0].max()
+    assert low < -0.004
+    assert abs(high) < 1e-9
+    energy = tr.energy()
+    assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-14

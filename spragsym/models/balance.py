@@ -80,6 +80,8 @@ class Balance:
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
         self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.statics, "balance") else {}
+        #: Whether the sign of the slope of the friction law can be told where that is too small for floats.
+        self.slope_is_a_sum = hasattr(model.linearization, "friction_slope_by_sizes")
         self._lengths: bool | None = None
         #: Beyond them the forces are not asked for.
         self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
@@ -207,6 +209,17 @@ class Balance:
     def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """Slope of the friction law at steady sliding."""
         return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
+
+    def slope_has_a_sign(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
+        out = np.zeros(shape, dtype=np.bool_)
+        if not self.slope_is_a_sum:
+            return out
+        for terms in undecorated(self.model.linearization.friction_slope_by_sizes)(*self._listed(values, "motion"), xp=XP):
+            kept = [(factor, power) for factor, power in terms if stacked([factor], shape)[0].ends.any()]
+            total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(shape)))
+            out |= ~total.holds_zero()
+        return out
 
     def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The gap of the contact."""

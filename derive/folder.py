@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import equations, laws, linearization, motion, pages, soundness, statics, symmetry, units
+from . import equations, laws, linearization, motion, pages, rows, soundness, statics, symmetry, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -165,6 +165,7 @@ def description(model: Model) -> dict[str, Any]:
             "upright": [place for place, line in enumerate(it.lines) if mirror.turns(line)],
         },
         "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],
+        "symmetric": rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
 

@@ -361,10 +361,11 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr
 
 def _turning(torsion: Torsion, line: Line, count: int, scaled: _Scaled) -> Turning:
     cosine, sine = (scaled(function(torsion.rest)) for function in (sp.cos, sp.sin))
-    if cosine.has(sp.cos, sp.sin) or sine.has(sp.cos, sp.sin):
+    roots = any(not power.exp.is_Integer for power in (cosine + sp.I * sine).atoms(sp.Pow))
+    if roots or cosine.has(sp.cos, sp.sin) or sine.has(sp.cos, sp.sin):
         raise PageError(
             torsion.line,
-            f"the inclination at rest is {torsion.rest}; expected is an angle of the page, a sum of such, or a fraction of pi: make "
+            f"the inclination at rest is {torsion.rest}; expected is an angle of the page, a sum of such, or a multiple of pi/2: make "
             "another number a parameter in rad, with a base value",
         )
     phi, way = sp.symbols(f"phi{count} way{count}", real=True)

@@ -6,7 +6,7 @@ from __future__ import annotations
 RESULTS = frozenset((
     "amplitude", "angles", "complete", "contact", "contact_lost", "coordinates", "count", "cycle_mean", "cycle_rms", "cycle_vy", "cycle_x",
     "cycle_y", "decided", "distance", "eigenvalues", "equilibrium", "error", "event", "event_t", "growth", "held_in", "jumps", "kind",
-    "mean", "mean_y", "mu", "omega", "parameters", "period", "pushing", "rate", "reason", "regime", "region", "remarks", "rms", "side",
+    "marginal", "mean", "mean_y", "mu", "omega", "parameters", "period", "pushing", "rate", "reason", "regime", "region", "remarks", "rms", "side",
     "slip_reversed", "spread", "stability", "undecided", "values", "vary", "whole", "xp",
 ))  # fmt: skip
 

@@ -5,19 +5,24 @@ What is asked of forces and units is in :mod:`derive.soundness`. Each error name
 
 from __future__ import annotations
 
+import itertools
 import keyword
+import math
 from collections.abc import Iterator
 
 import sympy as sp
 
 from . import reserved
+from .emit.quantities import interval
 from .laws import near
-from .model import Contact, Damper, Friction, Page, PageError, Spring, Torsion, expression_of
+from .model import Contact, Damper, Datum, Friction, Page, PageError, Spring, Torsion, expression_of
 
 #: What a coordinate is called in errors.
 COORDINATE = "this coordinate"
 #: So many exponentials of the sliding speed can a friction law have.
 NEAR = 9
+#: Places at which the sign of a coefficient is looked at, and where a range without an end is ended for it.
+MOST_PLACES, FAR = 2000, 1000.0
 
 
 def check(page: Page, docstring: str) -> None:
@@ -99,6 +104,12 @@ def _check_elements(page: Page) -> None:
         if _is_negative(page, strength):
             does = "drives the motion" if what == "damper" else "pushes away from where it is at rest"
             raise PageError(element.line, f"the {name} of this {what}, {strength}, is negative: it {does}; give a positive one")
+        if isinstance(element, Damper) and (place := _negative_place(page, strength)):
+            raise PageError(
+                element.line,
+                f"the coefficient of this damper, {strength}, is negative {place}, where it drives the motion; give its quantities "
+                'domains in which it is not, as ">= 0", or write it so',
+            )
         if isinstance(element, Spring) and _is_negative(page, element.length):
             raise PageError(
                 element.line, f"the undeformed length {element.length} of this spring is negative; give a positive one"
@@ -138,6 +149,28 @@ def _is_negative(page: Page, value: sp.Expr) -> bool:
     bases |= {entry.symbol: sp.S.One if entry.base is None else sp.Float(entry.base) for entry in page.parameters}
     at_base = value.subs(bases)
     return bool((value.is_nonpositive and not value.is_zero) or (at_base.is_number and at_base.is_negative))
+
+
+def _negative_place(page: Page, value: sp.Expr) -> str:
+    """Where among ends, base values and places inside of all domains an expression is negative, in words; empty if nowhere."""
+    data = [entry for entry in page.parameters if entry.symbol in value.free_symbols]
+    if value.is_nonnegative or value.free_symbols - {entry.symbol for entry in (*page.units, *data)}:
+        return ""
+    units = {entry.symbol: sp.S.One for entry in page.units}
+    for place in itertools.islice(itertools.product(*map(_places, data)), MOST_PLACES):
+        at = value.subs(units | {entry.symbol: number for entry, number in zip(data, place, strict=True)})
+        if at.is_number and at.is_negative:
+            return "at " + ", ".join(f"{entry.symbol} = {sp.N(number, 3)}" for entry, number in zip(data, place, strict=True))
+    return ""
+
+
+def _places(entry: Datum) -> list[sp.Rational]:
+    """Numbers of a domain: its base value, near its ends, and a few between."""
+    allowed = interval(entry.domain)
+    low = -FAR if allowed.low == -math.inf else allowed.low
+    high = FAR if allowed.high == math.inf else allowed.high
+    parts = [low + (high - low) * part for part in (0.01, 0.99, 0.5, 0.25, 0.75)]
+    return [sp.Rational(str(number)) for number in ([] if entry.base is None else [entry.base]) + parts]
 
 
 # ------------------------------------------------------------------------------------------------ laws, forces, energies

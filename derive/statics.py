@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from . import laws, symmetry
+from . import laws, rows, symmetry
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
@@ -56,6 +56,14 @@ def module(model: Mechanics) -> Module:
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, depth, transcendental=True)
 
+    T = rows.sums(model)
+    apart = () if T.is_Identity else (
+        function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,
+                 tuple(map(sp.expand, T * sp.Matrix(model.residuals))), "(F_1, …)"),
+        function("balance_jacobian", "Their derivatives by the coordinates: the same sums of the rows of K.", state,
+                 tuple(tuple(map(model.tidy, row)) for row in (T * sp.Matrix(jacobian(model))).tolist()),
+                 "((∂F_1/∂q_1, …), …)"),
+    )  # fmt: skip
     return Module(
         "statics",
         "The balance of forces at steady sliding (pushing = 1) and in lift-off (pushing = 0).",
@@ -84,6 +92,7 @@ def module(model: Mechanics) -> Module:
                      "(((∂²F_1/∂q_1∂q_1, …), …), …)"),
             function("forces_by_parameters", "Derivatives of the forces by the parameters, an angle as the angle, and by mu.", state,
                      by_parameters(model), "((∂F_1/∂p_1, …, ∂F_1/∂mu), …)"),
+            *apart,
         ),
     )  # fmt: skip
 

@@ -57,6 +57,7 @@ def test_every_root_lies_in_the_result(n, spread):
     values = around(rng.normal(size=(n, N)) * 0.1, spread, rng)
     step = contractors.newton(values, slopes, middle, np.full((n, N), 1e3))
     rows = contractors.by_rows(values, slopes, middle, np.full((n, N), 1e3))
+    each, none = contractors.by_each_row(values, slopes, middle, np.full((n, N), 1e3))
     seen = 0
     for k, _ in itertools.product(range(N), range(3 if spread else 1)):
         pick = rng.integers(0, 2, (n, n)), rng.integers(0, 2, n)
@@ -65,7 +66,9 @@ def test_every_root_lies_in_the_result(n, spread):
         root = [m - x for m, x in zip(fractions(middle[:, k]), solution(matrix, right), strict=True)]
         if any(abs(x - m) > 1000 for x, m in zip(root, fractions(middle[:, k]), strict=True)):
             continue
-        for ends in (step.ends, rows):
+        assert not none[k]
+        assert not step.none[k]
+        for ends in (step.ends, rows, each):
             for i in range(n):
                 assert not np.isfinite(ends[0, i, k]) or -Fraction(float(ends[0, i, k])) <= root[i]
                 assert not np.isfinite(ends[1, i, k]) or root[i] <= Fraction(float(ends[1, i, k]))
@@ -103,6 +106,19 @@ def test_each_row_by_itself():
     assert np.abs(ends[1, :, 0] - [-1 + 0.25, 5 + 0.0625]).max() < 1e-14
 
 
+def test_a_row_tells_what_an_inverse_does_not():
+    """x + y = −1 and −2 x − 2 y = 2 about 0, |x| ≤ 1/4, |y| ≤ 1/2: each by the other; with −2 x − 2 y = 4 there is no root."""
+    slopes = Intervals.point([[[1.0, 1.0], [1.0, 1.0]], [[-2.0, -2.0], [-2.0, -2.0]]])
+    values, reach = Intervals.point([[1.0, 1.0], [-2.0, -4.0]]), np.array([[0.25, 0.25], [0.5, 0.5]])
+    ends, none = contractors.by_each_row(values, slopes, np.zeros((2, 2)), reach)
+    assert np.abs(-ends[0, :, 0] - [-1.5, -1.25]).max() < 1e-14
+    assert np.abs(ends[1, :, 0] - [-0.5, -0.75]).max() < 1e-14
+    assert none.tolist() == [True, True]  # |x + y| is at most 3/4
+    assert not contractors.by_each_row(values, slopes, np.zeros((2, 2)), 2 * reach)[1][0]
+    nearly = slopes + Intervals.between([[[0.0], [0.0]], [[0.0], [-1e-9]]], [[[0.0], [0.0]], [[0.0], [1e-9]]])
+    assert contractors.newton(values, nearly, np.zeros((2, 2)), 2 * reach).none.tolist() == [False, True]
+
+
 def test_a_diagonal_that_may_vanish_bounds_nothing():
     """From its row nothing follows; a diagonal in [1, 4] is divided by at the end that gives the wider result."""
     slopes = Intervals.between([[[0.0, -1.0, 1.0]]], [[[2.0, 2.0, 4.0]]])
@@ -119,6 +135,11 @@ def test_a_diagonal_that_may_vanish_bounds_nothing():
 # ------------------------------------------------------------------------------------------------------- exclusion
 
 
+def excluded(values, slopes, reach):
+    """Boxes about 0 of which a row tells that they hold no root."""
+    return contractors.by_each_row(values, slopes, np.zeros_like(reach), reach)[1]
+
+
 def test_a_root_at_a_corner_is_not_excluded_and_one_beyond_it_is():
     """In integers, which add exactly: |F(m)| is |J| r, or more."""
     rng = np.random.default_rng(5)
@@ -129,20 +150,20 @@ def test_a_root_at_a_corner_is_not_excluded_and_one_beyond_it_is():
         exact = (np.abs(slopes) * reach[None]).sum(axis=1)
         signs = rng.choice([-1.0, 1.0], exact.shape)
         given = Intervals.point(slopes)
-        assert not contractors.excluded(Intervals.point(signs * exact), given, reach).any()
+        assert not excluded(Intervals.point(signs * exact), given, reach).any()
         beyond = exact.copy()
         beyond[n - 1] += 1e-12 * np.maximum(exact[n - 1], 1)
-        assert contractors.excluded(Intervals.point(signs * beyond), given, reach).all()
+        assert excluded(Intervals.point(signs * beyond), given, reach).all()
         wide = Intervals.between(np.minimum(signs * beyond, 0.0), np.maximum(signs * beyond, 0.0))  # which may be 0
-        assert not contractors.excluded(wide, given, reach).any()
+        assert not excluded(wide, given, reach).any()
 
 
 def test_rounding_excludes_no_root():
     """1 + 2⁻⁵³ + 2⁻⁵³, which is 1 in floats, and three products of 0.4 of the smallest float, which are 0."""
     slopes = Intervals.point(np.array([[[1.0], [2.0**-53], [2.0**-53]]] * 3))
-    assert not contractors.excluded(Intervals.point([[1 + 2.0**-52]] * 3), slopes, np.ones((3, 1))).any()
+    assert not excluded(Intervals.point([[1 + 2.0**-52]] * 3), slopes, np.ones((3, 1))).any()
     small = Intervals.point(np.full((3, 3, 1), 0.4))
-    assert not contractors.excluded(Intervals.point([[5e-324]] * 3), small, np.full((3, 1), 5e-324)).any()
+    assert not excluded(Intervals.point([[5e-324]] * 3), small, np.full((3, 1), 5e-324)).any()
 
 
 def test_rounding_loses_no_root():

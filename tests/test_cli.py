@@ -748,3 +748,11 @@ def test_a_terminal_is_told_what_is_computed_and_a_pipe_is_not(
         shown = capsys.readouterr()
         assert ("searching for folds" in shown.err) == told
         assert shown.out == ""
+
+
+@pytest.mark.parametrize("command", ["folds", "critical"])
+def test_a_value_that_a_model_has_no_base_for_is_asked_for_by_its_option(command: str, capsys: Any) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main([command, "--model", "trolley", "--vary", "mu0"])
+    assert ended.value.code == 2
+    assert capsys.readouterr().err == "spragsym: theta0 has no base value in trolley, and does not vary here; give --theta0\n"

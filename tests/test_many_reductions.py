@@ -86,6 +86,15 @@ def test_a_double_root_stays_open():
     assert found.open.all()
 
 
+def test_what_is_no_function_of_one_unknown_stays_open():
+    """The circle about 0 and the lines y = ±x/2: over the whole of them neither unknown is a function of the other."""
+    circle = System(lambda rows, q: [q[0] ** 2 + q[1] ** 2 - 1, q[1] ** 2 * 4 - q[0] ** 2])
+    slopes = np.array([[[1e-9], [0.0]], [[0.0], [1.0]]])
+    for levels in (1, 6):
+        found = many_reductions.reduced_roots(circle, np.full((2, 2, 1), 2.0), slopes, levels)
+        assert found.open.all()
+
+
 def test_no_root_is_no_root():
     boxes, slopes = boxes_and_slopes(2)
 

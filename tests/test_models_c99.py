@@ -7,13 +7,17 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import hypothesis
 import numpy as np
 import pytest
+from hypothesis import given
 
 pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.cli import main
+from spragsym.derive.emit.targets.c99.layout import comment, plain
+from spragsym.models.load import shipped
 from tests.support import few
 
 COMPILER = shutil.which("cc")
@@ -51,7 +55,7 @@ def numbers(model: Any, function: str) -> list[float]:
 
 
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")
-@pytest.mark.parametrize("name", few(["hertz_contact", "stribeck", "trolley"], "stribeck", "trolley"))
+@pytest.mark.parametrize("name", few([*shipped()], "stribeck", "trolley"))
 def test_c_gives_the_numbers_of_python(name: str, tmp_path: Path) -> None:
     """Compiled without a warning; the same to the last bits, since it is the same arithmetic but for root and exponential."""
     model = ss.load(name)
@@ -73,6 +77,17 @@ def test_c_gives_the_numbers_of_python(name: str, tmp_path: Path) -> None:
     subprocess.run(build, cwd=out, check=True, timeout=120)
     shown = subprocess.run(["./try"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout
     np.testing.assert_allclose([float(line) for line in shown.split()], np.concatenate(want), rtol=1e-13, atol=1e-15)
+
+
+@given(hypothesis.strategies.text())
+def test_a_comment_ends_where_it_ends(words: str) -> None:
+    text = comment(words)
+    assert text.isascii()
+    assert text.count("*/") == text.count("/*") == 1
+
+
+def test_signs_keep_their_meaning() -> None:
+    assert plain("γ ≠ λ₂ Ω̃ ½ 45° Müller ά") == "gamma != lambda2 Omega~ [vulgar fraction one half] 45 degrees Muller alpha"
 
 
 def test_a_folder_is_exported_from_the_page_in_it(tmp_path: Path) -> None:

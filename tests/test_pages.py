@@ -52,6 +52,15 @@ REFUSED = {
     "a coordinate as text": ("page.spring(k_y, along=y)", 'page.spring(k_y, along="y")', "page.spring(k_y", "no coordinate"),
     "a mass below 0": ("page.kinetic(m * (", "page.kinetic(-m * (", "page.kinetic(", "not positive for all rates"),
     "one name for two": ('becomes="beta"', 'becomes="alpha"', "k_y = page.parameter(", "k_x and k_y both become alpha"),
+    "a damper that may drive": (
+        "page.contact(", 'c = page.parameter("c", "N s/m", "damping", "real", 0.1)\npage.damper(c, along=y)\npage.contact(',
+        "page.damper(", "c, is negative at c = -980, where it drives",
+    ),
+    "a difference of dampers": (
+        "page.contact(",
+        'c = page.parameter("c", "N s/m", "one", ">= 0", 0.1)\ne = page.parameter("e", "N s/m", "other", ">= 0", 0.0)\n'
+        "page.damper(c - e, along=y)\npage.contact(", "page.damper(", "negative at",
+    ),
     "a contact that pulls": (LAW, "lambda depth: -k_c * depth", "page.contact(", "pulls"),
     "a contact that pulls further in": (LAW, "lambda depth: k_c * depth - k_c * depth**2 / L_0", "page.contact(", "pulls"),
     "a contact that jumps": (LAW, "lambda depth: k_c * depth + F_L", "page.contact(", "just touches"),

@@ -2,6 +2,13 @@
 
 from __future__ import annotations
 
+import importlib.util
+import json
+import math
+import shutil
+import subprocess
+from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -9,6 +16,15 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from spragsym.errors import StoreError
+from spragsym.exact import ball_functions, wide_balls
+from spragsym.exact.interval_arrays import Intervals
+from spragsym.exact.interval_functions import atan2
+from spragsym.exact.intervals import Balls
+from spragsym.exact.jets import Jet, argument, turned
+from spragsym.exact.polynomials import Undecided
+from spragsym.models.balance import Balance
+from spragsym.models.precise import ball
 from tests.conftest import Once
 from tests.test_documents import ROOT
 
@@ -160,3 +176,289 @@ def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
         off = np.sin(0.8) * tr.x - np.cos(0.8) * tr.y
         assert (np.sign(off[0]) == np.sign(off)).all()
         assert abs(off[-1]) > 0.2
+
+
+def balance_by_hand(x: Any, y: Any, p: dict[str, Any], pushing: int, digits: Any = mpmath) -> tuple[Any, Any]:
+    """Both components of the force on the mass at steady sliding, from the drawing."""
+    dx, dy = digits.cos(p["theta0"]) - x, digits.sin(p["theta0"]) - y
+    square = dx * dx + dy * dy
+    length = digits.sqrt(square)
+    off = digits.atan2(dy, dx) - p["theta0"]
+    phi = off + 2 * digits.pi if off <= -digits.pi else off
+    pull, torque = p["sigma"] * (length - 1), p["tau"] * phi
+    normal = pushing * (-y + p["gamma"] * y**2)
+    return (
+        pull * dx / length - torque * dy / square - p["alpha"] * x + p["mu0"] * normal,
+        pull * dy / length + torque * dx / square - p["kappa"] + normal,
+    )
+
+
+def roots_by_hand(p: dict[str, float], pushing: int) -> list[tuple[Any, Any]]:
+    """MINPACK's hybrid method from many places, then Newton's with many digits; what is found, each once, sorted."""
+    from scipy.optimize import root
+
+    found: list[tuple[Any, Any]] = []
+    exact = {name: mpmath.mpf(value) for name, value in p.items()}
+    for x0 in np.linspace(-1.7, 2.5, 12):
+        for y0 in np.linspace(-0.2, 0.0, 4) if pushing else np.linspace(0.02, 2.4, 10):
+            near = root(lambda q: balance_by_hand(*map(float, q), p, pushing, math), (x0, y0), tol=1e-13)
+            if not near.success or (near.x[1] < 0) != bool(pushing):
+                continue
+            if all(np.abs(near.x - np.array(other, dtype=float)).max() > 1e-7 for other in found):
+                found.append(tuple(mpmath.findroot(lambda x, y: balance_by_hand(x, y, exact, pushing), tuple(near.x.tolist()))))
+    return sorted(found)
+
+
+SETS = [
+    ({}, True),
+    ({"theta0": 1.0472, "tau": 0.02}, True),
+    ({"theta0": 0.5, "tau": 0.0}, True),
+    ({"theta0": 2.5, "mu0": 0.9, "tau": 0.004}, True),
+    ({"theta0": 0.4, "tau": 1.0, "sigma": 2.0}, True),
+    ({"tau": 0.0005, "alpha": 0.0}, False),
+    ({"theta0": 2.5, "tau": 0.0002, "alpha": 0.001}, False),
+]
+
+
+@pytest.mark.parametrize(("changes", "contact"), SETS)
+def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str, float], contact: bool) -> None:
+    """Every equilibrium that Newton's method finds from many places is among those proved, to 1e-12, and no other one is."""
+    p = model.Parameters(**changes)
+    eq = model.equilibria(p, contact=contact)
+    assert eq.complete or not contact
+    with mpmath.workdps(40):
+        values = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
+        known = roots_by_hand(values, int(contact))
+        proved = sorted((mpmath.mpf(float(x)), mpmath.mpf(float(y))) for x, y in zip(eq.x, eq.y, strict=True) if x == x)
+        assert len(known) == len(proved) == int(eq.count)
+        for one, other in zip(known, proved, strict=True):
+            assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 1e-12
+
+
+# ---------------------------------------------------------------------------------------------- number types
+
+
+def boxes(count: int) -> tuple[Intervals, Intervals]:
+    """Rectangles of every size around the circle, some on an axis, some around 0."""
+    rng = np.random.default_rng(4)
+    turn, size = rng.uniform(-np.pi, np.pi, count), 10.0 ** rng.uniform(-17, 0.5, (2, count))
+    turn[: count // 4] = rng.integers(-2, 3, count // 4) * np.pi / 2
+    middle = np.stack([np.cos(turn), np.sin(turn)])
+    middle[np.abs(middle) < 1e-15] = 0.0
+    cosine, sine = Intervals.between(middle - size, middle + size)
+    return cosine, sine
+
+
+def test_angles_of_rectangles_hold_all_and_jump_nowhere() -> None:
+    """Against 40 digits at corners, edges and inside; what meets the ray of negative cosines is unknown, or as a side says."""
+    cosine, sine = boxes(400)
+    plain = atan2(sine, cosine)
+    meets = (cosine.low <= 0) & (sine.low <= 0) & (sine.high >= 0)
+    assert (np.isnan(plain.low) == meets).all()
+    assert 50 < np.count_nonzero(meets) < 350
+    above, below, every = (atan2(sine, cosine, side) for side in (1, -1, 0))
+    shares = np.array([0.0, 0.3, 0.5, 1.0])
+    with mpmath.workdps(40):
+        for i in range(len(meets)):
+            for x in np.clip(cosine.low[i] + shares * (cosine.high[i] - cosine.low[i]), cosine.low[i], cosine.high[i]).tolist():
+                for y in np.clip(sine.low[i] + shares * (sine.high[i] - sine.low[i]), sine.low[i], sine.high[i]).tolist():
+                    phi = mpmath.atan2(y, x)
+                    bounds = (plain,) if not meets[i] else (every, above if y >= 0 else below) if y else (every,)
+                    assert all(bound.low[i] <= phi <= bound.high[i] for bound in bounds)
+            if not meets[i]:
+                corners = [mpmath.atan2(y, x) for x in (cosine.low[i], cosine.high[i]) for y in (sine.low[i], sine.high[i])]
+                assert plain.width[i] <= max(corners) - min(corners) + 2e-14
+
+
+@pytest.mark.parametrize("turn", [-3.14159265, -2.0, -1e-9, 0.0, 1e-300, 0.3, 1.5707963267948966, 3.1, 3.14159265358979])
+def test_angles_of_balls_hold_them(turn: float) -> None:
+    with mpmath.workdps(60):
+        pair = [mpmath.sin(turn), mpmath.cos(turn)]
+        wide = [wide_balls.WideBalls.exact(np.array([float(part)])) * 0.7 for part in pair]
+        found = wide_balls.XP.atan2(*wide)
+        exact = mpmath.atan2(*(mpmath.mpf(float(part)) for part in pair))
+        middle = mpmath.mpf(float(found.middle.high[0])) + mpmath.mpf(float(found.middle.low[0]))
+        assert abs(middle - exact) <= found.radius[0] < 1e-29
+        sine, cosine = (ball(float(part), 160) for part in pair)
+        low, high = (mpmath.mpf(end.numerator) / end.denominator for end in Balls().ends(ball_functions.XP.atan2(sine, cosine)))
+        assert low <= exact <= high
+        assert high - low < 1e-44
+
+
+def test_balls_that_meet_the_ray_are_unknown() -> None:
+    across = wide_balls.WideBalls.around(Intervals.between([-1e-3], [2e-3]))
+    assert np.isnan(wide_balls.XP.atan2(across, wide_balls.WideBalls.exact(np.array([-1.0]))).radius).all()
+    assert not np.isnan(wide_balls.XP.atan2(across, wide_balls.WideBalls.exact(np.array([1.0]))).radius).any()
+    with pytest.raises(Undecided):
+        ball_functions.XP.atan2(ball(0.0, 160), ball(-1.0, 160))
+
+
+def test_derivatives_of_an_angle_are_those_of_its_series() -> None:
+    """Of jets, up to the third order, of balls and of intervals, against Taylor coefficients in 40 digits."""
+    x0, y0 = 0.7, -1.1
+    x, y = (Jet.variable(ball(value, 160), number, 3) for number, value in enumerate((x0, y0)))
+    of_balls = ball_functions.XP.atan2(y * y - 2 * x, x * y)
+    known = [Jet.variable(Intervals.point([value]), number, 3) for number, value in enumerate((x0, y0))]
+    of_boxes = argument(*turned(known[1] * known[1] - known[0] * 2, known[0] * known[1]))
+    with mpmath.workdps(40):
+        for i, j in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2), (3, 0), (2, 1), (1, 2), (0, 3)):
+            exact = mpmath.diff(lambda x, y: mpmath.atan2(y * y - 2 * x, x * y), (x0, y0), (i, j))
+            numbers = (0,) * i + (1,) * j
+            low, high = Balls().ends(of_balls.derivative(*numbers))
+            assert low - Fraction(1, 10**15) <= Fraction(str(mpmath.nstr(exact, 30))) <= high + Fraction(1, 10**15)
+            box = of_boxes.derivative(*numbers)
+            assert box.low[0] - 1e-13 <= exact <= box.high[0] + 1e-13
+            assert box.width[0] < 1e-10
+
+
+def test_a_box_across_the_jump_has_no_slopes_and_is_excluded_on_both_sides(model: Any) -> None:
+    """The mean value theorem does not hold there, so slopes are unknown; the forces on either side show that none is inside."""
+    balance = Balance(model, contact=False)
+    p = model.Parameters(tau=0.3)
+    given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
+    place = np.array(behind(p, 0.0, 0.0)[:2])[:, None]
+    with np.errstate(all="ignore"):
+        parameters = balance.prepared(Intervals.point(given))
+        around = Intervals.between(np.full((2, 1), -0.01), np.full((2, 1), 0.01))
+        across, beside = around + place, around + np.add(place, [[0.1], [-0.1]])
+        assert np.isnan(balance.jacobian(across, parameters).ends).any()
+        assert np.isfinite(balance.jacobian(beside, parameters).ends).all()
+        assert balance.hopeless(across, parameters).all()
+        assert balance.residuals(across, parameters).holds_zero().all()
+
+
+# ---------------------------------------------------------------------------------------------- other languages, older folders
+
+
+@pytest.fixture(scope="module")
+def numbers(model: Any) -> dict[str, list[float]]:
+    """Arguments of functions: one turned by 170 degrees, the other way round."""
+    p = model.Parameters(theta0=0.7)
+    place, moving = [1.55, 1.2], [float(value) for value in model.arguments(p, "motion")]
+    return {
+        "rhs": [*place, 0.1, -0.2, *moving],
+        "regime_rhs": [*place, 0.1, -0.2, *moving, 0.0, 1.0, 1.0, -1.0],
+        "regime_jacobian": [*place, 0.1, -0.2, *moving, 0.0, 1.0, 1.0, 1.0],
+        "turning_borders": [*place, 0.1, -0.2, *moving, 1.0],
+        "energy": [*place, 0.1, -0.2, *moving, 0.0],
+    }
+
+
+@pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
+def test_c_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp_path: Path) -> None:
+    from spragsym.derive import export
+
+    for name, text in export.export(PAGE, "soft", "c").items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    calls, want = [], []
+    for function, given in numbers.items():
+        result = np.array(getattr(model.motion, function)(*given), dtype=float).ravel()
+        want += result.tolist()
+        listed = ", ".join(value.hex() for value in given)
+        shown = "".join(f'printf("%.17g\\n", r[{i}]);' for i in range(result.size))
+        calls.append(f"{{ double r[{result.size}]; if (soft_{function}({listed}, r)) return 1; {shown} }}")
+    program = '#include <stdio.h>\n#include "soft.h"\nint main(void) {\n' + "\n".join(calls) + "\nreturn 0;\n}\n"
+    (tmp_path / "try.c").write_text(program, encoding="utf-8")
+    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O0", "try.c", "soft.c", "-lm", "-o", "try"]
+    subprocess.run(build, cwd=tmp_path, check=True, timeout=120)
+    shown = subprocess.run(["./try"], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=60).stdout
+    np.testing.assert_allclose([float(line) for line in shown.split()], want, rtol=1e-13, atol=1e-15)
+
+
+@pytest.mark.skipif(shutil.which("node") is None, reason="there is no node")
+def test_javascript_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp_path: Path) -> None:
+    from spragsym.derive import export
+
+    files = export.export(PAGE, "soft", "javascript")
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (module,) = [name for name in files if name.endswith(".mjs") and "example" not in name]
+    calls = ", ".join(f"it.algebra.{function}({', '.join(map(repr, given))})" for function, given in numbers.items())
+    (tmp_path / "try.mjs").write_text(
+        f'import * as it from "./{module}";\nconsole.log(JSON.stringify([{calls}].flat(9)));\n', encoding="utf-8"
+    )
+    shown = subprocess.run(["node", "try.mjs"], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=60).stdout
+    want = [np.array(getattr(model.motion, function)(*given), dtype=float).ravel() for function, given in numbers.items()]
+    np.testing.assert_allclose(json.loads(shown), np.concatenate(want), rtol=1e-13, atol=1e-15)
+
+
+def test_a_folder_of_the_old_approximation_is_refused(model: Any, tmp_path: Path) -> None:
+    """One that was derived before torsion springs were exact has no list of them; its page still has."""
+    folder = tmp_path / "old"
+    shutil.copytree(model.where, folder)
+    about = json.loads((folder / "model.json").read_text(encoding="utf-8"))
+    del about["torsions"]
+    (folder / "model.json").write_text(json.dumps(about), encoding="utf-8")
+    with pytest.raises(StoreError, match="up to 41 degrees only; derive the page again"):
+        ss.load(folder)
+
+
+def test_a_number_is_no_inclination_at_rest(tmp_path: Path) -> None:
+    """Its cosine would be no algebra: a parameter is, and pi/2 is."""
+    from spragsym.derive import pages
+    from spragsym.derive.model import PageError
+
+    text = PAGE.read_text(encoding="utf-8").replace("Page, cos, exp, sgn", "Page, cos, exp, pi, sgn")
+    wrong, right = tmp_path / "wrong.py", tmp_path / "right.py"
+    wrong.write_text(text.replace("rest=theta0)", "rest=theta0 + 1)"), encoding="utf-8")
+    right.write_text(text.replace("rest=theta0)", "rest=2 * theta0 - pi / 2)"), encoding="utf-8")
+    with pytest.raises(PageError, match=r"line 41: the inclination at rest is theta0 \+ 1; expected is an angle of the page"):
+        pages.read(wrong)
+    (torsion,) = pages.read(right).mechanics.torsions
+    (angle,) = pages.read(right).mechanics.angles
+    value = torsion.cosine_of_rest.subs({angle.c: mpmath.cos(0.3), angle.s: mpmath.sin(0.3)})
+    assert abs(value - mpmath.cos(0.6 - mpmath.pi / 2)) < 1e-14
+
+
+def test_a_cycle_behind_the_anchor_is_refused(model: Any) -> None:
+    """Derivatives of an orbit are not carried across a jump of the field."""
+    from spragsym.dynamics import variations_scipy
+    from spragsym.models.field import exact_field, field_of
+
+    p = model.Parameters(tau=0.02, mu0=0.3)
+    field = field_of(model, 40.0)
+    constants = field.constants(list(map(float, p.scalars(*model.parameters))))
+    none = np.zeros((2, len(model.parameters)))
+    start = np.array(behind(p, -0.1, 0.5))
+    flights = [variations_scipy.flight(field).fly]
+    if importlib.util.find_spec("heyoka"):
+        from spragsym.dynamics import variations_heyoka
+
+        flights.append(variations_heyoka.compiled(field).fly)
+    for fly in flights:
+        with pytest.raises(ss.ConvergenceError, match="passes behind the end of a torsion spring"):
+            fly(start, constants, 3.0, none)
+        assert fly(start, constants, 0.1, none).state[0] != start[0]
+    with pytest.raises(ss.ParameterError, match="arc tangent"):
+        exact_field(model.where)
+
+
+@pytest.mark.thorough
+def test_the_explorer_has_the_states_and_the_motion(model: Any, tmp_path: Path) -> None:
+    """Its search finds the proved states, and its motion passes behind the anchor as Python's does."""
+    from click.testing import CliRunner
+
+    from spragsym.cli.explore import explore
+    from tests.explorer_pages import Explorer, chromium
+
+    out = tmp_path / "page.html"
+    done = CliRunner().invoke(explore, ["--model", model.where, "--out", str(out), "--no-open"])
+    assert done.exit_code == 0, done.output
+    with chromium() as browser:
+        page = Explorer(browser.new_context().new_page(), out.as_uri())
+        page.open()
+        for changes in ({}, {"tau": 0.02}):
+            p = model.Parameters(**changes)
+            point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
+            found = page.page.evaluate("p => window.spragsym.equilibria(p)", {**point, "contact": True})
+            assert [state["x"] for state in found["states"]] == pytest.approx(sorted(model.equilibria(p).x), abs=1e-9)
+        p = model.Parameters(tau=0.02, mu0=0.3)
+        point = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
+        start = list(map(float, behind(p, -0.1, 0.5)))
+        run = "([p, s]) => { const m = window.spragsym.motion(p); for (let i = 0; i < 300; i++) s = m.step(s, 0.01); return s; }"
+        assert page.page.evaluate(run, [point, start]) == pytest.approx(
+            model.simulate(p, start=start, t_end=3.0).state[:, -1], abs=2e-6
+        )
+        assert page.errors == []

@@ -17,9 +17,6 @@ from .with_model import parameter_options, without
 if TYPE_CHECKING:
     from ..models import Model
 
-#: Where a range of an angle begins that does not include its lower end, in degrees.
-BEGIN = 0.01
-
 
 def folds_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
     """Options and work of ``spragsym folds`` for a model."""
@@ -130,7 +127,10 @@ def _span(model: Model, vary: str, low: float | None, high: float | None) -> tup
     ends: list[float] = ranges(model, (vary,), {})[0].tolist()
     unit = _unit(model, vary)
     if vary in model.about["angles"]:
-        ends = [ends[0] + math.radians(BEGIN), ends[1] - math.radians(BEGIN)]
+        # An end that does not belong to the range: the next float does, and there is none between them.
+        (entry,) = [entry for entry in model.about["parameters"] if entry["name"] == vary]
+        ends[0] = math.nextafter(ends[0], math.inf) if entry["low_open"] else ends[0]
+        ends[1] = math.nextafter(ends[1], -math.inf) if entry["high_open"] else ends[1]
     given = [ends[i] if value is None else value / unit for i, value in enumerate((low, high))]
     if given[0] == given[1]:
         raise ParameterError(f"--from and --to are both {unit * given[0]:g}; give two values")

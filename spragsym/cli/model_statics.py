@@ -88,11 +88,11 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
     """Options and work of ``spragsym bifurcation`` for a model."""
 
     def bifurcation(
-        vary: str, along: str, between: tuple[str, ...], json_output: bool, plot: Path | None, force: bool, **values: Any
+        vary: str, along: str, between: tuple[str, ...], json_output: bool, plot: Path | None, n: int, force: bool, **values: Any
     ) -> None:
         spans = _spans(model, between, (vary, along) if along else (vary,))
         if plot is not None:
-            draw(plot, vary, along, spans, dict(values), force)
+            draw(plot, vary, along, spans, dict(values), n, force)
         one, both = without(model, (vary,), dict(values)), (vary, along)
         span = {name: ends for name, ends in spans.items() if name == vary}
         asked: dict[str, Callable[[], Any]] = {
@@ -110,7 +110,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         if json_output:
             print_json({"model": model.name, **{title: points_of(model, points) for title, points in found.items()}})
 
-    def draw(plot: Path, vary: str, along: str, spans: Spans, values: dict[str, Any], force: bool) -> None:
+    def draw(plot: Path, vary: str, along: str, spans: Spans, values: dict[str, Any], n: int, force: bool) -> None:
         if plot.suffix not in (".pdf", ".png", ".svg"):
             raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
         if not along:
@@ -121,7 +121,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
 
         kind = plot.suffix[1:]
         with house_style(), busy(f"drawing folds and cusps in the plane of {vary} and {along}"):
-            figure = model_figure(model, without(model, (vary, along), values), (vary, along), between=spans)
+            figure = model_figure(model, without(model, (vary, along), values), (vary, along), between=spans, n=n)
             figure.savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)
 
@@ -148,6 +148,13 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         ),
         json_option(),
         plot,
+        click.Option(
+            ["--n"],
+            type=click.IntRange(2, 2000),
+            default=60,
+            show_default=True,
+            help="Lines of either parameter on which --plot looks for folds: a closed curve between two lines is not seen.",
+        ),
         click.Option(["--force"], is_flag=True, help="Overwrite files that are in the way."),
     ]
     return options, bifurcation, "All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved."

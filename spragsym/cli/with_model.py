@@ -105,6 +105,10 @@ def without(model: Model, vary: Sequence[str], values: dict[str, Any]) -> Any:
     for name in vary:
         if name not in model.parameters:
             raise ParameterError(f"{name} is not a parameter of {model.name}; choose among {', '.join(model.parameters)}")
+    for name in model.parameters:
+        if values[name] is None and name not in vary:
+            flag = _FLAGS.get(name, (f"--{name}",))[0]
+            raise ParameterError(f"{name} has no base value in {model.name}, and does not vary here; give {flag}")
     return model.Parameters(**{name: None if name in vary else value for name, value in parameters_of(model, values).items()})
 
 

@@ -58,6 +58,9 @@ class System(Protocol):
     def prepared(self, bounds: Intervals) -> Intervals:
         """What the methods take as parameters, from the boxes of all nodes of the tree, shape (parameters, nodes)."""
 
+    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes so small that the mean value theorem tells more than F over them and contraction, shape (N,)."""
+
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Ends of boxes that lie in the given ones and hold the same roots, shape (2, n, N)."""
 
@@ -83,6 +86,10 @@ class Plain:
     def prepared(self, bounds: Intervals) -> Intervals:
         """The parameters themselves."""
         return bounds
+
+    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """No box."""
+        return np.zeros(unknowns.shape[1:], dtype=np.bool_)
 
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """The boxes themselves."""
@@ -162,7 +169,7 @@ def search(
     first = Pairs(region.max(axis=2, keepdims=True).astype(np.float64), np.zeros(1, dtype=np.int64))
     with np.errstate(all="ignore"):
         beyond = np.full((2, n, 1), np.inf) if limits is None else limits[:, :, None]
-        search_state = _Search(system, points, beyond, budget, narrow)
+        search_state = _Search(system, points, beyond, budget, narrow, bool((low == high).all()))
         search_state.run(_parted(first) if low.shape[1] <= FEW_POINTS else first)
     unique, where, undecided = (joined(part, n) for part in (search_state.unique, search_state.where, search_state.undecided))
     return Outcome(unique, where, undecided, points, search_state.looks)
@@ -171,9 +178,12 @@ def search(
 class _Search:
     """A stack of pairs, and what has been found."""
 
-    def __init__(self, system: System, points: Tree, limits: FloatArray, budget: int, narrow: float) -> None:
+    def __init__(self, system: System, points: Tree, limits: FloatArray, budget: int, narrow: float, sharp: bool = True) -> None:
         self.system, self.points, self.limits, self.budget, self.narrow = system, points, limits, budget, narrow
         self.parameters = system.prepared(points.bounds)
+        #: Whether points are points. Over a box of them roots are as wide as it makes them, and what is cut closely has no room
+        #: for these.
+        self.sharp = sharp
         self.unique: list[Pairs] = []
         self.where: list[Pairs] = []
         self.undecided: list[Pairs] = []
@@ -206,39 +216,51 @@ class _Search:
         middle = Intervals(pairs.ends).middle
         at_middle = self.system.at_points(middle, parameters)
         slopes = self.system.jacobian(Intervals(wide), parameters)
-        keep = np.flatnonzero(~contractors.excluded(at_middle, slopes, _reach(pairs.ends, middle)))
-        given, pairs, wide, middle = given[keep], pairs[keep], wide[:, :, keep], middle[:, keep]
-        at_middle, slopes = at_middle[:, keep], slopes[:, :, keep]
         step = contractors.newton(at_middle, slopes, middle, _reach(wide, middle))
         proved = contractors.inside(step.ends, wide)
         self.unique.append(Pairs(wide, pairs.nodes)[proved])
         self.where.append(Pairs(step.ends, pairs.nodes)[proved])
-        rest = np.flatnonzero(~proved & ~contractors.apart(step.ends, pairs.ends))
-        narrower = Pairs(_with_room(step.ends, pairs.ends, step.noise), pairs.nodes)
-        closed = np.logical_and.reduce(step.ends < wide)
-        return self._divided(given[rest], narrower[rest], step.noise[:, rest], slopes[:, :, rest], closed[:, rest])
+        rest = np.flatnonzero(~proved & ~step.none & ~contractors.apart(step.ends, pairs.ends))
+        given, pairs, ends, noise = given[rest], pairs[rest], step.ends[:, :, rest], step.noise[:, rest]
+        slopes, closed = slopes[:, :, rest], np.logical_and.reduce(ends < wide[:, :, rest])
+        if self.sharp:
+            middle = middle[:, rest]
+            by_rows, none = contractors.by_each_row(at_middle[:, rest], slopes, middle, _reach(pairs.ends, middle))
+            ends = np.fmin(ends, by_rows)
+            none |= np.logical_or.reduce(ends[0] + ends[1] < 0) | contractors.apart(ends, pairs.ends)
+            rest = np.flatnonzero(~none)
+            given, pairs, ends, noise = given[rest], pairs[rest], ends[:, :, rest], noise[:, rest]
+            slopes, closed = slopes[:, :, rest], closed[:, rest]
+        return self._divided(given, Pairs(_with_room(ends, pairs.ends, noise), pairs.nodes), noise, slopes, closed)
 
     def _contracted(self, given: Pairs) -> tuple[Pairs, Pairs, Intervals]:
         """Pairs whose boxes may hold a root; what is left of the boxes by the system's own contraction; parameters."""
-        parameters = self.parameters[:, given.nodes]
-        ends = self.system.contracted(Intervals(given.ends), parameters)
-        empty = np.logical_or.reduce(ends[0] + ends[1] < 0)
-        boxes = Intervals(_with_room(ends, given.ends, 0.0))
-        values = self.system.residuals(boxes, parameters)
-        rows = np.flatnonzero(np.logical_and.reduce(values.holds_zero()) & ~empty)
-        boxes, parameters = boxes[:, rows], parameters[:, rows]
-        left = np.flatnonzero(~self.system.hopeless(boxes, parameters)) if rows.size else rows
+        parameters, ends = self.parameters[:, given.nodes], given.ends
+        keep = np.ones(len(given), dtype=np.bool_)
+        coarse = np.flatnonzero(~self.system.fine(Intervals(ends), parameters))
+        if coarse.size:
+            before, some = ends[:, :, coarse], parameters[:, coarse]
+            after = self.system.contracted(Intervals(before), some)
+            boxes = Intervals(_with_room(after, before, 0.0))
+            empty = np.logical_or.reduce(after[0] + after[1] < 0)
+            keep[coarse] = ~empty & np.logical_and.reduce(self.system.residuals(boxes, some).holds_zero())
+            ends = ends.copy()
+            ends[:, :, coarse] = boxes.ends
+        rows = np.flatnonzero(keep)
+        ends, parameters = ends[:, :, rows], parameters[:, rows]
+        left = np.flatnonzero(~self.system.hopeless(Intervals(ends), parameters)) if rows.size else rows
         rows = rows[left]
-        return given[rows], Pairs(boxes.ends[:, :, left], given.nodes[rows]), parameters[:, left]
+        return given[rows], Pairs(ends[:, :, left], given.nodes[rows]), parameters[:, left]
 
     def _divided(self, before: Pairs, now: Pairs, noise: FloatArray, slopes: Intervals, closed: NDArray[np.bool_]) -> Pairs:
         """Halves of boxes, halves of nodes, or boxes as they are if they have become much narrower."""
         n = now.ends.shape[1]
         widths = now.ends[0] + now.ends[1]
-        ratio = widths / (before.ends[0] + before.ends[1])
         single = self.points.size[now.nodes] == 1
         spent = self.work[now.nodes] > np.where(single, self.budget, NODE_BUDGET)
         scale = np.maximum(1.0, np.abs(now.ends).max(axis=0))
+        # What shrinks towards an exact 0 does so down to the least of floats: it is no progress.
+        ratio = np.where(widths <= NARROW * scale, 1.0, widths / (before.ends[0] + before.ends[1]))
         stuck = np.logical_or.reduce(noise >= SPREAD * widths) & np.logical_and.reduce(widths <= SMALL * scale)
         narrow = np.logical_and.reduce(widths <= self.narrow * scale)
         hard = self.system.given_up(Intervals(now.ends), self.parameters[:, now.nodes])

@@ -32,22 +32,18 @@ class Newton:
         Shape (n, N): half the width of Y F(m), which does not shrink with the box.
     dominant : ndarray of bool
         Shape (n, N): where A_ii is positive, without which a component of the result is unbounded.
+    none : ndarray of bool
+        Shape (N,): where |Y F(m)| > |A| r in some row, so that there is no root, whether A_ii is positive or not.
     """
 
     ends: FloatArray
     noise: FloatArray
     dominant: NDArray[np.bool_]
-
-
-def excluded(values: Intervals, slopes: Intervals, reach: FloatArray) -> NDArray[np.bool_]:
-    """Boxes without a root by the mean value theorem: F(m), shape (n, N), J, shape (n, n, N), and r, shape (n, N)."""
-    bound = _reached(slopes.magnitude, reach)
-    out: NDArray[np.bool_] = np.logical_or.reduce(values.mignitude > bound)
-    return out
+    none: NDArray[np.bool_]
 
 
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
-    """The step of interval Newton; shapes as for :func:`excluded`."""
+    """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n, N)."""
     Y = inverse(slopes.middle)
     return _solved(_product(Y, slopes.ends), _product(Y, values.ends[:, :, None])[:, :, 0], middle, reach)
 
@@ -57,10 +53,38 @@ def by_rows(values: Intervals, slopes: Intervals, middle: FloatArray, reach: Flo
     return _solved(slopes.ends, values.ends, middle, reach).ends
 
 
+def by_each_row(
+    values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray
+) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """The same operator with every permutation of the rows that is a shift: each unknown by each row, without a matrix.
+
+    Where J is nearly singular, its inverse mixes rows until none of them tells anything; but a single row tells how the unknowns
+    depend on each other along the direction that is left.
+
+    Returns
+    -------
+    ends : ndarray
+        Shape (2, n, N): what the best row leaves of each unknown.
+    none : ndarray of bool
+        Boxes without a root: a row with |F_i(m)| > |J_i| r.
+    """
+    n = middle.shape[0]
+    every = np.arange(n)
+    ends, none = np.full((2, *middle.shape), np.inf), np.zeros(middle.shape[1], dtype=np.bool_)
+    for shift in range(n):
+        rows = (every + shift) % n
+        A, b = slopes.ends[:, rows], values.ends[:, rows]
+        turned = A[1, every, every] < 0  # a row times −1, so that its diagonal may be divided by
+        step = _solved(np.where(turned[:, None], A[::-1], A), np.where(turned, b[::-1], b), middle, reach)
+        ends, none = np.fmin(ends, step.ends), none | step.none
+    return ends, none
+
+
 def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray) -> Newton:
     n = middle.shape[0]
     magnitude = np.maximum(A[0], A[1])
     diagonal = np.arange(n)
+    own = magnitude[diagonal, diagonal] * reach
     magnitude[diagonal, diagonal] = 0.0
     around = _reached(magnitude, reach)
     least, most = -A[0, diagonal, diagonal], A[1, diagonal, diagonal]
@@ -69,7 +93,8 @@ def _solved(A: FloatArray, b: FloatArray, middle: FloatArray, reach: FloatArray)
     ends = raised(np.where(ends >= 0, ends / least, ends / most))
     ends = raised(ends + np.stack([-middle, middle]))
     noise = 0.5 * (b[0] + b[1])
-    return Newton(np.where(dominant, ends, np.inf), noise, dominant)
+    none = np.logical_or.reduce(-np.minimum(b[0], b[1]) > raised(around + own, 2))
+    return Newton(np.where(dominant, ends, np.inf), noise, dominant, none)
 
 
 def _reached(magnitude: FloatArray, reach: FloatArray) -> FloatArray:

@@ -36,7 +36,7 @@ class System(Protocol):
 #: Times the other unknowns are given more room, and times they are narrowed.
 WIDENINGS, NARROWINGS = 6, 5
 #: Narrowing ends where a step leaves more than this part, or less than that width, relatively.
-MUCH, DONE = 0.5, 2.0**-50
+MUCH, DONE = 0.5, 2.0**-47
 #: Times boxes are halved in u.
 LEVELS = 6
 #: Steps to the point that g is expanded about.
@@ -69,6 +69,7 @@ def reduced_roots(system: System, boxes: FloatArray, slopes: FloatArray, levels:
     order = _last_first(np.abs(right[:, -1, :])), _last_first(np.abs(left[:, :, -1]))
     parts: list[tuple[FloatArray, FloatArray, NDArray[np.int64]]] = []
     part, box = boxes[:, :, known], np.flatnonzero(known)
+    undecided: NDArray[np.bool_] = np.array(~known, dtype=np.bool_)
     for _ in range(levels):
         open_, cuts = np.zeros(box.size, dtype=np.bool_), np.empty((2, box.size))
         for begin in range(0, box.size, CHUNK):
@@ -78,11 +79,13 @@ def reduced_roots(system: System, boxes: FloatArray, slopes: FloatArray, levels:
                 reduction = _Reduction(system, rows, order[0][:, rows], order[1][:, rows])
                 ends, alone, mine, open_[some], cuts[:, some] = reduction.roots(part[:, :, some])
             parts.append((ends, alone, rows[mine]))
+        # What is no function of u in a part is none of it in a narrower one, mostly: a search narrows the other unknowns, too.
+        undecided[box[open_ & np.isnan(cuts[0])]] = True
+        open_ &= ~undecided[box]
         part, place = _divided(part[:, :, open_], order[0][0, box[open_]], cuts[:, open_])
         box = box[open_][place]
         if not box.size:
             break
-    undecided: NDArray[np.bool_] = np.array(~known, dtype=np.bool_)
     undecided[box] = True
     none = np.empty((2, n, 0))
     return Found(
@@ -146,7 +149,7 @@ class _Reduction:
     equations: NDArray[np.int64]
 
     def roots(self, boxes: FloatArray) -> tuple[FloatArray, FloatArray, NDArray[np.int64], NDArray[np.bool_], FloatArray]:
-        """Boxes around roots and those they are alone in, the box of each; the boxes that stay open, and where to cut them."""
+        """Boxes around roots and what they are alone in, the box of each; boxes that stay open, and where to cut them, or NaN."""
         every = np.arange(self.rows.size)
         side, *given = Intervals(boxes[:, self.unknowns, every])
         u = Intervals(side.ends + ROOM * side.width)
@@ -161,7 +164,8 @@ class _Reduction:
         half = np.clip(side.low + (61 / 128) * (side.high - side.low), side.low, side.high)
         # Nearer to the centre its last coefficient is known better.
         near_by = np.clip(cubics.scale() * REACH, LEAST * side.width, MOST * side.width)
-        cuts = np.where(open_ & proved & np.isfinite(near_by), np.stack([centre - near_by, centre + near_by]), half)
+        cuts = np.where(open_ & np.isfinite(near_by), np.stack([centre - near_by, centre + near_by]), half)
+        cuts[:, ~proved] = np.nan
         open_ |= ~proved
         kept = ~open_[box]
         one, two, guess, box = one[kept], two[kept], guess[kept], box[kept]

@@ -33,19 +33,18 @@ class Tree:
 
     def points(self, node: int) -> NDArray[np.int64]:
         """Numbers of the points of a node."""
-        level = (node + 1).bit_length() - 1
-        span = 1 << (self.depth - level)
-        begin = (node + 1 - (1 << level)) * span
-        found = self.order[begin : begin + span]
-        return found[found >= 0]
+        return self.below(np.array([node]))[1]
 
     def below(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows (place among ``nodes``, point) for all points of all of these nodes."""
-        if not nodes.size:
-            return np.empty(0, dtype=np.int64), np.empty(0, dtype=np.int64)
-        parts = [self.points(int(node)) for node in nodes]
-        places = np.repeat(np.arange(nodes.size), [part.size for part in parts])
-        return places, np.concatenate(parts)
+        nodes = nodes.astype(np.int64)
+        level = np.frexp(nodes + 1)[1].astype(np.int64) - 1
+        span = 1 << (self.depth - level)
+        ends = np.cumsum(span)
+        places = np.repeat(np.arange(nodes.size), span)
+        leaves = np.arange(places.size) + ((nodes + 1 - (1 << level)) * span - (ends - span))[places]
+        there = self.order[leaves] >= 0
+        return places[there], self.order[leaves[there]]
 
     def children(self, nodes: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """Rows (place among ``nodes``, child) for all children that have points."""

@@ -150,6 +150,7 @@ def _described(model: Model, ties: Sequence[Sequence[str]]) -> dict[str, Any]:
         "unilateral": about["contact"]["unilateral"],
         "polynomial": about["contact"]["polynomial"],
         "layers": about["layers"],
+        "torsions": len(about.get("torsions", ())),
         "belt": about["friction"] and about["friction"]["belt"],
         "ties": ties,
     }

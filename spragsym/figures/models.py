@@ -195,7 +195,7 @@ def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between 
     between : mapping, optional
         Their ranges, as for ``model.folds``.
     n : int
-        Lines of either parameter on which folds are looked for: more of them make smoother curves.
+        Lines of either parameter on which folds are looked for: a closed curve between two of them is not seen.
     """
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
     found = model.bifurcation_set(p, vary, n, between=window(model, vary, between or {}))

@@ -17,8 +17,9 @@ from .refined import refined
 
 #: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
 WIDE = 2.0**-10
-#: Stiffness over that of the contact from which on a point is looked at in polar coordinates first.
-STIFF = 3e3
+#: Stiffness over that of the contact from which on a point is looked at in polar coordinates first. In lift-off, where nothing
+#: else may hold the mass across, the line of a single spring is the better guide however soft it is.
+STIFF = 3.0
 #: What is searched beyond φ = ±π, and beyond l = 0 in parts of the largest length.
 BEYOND = 2.0**-6
 #: Upper bound of π.
@@ -57,7 +58,8 @@ def stiff_points(balance: Balance, given: FloatArray, regions: FloatArray) -> tu
     if not hasattr(balance.model.statics, "stiffnesses"):
         return certified_roots.concatenated([], balance.n), np.zeros(count, dtype=np.bool_)
     with np.errstate(all="ignore"):
-        stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > STIFF
+        least = 0.0 if balance.springs == 1 and not balance.contact else STIFF
+        stiff = _stiffnesses(balance, given).high.max(axis=0, initial=0.0) > least
     return _of_any_spring(balance, given, of_each(regions, given), np.flatnonzero(stiff))
 
 

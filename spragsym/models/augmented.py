@@ -13,7 +13,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact.boxes import POLE
+from ..exact.boxes import POLE, Plain
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import constant, gradient, variables
 from .balance import Balance, matrix
@@ -51,7 +51,7 @@ class State:
     ) -> None:
         self.balance, self.q, self.values, self.shape, self.xp = balance, q, values, shape, xp
         self._upright, self._sides = upright, sides
-        self._stiffness: Any = None
+        self._slopes: Any = None
 
     @cached_property
     def directions(self) -> list[Any]:
@@ -65,11 +65,17 @@ class State:
         rows: Sequence[Any] = self.balance.call("forces", self.q, self.directions, self.values, self.xp)
         return rows
 
+    def slopes(self) -> list[list[Any]]:
+        """Derivatives of the rows of the balance: det K is their determinant, and K v is 0 where theirs is."""
+        if self._slopes is None:
+            self._slopes = self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
+        return [list(row) for row in self._slopes]
+
     def stiffness(self) -> list[list[Any]]:
         """K."""
-        if self._stiffness is None:
-            self._stiffness = self.balance.call("forces_jacobian", self.q, self.directions, self.values, self.xp)
-        return [list(row) for row in self._stiffness]
+        if not self.balance.sums:
+            return self.slopes()
+        return [list(row) for row in self.balance.by_coordinate("forces_jacobian", self.q, self.directions, self.values, self.xp)]
 
     def gap(self) -> Any:
         """The gap of the contact."""
@@ -88,7 +94,7 @@ class State:
         return self.balance.slope(self.values, self.xp)
 
 
-class Augmented:
+class Augmented(Plain):
     """Balance and condition; unknowns are the coordinates, then the parameters ``vary``."""
 
     def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:
@@ -134,7 +140,7 @@ class Augmented:
         n = self.balance.n
         rows = [
             [constant(entry) for entry in row] + gradient(force, self.n)[n:]
-            for row, force in zip(at.stiffness(), at.forces(), strict=True)
+            for row, force in zip(at.slopes(), at.forces(), strict=True)
         ]
         return matrix(rows + [gradient(value, self.n) for value in self.condition.equations(at)], shape)
 

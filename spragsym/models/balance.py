@@ -18,6 +18,8 @@ from .laws import XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
+#: Sizes of a box from all anchors beyond which it counts as small.
+FAR = 2.0
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
@@ -73,6 +75,9 @@ class Balance:
         self.opens = bool(gap and about["contact"]["unilateral"])
         if self.opens and gap in self.coordinates:
             self.border[self.pushing, self.coordinates.index(gap)] = 0.0
+        #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
+        #: cancels in them is not lost in boxes.
+        self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.statics, "balance") else {}
         self._lengths: bool | None = None
         #: Beyond them the forces are not asked for.
         self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
@@ -170,7 +175,13 @@ class Balance:
         return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
-        """A function of ``statics`` that has the arguments of ``forces``."""
+        """A function of ``statics`` that has the arguments of ``forces``; of ``forces`` and their slopes :attr:`sums`."""
+        return self.by_coordinate(self.sums.get(name, name), q, directions, values, xp)
+
+    def by_coordinate(
+        self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
+    ) -> Any:
+        """The same, each row that of its coordinate."""
         mu = self.friction(values, xp)
         function = undecorated(getattr(self.model.statics, name))
         return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
@@ -300,6 +311,13 @@ class Balance:
 
     # -------------------------------------------------------------------------------------------- contraction
 
+    def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
+        """Boxes far from the anchors of all springs, for their size: directions hardly change over them."""
+        far = np.full(unknowns.shape[1:], bool(self.springs))
+        for dx, dy in self.anchors(*self._taken(unknowns, parameters)):
+            far &= np.hypot(dx.mignitude, dy.mignitude) > FAR * (dx.width + dy.width)
+        return far
+
     def contracted(self, unknowns: Intervals, parameters: Intervals) -> FloatArray:
         """Smaller boxes with the same roots: the coordinates that balance the forces of springs with these directions."""
         q, values, shape = self._taken(unknowns, parameters)
@@ -313,28 +331,35 @@ class Balance:
     def by_rows(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
         """The same, each coordinate from the row of its number and from forces near 0, which serves where slopes are unknown."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
-        return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions)), unknowns.ends)
+        return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions, self.by_coordinate)), unknowns.ends)
 
     def _linear(
-        self, unknowns: Intervals, middle: FloatArray, values: Mapping[str, Any], directions: Sequence[Any]
+        self,
+        unknowns: Intervals,
+        middle: FloatArray,
+        values: Mapping[str, Any],
+        directions: Sequence[Any],
+        call: Callable[..., Any] | None = None,
     ) -> tuple[Intervals, Intervals, FloatArray, FloatArray]:
         """Forces at points of the boxes, slopes over the boxes, the points and distances from them, with fixed directions."""
-        shape = unknowns.shape[1:]
-        at_middle = self.call("forces", list(Intervals.point(middle)), directions, values)
+        shape, call = unknowns.shape[1:], call or self.call
+        at_middle = call("forces", list(Intervals.point(middle)), directions, values)
         reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([middle, -middle])))
-        return stacked(at_middle, shape), self._slopes(unknowns, values, directions), middle, reach
+        return stacked(at_middle, shape), self._slopes(unknowns, values, directions, call), middle, reach
 
-    def _slopes(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> Intervals:
+    def _slopes(
+        self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any], call: Callable[..., Any]
+    ) -> Intervals:
         """Slopes of the forces with directions and lengths fixed."""
         shape = unknowns.shape[1:]
         if self._lengths_matter(unknowns, values, directions):
-            rows = self.call("forces", jets.variables(list(unknowns), 1), directions, values)
+            rows = call("forces", jets.variables(list(unknowns), 1), directions, values)
             return matrix([jets.gradient(row, self.n) for row in rows], shape)
         # What directions change by goes with one over the length, and of these lengths that is 0 to rounding. So no law is asked
         # for a derivative that its stiffness has in a sharper form.
         endless = Intervals.between(np.full(shape, 1e290), np.full(shape, 1e308))
         far = [endless if self._is_length(i) else part for i, part in enumerate(directions)]
-        return matrix(self.call("forces_jacobian", list(unknowns), far, values), shape)
+        return matrix(call("forces_jacobian", list(unknowns), far, values), shape)
 
     def _lengths_matter(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> bool:
         """Whether the forces contain a length, as those of torsion springs do: then they are unknown where it is. Asked once."""

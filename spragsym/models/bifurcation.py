@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..exact.interval_arrays import FloatArray, Intervals
+from ..exact.interval_arrays import FloatArray
 from .augmented import Augmented
 from .balance import Balance, Model
 from .columns import Columns
 from .conditions import Fold
 from .cusps import cusps
+from .fold_curves import FoldCurves
 from .points import ModelPoints, given_column, ranges, search
 
 #: Rounds in which points are joined to those next to them.
@@ -41,7 +42,8 @@ class ModelBifurcationSet(Result):
     vary : tuple of str
         The two parameters.
     curves : tuple of ModelCurve
-        Folds in the order in which they follow each other. Each is proved; that they are joined in the right order is not.
+        Folds in the order in which they follow each other, cusps among them, as many as make straight lines between them look
+        smooth. Each is proved; that they are joined in the right order is not.
     cusps : ModelPoints
         All cusps of the region, proved.
     lines : mapping
@@ -91,8 +93,8 @@ def bifurcation_set(
 
     Notes
     -----
-    Source: F = 0 and det K = 0 along 2 n lines, all searched at once; cusps by :func:`spragsym.models.cusps.cusps`. A curve
-    that closes between two lines without a cusp is not seen.
+    Source: F = 0 and det K = 0 along 2 n lines, all searched at once; cusps by :func:`spragsym.models.cusps.cusps`; points
+    between these by :mod:`spragsym.models.fold_curves`. A curve that closes between two lines without a cusp is not seen.
     """
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
         raise ParameterError(f"n = {n!r} is not a number of lines; give an integer of 2 or more")
@@ -113,9 +115,12 @@ def bifurcation_set(
         left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
     states = np.concatenate([*rows, *_cusp_rows(balance, vary, found_cusps)], axis=1)
     undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
+    reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
+    scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
+    folds = FoldCurves(Augmented(balance, vary, Fold()), given, scale, spans)
     curves = [
-        ModelCurve(dict(zip((*vary, *balance.coordinates), _named(states[:, chain], balance.n), strict=True)))
-        for chain in _chains(balance, vary, given, states, spans)
+        ModelCurve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True)))
+        for chain in (folds.smooth(states[:, rows]) for rows in _chains(folds, states))
     ]
     complete = found_cusps.complete and not undecided.shape[0]
     return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, lines, complete, undecided)
@@ -139,19 +144,12 @@ def _named(states: FloatArray, n: int) -> list[FloatArray]:
 # ------------------------------------------------------------------------------------------------------- order of points
 
 
-def _chains(
-    balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray, spans: FloatArray
-) -> list[NDArray[np.int64]]:
+def _chains(folds: FoldCurves, states: FloatArray) -> list[NDArray[np.int64]]:
     """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree."""
     count = states.shape[1]
     if count < 2:
         return [np.arange(count)] if count else []
-    reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9)
-    scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
-    place = states / scale[:, None]
-    tangent = _tangents(balance, vary, given, states) / scale[:, None]
-    with np.errstate(invalid="ignore", divide="ignore"):  # a fold that no parameter moves has no tangent, and is joined to none
-        tangent /= np.linalg.norm(tangent, axis=0)
+    place, tangent = states / folds.scale[:, None], folds.tangents(states)
     gap = place[:, None, :] - place[:, :, None]
     distance = np.linalg.norm(gap, axis=0)
     ahead = (gap * tangent[:, :, None]).sum(axis=0)
@@ -203,13 +201,3 @@ def _walked(links: list[set[int]]) -> list[NDArray[np.int64]]:
             chain.append(start)
         chains.append(np.array(chain))
     return chains
-
-
-def _tangents(balance: Balance, vary: Sequence[str], given: FloatArray, states: FloatArray) -> FloatArray:
-    """Directions of the curve of folds at its points, in coordinates and both parameters."""
-    system = Augmented(balance, vary, Fold())
-    with np.errstate(all="ignore"):
-        fixed = system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), states.shape[1], axis=1)))
-        slopes = np.moveaxis(system.jacobian(Intervals.point(states), fixed).middle, -1, 0)
-    tangents: FloatArray = np.linalg.svd(np.nan_to_num(slopes))[2][:, -1, :].T
-    return tangents

@@ -35,7 +35,7 @@ class Fold(Plain):
 
     def equations(self, at: State) -> Sequence[Any]:
         """The determinant."""
-        return (determinant(at.stiffness()),)
+        return (determinant(at.slopes()),)
 
 
 class Touch(Plain):
@@ -62,7 +62,7 @@ class Cusp(Plain):
 
     def equations(self, at: State) -> Sequence[Any]:
         """The determinant, and its change along the column."""
-        K = at.stiffness()
+        K = at.slopes()
         return determinant(K), change(K, self.column)
 
 

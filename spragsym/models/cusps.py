@@ -68,7 +68,7 @@ def told_apart(
         system = Augmented(balance, vary, Cusp())
         fixed = system.prepared(Intervals.point(np.nan_to_num(given[:, found.roots.point])))
         at = system.state(variables(list(Intervals(ends)), 1), fixed, shape)
-        K = at.stiffness()
+        K = at.slopes()
         n = balance.n
         nonzero = np.zeros(shape, dtype=np.bool_)
         for i in range(n):

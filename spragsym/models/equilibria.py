@@ -36,7 +36,7 @@ from .remarks import remarks
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
-STAGES = ((2.0**-9, 4), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
+STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
 
 
 @dataclass(frozen=True)
@@ -61,6 +61,8 @@ class ModelEquilibria(Columns, held_in="coordinates"):
         Number of equilibria that are proved, in the shape of the parameters.
     stability : ndarray of int8
         Codes of :class:`spragsym.Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the friction law.
+    marginal : ndarray of bool
+        Where the code is not proved: a sign behind it is that of 0 to 256 bits, and counts as 0.
     eigenvalues : ndarray of complex
         The λ of it, on one more axis.
     growth : ndarray
@@ -83,6 +85,7 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     contact: bool
     count: NDArray[np.int64]
     stability: NDArray[np.int8]
+    marginal: NDArray[np.bool_]
     eigenvalues: NDArray[np.complex128]
     growth: FloatArray
     error: FloatArray
@@ -215,7 +218,8 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
     slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
-    types = _stability.classified(balance, states, columns(p, balance.parameters)[:, point], found.ends[:, :, order])
+    boxes_around = (ends[:, :, order] for ends in (found.ends, found.alone))
+    types = _stability.classified(balance, states, columns(p, balance.parameters)[:, point], *boxes_around)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
         out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
@@ -235,8 +239,9 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
     searched = np.stack([-around[0], around[1]], axis=-1)
     searched = np.moveaxis(searched, 0, 1).reshape(*shape, balance.n, 2)
     return ModelEquilibria(
-        p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(types.eigenvalues, np.nan),
-        placed(types.growth, np.nan), placed(errors, np.nan), searched, whole, decided.reshape(shape), undecided,
+        p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(~types.proved, False),
+        placed(types.eigenvalues, np.nan), placed(types.growth, np.nan), placed(errors, np.nan),
+        searched, whole, decided.reshape(shape), undecided,
         {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
         remarks(balance, columns(p, balance.parameters), found.left, found.left_point),
     )  # fmt: skip

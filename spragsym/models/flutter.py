@@ -17,7 +17,7 @@ from . import stability
 from .augmented import Condition
 from .balance import NOTHING, Balance, Model, matrix
 from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
-from .points import Found, ModelPoints, arranged, given_column, merged, picked, ranges, search
+from .points import Found, ModelPoints, arranged, given_column, merged, nothing, picked, ranges, search
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
@@ -75,14 +75,18 @@ def flutter_onsets(
     def found(condition: Condition) -> Found:
         return search(balance, (vary,), condition, given, spans)
 
-    if not damping:
+    conservative = _is_conservative(balance, given, spans)
+    if not damping and conservative:
+        # All κ are real and change with K without leaving the real line: where two meet they pass each other.
+        parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans), "flutter", _meeting)]
+    elif not damping:
         parts = [_part(balance, vary, given, found(Flutter()), "flutter", _meeting)]
     elif slope is None or along is None or balance.n == 1:
         parts = [_part(balance, vary, given, found(Hopf()), "hopf", _crossing)]
     else:
         parts = []
-        if _friction_over(balance, given, spans).magnitude.max() > NOTHING:
-            # Without friction K is symmetric, and damping takes energy: no pair crosses.
+        if not conservative:
+            # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
             parts.append(_part(balance, vary, given, found(FrictionHopf(along)), "hopf", partial(_without, along)))
         if not parts or slope.holds_zero().any():
             ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
@@ -131,11 +135,12 @@ def _slope_over(balance: Balance, given: FloatArray, spans: FloatArray) -> Inter
         return stacked([balance.slope(values)], shape)[0]
 
 
-def _friction_over(balance: Balance, given: FloatArray, spans: FloatArray) -> Intervals:
-    """The friction coefficient over a range."""
+def _is_conservative(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
+    """Whether K is symmetric all over a range: there is no friction, and the page's other forces have a potential."""
     values, shape = _over(balance, given, spans)
     with np.errstate(all="ignore"):
-        return stacked([balance.friction(values)], shape)[0]
+        friction = stacked([balance.friction(values)], shape)[0]
+    return bool(balance.model.about.get("symmetric")) and bool(friction.magnitude.max() <= NOTHING)
 
 
 def _without_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> Found:

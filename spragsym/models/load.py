@@ -109,6 +109,11 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
         if not file.is_file() or hashlib.sha256(file.read_bytes()).hexdigest() != digest:
             state = "is missing" if not file.is_file() else "is not as it was written"
             raise StoreError(f"{file} {state}; derive the page again")
+    page = folder / "page.py"
+    if "torsions" not in about and page.is_file() and ".torsion(" in page.read_text(encoding="utf-8", errors="replace"):
+        raise StoreError(
+            f"{folder} was derived when the torque of a torsion spring was k φ up to 41 degrees only; derive the page again"
+        )
     modules = {part: _module(folder, where, part) for part in PARTS if f"{part}.py" in about["files"]}
     return Model(where, about, modules, parameter_class(about, where))
 

@@ -129,11 +129,7 @@ def search(
         Boxes looked at for one point.
     """
     places = [balance.parameters.index(name) for name in vary]
-    low, high = given.copy(), given.copy()
-    low[places], high[places] = spans[:, :1], spans[:, 1:]
-    around, whole = region(balance, Intervals.between(low, high))
-    sides = np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(vary), given.shape[1]))
-    around = np.concatenate([around, sides], axis=1)
+    around, whole = _region(balance, places, given, spans)
     limits = np.concatenate([balance.limits, np.full((2, len(vary)), np.inf)], axis=1)
     system = Augmented(balance, vary, condition)
     fixed = given.copy()
@@ -153,6 +149,22 @@ def search(
         dropped = shared(system, given, spans[0], roots.left)
         roots = without(roots, dropped)
     return Found(roots, around, whole)
+
+
+def nothing(balance: Balance, vary: Sequence[str], given: FloatArray, spans: FloatArray) -> Found:
+    """The result of a search where it is known beforehand that there are no points."""
+    around, whole = _region(balance, [balance.parameters.index(name) for name in vary], given, spans)
+    none, nowhere = np.empty((2, around.shape[1], 0)), np.empty(0, dtype=np.int64)
+    return Found(Roots(none, none, nowhere, none, nowhere), around, whole)
+
+
+def _region(balance: Balance, places: Sequence[int], given: FloatArray, spans: FloatArray) -> tuple[FloatArray, bool]:
+    """Coordinates and the parameters of these numbers, and whether that holds all equilibria."""
+    low, high = given.copy(), given.copy()
+    low[places], high[places] = spans[:, :1], spans[:, 1:]
+    around, whole = region(balance, Intervals.between(low, high))
+    sides = np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(places), given.shape[1]))
+    return np.concatenate([around, sides], axis=1), whole
 
 
 def merged(found: Found) -> Found:

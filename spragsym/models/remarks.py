@@ -11,9 +11,7 @@ from .balance import Balance
 #: A box no wider than this, over the size of its coordinates, is one place to floats.
 ONE_PLACE = 1e-9
 
-ANCHOR = (
-    "hold the anchor of a spring whose force has no value there: an equilibrium may be at it, or nearer to it than floats tell"
-)
+ANCHOR = "hold the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
 BORDER = "hold places where the contact just touches: whether an equilibrium lies on this side of the border is not known"
 PLACE = "are one place each to floats: a double equilibrium may be there, two very near ones, or none"
 LINE = "lie along places where the forces are 0 to rounding: a line of equilibria, or a few on it that floats do not tell apart"
@@ -43,10 +41,7 @@ def remarks(balance: Balance, given: FloatArray, left: FloatArray, point: NDArra
         gap = stacked([balance.gap(q, values)], (count,))[0]
         border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
         narrow = ((left[0] + left[1]) <= ONE_PLACE * np.maximum(1.0, np.abs(left).max(axis=0))).all(axis=0)
-    kinds = (
-        (anchor, ANCHOR),
-        (~anchor & border, BORDER),
-        (~anchor & ~border & narrow, PLACE),
-        (~(anchor | border | narrow), LINE),
-    )
+    border &= ~anchor
+    narrow &= ~(anchor | border)
+    kinds = ((anchor, ANCHOR), (border, BORDER), (narrow, PLACE), (~(anchor | border | narrow), LINE))
     return tuple(f"{which.sum()} of {count} undecided boxes {text}" for which, text in kinds if which.any())

@@ -10,35 +10,34 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray
-from ..statics.solver import Stability
+from . import spectrum
 from .balance import Balance, undecorated
 
 
 @dataclass(frozen=True)
 class Types:
-    """Of N states: codes, the 2 n roots without damping, and the largest real part with it."""
+    """Of N states: codes, whether each is proved, the 2 n roots without damping, and the largest real part with it."""
 
     stability: NDArray[np.int8]
+    proved: NDArray[np.bool_]
     eigenvalues: NDArray[np.complex128]
     growth: FloatArray
 
 
-def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray) -> Types:
-    """States of shape (n, N), parameters of shape (P, N), and boxes around the states, shape (2, n, N).
+def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:
+    """States of shape (n, N), parameters of shape (P, N), and boxes of shape (2, n, N): around the states, and around each alone.
 
-    The code is by the sign of det K where interval arithmetic knows it: an odd number of negative roots is divergence.
+    Codes are by signs that are proved, see :mod:`spragsym.models.spectrum`; roots and growth are floats.
     """
     n, count = states.shape
     if not count:
-        return Types(np.zeros(0, dtype=np.int8), np.zeros((0, 2 * n), dtype=complex), np.zeros(0))
+        return Types(np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex), np.zeros(0))
     M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
     squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
     roots = np.sqrt(squares)
-    real = np.abs(squares.imag) <= 1e-13 * np.abs(squares).max(axis=1, keepdims=True)
-    divergent = (real & (squares.real > 0)).any(axis=1)
-    code = np.where((~real).any(axis=1), Stability.FLUTTER, np.where(divergent, Stability.DIVERGENT, Stability.STABLE))
-    return Types(code.astype(np.int8), np.concatenate([roots, -roots], axis=1), growth(M, C, K))
+    code, proved = spectrum.classified(balance, given, ends, alone)
+    return Types(code, proved, np.concatenate([roots, -roots], axis=1), growth(M, C, K))
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
@@ -75,7 +74,7 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
     return (
         _filled(mass, shape),
         _filled(damping, shape),
-        _filled(balance.call("forces_jacobian", q, directions, values, np), shape),
+        _filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
     )
 
 

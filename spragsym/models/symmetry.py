@@ -88,7 +88,7 @@ class _OnMirror(boxes.Plain):
         return State(self.balance, q, values, shape, self.balance.model.about["mirror"]["upright"])
 
     def _equations(self, at: State) -> list[Any]:
-        forces, K = at.forces(), at.stiffness()
+        forces, K = at.forces(), at.slopes()
         return [*(forces[i] for i in self.even), determinant([[K[i][j] for j in self.odd] for i in self.odd])]
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:

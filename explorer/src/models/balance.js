@@ -24,11 +24,18 @@ export function balanceAt(algebra, about, point) {
   const vectors = (q) => (algebra.geometry ? algebra.geometry(...q, ...statics) : []);
 
   /** Cosine, sine and length of every spring. */
-  function directions(q) {
+  function lines(q) {
     return vectors(q).flatMap(([dx, dy]) => {
       const length = Math.hypot(dx, dy);
       return [dx / length, dy / length, length];
     });
+  }
+
+  /** The same, and then the least turning of every torsion spring. */
+  function directions(q) {
+    const along = lines(q);
+    const turned = about.torsions ? algebra.turnings(...q, ...along, ...statics) : [];
+    return [...along, ...turned.map(([cosine, sine]) => Math.atan2(sine, cosine))];
   }
 
   const call = (name, q, along, contact) => algebra[name](...q, ...along, ...statics, mu, pushing(contact));
@@ -37,9 +44,9 @@ export function balanceAt(algebra, about, point) {
     forces: (q, contact, along = directions(q)) => call("forces", q, along, contact),
     stiffness: (q, contact, along = directions(q)) => call("forces_jacobian", q, along, contact),
     mass: (q) => algebra.mass_matrix(...q, ...motion),
-    damping: (q, contact) => algebra.damping?.(...q, ...directions(q), ...motion, pushing(contact)) ?? q.map(() => q.map(() => 0)),
+    damping: (q, contact) => algebra.damping?.(...q, ...lines(q), ...motion, pushing(contact)) ?? q.map(() => q.map(() => 0)),
     gap: (q) => algebra.contact_gap?.(...q, ...statics) ?? -1,
-    /** Directions that do not turn: cosine and sine of every spring, by angles. */
-    held: (angles) => angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), FAR]),
+    /** Directions that do not turn: cosine and sine of every spring, by angles; so far away no torque has a force. */
+    held: (angles) => [...angles.flatMap((angle) => [Math.cos(angle), Math.sin(angle), FAR]), ...Array(about.torsions).fill(0)],
   };
 }

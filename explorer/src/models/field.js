@@ -1,5 +1,5 @@
 // The motion of a model in time, by its exported field: in each smooth regime by the classical Runge-Kutta method, and cut where
-// the regime ends, at the contact's border or where mass and belt have the same speed.
+// the regime ends: at the contact's border, where mass and belt have the same speed, or where a torsion spring's torque jumps.
 
 const HALVINGS = 40;
 /** Kinks in one step; beyond them the step ends in the regime that it is in, at the error of a kink. */
@@ -13,26 +13,36 @@ export function fieldOf(algebra, about, balance) {
   const near = Array(about.layers).fill(1);
   const lifts = about.unilateral && about.gap !== null;
 
-  function rate(state, { contact, side }) {
+  function rate(state, { contact, side, ways }) {
     const rates = state.slice(n);
     // A law with a root has no value beyond the border, where it has come down to 0.
     const pushing = contact && (about.polynomial || balance.gap(state.slice(0, n)) <= 0) ? 1 : 0;
-    return [...rates, ...algebra.regime_rhs(...state, ...balance.motion, pushing, side, ...near)];
+    return [...rates, ...algebra.regime_rhs(...state, ...balance.motion, pushing, side, ...near, ...ways)];
   }
 
   const borders = (state) => algebra.borders(...state, ...balance.motion);
 
+  /** Of each torsion spring, on a way: not positive where its turning is counted on the other way. */
+  const turned = (state, ways) => (ways.length ? algebra.turning_borders(...state, ...balance.motion, ...ways) : []);
+
+  /** On which way the turning of each torsion spring is counted: by its sine. */
+  function waysOf(state) {
+    const [forward, backward] = [1, -1].map((way) => turned(state, Array(about.torsions).fill(way)));
+    return forward.map((level, i) => (level >= backward[i] ? 1 : -1));
+  }
+
   /** By the state, and on a border by where it is headed. */
   function regime(state) {
     const [gap, slip] = borders(state);
-    const guess = { contact: !lifts || gap < 0, side: slip >= 0 ? 1 : -1 };
+    const ways = waysOf(state);
+    const guess = { contact: !lifts || gap < 0, side: slip >= 0 ? 1 : -1, ways };
     if (gap !== 0 && slip !== 0) {
       return guess;
     }
     const accelerations = rate(state, guess).slice(n);
     const headed = algebra.border_rates(...state, ...accelerations, ...balance.motion);
     const bent = headed[0] || balance.gap(state.slice(0, n).map((value, i) => value + AHEAD * accelerations[i]));
-    return { contact: !lifts || gap < 0 || (gap === 0 && bent < 0), side: slip > 0 || (slip === 0 && headed[1] >= 0) ? 1 : -1 };
+    return { contact: !lifts || gap < 0 || (gap === 0 && bent < 0), side: slip > 0 || (slip === 0 && headed[1] >= 0) ? 1 : -1, ways };
   }
 
   function rungeKutta(state, h, mode) {
@@ -45,12 +55,12 @@ export function fieldOf(algebra, about, balance) {
   }
 
   /** Which borders lie behind a state that was in a regime. */
-  function beyond(state, { contact, side }) {
+  function beyond(state, { contact, side, ways }) {
     const [gap, slip] = borders(state);
-    return { contact: lifts && (contact ? gap > 0 : gap < 0), side: side * slip < 0 };
+    return { contact: lifts && (contact ? gap > 0 : gap < 0), side: side * slip < 0, ways: turned(state, ways).map((level) => level < 0) };
   }
 
-  const crossed = (found) => found.contact || found.side;
+  const crossed = (found) => found.contact || found.side || found.ways.some(Boolean);
 
   function step(state, h) {
     let [at, left, mode] = [state, h, regime(state)];
@@ -67,7 +77,7 @@ export function fieldOf(algebra, about, balance) {
       }
       next = rungeKutta(at, high, mode);
       const past = beyond(next, mode);
-      mode = { contact: mode.contact !== past.contact, side: past.side ? -mode.side : mode.side };
+      mode = { contact: mode.contact !== past.contact, side: past.side ? -mode.side : mode.side, ways: mode.ways.map((way, i) => (past.ways[i] ? -way : way)) };
       [at, left] = [next, left - high];
     }
     if (!at.every(Number.isFinite)) {

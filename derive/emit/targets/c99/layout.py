@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import textwrap
+import unicodedata
 from collections.abc import Iterator
 
 WIDTH = 124
@@ -15,13 +16,13 @@ _INDENT = "    "
 #: Operators, by how weakly they bind: a line is broken only after the weakest that it has.
 _OPERATORS = (r"&|\|", r"\+|-", r"\*|/")
 _UNBREAKABLE = re.compile(r" (\?|[<>]=?|==|!=) ")
-#: Greek letters and signs as C sources have them.
+#: Signs as C sources have them, and what would end a comment or begin one; letters are spelled by their names.
 _SPELLED = {
-    "θ₀": "theta0", "θ": "theta", "μ₀": "mu0", "μ": "mu", "κ": "kappa", "α": "alpha", "σ": "sigma", "β": "beta", "n̄": "nbar",
-    "π": "pi", "λ": "lambda", "τ": "tau", "√": "sqrt ", "²": "^2", "³": "^3", "⁴": "^4", "≤": "<=", "≥": ">=", "−": "-", "′": "'",
-    "″": "''", "ℓ": "l", "φ": "phi", "P̃": "P~", "Q̃": "Q~", "×": "*", "ω": "omega", "``": "`", "–": "-", "δ": "delta", "∂": "d",
-    "…": "...",
+    "n̄": "nbar", "√": "sqrt ", "≠": "!=", "≤": "<=", "≥": ">=", "−": "-", "′": "'", "″": "''", "ℓ": "l", "×": "*", "·": "*", "±": "+-",
+    "``": "`", "–": "-", "—": "-", "∂": "d", "…": "...", "°": " degrees", "∞": "infinity", "\u0303": "~", "λ": "lambda", "Λ": "Lambda",
+    "*/": "* /", "/*": "/ *",
 }  # fmt: skip
+_SUPERSCRIPTS = str.maketrans({power: f"^{number}" for number, power in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")})
 
 
 def broken(line: str) -> str:
@@ -78,7 +79,21 @@ def plain(text: str) -> str:
     """The words with letters and signs that every compiler reads."""
     for sign, words in _SPELLED.items():
         text = text.replace(sign, words)
-    if not text.isascii():
-        strange = "".join(sorted({letter for letter in text if not letter.isascii()}))
-        raise ArithmeticError(f"C comments are ASCII, and {strange!r} has no spelling yet; add one in {__name__}: {text!r}")
-    return text
+    return "".join(map(_ascii, text.translate(_SUPERSCRIPTS)))
+
+
+def _ascii(character: str) -> str:
+    """A Greek letter by its name, another letter without its accent; what is left by its name in Unicode, in brackets."""
+    if character.isascii():
+        return character
+    name = unicodedata.name(character, f"U+{ord(character):04X}")
+    if letter := re.match(r"GREEK (SMALL|CAPITAL) LETTER (\w+)", name):
+        return letter[2].lower() if letter[1] == "SMALL" else letter[2].capitalize()
+    if unicodedata.combining(character):
+        return ""
+    without = (
+        "".join(filter(str.isascii, unicodedata.normalize("NFKD", character)))
+        if character.isalpha() or character.isdigit()
+        else ""
+    )
+    return without or f"[{name.lower()}]"

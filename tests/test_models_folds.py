@@ -1,0 +1,154 @@
+"""Folds and onsets of models that are degenerate by symmetry, or whose forces have no potential."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy as sp
+from click.testing import CliRunner
+
+import spragsym as ss
+from spragsym.cli import cli
+from spragsym.derive import folder, pages
+
+
+@pytest.mark.parametrize("vary", ["sigma", "alpha_a"])
+@pytest.mark.parametrize("theta0", [0.7, 1.0, np.pi / 2])
+def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stiffnesses(vary, theta0):
+    # Without friction and α the forces along the belt add up to α_a x_a = 0, and σ (L − 1) cos θ = 0 is left: an unstressed
+    # spring, whatever its stiffness, or an upright one with L − 1 = (sin θ₀ − 1 + κ)/(1 + σ): κ alone changes its sign.
+    model = ss.load("trolley")
+    p = model.Parameters(mu0=0.0, alpha=0.0, theta0=theta0)
+    for found in (model.folds(p, vary), model.flutter_onsets(p, vary)):
+        assert found.complete
+        assert len(found) == 0
+        assert found.remarks == ()
+
+
+def test_the_pitchfork_of_a_trolley_that_nothing_pulls_along_the_belt():
+    model = ss.load("trolley")
+    found = model.folds(model.Parameters(mu0=0.0, alpha=0.0, theta0=1.0, sigma=0.3), "kappa")
+    assert found.complete
+    assert found.kind.tolist() == ["pitchfork"]
+    assert abs(found.kappa[0] - (1 - np.sin(1.0))) < 1e-12
+
+
+def test_a_force_without_a_potential_can_bring_flutter_without_friction(tmp_path):
+    # At V = 0 there is no friction, but its slope damps x. A pair crosses where y moves alone: K₁₂ K₂₁ = (P − σ/2)(−P − σ/2) = 0.
+    text = (pages.SHIPPED / "mode_coupling.py").read_text(encoding="utf-8")
+    for before, after in (
+        ("from ..model import", "from spragsym.derive.model import"),
+        ("V = page", 'P = page.parameter("P", "N/m", "stiffness of a force that turns with the place", ">= 0", 0.0)\nV = page'),
+        ("page.force(0, -F_L, at=(x, y))", "page.force(0, -F_L, at=(x, y))\npage.force(-P * y, P * x, at=(x, y))"),
+        (", at_rest=mu0)", ")"),
+    ):
+        assert text.count(before) == 1
+        text = text.replace(before, after)
+    (tmp_path / "follower.py").write_text(text, encoding="utf-8")
+    folder.write_page(tmp_path / "follower.py", tmp_path / "follower")
+    model = ss.load(tmp_path / "follower")
+    assert not model.about["symmetric"]
+    found = model.flutter_onsets(model.Parameters(V=0.0, sigma=0.5), "P")
+    assert found.complete
+    assert found.kind.tolist() == ["hopf"]
+    assert abs(found.P[0] - 0.25) < 1e-12
+    assert abs(found.omega[0] - np.sqrt(1.25)) < 1e-12
+
+
+def test_flutter_begins_where_exact_arithmetic_says_so():
+    # Of the linear model K is rational in its parameters: so is the discriminant whose sign tells flutter from rest.
+    rng = np.random.default_rng(3)
+    alpha, sigma = rng.integers(8, 64, 40) / 32, rng.integers(1, 64, 40) / 32
+    threshold = ((1 - alpha) ** 2 + sigma**2) / (2 * sigma)
+    mu0 = threshold + np.arange(-4, 5)[:, None] * np.spacing(threshold)
+    model = ss.load("mode_coupling")
+    eq = model.equilibria(model.Parameters(mu0=mu0, alpha=alpha, sigma=sigma))
+    assert eq.complete
+    assert (eq.count == 1).all()
+    for place in np.ndindex(mu0.shape):
+        a, s, mu = (Fraction(float(value)) for value in (alpha[place[1]], sigma[place[1]], mu0[place]))
+        exact = (a - 1) ** 2 - 4 * (mu - s / 2) * s / 2
+        assert (eq.stability[place][0] == ss.Stability.FLUTTER) == (exact < 0)
+        assert eq.marginal[place][0] == (exact == 0)
+
+
+def test_two_states_beside_a_fold_differ_by_the_proved_sign_of_their_stiffness():
+    model = ss.load("kang_nam")
+    fold = model.folds(model.Parameters(theta0=1.0), "mu0", between={"mu0": (0.0, 2.0)})
+    for at in fold.mu0:
+        values = at + np.array([-8, -4, -2, 2, 4, 8]) * np.spacing(at) * 2.0**8
+        eq = model.equilibria(model.Parameters(theta0=1.0, mu0=values))
+        assert eq.complete
+        assert sorted(set(eq.count.tolist())) == [int(eq.count.min()), int(eq.count.min()) + 2]
+        assert not eq.marginal.any()
+        more = eq.count == eq.count.max()
+        signs = np.where(eq.stability == ss.Stability.DIVERGENT, -1, 1) * (eq.stability > 0)
+        assert (signs[more].sum(axis=-1) == signs[~more].sum(axis=-1).max()).all()
+
+
+def test_three_coordinates_flutter_where_sturm_counts_too_few_real_roots():
+    rng = np.random.default_rng(4)
+    model = ss.load("trolley")
+    changes = {"theta0": rng.uniform(0.2, 2.9, 60), "mu0": rng.uniform(0.0, 3.0, 60), "nu_a": rng.uniform(0.05, 2.0, 60)}
+    eq = model.equilibria(model.Parameters(**changes))
+    seen = set()
+    for place, slot in np.argwhere(eq.stability > 0):
+        q = [sp.Rational(float(getattr(eq, name)[place, slot])) for name in model.coordinates]
+        at = {name: sp.Rational(float(np.broadcast_to(getattr(eq.parameters, name), (60,))[place])) for name in model.parameters}
+        K = _stiffness_of_trolley(q, at)
+        kappa = sp.Symbol("kappa")
+        polynomial = sp.Poly((K - kappa * sp.diag(1, 1, at["nu_a"])).det(), kappa)
+        real, negative = polynomial.count_roots(), polynomial.count_roots(None, 0)
+        code = ss.Stability.FLUTTER if real < 3 else ss.Stability.DIVERGENT if negative else ss.Stability.STABLE
+        assert eq.stability[place, slot] == code
+        assert not eq.marginal[place, slot]
+        seen.add(code)
+    assert len(seen) == 3
+
+
+def _stiffness_of_trolley(q, at):
+    """K by hand in rational numbers, from directions to 40 digits."""
+    cosine, sine = (sp.Rational(str(function(at["theta0"]).evalf(40))) for function in (sp.cos, sp.sin))
+    dx, dy = cosine - q[0] + q[2], sine - q[1]
+    length = sp.Rational(str(sp.sqrt(dx**2 + dy**2).evalf(40)))
+    c, s, k = dx / length, dy / length, at["sigma"]
+    along, across = sp.Matrix([-c, -s, c]), sp.Matrix([s, -c, -s])
+    K = k * along * along.T + k * (1 - 1 / length) * across * across.T
+    K += sp.diag(at["alpha"], 1 + at["beta"], at["alpha_a"])
+    K[0, 1] += at["mu0"]
+    return K
+
+
+def test_a_fold_next_to_the_end_of_an_angle_is_not_stepped_over():
+    told = ["--mu0", "500", "--kappa", "1e-4", "--sigma", "0.1"]
+    result = CliRunner().invoke(cli, ["critical", "--model", "kang_nam", *told, "--vary", "theta0", "--json"])
+    found = json.loads(result.output)
+    known = ss.folds(ss.Parameters.article(mu0=500.0, kappa=1e-4, sigma=0.1)).theta0
+    assert known.min() < np.radians(0.01)
+    assert abs(found["jump"]["theta0_deg"] - np.degrees(known.min())) < 1e-12
+
+
+def test_curves_of_folds_are_smooth_to_their_cusps_and_the_ends_of_the_ranges():
+    # The closed forms of the article's model give folds as near to its cusp as we like: none is farther from the drawn line than
+    # a printed line is wide.
+    model, p = ss.load("kang_nam"), ss.Parameters.article()
+    found = model.bifurcation_set(model.Parameters(theta0=1.0), ("theta0", "mu0"), 12, between={"mu0": (0.0, 2.0)})
+    assert found.complete
+    lines = [np.array([curve.theta0 / np.pi, curve.mu0 / 2]) for curve in found.curves]
+    assert sorted(float(line[1, end]) for line in lines for end in (0, -1)) == [0.0, 0.0, 1.0, 1.0]
+    cusp = found.cusps.mu0[0]
+    assert any(((curve.mu0 == cusp) & (curve.theta0 == found.cusps.theta0[0])).any() for curve in found.curves)
+    steps = np.geomspace(1e-6, 0.3, 25)
+    for mu0 in np.concatenate([cusp * (1 + steps), cusp * (1 - steps[steps < 0.9])]):
+        for theta0 in ss.folds(p.replace(mu0=float(mu0))).theta0:
+            assert min(_distance(np.array([theta0 / np.pi, mu0 / 2]), line) for line in lines) < 3e-4
+
+
+def _distance(point, line):
+    """Of a point from a line through points, shape (2, number)."""
+    begin, step = line[:, :-1], np.diff(line, axis=1)
+    part = np.clip(((point[:, None] - begin) * step).sum(axis=0) / np.maximum((step**2).sum(axis=0), 1e-300), 0.0, 1.0)
+    return np.linalg.norm(begin + part * step - point[:, None], axis=0).min()

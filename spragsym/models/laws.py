@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from ..exact.interval_arrays import Intervals
+from ..exact.interval_functions import atan2
 from ..exact.jets import Jet
 from ..exact.methods import Functions
 
@@ -17,6 +19,14 @@ class LawFunctions(Functions):
     A law of contact that is no polynomial is asked for on its own side of the border only (``Balance.limits``). So its argument
     is not negative, and where its enclosure reaches below 0 that is rounding.
     """
+
+    #: Between the float below and the next one.
+    pi = Intervals.between(np.array([math.pi]), np.array([np.nextafter(math.pi, 4.0)]))
+
+    @staticmethod
+    def atan2(sine: Any, cosine: Any) -> Any:
+        """The angle in (−π, π]."""
+        return atan2(_enclosed(sine), _enclosed(cosine))
 
     @staticmethod
     def sqrt(value: Any) -> Any:

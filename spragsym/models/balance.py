@@ -338,8 +338,12 @@ class Balance:
     # -------------------------------------------------------------------------------------------- contraction
 
     def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """Boxes far from the anchors of all springs, for their size: directions hardly change over them."""
-        far = np.full(unknowns.shape[1:], bool(self.springs))
+        """Boxes far from the anchors of all springs, for their size: directions hardly change over them.
+
+        None where a contact's law is no polynomial: over a small box an exponential of the depth may change by any factor.
+        """
+        smooth = not self.contact or bool(self.model.about["contact"].get("polynomial"))
+        far = np.full(unknowns.shape[1:], bool(self.springs) and smooth)
         for dx, dy in self.anchors(*self._taken(unknowns, parameters)):
             far &= np.hypot(dx.mignitude, dy.mignitude) > FAR * (dx.width + dy.width)
         return far

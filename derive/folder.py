@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import equations, laws, linearization, motion, pages, rows, soundness, statics, symmetry, units
+from . import equations, laws, linearization, mechanics, motion, pages, rows, soundness, statics, symmetry, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -132,8 +132,9 @@ def description(model: Model) -> dict[str, Any]:
                 "name": str(entry.symbol), "rate": str(entry.rate), "meaning": entry.meaning, "unit": entry.unit,
                 "scale": _scale(model.page, units.read(entry.unit)),
                 "rate_scale": _scale(model.page, units.times(units.read(entry.unit), units.TIME, -1)),
+                **({"comes_around": True} if symmetry.comes_around(it, place) else {}),
             }
-            for entry in model.page.coordinates
+            for place, entry in enumerate(model.page.coordinates)
         ],
         "parameters": [
             {
@@ -157,6 +158,8 @@ def description(model: Model) -> dict[str, Any]:
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
         },
         "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        **({"waves": True} if mechanics.waves(sp.Tuple(*it.residuals)) else {}),
+        **({"curved": True} if motion.Motion(it).curved else {}),
         "dampers": bool(it.page.dampers),
         "equations": equations.equations(it),
         "layers": len(laws.layers(it)),

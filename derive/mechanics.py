@@ -98,11 +98,17 @@ class Turning:
 
 @dataclass(frozen=True)
 class Angle:
-    """An angle enters by its cosine and sine."""
+    """An angle enters by its cosine and sine; ``alone`` it stands by itself as well, as in k (φ − θ₀)²/2."""
 
     symbol: sp.Symbol
     c: sp.Symbol
     s: sp.Symbol
+    alone: bool
+
+    @property
+    def parts(self) -> tuple[sp.Symbol, ...]:
+        """What stands for it among the arguments of functions."""
+        return (self.symbol, self.c, self.s) if self.alone else (self.c, self.s)
 
 
 @dataclass(frozen=True)
@@ -133,12 +139,12 @@ class Mechanics:
 
     @cached_property
     def arguments(self) -> tuple[sp.Symbol, ...]:
-        """Symbols of all parameters, angles as their pairs."""
-        return tuple(symbol for datum in self.parameters for symbol in self.pair(number(datum)))
+        """Symbols of all parameters, angles as their parts."""
+        return tuple(symbol for datum in self.parameters for symbol in self.parts(number(datum)))
 
-    def pair(self, symbol: sp.Symbol) -> tuple[sp.Symbol, ...]:
+    def parts(self, symbol: sp.Symbol) -> tuple[sp.Symbol, ...]:
         """A parameter as arguments of functions: an angle as its cosine and sine."""
-        return next(((angle.c, angle.s) for angle in self.angles if angle.symbol == symbol), (symbol,))
+        return next((angle.parts for angle in self.angles if angle.symbol == symbol), (symbol,))
 
     @cached_property
     def directions(self) -> tuple[sp.Symbol, ...]:
@@ -156,7 +162,8 @@ class Mechanics:
         """∂/∂symbol with directions and lengths held; an angle by its cosine and sine."""
         for angle in self.angles:
             if angle.symbol == symbol:
-                return angle.c * sp.diff(expression, angle.s) - angle.s * sp.diff(expression, angle.c)
+                turned = angle.c * sp.diff(expression, angle.s) - angle.s * sp.diff(expression, angle.c)
+                return turned + sp.diff(expression, symbol)
         return sp.diff(expression, symbol)
 
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
@@ -179,9 +186,13 @@ class Mechanics:
         nodes = sorted(expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan), key=sp.default_sort_key)
         kept = {1 / line.l: sp.Dummy() for line in self.lines} | {node: sp.Dummy() for node in nodes}
         shortest = sp.expand(sp.expand(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)).subs(SIDE**2, 1)
-        for line in self.lines:
-            if shortest.has(line.c, line.s):
-                forms = [reduce_circles(shortest, (pair,)) for pair in ((line.c, line.s), (line.s, line.c))]
+        turned = {node: sp.Dummy(real=True) for pair in waves(shortest) for node in pair}
+        shortest = shortest.xreplace(turned)
+        kept |= turned
+        circles = [(line.c, line.s) for line in self.lines] + [(kept[c], kept[s]) for c, s in waves(sp.Tuple(*turned))]
+        for cosine, sine in circles:
+            if shortest.has(cosine, sine):
+                forms = [reduce_circles(shortest, (pair,)) for pair in ((cosine, sine), (sine, cosine))]
                 shortest = min(forms, key=lambda form: len(sp.Add.make_args(form)))
         return sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
 
@@ -247,6 +258,12 @@ class Mechanics:
         return sp.hessian(self.kinetic, self.rates)
 
 
+def waves(expression: sp.Basic) -> list[tuple[sp.Expr, sp.Expr]]:
+    """Cosine and sine of everything of which the expression takes one of them, in an order of their own."""
+    arguments = {node.args[0] for node in expression.atoms(sp.cos, sp.sin)}
+    return [(sp.cos(argument), sp.sin(argument)) for argument in sorted(arguments, key=sp.default_sort_key)]
+
+
 def number(datum: Datum) -> sp.Symbol:
     """The dimensionless quantity that a parameter becomes."""
     known = {name: True for name in ("positive", "nonnegative", "real") if datum.symbol.assumptions0.get(name)}
@@ -261,8 +278,7 @@ def of(page: Page) -> Mechanics:
         )
     if page.inertia is None:
         raise PageError(page.line, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
-    angles = tuple(_angle(datum) for datum in page.parameters if datum.unit == "rad")
-    scaled = _Scaled(page, angles)
+    scaled = _Scaled(page)
     coordinates = tuple(entry.symbol for entry in page.coordinates)
     rates = tuple(entry.rate for entry in page.coordinates)
     lines, stiffnesses, torsions, rest_energy, dissipation = _lines(page, scaled)
@@ -273,7 +289,6 @@ def of(page: Page) -> Mechanics:
         coordinates=coordinates,
         rates=rates,
         parameters=tuple(page.parameters),
-        angles=angles,
         lines=lines,
         torsions=torsions,
         kinetic=scaled(page.inertia[0]),
@@ -288,28 +303,40 @@ def of(page: Page) -> Mechanics:
         scaled=scaled,
         slide=None if page.sliding is None else scaled(page.sliding.along),
         belt=sp.S.Zero if page.sliding is None else scaled(page.sliding.belt),
+        # The last, since it is known only now which angles stand by themselves.
+        angles=tuple(_angle(datum, scaled) for datum in page.parameters if datum.unit == "rad"),
     )
 
 
 class _Scaled:
     """Makes an expression dimensionless: units of measure become 1, parameters numbers, angles cosines and sines."""
 
-    def __init__(self, page: Page, angles: tuple[Angle, ...]) -> None:
+    def __init__(self, page: Page) -> None:
         self.numbers: Mapping[sp.Expr, sp.Expr] = {datum.symbol: sp.S.One for datum in page.units} | {
             datum.symbol: number(datum) for datum in page.parameters
         }
-        self.angles = angles
+        self.turned: dict[sp.Expr, sp.Expr] = {}
+        self.angles = {number(datum) for datum in page.parameters if datum.unit == "rad"}
+        #: Angles that were found by themselves.
+        self.alone: set[sp.Basic] = set()
+        for datum in page.parameters:
+            if datum.unit == "rad":
+                cosine, sine = (sp.Symbol(name, real=True) for name in datum.cosine_and_sine)
+                self.turned |= {sp.cos(datum.symbol): cosine, sp.sin(datum.symbol): sine}
+        if page.sliding is not None:
+            for way in (1, -1):  # of laws, which are asked for later
+                self(expression_of(page.sliding.law(way * DEPTH)))
 
     def __call__(self, expression: sp.Expr) -> sp.Expr:
         value = sp.expand_trig(expression) if expression.has(sp.cos, sp.sin) else expression
-        for angle in self.angles:
-            value = value.subs({sp.cos(angle.symbol): angle.c, sp.sin(angle.symbol): angle.s})
-        return value.subs(self.numbers, simultaneous=True)
+        value = value.subs(self.turned).subs(self.numbers, simultaneous=True)
+        self.alone |= value.free_symbols & self.angles
+        return value
 
 
-def _angle(datum: Datum) -> Angle:
+def _angle(datum: Datum, scaled: _Scaled) -> Angle:
     cosine, sine = (sp.Symbol(name, real=True) for name in datum.cosine_and_sine)
-    return Angle(number(datum), cosine, sine)
+    return Angle(number(datum), cosine, sine, number(datum) in scaled.alone)
 
 
 def elastic(line: Line, stiffness: sp.Expr) -> sp.Expr:
@@ -370,7 +397,7 @@ def _turning(torsion: Torsion, line: Line, count: int, scaled: _Scaled) -> Turni
             "another number a parameter in rad, with a base value",
         )
     phi, way = sp.symbols(f"phi{count} way{count}", real=True)
-    return Turning(line, scaled(torsion.stiffness), scaled(torsion.rest), cosine, sine, phi, way)
+    return Turning(line, scaled(torsion.stiffness), torsion.rest.subs(scaled.numbers), cosine, sine, phi, way)
 
 
 def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) -> tuple[sp.Expr, ...]:

@@ -11,7 +11,7 @@ import sympy as sp
 from . import laws
 from .algebra import difference
 from .emit.function import Function, Module, Results
-from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number
+from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number, waves
 
 Row = tuple[sp.Expr, ...]
 
@@ -46,11 +46,50 @@ class Motion:
 
     @cached_property
     def accelerations(self) -> Row:
-        """q″ in MU."""
+        """q″ in MU, and in the entries of the inverse of M where these are no quotients of parameters."""
+        if not self.is_coupled:
+            return tuple(row / self.model.mass[i, i] for i, row in enumerate(self.pull))
+        return tuple(self.inverse * sp.Matrix(self.pull))
+
+    @cached_property
+    def is_coupled(self) -> bool:
+        """Whether M has entries beside its diagonal, or depends on the place."""
         it = self.model
-        if it.mass.is_diagonal():
-            return tuple(row / it.mass[i, i] for i, row in enumerate(self.pull))
-        return tuple(it.mass.LUsolve(sp.Matrix(self.pull)).applyfunc(sp.together))
+        return not it.mass.is_diagonal() or it.mass.has(*it.coordinates)
+
+    @cached_property
+    def inverse(self) -> sp.Matrix:
+        """Symbols of the entries of the inverse of M."""
+        n = len(self.model.coordinates)
+        return sp.Matrix(n, n, lambda i, j: sp.Symbol(f"inverse_{min(i, j) + 1}{max(i, j) + 1}", real=True))
+
+    @cached_property
+    def named(self) -> tuple[sp.Symbol, ...]:
+        """Symbols of the accelerations."""
+        return tuple(sp.Symbol(f"a{symbol}", real=True) for symbol in self.model.coordinates)
+
+    @cached_property
+    def solved(self) -> dict[sp.Symbol, sp.Expr]:
+        """What those entries are, and the accelerations by their symbols: M is inverted in numbers once, and never differentiated."""
+        if not self.is_coupled:
+            return {}
+        determinant = sp.Symbol("determinant", positive=True)
+        M, tidy = self.model.mass, self.model.tidy
+        entries = zip(self.inverse, M.adjugate(), strict=True)
+        return {
+            determinant: tidy(M.det(method="berkowitz")),
+            **{symbol: tidy(entry) / determinant for symbol, entry in entries},
+            **dict(zip(self.named, self.accelerations, strict=True)),
+        }
+
+    def slopes(self, symbol: sp.Symbol) -> Row:
+        """Derivatives of the accelerations by a coordinate, a rate or a parameter: M ∂q″ = ∂pull − ∂M q″."""
+        if not self.is_coupled:
+            return tuple(self.derivative(row, symbol) for row in self.accelerations)
+        it = self.model
+        changes = it.mass.applyfunc(lambda entry: it.tidy(it.derivative(entry, symbol))) * sp.Matrix(self.named)
+        pulls = sp.Matrix([self.derivative(row, symbol) for row in self.pull])
+        return tuple(self.inverse * (pulls - changes))
 
     def derivative(self, expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
         """By a coordinate, a rate or a parameter, with μ(v) in the place of MU."""
@@ -112,10 +151,12 @@ class Motion:
         """Whether the energy changes by the powers and by nothing else, as exact algebra for every state."""
         it = self.model
         change = sp.S.Zero
-        for symbol, rate, acceleration in zip(it.coordinates, it.rates, self.accelerations, strict=True):
-            change += it.derivative(self.stored, symbol) * rate + sp.diff(self.stored, rate) * acceleration
+        for symbol, rate, pull in zip(it.coordinates, it.rates, self.pull, strict=True):
+            change += it.derivative(self.stored, symbol) * rate + rate * pull  # vᵀ M q″
         powers = self.friction_power + self.damper_power + self.applied_power
-        return difference(change, powers, tuple((line.c, line.s) for line in it.lines)) == 0
+        turned = {node: sp.Dummy(real=True) for pair in waves(sp.Tuple(change, powers)) for node in pair}
+        circles = [(line.c, line.s) for line in it.lines] + [(turned[c], turned[s]) for c, s in waves(sp.Tuple(*turned))]
+        return difference(change.xreplace(turned), powers.xreplace(turned), tuple(circles)) == 0
 
     # ------------------------------------------------------------------------------------------------ borders
 
@@ -125,11 +166,23 @@ class Motion:
         it = self.model
         return (sp.S.One if it.gap is None or not it.unilateral else it.gap, laws.slip(it) if it.slide is not None else sp.S.One)
 
+    @cached_property
+    def curved(self) -> bool:
+        """Whether a border is no linear function of the coordinates and rates."""
+        it = self.model
+        return any(not sp.hessian(border, (*it.coordinates, *it.rates)).is_zero_matrix for border in self.borders)
+
     def rate(self, expression: sp.Expr, accelerations: tuple[sp.Symbol, ...]) -> sp.Expr:
         """d/dt of an expression in coordinates and rates."""
         it = self.model
         turning = zip(it.rates, accelerations, strict=True)
         return it.page.rate(expression) + sum((sp.diff(expression, rate) * value for rate, value in turning), sp.S.Zero)
+
+
+def _rows(motion: Motion, symbols: tuple[sp.Symbol, ...]) -> tuple[Row, ...]:
+    """Derivatives of the accelerations, a row for each."""
+    columns = [motion.slopes(symbol) for symbol in symbols]
+    return tuple(tuple(column[row] for column in columns) for row in range(len(motion.accelerations)))
 
 
 def module(model: Mechanics) -> Module:
@@ -146,8 +199,8 @@ def module(model: Mechanics) -> Module:
     )}  # fmt: skip
     least = {torsion.phi: torsion.least for torsion in model.torsions}
     ways = tuple(torsion.way for torsion in model.torsions)
-    shorthands = {**direction, **least, DEPTH: model.depth, MU: motion.friction}
-    accelerations = tuple(sp.Symbol(f"a{symbol}", real=True) for symbol in model.coordinates)
+    shorthands = {**direction, **least, DEPTH: model.depth, MU: motion.friction, **motion.solved}
+    accelerations = motion.named
     borders = motion.borders
     layers = laws.layers(model)
 
@@ -167,13 +220,9 @@ def module(model: Mechanics) -> Module:
         DEPTH: overlap / 2 if model.unilateral else model.depth,
         **dict.fromkeys(felt, sp.S.One),
     }
-    kinked = {**direction, **least, **everywhere, MU: motion.friction}
-    jacobian = tuple(
-        tuple(motion.derivative(row, symbol) for symbol in (*model.coordinates, *model.rates)) for row in motion.accelerations
-    )
-    by_parameters = tuple(
-        tuple(motion.derivative(row, symbol) for symbol in map(number, model.parameters)) for row in motion.accelerations
-    )
+    kinked = {**direction, **least, **everywhere, MU: motion.friction, **motion.solved}
+    jacobian = _rows(motion, (*model.coordinates, *model.rates))
+    by_parameters = _rows(motion, tuple(map(number, model.parameters)))
     return Module(
         "motion",
         "The equations of motion: everywhere, and in each regime in which they are smooth.",

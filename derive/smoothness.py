@@ -1,4 +1,4 @@
-"""Whether generated code can say what a page says: smooth, angles by cosine and sine, and functions that every number type has.
+"""Whether generated code can say what a page says: smooth, of functions that every number type has.
 
 Kinks are where a mass touches the belt and where friction turns, and nowhere else: equilibria are sought by derivatives, and a motion
 is integrated from one kink to the next. Each error names the line, what stands there, and the remedy.
@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from . import laws
-from .mechanics import DEPTH, Mechanics, number
+from .mechanics import DEPTH, Mechanics
 from .model import FUNCTIONS, WRITTEN, Damper, PageError, Spring, expression_of
 
 #: Functions with a kink or a step, of which a sum of smooth forces has none.
@@ -25,28 +25,20 @@ LARGEST_ROOT = 1000
 def check(model: Mechanics) -> None:
     """A :class:`~derive.model.PageError` for the first statement that generated code can't say."""
     moving = {*model.coordinates, *model.rates, DEPTH, laws.SLIP}
-    angles = {number(datum) for datum in model.parameters if datum.unit == "rad"}
+    angles = {angle.symbol for angle in model.angles}
     for value, what, line in _statements(model):
-        _check_angles(value, what, line, moving, angles)
+        _check_angles(value, what, line, moving | angles)
         _check_kinks(value, what, line, moving)
         _check_known(value, what, line)
         _check_domains(value, what, line, moving)
     _check_contact(model)
 
 
-def _check_angles(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol], angles: set[sp.Symbol]) -> None:
+def _check_angles(value: sp.Expr, what: str, line: int, turning: set[sp.Symbol]) -> None:
     for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
         inner = node.args[0]
-        if inner.free_symbols & angles or not inner.free_symbols & moving:
-            raise PageError(
-                line,
-                f"{what} takes {node}, and {inner} is no sum of whole multiples of angles of the page; make it a parameter with the unit rad",
-            )
-    bare = sorted(map(str, value.free_symbols & angles))
-    if bare:
-        raise PageError(
-            line, f"{what} takes the angle {bare[0]} itself; angles are in forces by cos({bare[0]}) and sin({bare[0]}) only"
-        )
+        if not inner.free_symbols & turning:
+            raise PageError(line, f"{what} takes {node}, and {inner} is no angle of the page; make it a parameter with the unit rad")
 
 
 def _check_kinks(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol]) -> None:

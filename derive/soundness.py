@@ -12,7 +12,7 @@ from typing import TypeAlias
 import sympy as sp
 
 from . import laws, units
-from .mechanics import DEPTH, Mechanics
+from .mechanics import DEPTH, Mechanics, number
 from .model import Damper, Datum, Page, PageError, Spring, expression_of
 from .units import Dimension, UnitsError, spelled
 
@@ -190,12 +190,15 @@ def check_forces(model: Mechanics) -> None:
 
 
 def _check_inertia(model: Mechanics) -> None:
-    """Masses that are positive, at the base values and where all coordinates are 0."""
+    """Masses that are positive, at the base values and where all coordinates are 0, or if there is none in some direction, nearby."""
     if model.page.inertia is None:
         return
     energy, line = model.page.inertia
-    M = model.mass.subs(dict(_bases(model))).subs(dict.fromkeys(model.coordinates, 0))
-    if any((minor := M[:size, :size].det()).is_number and minor <= 0 for size in range(1, M.rows + 1)):
+    M = model.mass.subs(dict(_bases(model)))
+    places = [dict.fromkeys(model.coordinates, sp.S.Zero), {q: sp.Rational(3 + i, 7) for i, q in enumerate(model.coordinates)}]
+    minors = [[M[:size, :size].subs(place).det() for size in range(1, M.rows + 1)] for place in places]
+    known = [[sp.N(minor) for minor in row if minor.is_number] for row in minors]
+    if any(minor < 0 for row in known for minor in row) or all(any(minor == 0 for minor in row) for row in known):
         raise PageError(line, f"the kinetic energy {energy} is not positive for all rates at the base values; masses are")
 
 
@@ -259,5 +262,5 @@ def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
 def _bases(model: Mechanics) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
     for datum in model.parameters:
         base = sp.S.One if datum.base is None else sp.Rational(str(datum.base))
-        pair = model.pair(next(symbol for symbol in (model.scaled(datum.symbol),)))
-        yield from zip(pair, (base,) if len(pair) == 1 else (sp.cos(base), sp.sin(base)), strict=True)
+        parts = model.parts(number(datum))
+        yield from zip(reversed(parts), (base,) if len(parts) == 1 else (sp.sin(base), sp.cos(base), base), strict=False)

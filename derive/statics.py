@@ -17,12 +17,12 @@ def parameters(model: Mechanics) -> tuple[sp.Symbol, ...]:
     parts = [part for line in model.lines for part in (line.dx, line.dy, line.rest)] + [model.depth]
     parts += [part for torsion in model.torsions for part in (torsion.cosine, torsion.sine, torsion.stiffness)]
     used |= {symbol for part in parts for symbol in part.free_symbols}
-    return tuple(symbol for symbol in map(number, model.parameters) if used & set(model.pair(symbol)))
+    return tuple(symbol for symbol in map(number, model.parameters) if used & set(model.parts(symbol)))
 
 
 def arguments(model: Mechanics) -> tuple[sp.Symbol, ...]:
     """The same as arguments of functions, angles as pairs."""
-    return tuple(part for symbol in parameters(model) for part in model.pair(symbol))
+    return tuple(part for symbol in parameters(model) for part in model.parts(symbol))
 
 
 def jacobian(model: Mechanics) -> tuple[tuple[sp.Expr, ...], ...]:

@@ -1,4 +1,6 @@
-"""The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where certain parameters are 0.
+"""Symmetries of a model: its mirror, and angles after a turn of which everything is as before.
+
+The mirror of a model: coordinates whose reflection in a centre reflects all forces too, where certain parameters are 0.
 
 The article's model without friction and without a spring along the belt is one: with x′ = 2 cos θ₀ − x every spring is mirrored. There
 equilibria do not meet at folds but at pitchforks, which no perturbation of one parameter shows.
@@ -16,6 +18,15 @@ from .mechanics import DEPTH, MU, Line, Mechanics, number
 
 #: Most parameters that have to be 0.
 MOST = 4
+
+
+def comes_around(model: Mechanics, place: int) -> bool:
+    """Whether a coordinate is an angle after a turn of which all forces, lines and the gap are as before."""
+    if model.page.coordinates[place].unit != "rad":
+        return False
+    symbol = model.coordinates[place]
+    parts = [*model.residuals, *(part for line in model.lines for part in (line.dx, line.dy)), model.kinetic, model.depth]
+    return all(sp.expand(part.subs(symbol, symbol + 2 * sp.pi) - part) == 0 for part in parts)
 
 
 @dataclass(frozen=True)
@@ -52,7 +63,8 @@ def _about(model: Mechanics, turned: tuple[sp.Symbol, ...]) -> Iterator[Mirror]:
     centres = dict.fromkeys(turned, sp.S.Zero)
     for line in model.lines:
         upright = line.dx.subs(dict.fromkeys(turned[1:], 0))
-        if upright.has(turned[0]) and not upright.has(*(symbol for symbol in model.coordinates if symbol not in turned)):
+        others = (symbol for symbol in model.coordinates if symbol not in turned)
+        if upright.has(turned[0]) and sp.diff(upright, turned[0], 2) == 0 and not upright.has(*others):
             centres[turned[0]] = 2 * sp.solve(upright, turned[0])[0]
             break
     one = Mirror(centres, ())
@@ -100,7 +112,7 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
     """The smallest sets of parameters that may be 0 and make all of them vanish."""
     used = {part for term in remainders for part in term.free_symbols}
     allowed = [
-        symbol for symbol in (*map(number, model.parameters), MU) if not symbol.is_positive and used & set(model.pair(symbol))
+        symbol for symbol in (*map(number, model.parameters), MU) if not symbol.is_positive and used & set(model.parts(symbol))
     ]
     for size in range(min(MOST, len(allowed)) + 1):
         found = [
@@ -116,6 +128,6 @@ def _zero(model: Mechanics, remainders: list[sp.Expr]) -> tuple[tuple[str, ...],
 def _at_zero(model: Mechanics, chosen: tuple[sp.Symbol, ...]) -> dict[sp.Symbol, int]:
     values: dict[sp.Symbol, int] = {}
     for symbol in chosen:
-        pair = model.pair(symbol)
-        values |= dict(zip(pair, (1, 0) if len(pair) == 2 else (0,), strict=True))
+        parts = model.parts(symbol)
+        values |= dict.fromkeys(parts, 0) | ({parts[-2]: 1} if len(parts) > 1 else {})
     return values

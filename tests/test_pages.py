@@ -118,7 +118,6 @@ REFUSED = {
     "a Greek name": ('becomes="beta"', 'becomes="β"', "k_y = page.parameter(", "which C can't spell"),
     "a coordinate as time": ('page.coordinate("y"', 'page.coordinate("t"', 'coordinate("t"', "results and generated functions"),
     "an angle without its unit": ('"theta0", "rad"', '"theta0", "1"', "page.spring(k, (x, y)", "with the unit rad"),
-    "an angle itself": ("page.force(0, -F_L,", "page.force(0, -F_L * theta0,", "page.force(", "the angle theta0 itself"),
     "an angle in degrees": ('"(0, pi)"', '"(0, 180)"', '"(0, 180)"', "wider than a turn"),
     "a base value in degrees": ('"(0, pi)", latex', '"(0, pi)", 45, latex', '"(0, pi)", 45', "45 degrees are pi/4"),
     "a kink in the contact": (LAW, "lambda depth: k_c * (depth + Abs(depth - L_0))", "page.contact(", "not smooth"),

@@ -97,6 +97,8 @@ class Field:
         Module, function and arguments that make the field once more in another process; empty where none do.
     ways : int
         How many numbers at the end of a mode go with the place alone.
+    curved : bool
+        Whether a level is no linear function of the state.
     """
 
     name: str
@@ -116,6 +118,7 @@ class Field:
     columns: bool = False
     again: tuple[str, ...] = ()
     ways: int = 0
+    curved: bool = False
 
     def mode_at_rest(self, state: Any, constants: Any) -> Mode:
         """The first mode, but for its last numbers, which are as at the state."""

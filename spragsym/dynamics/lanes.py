@@ -21,7 +21,7 @@ from .field import Field, Mode
 from .heyoka_library import library
 from .motions import Measured, Motions, Turns
 from .problem import Event, event_at, out_of_range, too_many_steps
-from .with_heyoka import Equations, watched, ways_out
+from .with_heyoka import Equations, tolerance, watched, ways_out
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -95,7 +95,7 @@ class Lanes:
         self.strays: dict[int, float] = {}
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = solver = hy.taylor_adaptive_batch(
-            equations.system, np.zeros((len(equations.system), LANES)), pars=np.zeros((equations.numbers, LANES)), tol=rtol,
+            equations.system, np.zeros((len(equations.system), LANES)), tol=tolerance(field, rtol),
             t_events=[
                 hy.t_event_batch(
                     watched(border, *equations.seen), callback=self._crossing(field, row), cooldown=0.0,
@@ -107,6 +107,10 @@ class Lanes:
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
         self.state, self.pars, self.dense, self.look = solver.state, solver.pars, solver.d_output, solver.update_d_output
+        #: heyoka has no cooldowns where there are no events.
+        self.eventful = bool(field.borders) or watch
+        #: How many parameters there are: none beyond the last that the field takes.
+        self.held = len(self.pars)
 
     def _crossing(self, field: Field, row: int) -> Callable[[Any, int, int], bool]:
         """Go over to the next mode; stop if it is not next, for then a crossing was missed."""
@@ -124,7 +128,8 @@ class Lanes:
                 return False
             self.modes[lane] = after
             for place, value in changed:
-                self.pars[place, lane] = value
+                if place < self.held:
+                    self.pars[place, lane] = value
             if kind is not None:
                 self.counts[lane][kind] += 1
             return True
@@ -159,12 +164,11 @@ class Lanes:
 
     def _run(self, stage: Stage, duration: float) -> _Run:
         count = len(stage.modes)
-        state, pars = np.zeros((len(self.state), count)), np.zeros((len(self.pars), count))
+        state = np.zeros((len(self.state), count))
         state[: self.size] = stage.carried[:, : self.size].T
-        constants, modes = stage.motions.constants.T, np.array(stage.modes).T
-        pars[: self.constants], pars[self.constants : self.constants + len(modes)] = constants, modes
-        if self.watch:
-            pars[-2], pars[-1] = stage.carried[:, 0], _scale(duration)
+        watching = [stage.carried[:, 0], np.full(count, _scale(duration))] if self.watch else []
+        pars = np.vstack([stage.motions.constants.T, np.array(stage.modes, dtype=float).T.reshape(-1, count), *watching])
+        pars = pars[: self.held]
         waiting = [row for row in reversed(range(count)) if row not in stage.errors]
         arrived = np.full((count, len(self.state)), np.nan), stage.modes.copy(), stage.steps.copy()
         return _Run(stage, state, pars, waiting, *arrived, [None] * count, [_NEVER] * count)
@@ -177,7 +181,8 @@ class Lanes:
             del run.waiting[-LANES:]
             self.state[:], self.pars[:] = run.state[:, _span(rows)], run.pars[:, _span(rows)]
             solver.set_time(begin)
-            solver.reset_cooldowns()
+            if self.eventful:
+                solver.reset_cooldowns()
             running |= enumerate(rows)
             self.modes[:] = [run.stage.modes[row] for row in rows]
             self.turns[:], self.counts[:] = [None] * LANES, [[0] * EVENTS for _ in rows]
@@ -191,7 +196,7 @@ class Lanes:
         source, still = lanes[0] if lanes else next(iter(running)), free[len(lanes) :]
         self.state[:, still], self.pars[:, still] = self.state[:, [source]], self.pars[:, [source]]
         solver.set_dtime(late, early)
-        for lane in free:
+        for lane in free if self.eventful else ():
             solver.reset_cooldowns(lane)
         for lane, row in zip(lanes, rows, strict=True):
             running[lane] = row

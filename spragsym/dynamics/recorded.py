@@ -94,12 +94,12 @@ class Recorded(Result):
             events = Events(events.t[kept], events.state[kept], events.which[kept])
         return self._with(late.t, late.states, events, error)
 
-    def mean(self, transient: float | None = None, *, of: str = "x") -> float:
-        """Time average of x (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
+    def mean(self, transient: float | None = None, *, of: str | None = None) -> float:
+        """Time average of x, a model's first coordinate, (or ``of="y"``, ``"vx"``, ``"vy"``) after ``transient``."""
         late = self.after(transient)
         return late.integral(late._values(of)) / float(late.t[-1] - late.t[0])
 
-    def rms(self, transient: float | None = None, *, of: str = "x", about: str = "zero") -> float:
+    def rms(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
         """Root mean square after ``transient``: about zero, or with ``about="mean"`` about the mean.
 
         The article's Figure 7b shows the root mean square of x, from zero.
@@ -108,7 +108,7 @@ class Recorded(Result):
         deviation = late._values(of) - late._centre(of, about)
         return float(np.sqrt(late.integral(deviation**2) / (late.t[-1] - late.t[0])))
 
-    def amplitude(self, transient: float | None = None, *, of: str = "x", about: str = "zero") -> float:
+    def amplitude(self, transient: float | None = None, *, of: str | None = None, about: str = "zero") -> float:
         """Largest |x| after ``transient``: from zero, or with ``about="mean"`` from the mean."""
         late = self.after(transient)
         return float(np.abs(late._extrema(of) - late._centre(of, about)).max())
@@ -140,21 +140,22 @@ class Recorded(Result):
 
     # -------------------------------------------------------------------------------------------- inner parts
 
-    def _values(self, of: str) -> FloatArray:
+    def _values(self, of: str | None) -> FloatArray:
+        of = self.components[0] if of is None else of
         if of not in self.components:
             raise ParameterError(f"of = {of!r} is not one of {', '.join(self.components)}")
         values: FloatArray = self.state[self.components.index(of)]
         return values
 
-    def _centre(self, of: str, about: str) -> float:
+    def _centre(self, of: str | None, about: str) -> float:
         if about not in ("zero", "mean"):
             raise ParameterError(f"about = {about!r} is neither 'zero' nor 'mean'")
         return self.mean(0.0, of=of) if about == "mean" else 0.0
 
-    def _extrema(self, of: str) -> FloatArray:
+    def _extrema(self, of: str | None) -> FloatArray:
         """Values at the ends and at all local extrema of x or y; the samples themselves for speeds."""
         values = self._values(of)
-        row = self.components.index(of)
+        row = 0 if of is None else self.components.index(of)
         n = len(self.components) // 2
         if row >= n:
             return values

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Sequence
 from functools import partial
 from typing import Any
 
@@ -15,7 +14,7 @@ from .field import JUMPED, Field, Mode
 from .heyoka_library import XP, library
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
-from .with_heyoka import watched
+from .with_heyoka import put, watched
 
 #: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.
 TOLERANCE = 1e-17
@@ -76,19 +75,13 @@ class Compiled:
         """heyoka copies its callbacks; they must go on to write here."""
         return self
 
-    def _set(self, begin: int, values: Sequence[float]) -> None:
-        """Set parameters; those at the end that the model does not use are not there."""
-        end = min(begin + len(values), len(self.solver.pars))
-        if end > begin:
-            self.solver.pars[begin:end] = values[: end - begin]
-
     def _cross(self, index: int, solver: Any, _: int) -> bool:
         border = self.field.borders[index]
         if self.derivatives and border.jumps is not None and border.jumps(solver.state[: self.m].tolist(), self.known):
             self.jumped = True
             return False
         self.mode = after = border.beyond(self.mode)
-        self._set(self.constants, after)
+        put(self.solver.pars, self.constants, after)
         if border.kink:
             self.crossings.append(Crossing(solver.time, index, int(border.sign(after)), solver.state[: self.m].copy()))
         return True
@@ -115,7 +108,7 @@ class Compiled:
         if self.derivatives:
             solver.state[m : m + m * m : m + 1] = UNIT
         self.mode = self.field.initial_mode(state, constants)
-        self._set(0, (*constants, *self.mode, *np.ravel(directions)))
+        put(self.solver.pars, 0, (*constants, *self.mode, *np.ravel(directions)))
         solver.reset_cooldowns()
 
     def fly(self, state: FloatArray, constants: tuple[float, ...], duration: float, directions: FloatArray) -> Passage:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, TypeAlias
@@ -20,6 +21,9 @@ from .solution import Crossing, Solution, assembled
 #: Steps between two looks at signals: Python hears Ctrl-C only when compiled code returns. At most a second or so.
 CHUNK = 20_000
 
+#: Largest tolerance of fields with a border that is curved.
+CURVED = 1e-3 * GAP
+
 #: Times and states by steps, shapes (steps, DEGREE + 1) and (steps, 4, DEGREE + 1).
 Samples: TypeAlias = tuple[FloatArray, FloatArray]
 
@@ -36,13 +40,10 @@ class Equations:
         error is relative to the largest of all. The parameter before is x(begin).
     seen : tuple
         State, constants and mode.
-    numbers : int
-        How many parameters there are.
     """
 
     system: list[Any]
     seen: tuple[Any, Any, Any]
-    numbers: int
 
     @classmethod
     def of(cls, field: Field, constants: int, *, watch: bool) -> Equations:
@@ -60,7 +61,7 @@ class Equations:
             sums = hy.make_vars("s", "ss", *(f"s{name}" for name in names[1:]))
             sums = sums if isinstance(sums, list | tuple) else [sums]
             system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
-        return cls(system, (state, known, mode), end + 2 * watch)
+        return cls(system, (state, known, mode))
 
 
 class Compiled:
@@ -70,14 +71,14 @@ class Compiled:
         hy = library()
 
         equations = Equations.of(field, constants, watch=False)
-        self.field, self.modes = field, slice(constants, constants + len(field.modes[0]))
+        self.field, self.modes = field, constants
         self.log: list[Crossing] = []
         self.kinds = {(row, up): event_at(border, upward=up) for row, border in enumerate(field.borders) for up in (False, True)}
         self.mode: Mode = field.modes[0]
         self.stray: float | None = None
         # The gap keeps one crossing from being found twice, which is what a cooldown is for.
         self.solver = hy.taylor_adaptive(
-            equations.system, [0.0] * field.size, pars=[0.0] * equations.numbers, tol=rtol,
+            equations.system, [0.0] * field.size, tol=tolerance(field, rtol),
             t_events=[
                 hy.t_event(
                     watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0, direction=ways_out(border)
@@ -86,7 +87,9 @@ class Compiled:
             ],
         )  # fmt: skip
         # Views of what the integrator holds: each look at an attribute makes one anew.
-        self.state, self.pars, self.reset = self.solver.state, self.solver.pars, self.solver.reset_cooldowns
+        self.state, self.pars = self.solver.state, self.solver.pars
+        # heyoka has no cooldowns where there are no events.
+        self.reset = self.solver.reset_cooldowns if field.borders else lambda: None
 
     def __deepcopy__(self, _: object) -> Compiled:
         """heyoka deep-copies its callbacks; the copies must still write to this object."""
@@ -99,7 +102,7 @@ class Compiled:
             self.stray = solver.time
             return False
         self.mode = border.beyond(mode)
-        self.pars[self.modes] = self.mode
+        put(self.pars, self.modes, self.mode)
         kind = self.kinds[row, direction > 0]
         if kind is not None:
             self.log.append(Crossing(solver.time, tuple(self.state.tolist()), kind))
@@ -110,7 +113,7 @@ class Compiled:
         self.log, self.stray, self.mode = [], None, initial_mode(problem)
         self.solver.time = 0.0
         self.state[:] = problem.start
-        self.pars[:] = (*problem.constants, *self.mode)
+        put(self.pars, 0, (*problem.constants, *self.mode))
         self.reset()
 
     def go(self, problem: Problem, t: float, steps: int = 0, *, record: bool = False) -> tuple[int, list[Samples]]:
@@ -147,6 +150,22 @@ def ways_out(border: Border) -> Any:
     import heyoka as hy
 
     return hy.event_direction.any if border.jumps is None else hy.event_direction.negative
+
+
+def tolerance(field: Field, rtol: float) -> float:
+    """What heyoka is given for its error.
+
+    A level that is no linear function of the state has a Taylor series of its own, which agrees with that of the state to this
+    tolerance only: where it is not far below the gap behind a border, the border just crossed would be met again.
+    """
+    return min(rtol, CURVED) if field.curved else rtol
+
+
+def put(pars: Any, begin: int, values: Sequence[float]) -> None:
+    """Write values into ``par[begin]`` and what follows; heyoka has none beyond the last that a field takes."""
+    end = min(begin + len(values), len(pars))
+    if end > begin:
+        pars[begin:end] = values[: end - begin]
 
 
 def watched(border: Border, state: Any, constants: Any, mode: Any) -> Any:

@@ -14,10 +14,12 @@ from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
 from .directions import direction, turning
-from .laws import XP
+from .laws import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
+#: Where an angle is searched that comes around after a turn: more than half of it to either side, so that none is on the border.
+TURN = np.pi + 2e-6
 #: Sizes of a box from all anchors beyond which it counts as small.
 FAR = 2.0
 #: Steps of Newton's method from the middle of a box that has one root.
@@ -65,7 +67,11 @@ class Balance:
             for entry in about["parameters"]
             if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
         ]
-        self.codes = [code for name in self.parameters for code in self.angles.get(name, (name,))]
+        #: Angles that the functions take by themselves too, beside their cosines and sines.
+        self.alone = [name for name in self.angles if name in about["arguments"]["motion"]]
+        self.codes = [
+            code for name in self.parameters for code in (*self.angles.get(name, ()), *(() if self.only_turns(name) else (name,)))
+        ]
         self.n = len(self.coordinates)
         self.springs = len(about["springs"])
         #: Of each torsion spring the number of the spring that it turns with.
@@ -77,6 +83,9 @@ class Balance:
         self.opens = bool(gap and about["contact"]["unilateral"])
         if self.opens and gap in self.coordinates:
             self.border[self.pushing, self.coordinates.index(gap)] = 0.0
+        #: Numbers of coordinates that are angles after a turn of which all is as before: one turn of each is searched.
+        self.around = [place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")]
+        self.border[:, self.around] = TURN
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
         self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.statics, "balance") else {}
@@ -93,8 +102,13 @@ class Balance:
         parts: list[Intervals] = []
         for place, name in enumerate(self.parameters):
             value = bounds[place]
-            parts += [cos(value), sin(value)] if name in self.angles else [value]
+            parts += [cos(value), sin(value)] if name in self.angles else []
+            parts += [] if self.only_turns(name) else [value]
         return stacked(parts, bounds.shape[1:])
+
+    def only_turns(self, name: str) -> bool:
+        """Whether a parameter is an angle of which the functions take cosine and sine, and not itself."""
+        return name in self.angles and name not in self.alone
 
     def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """By name; ``changed`` are parameters that are unknowns, of any number type.
@@ -109,8 +123,7 @@ class Balance:
                 turned = value if isinstance(value, jets.Jet) else None
                 values[cosine] = turned.cos() if turned is not None else cos(value)
                 values[sine] = turned.sin() if turned is not None else sin(value)
-            else:
-                values[name] = value
+            values[name] = value
         return values
 
     def _listed(self, values: Mapping[str, Any], kind: str) -> list[Any]:
@@ -362,6 +375,16 @@ class Balance:
         """The same, each coordinate from the row of its number and from forces near 0, which serves where slopes are unknown."""
         near = np.clip(0.0, unknowns.low, unknowns.high)
         return np.fmin(contractors.by_rows(*self._linear(unknowns, near, values, directions, self.by_coordinate)), unknowns.ends)
+
+    def with_waves(self, unknowns: Intervals, values: Mapping[str, Any], directions: Sequence[Any]) -> FloatArray:
+        """The same with cosines and sines of the coordinates left free, as directions are."""
+        near = np.clip(0.0, unknowns.low, unknowns.high)
+        shape = unknowns.shape[1:]
+        at_near = self.by_coordinate("forces", list(Intervals.point(near)), directions, values, FREE)
+        rows = self.by_coordinate("forces", jets.variables(list(unknowns), 1), directions, values, FREE)
+        slopes = matrix([jets.gradient(row, self.n) for row in rows], shape)
+        reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([near, -near])))
+        return np.fmin(contractors.by_rows(stacked(at_near, shape), slopes, near, reach), unknowns.ends)
 
     def _linear(
         self,

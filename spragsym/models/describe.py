@@ -10,7 +10,9 @@ def described(about: Mapping[str, Any]) -> str:
     """Summary, drawing and tables of a ``model.json``."""
     parts = [f"{about['name']}: {about['summary']}", about["drawing"].strip()]
     coordinates = [("coordinate", "meaning")]
-    coordinates += [(entry["name"], entry["meaning"]) for entry in about["coordinates"]]
+    coordinates += [
+        (entry["name"], entry["meaning"] + (", radians" if entry["unit"] == "rad" else "")) for entry in about["coordinates"]
+    ]
     parameters = [("parameter", "base", "allowed", "of", "meaning")]
     parameters += [
         (

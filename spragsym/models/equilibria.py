@@ -33,6 +33,7 @@ from .precise import (
 from .refined import refined
 from .regions import region
 from .remarks import remarks
+from .turns import once_around
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
@@ -205,7 +206,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
 def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int) -> Roots:
     """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double."""
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
-    found = certified_roots.roots(balance, outcome, around, given, given)
+    found = once_around(balance, certified_roots.roots(balance, outcome, around, given, given))
     return settled(balance, given, around, found, levels)
 
 

@@ -54,6 +54,7 @@ def field_of(model: Model, reach: float) -> Field:
         lambda mode: (*mode[:2], *(1 for _ in range(layers)), *mode[2 + layers :]),
         again=(__name__, "exact_field", model.where),
         ways=torsions,
+        curved=model.about.get("curved", False),
     )
 
 
@@ -64,6 +65,8 @@ def exact_field(where: str) -> Field:
     model = load(where)
     if not model.about["contact"]["polynomial"]:
         raise ParameterError("the contact law is no polynomial: it has no continuation beyond its border, which proofs need")
+    if model.about.get("waves"):
+        raise ParameterError("cosines of coordinates stand in the equations of motion, which proofs of cycles do not take in")
     if model.about.get("torsions"):
         raise ParameterError(
             "the turning of a torsion spring is an arc tangent of the place, which proofs of cycles do not take in"
@@ -113,10 +116,10 @@ def _borders(model: Model, row: int) -> tuple[Callable[..., Any], Callable[..., 
     level, rate = (inspect.unwrap(function) for function in (model.motion.borders, model.motion.border_rates))
 
     def level_of(state: Any, constants: Any, mode: Any) -> Any:
-        return level(*state, *constants)[row]
+        return level(*state, *constants, xp=_namespace(state))[row]
 
     def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-        return rate(*state, *accelerations, *constants)[row]
+        return rate(*state, *accelerations, *constants, xp=_namespace(state))[row]
 
     return level_of, rate_of
 
@@ -150,10 +153,10 @@ def _layer(model: Model, number: int, reach: float) -> Border:
     place = 2 + number
 
     def level_of(state: Any, constants: Any, mode: Any) -> Any:
-        return level(*state, *constants, mode[1])[number] - reach - WIDTH * mode[place]
+        return level(*state, *constants, mode[1], xp=_namespace(state))[number] - reach - WIDTH * mode[place]
 
     def rate_of(state: Any, accelerations: Any, constants: Any, mode: Any) -> Any:
-        return rate(*state, *accelerations, *constants, mode[1])[number]
+        return rate(*state, *accelerations, *constants, mode[1], xp=_namespace(state))[number]
 
     def watched(state: Any, constants: Any, mode: Any) -> Any:
         return 1e-3 * level_of(state, constants, mode) / reach
@@ -219,7 +222,7 @@ def _turned(model: Model, state: Sequence[float], constants: Sequence[float]) ->
 
 def _namespace(state: Any) -> Any:
     """Where functions of a state's numbers are: in NumPy, or heyoka for its expressions."""
-    if isinstance(state[0], int | float | np.ndarray | np.floating):
+    if not type(state[0]).__module__.startswith("heyoka"):
         return np
     from ..dynamics.heyoka_library import library
 

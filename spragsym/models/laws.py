@@ -9,7 +9,7 @@ import numpy as np
 
 from ..exact.interval_arrays import Intervals
 from ..exact.interval_functions import atan2, cos, sin
-from ..exact.jets import Jet, JetFunctions
+from ..exact.jets import Jet, JetFunctions, constant
 
 
 class LawFunctions(JetFunctions):
@@ -66,5 +66,22 @@ def _not_negative(value: Any) -> Any:
     return Intervals(np.stack([np.minimum(value.ends[0], 0.0), value.ends[1]]))
 
 
+class FreeWaves(LawFunctions):
+    """The same with cosines and sines for numbers of their own, anything from −1 to 1 and the same for every value."""
+
+    def cos(self, value: Any) -> Any:
+        """From −1 to 1."""
+        return self._wave(value)
+
+    def sin(self, value: Any) -> Any:
+        """From −1 to 1."""
+        return self._wave(value)
+
+    def _wave(self, value: Any) -> Any:
+        return Intervals(np.ones_like(self.taken(constant(value)).ends))
+
+
 #: The one that is needed.
 XP = LawFunctions()
+#: For bounds far away, where forces are linear but for what is bounded.
+FREE = FreeWaves()

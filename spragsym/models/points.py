@@ -21,6 +21,7 @@ from .columns import Columns
 from .ends import shared
 from .precise_points import settled
 from .regions import region
+from .turns import once_around
 
 #: Boxes looked at for one search of up to three unknowns, and of more.
 BUDGET, LARGE_BUDGET = 200_000, 1_000_000
@@ -144,6 +145,7 @@ def search(
     if from_least:
         roots = near_zero.joined(near_zero.searched(system, fixed, around, limits), roots)
         around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)
+    roots = once_around(balance, roots)
     if alone:
         roots = settled(system, fixed, around, roots)
         dropped = shared(system, given, spans[0], roots.left)

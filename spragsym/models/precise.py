@@ -54,8 +54,7 @@ class PreciseBalance:
                 value = ball(float(number), bits)
             if name in balance.angles:
                 self.values |= zip(balance.angles[name], Balls().cos_sin(value), strict=True)
-            else:
-                self.values[name] = value
+            self.values[name] = value
 
     def forces(self, q: Sequence[Any]) -> Sequence[Any]:
         """The balance."""

@@ -72,7 +72,6 @@ def _values(system: Augmented, base: PreciseBalance, unknowns: Sequence[Any]) ->
     for name, value in zip(system.vary, unknowns[n:], strict=True):
         if name in system.balance.angles:
             values |= zip(system.balance.angles[name], cosine_and_sine(value), strict=True)
-        else:
-            values[name] = value
+        values[name] = value
     at = State(system.balance, unknowns[:n], values, (), xp=XP)
     return [*at.forces(), *system.condition.equations(at)]

@@ -53,6 +53,8 @@ def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
             before = ends
             ends = balance.by_rows(Intervals(ends), values, directions)
             ends = balance.with_directions(Intervals(ends), values, directions)
+            if balance.model.about.get("waves"):
+                ends = balance.with_waves(Intervals(ends), values, directions)
             widths, widths_before = ends.sum(axis=0), before.sum(axis=0)
             if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break

@@ -63,8 +63,7 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
         if name in balance.angles:
             cosine, sine = balance.angles[name]
             values |= {cosine: np.cos(value), sine: np.sin(value)}
-        else:
-            values[name] = value
+        values[name] = value
     q = list(states)
     model = balance.model
     motion = [values[name] for name in model.about["arguments"]["motion"]]

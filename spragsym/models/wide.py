@@ -28,7 +28,8 @@ class WideBalance(Balance):
         single = bounds.low == bounds.high
         for place, name in enumerate(self.parameters):
             value = np.where(single[place], bounds.low[place], np.nan)
-            parts += list(cosine_and_sine(value)) if name in self.angles else [WideBalls.exact(value)]
+            parts += list(cosine_and_sine(value)) if name in self.angles else []
+            parts += [] if self.only_turns(name) else [WideBalls.exact(value)]
         columns = [part for ball in parts for part in (ball.middle.high, ball.middle.low, ball.radius)]
         return Intervals(np.concatenate([super().prepared(bounds).ends, Intervals.point(np.array(columns)).ends], axis=1))
 

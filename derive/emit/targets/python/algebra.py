@@ -43,7 +43,9 @@ class AlgebraPrinter(StrPrinter):
         return str(super()._print(expression, **options))
 
     def _print_Rational(self, expression: sp.Rational) -> str:
-        # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float.
+        # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float, which some are exactly.
+        if expression.q & (expression.q - 1) == 0 and abs(expression.p) < 2**53 and expression.q < 2**53:
+            return repr(expression.p / expression.q)
         raise ArithmeticError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
 
     def _print_Add(self, expression: sp.Add, order: str | None = None) -> str:

@@ -1,0 +1,38 @@
+"""Angles after a turn of which all is as before: each state once, though a little more than a turn is searched."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..exact.certified_roots import Roots
+from ..exact.interval_arrays import FloatArray
+from .balance import Balance
+
+#: From it each state lies once in a turn, which the search goes beyond at both ends. No angle that models have.
+BEGIN, END = -np.pi + 1.2345e-6, np.pi + 1.2345e-6
+
+
+def once_around(balance: Balance, found: Roots) -> Roots:
+    """Roots and boxes that are left, without those whose image after a turn is there too.
+
+    What meets an end of the turn itself, of which this can't be said, is among the boxes that are left.
+    """
+    if not balance.around:
+        return found
+    beyond, across = _parted(found.ends, balance.around)
+    hidden, _ = _parted(found.left, balance.around)
+    keep, left = ~beyond & ~across, ~hidden
+    return Roots(
+        found.ends[:, :, keep], found.alone[:, :, keep], found.point[keep],
+        np.concatenate([found.left[:, :, left], found.ends[:, :, across & ~beyond]], axis=2),
+        np.concatenate([found.left_point[left], found.point[across & ~beyond]]),
+    )  # fmt: skip
+
+
+def _parted(ends: FloatArray, around: list[int]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of it."""
+    low, high = -ends[0, around], ends[1, around]
+    beyond = ((low > END) | (high < BEGIN)).any(axis=0)
+    across = ((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN)).any(axis=0)
+    return beyond, across

@@ -1,0 +1,223 @@
+"""Pages of other shapes than the shipped ones: angles that move, full mass matrices, no contact, no friction, curved gaps.
+
+Each against the same mechanics written by hand: Lagrange's equations of a double pendulum from a textbook, balances in mpmath.
+"""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import spragsym as ss
+from tests.conftest import Once
+
+pytest.importorskip("sympy")
+
+HEAD = '''r"""A page of the tests."""
+from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin, sqrt
+page = Page("A page of the tests.")
+m = page.unit("m", "kg", "mass")
+k_c = page.unit("k_c", "N/m", "contact stiffness")
+L_0 = page.unit("L_0", "m", "length")
+'''
+BELT = """
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness of the friction law", "> 0", 10.0)
+mu0 = page.parameter("mu0", "1", "friction coefficient", ">= 0", 0.5)
+"""
+FRICTION = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
+PAGES = {
+    "double_pendulum": HEAD + """
+g = page.parameter("g", "m/s^2", "gravity", "> 0", 0.3, becomes="gamma")
+nu = page.parameter("nu", "1", "second mass over first", "> 0", 0.7)
+a = page.coordinate("a", "rad", "first angle")
+b = page.coordinate("b", "rad", "second angle")
+x1, y1 = L_0 * sin(a), -L_0 * cos(a)
+x2, y2 = x1 + L_0 * sin(b), y1 - L_0 * cos(b)
+page.kinetic(m * (page.rate(x1)**2 + page.rate(y1)**2) / 2 + nu * m * (page.rate(x2)**2 + page.rate(y2)**2) / 2)
+page.potential(m * g * y1 + nu * m * g * y2)
+""",
+    "arm": HEAD + BELT + f"""
+theta0 = page.parameter("theta0", "rad", "angle at rest", "(0, pi)", 1.3)
+k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.3, becomes="tau")
+h = page.parameter("h", "m", "height", "> 0", 0.9, becomes="eta")
+phi = page.coordinate("phi", "rad", "angle")
+page.kinetic(m * L_0**2 * page.rate(phi)**2 / 2)
+page.potential(k_t * (phi - theta0)**2 / 2)
+page.contact(h - L_0 * sin(phi), lambda depth: k_c * depth)
+page.friction(L_0 * cos(phi), V, {FRICTION})
+""",
+    "still": HEAD + """
+theta0 = page.parameter("theta0", "rad", "inclination", "(0, pi)", 0.8)
+F_L = page.parameter("F_L", "N", "preload", "> 0", 0.007, becomes="kappa")
+k = page.parameter("k", "N/m", "stiffness", "> 0", 0.1, becomes="sigma")
+unfelt = page.parameter("unfelt", "N", "a load without effect", ">= 0", 0.2)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+page.kinetic(m * (page.rate(x)**2 + page.rate(x) * page.rate(y) / 2 + page.rate(y)**2) / 2)
+page.spring(k, (x, y), (L_0 * cos(theta0), L_0 * sin(theta0)), length=L_0)
+page.force(0, -F_L, at=(x, y))
+page.potential(unfelt * L_0)
+page.contact(y, lambda depth: k_c * depth)
+""",
+    "bumps": HEAD + BELT + f"""
+k = page.parameter("k", "N/m", "stiffness along", "> 0", 0.4, becomes="sigma")
+F_L = page.parameter("F_L", "N", "preload", "> 0", 0.05, becomes="kappa")
+b = page.parameter("b", "m", "height of the bumps", ">= 0", 0.2)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2)
+page.spring(k, along=x)
+page.spring(k, along=y)
+page.force(0, -F_L, at=(x, y))
+page.contact(y - b * sin(3 * x / L_0), lambda depth: k_c * depth)
+page.friction(x, V, {FRICTION})
+""",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def models(once: Once, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    from spragsym.derive import folder
+
+    def derived() -> str:
+        out = tmp_path_factory.mktemp("shapes")
+        for name, text in PAGES.items():
+            (out / f"{name}.py").write_text(text, encoding="utf-8")
+            folder.write_page(out / f"{name}.py", out / name)
+        return str(out)
+
+    out = Path(once("shapes", derived))
+    return {name: ss.load(out / name) for name in PAGES}
+
+
+def states(model: Any, found: Any) -> np.ndarray:
+    """Equilibria of one point, shape (count, n)."""
+    return np.array([found.coordinates[name][: int(found.count)] for name in model.coordinates]).T
+
+
+def roots(balance: Any, starts: Any) -> list[tuple[float, ...]]:
+    """All roots that Newton's method finds in 50 digits from many starts, each once."""
+    known: list[tuple[float, ...]] = []
+    with mpmath.workdps(50):
+        for start in starts:
+            try:
+                root = mpmath.findroot(balance, tuple(start), tol=mpmath.mpf(10) ** -60, maxsteps=30)
+            except (ValueError, ZeroDivisionError):
+                continue
+            place = tuple(map(float, root)) if isinstance(root, mpmath.matrix) else (float(root),)
+            if not any(np.allclose(place, other, atol=1e-9) for other in known):
+                known.append(place)
+    return known
+
+
+def pendulum(t: float, s: np.ndarray, gamma: float, nu: float) -> list[float]:
+    """A double pendulum of two unit lengths, masses 1 and ν: Landau and Lifshitz, Mechanics, § 5, problem 1."""
+    a, b, u, v = s
+    c, sine = math.cos(a - b), math.sin(a - b)
+    M = np.array([[1 + nu, nu * c], [nu * c, nu]])
+    right = [-nu * v * v * sine - (1 + nu) * gamma * math.sin(a), nu * u * u * sine - nu * gamma * math.sin(b)]
+    return [u, v, *np.linalg.solve(M, right)]
+
+
+@pytest.mark.parametrize("backend", ["heyoka", "scipy"])
+def test_a_double_pendulum_moves_as_in_the_textbook(models: dict[str, Any], backend: str) -> None:
+    """Full mass matrix that depends on the place, centrifugal terms, no contact, no friction, no borders at all."""
+    if backend == "heyoka":
+        pytest.importorskip("heyoka")
+    model, start = models["double_pendulum"], [2.0, 1.0, 0.3, -0.4]
+    tr = model.simulate(model.Parameters(), start=start, t_end=10.0, backend=backend, rtol=1e-11)
+    want = solve_ivp(pendulum, (0, 10.0), start, args=(0.3, 0.7), rtol=1e-12, atol=1e-13, method="DOP853").y[:, -1]
+    assert np.allclose(tr.state[:, -1], want, atol=1e-7)
+    energy = tr.energy()
+    assert np.ptp(energy) < 1e-8
+
+
+def test_slopes_of_a_coupled_motion_are_those_of_differences(models: dict[str, Any]) -> None:
+    model = models["double_pendulum"]
+    state, given, h = np.array([0.7, -1.1, 0.4, 0.9]), [0.3, 0.7], 1e-6
+    exact = np.array(model.motion.regime_jacobian(*state, *given, 1, 1), dtype=float)
+    by = np.array(model.motion.regime_by_parameters(*state, *given, 1, 1), dtype=float)
+    for column in range(6):
+        ends = [[*state, *given] for _ in range(2)]
+        ends[0][column] -= h
+        ends[1][column] += h
+        one, two = (np.array(model.motion.regime_rhs(*end, 1, 1), dtype=float) for end in ends)
+        want = exact[:, column] if column < 4 else by[:, column - 4]
+        assert np.allclose(want, (two - one) / (2 * h), atol=1e-8)
+
+
+def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) -> None:
+    """A double pendulum has four: each of its links hangs or stands; standing is π, where the searched turn ends."""
+    model = models["double_pendulum"]
+    eq = model.equilibria(model.Parameters())
+    assert eq.complete
+    assert eq.whole
+    found = states(model, eq)
+    assert {tuple(row) for row in np.round(found / math.pi, 12).tolist()} == {(0, 0), (0, 1), (1, 0), (1, 1)}
+    slots = [int(np.abs(found[k]).sum() < 1) for k in range(4)]
+    assert [int(code) for code in eq.stability[:4]] == [1 if hangs else 2 for hangs in slots]
+    hanging = slots.index(1)
+    # Frequencies of small motions: γ (1 + ν ± √(ν (1 + ν))) for these masses and lengths.
+    want = sorted(0.3 * (1.7 + way * math.sqrt(0.7 * 1.7)) for way in (-1, 1) for _ in range(2))
+    assert np.allclose(sorted(np.abs(eq.eigenvalues[hanging]) ** 2), want)
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_an_angle_of_the_page_may_stand_by_itself(models: dict[str, Any], contact: bool) -> None:
+    """An arm on a torsion spring k (φ − θ₀)²/2, pressed on a belt: a coordinate that is an angle and does not come around."""
+    model = models["arm"]
+    for theta0, tau in ((1.3, 0.3), (1.3, 0.01), (2.0, 0.004)):
+        eq = model.equilibria(model.Parameters(theta0=theta0, tau=tau), contact=contact)
+        assert eq.complete
+        assert eq.whole
+
+        def balance(phi: Any, theta0: float = theta0, tau: float = tau) -> Any:
+            push = (mpmath.sin(phi) - 0.9) if contact else 0
+            return tau * (phi - theta0) - push * (-mpmath.cos(phi) - mpmath.sin(phi) / 2)
+
+        want = [root for (root,) in roots(balance, [[s] for s in np.linspace(-60, 60, 241)])]
+        want = sorted(root for root in want if (math.sin(root) >= 0.9) == contact)
+        assert np.allclose(states(model, eq)[:, 0], want, rtol=1e-12)
+    change = [model.statics.forces(1.2, theta0, math.cos(theta0), math.sin(theta0), 0.3, 0.9, 0.5, 1)[0] for theta0 in (1.1, 1.2)]
+    slopes = model.statics.forces_by_parameters(1.2, 1.1, math.cos(1.1), math.sin(1.1), 0.3, 0.9, 0.5, 1)
+    assert math.isclose((change[1] - change[0]) / 0.1, slopes[0][model.about["by_parameters"].index("theta0")])
+
+
+@pytest.mark.parametrize("name", ["still", "bumps", "arm"])
+def test_both_integrators_agree_and_energy_balances(models: dict[str, Any], name: str) -> None:
+    """Parameters that the motion does not contain, borders that are curved: heyoka met none of both."""
+    pytest.importorskip("heyoka")
+    model = models[name]
+    ends = []
+    for backend in ("heyoka", "scipy"):
+        tr = model.simulate(
+            model.Parameters(), start=[0.4] * (2 * len(model.coordinates)), t_end=60.0, backend=backend, rtol=1e-10
+        )
+        energy = tr.energy()
+        assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-6
+        ends.append(tr.state[:, -1])
+    assert np.allclose(*ends, atol=1e-5)
+
+
+def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
+    """Virtual work: N ∂(−gap)/∂q, and friction along the slide alone."""
+    model = models["bumps"]
+    eq = model.equilibria(model.Parameters())
+    assert eq.complete
+    assert eq.whole
+
+    def balance(x: Any, y: Any) -> Any:
+        push = mpmath.mpf("0.2") * mpmath.sin(3 * x) - y
+        slope = mpmath.mpf("0.6") * mpmath.cos(3 * x)
+        return [mpmath.mpf("0.4") * x + push * slope - push / 2, mpmath.mpf("0.4") * y + mpmath.mpf("0.05") - push]
+
+    starts = [(x, y) for x in np.linspace(-2, 2, 41) for y in (-0.2, 0.1)]
+    want = sorted(root for root in roots(balance, starts) if 0.2 * math.sin(3 * root[0]) - root[1] >= 0)
+    assert np.allclose(states(model, eq), want, atol=1e-12)

@@ -38,7 +38,9 @@ def _check_angles(value: sp.Expr, what: str, line: int, turning: set[sp.Symbol])
     for node in sorted(value.atoms(sp.cos, sp.sin), key=sp.default_sort_key):
         inner = node.args[0]
         if not inner.free_symbols & turning:
-            raise PageError(line, f"{what} takes {node}, and {inner} is no angle of the page; make it a parameter with the unit rad")
+            raise PageError(
+                line, f"{what} takes {node}, and {inner} is no angle of the page; make it a parameter with the unit rad"
+            )
 
 
 def _check_kinks(value: sp.Expr, what: str, line: int, moving: set[sp.Symbol]) -> None:

@@ -113,16 +113,14 @@ def _towed(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[Any]:
 
 
 def _rail(q: Sequence[Any], v: Sequence[Any], p: Values, xp: Any) -> list[Any]:
-    """With a torque of the anchor's spring that is the derivative of its energy (the page's documented form) by the angle."""
+    """With the torque of the anchor's spring: its stiffness times the least angle by which the line has turned."""
     c0, s0 = xp.cos(p["theta0"]), xp.sin(p["theta0"])
     fx, fy = line(q, (c0, s0), v, p["sigma"], 1, 0, xp)
     dx, dy = c0 - q[0], s0 - q[1]
     square = dx * dx + dy * dy
     length = xp.sqrt(square)
     cosine, sine = (c0 * dx + s0 * dy) / length, (c0 * dy - s0 * dx) / length
-    # The page's documented form φ² = 2 w + w²/3 with w = 1 − cos φ, whose half has the derivative sin φ (1 + w/3).
-    w = 1 - cosine
-    torque = p["tau"] * sine * (1 + w / 3)
+    torque = p["tau"] * 2 * getattr(xp, "arctan", getattr(xp, "atan", None))(sine / (1 + cosine))
     # The angle grows by dx/dt = −vx, dy/dt = −vy: φ′ = (dx dy′ − dy dx′)/l².
     return [fx - p["alpha"] * q[0] - torque * dy / square, fy - p["kappa"] + torque * dx / square]
 

@@ -129,14 +129,14 @@ def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
     """All states of ``tests/soft_brake.py``, an inclined spring with a torsion spring at its anchor, as (x, y), sorted.
 
     With the angle φ of the torsion spring given, the balance along the spring is a quadratic equation in its length, linear in
-    lift-off, and the balance across it a function of φ on each branch of its roots. Changes of sign on a grid are refined; two roots
-    within one part of the grid are missed, and beside a fold of the branches.
+    lift-off, and the balance across it a function of φ on each branch of its roots. Changes of sign on a grid are refined, which is
+    ever finer towards the ends of the branches; two roots within one part of the grid are missed.
     """
     names = ("theta0", "mu0", "kappa", "alpha", "sigma", "tau", "gamma")
     theta0, mu, kappa, alpha, sigma, tau, gamma = (mp.mpf(float(getattr(p, name))) for name in names)
     exact = (theta0, mu * contact, kappa, alpha, sigma, tau, gamma)
     rough = tuple(map(float, exact))
-    grid = np.pi * (2 * (np.arange(TURN_PARTS) + 1 / 3) / TURN_PARTS - 1)
+    grid = _towards_ends(np.pi * (2 * (np.arange(TURN_PARTS) + 1 / 3) / TURN_PARTS - 1), contact, rough)
     found = []
     for branch in (0, 1):
         with np.errstate(all="ignore"):
@@ -150,6 +150,20 @@ def turned_spring(p: Any, contact: bool) -> list[tuple[Any, Any]]:
             if length > 0 and (y < 0) == contact and abs(lacks) < 1e-30 * (1 + tau):  # a pole of the branch changes sign, too
                 found.append((x, y))
     return sorted(found)
+
+
+def _towards_ends(grid: Any, contact: bool, numbers: tuple[float, ...]) -> Any:
+    """The grid with points at halved distances from where the quadratic equation ceases to have roots."""
+    with np.errstate(all="ignore"):
+        there = np.isfinite(_turned(grid, 0, contact, numbers, np)[3])
+        last = np.flatnonzero(there[:-1] != there[1:])
+        first = np.where(there[last], grid[last], grid[last + 1])
+        inside, outside = first, np.where(there[last], grid[last + 1], grid[last])
+        for _ in range(60):
+            middle = (inside + outside) / 2
+            known = np.isfinite(_turned(middle, 0, contact, numbers, np)[3])
+            inside, outside = np.where(known, middle, inside), np.where(known, outside, middle)
+    return np.unique(np.concatenate([grid, *(inside + (first - inside) * 2.0**-j for j in range(48))]))
 
 
 def _turned(phi: Any, branch: int, contact: bool, numbers: tuple[Any, ...], xp: Any) -> tuple[Any, Any, Any, Any]:

@@ -1,15 +1,16 @@
 """Models from pages against closed forms and other formulations, at many points.
 
-``python -m benchmarks.validate_models [POINTS] [SEED] [FILE]``: POINTS of each family for the article's model (10⁵ in all with 10 000),
-POINTS // 500 random points of each other page in 50 digits, and POINTS // 1000 searches for folds along each parameter and for
-cusps. With FILE the families alone, in parts that are kept in that file: what
-was interrupted goes on where it was.
+``python -m benchmarks.validate_models [POINTS] [SEED] [FILE]``: POINTS of each family for the article's model (10⁵ in all with
+10 000), POINTS // 500 random points of each other page in 50 digits, POINTS // 30 of a page with a torsion spring, and
+POINTS // 1000 searches for folds along each parameter and for cusps. With FILE the families alone, in parts that are kept in that
+file: what was interrupted goes on where it was.
 """
 
 from __future__ import annotations
 
 import json
 import sys
+import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -165,12 +166,46 @@ def pages(points: int, seed: int) -> None:
         )
 
 
+def torsion(points: int, seed: int) -> None:
+    """The page of tests with a torsion spring at the anchor, in contact and in lift-off, four decades of every parameter."""
+    from spragsym.derive import folder
+
+    rng = np.random.default_rng(seed)
+    with tempfile.TemporaryDirectory() as out:
+        folder.write_page(Path(__file__).resolve().parent.parent / "tests/soft_brake.py", Path(out) / "soft_brake")
+        model = ss.load(str(Path(out) / "soft_brake"))
+        sets = {
+            name: model.base[name] * 10.0 ** rng.uniform(-2, 2, points) for name in ("kappa", "alpha", "sigma", "tau", "gamma")
+        }
+        sets |= {"theta0": rng.uniform(0.05, 3.1, points), "mu0": rng.uniform(0, 1, points) * (rng.random(points) < 0.9)}
+        for contact in (True, False):
+            begin = time.process_time()
+            eq = model.equilibria(model.Parameters(**sets), contact=contact)
+            spent = time.process_time() - begin
+            wrong, worst = 0, 0.0
+            for i in range(points):
+                with mp.workdps(50):
+                    want = references.turned_spring(model.Parameters(**{key: values[i] for key, values in sets.items()}), contact)
+                    wrong += int(eq.count[i]) != len(want)
+                    got = list(zip(eq.x[i], eq.y[i], strict=True))[: len(want)] if eq.count[i] == len(want) else []
+                    for slot, state in enumerate(got):
+                        for value, exact in zip(state, want[slot], strict=True):
+                            away = abs(mp.mpf(float(value)) - exact) / max(1, abs(exact))
+                            worst = max(worst, float(away / mp.mpf(float(eq.error[i, slot]))))
+            print(
+                f"torsion, {'contact' if contact else 'lift-off'}{points:6} points, {wrong} other counts, {int((~eq.decided).sum())} undecided, "
+                f"{1e3 * spent / points:.2f} ms each, largest error {np.nanmax(eq.error, initial=0.0):.1e}, over its bound {worst:.2g}",
+                flush=True,
+            )
+
+
 def main() -> None:
     """All of them."""
     points, seed = (int(sys.argv[i]) if len(sys.argv) > i else default for i, default in ((1, 10_000), (2, 1)))
     store = Path(sys.argv[3]) if len(sys.argv) > 3 else None
     if store is None:
         pages(max(1, points // 500), seed)
+        torsion(max(1, points // 30), seed)
         folds_and_cusps(max(1, points // 1000), seed)
     article(points, seed, store)
 

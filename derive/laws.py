@@ -77,6 +77,23 @@ def slope_at_rest(model: Mechanics) -> sp.Expr:
     return sp.factor_terms(sp.diff(ahead, SLIP).subs(SLIP, model.belt))
 
 
+def slope_by_sizes(model: Mechanics) -> tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...]:
+    """The slope as Σ c eᵃ, over each of its exponentials: c and a of all terms, once for each.
+
+    Where exponentials are too small for floats the slope is, too, but its sign is not lost over the largest of them.
+    """
+    terms: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(sp.expand(slope_at_rest(model))):
+        coefficient, power = term.as_independent(sp.exp)
+        power = sp.powsimp(power)
+        if not isinstance(power, sp.exp):
+            coefficient, power = term, sp.exp(0)
+        exponent = power.args[0] if isinstance(power, sp.exp) else sp.S.Zero
+        terms[exponent] = terms.get(exponent, sp.S.Zero) + coefficient
+    ordered = sorted(terms, key=sp.default_sort_key)
+    return tuple(tuple((sp.factor_terms(terms[a]), sp.expand(a - top)) for a in ordered) for top in ordered)
+
+
 def friction_at_rest(model: Mechanics) -> sp.Expr:
     """What μ is in the statics: the limit of the law that the page names, or the law at the belt's speed."""
     sliding = model.page.sliding

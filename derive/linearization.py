@@ -40,5 +40,7 @@ def module(model: Mechanics) -> Module:
                      nested(damping(model)), "((C_11, …), …)", {DEPTH: model.depth}, transcendental=True),
             Function("friction_slope", "Slope of the friction law at steady sliding, by the sliding speed.", "the page",
                      model.arguments, laws.slope_at_rest(model), "dμ/dv", transcendental=True),
+            Function("friction_slope_by_sizes", "The slope as a sum of c exp(a), over each of its exponentials.", "the page",
+                     model.arguments, laws.slope_by_sizes(model), "(((c, a), …), …)", transcendental=True),
         ),
     )  # fmt: skip

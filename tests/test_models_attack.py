@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 import spragsym as ss
+from benchmarks.attack_emission import compare
 from benchmarks.attack_models import equilibria, load
 from benchmarks.attack_motions import field
 from benchmarks.attack_references import DRAWN
@@ -53,7 +56,7 @@ SHALLOW = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("contact", [True, False])
+@pytest.mark.parametrize("contact", [pytest.param(True, marks=pytest.mark.thorough), False])
 def test_states_on_a_belt_that_hardens_within_a_hair(penalty: Any, contact: bool) -> None:
     """Forces deep in the belt are infinite, and in lift-off, where the law is multiplied by 0, none is."""
     outcome = equilibria(penalty, DRAWN["penalty"], SHALLOW, contact, np.random.default_rng(1))
@@ -145,3 +148,13 @@ def test_a_ball_that_comes_back_to_touch_goes_down_again(backend: str) -> None:
     assert abs(high) < 1e-9
     energy = tr.energy()
     assert abs(energy[-1] - energy[0] - tr.integral(tr.power())) < 1e-14
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", ["hertz_contact", "stribeck", "rail"])
+def test_functions_in_floats_intervals_digits_and_c(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Every function that is generated: intervals hold what 50 digits give, and C and Python are near it."""
+    pytest.importorskip("sympy")
+    if shutil.which("cc") is None:
+        pytest.skip("there is no C compiler")
+    assert compare(name, 2, 1, tmp_path) == []

@@ -13,6 +13,8 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.derive import folder, pages
+from spragsym.models import stability
+from spragsym.models.balance import Balance
 
 
 @pytest.mark.parametrize("vary", ["sigma", "alpha_a"])
@@ -152,3 +154,53 @@ def _distance(point, line):
     begin, step = line[:, :-1], np.diff(line, axis=1)
     part = np.clip(((point[:, None] - begin) * step).sum(axis=0) / np.maximum((step**2).sum(axis=0), 1e-300), 0.0, 1.0)
     return np.linalg.norm(begin + part * step - point[:, None], axis=0).min()
+
+
+def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
+    # dμ/dv = μ₀ d e^(−d V) is never 0, and Stribeck's with μ_k = 0 is e^(−V/v_s) times what is 0 at one v_s only, beyond 10.
+    article = ss.load("kang_nam")
+    for vary in ("V", "d"):
+        found = article.flutter_onsets(article.Parameters(theta0=2.5, V=13.2, d=107.8), vary)
+        assert found.complete
+        assert len(found) == 0
+    stribeck = ss.load("stribeck")
+    p = stribeck.Parameters(theta0=1.0, mu_k=0.0)
+    found = stribeck.flutter_onsets(p, "v_s")
+    assert found.complete
+    assert found.remarks == ()
+    _crosses(stribeck, p, found, "v_s")
+
+
+def test_an_onset_that_more_digits_do_not_prove_is_kept():
+    # Found in a random attack: a regular root, known to 1.1e-12, was given up for a box of width 4e-4.
+    model = ss.load("damped")
+    p = model.Parameters(
+        theta0=2.9157543051574755, mu0=0.43699156516387977, kappa=0.15847075823454923, alpha=0.016250342603733297,
+        sigma=0.049769325988967605, beta=0.2578522662237829, zeta_x=0.18676578516369519, zeta_y=0.0016447809758024315,
+        V=0.06916325233881838, d=0.4435031872587287,
+    )  # fmt: skip
+    found = model.flutter_onsets(p, "zeta_s")
+    assert found.complete
+    assert len(found) == 2
+    _crosses(model, p, found, "zeta_s")
+
+
+def test_what_is_open_at_an_end_without_friction_is_said():
+    # At mu0 = 0 the spring stands upright, and K₁₂ K₂₁ vanishes with the square of mu0.
+    model = ss.load("inclined_belt")
+    found = model.flutter_onsets(model.Parameters(theta0=1.17, psi=-1.15, alpha=0.0, gamma_g=0.0, sigma=0.067), "mu0")
+    assert found.complete or any("hold the end mu0 = 0" in remark and "K is symmetric" in remark for remark in found.remarks)
+
+
+def _crosses(model, p, found, vary):
+    """At every onset two roots λ of some state change the sign of their real part."""
+    for at in getattr(found, vary):
+        unstable = []
+        for factor in (1 - 1e-4, 1 + 1e-4):
+            beside = p.replace(**{vary: float(at * factor)})
+            eq = model.equilibria(beside)
+            states = np.array([getattr(eq, name) for name in model.coordinates])
+            given = np.array([[float(getattr(beside, name))] * states.shape[1] for name in model.parameters])
+            parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(Balance(model, True), states, given))
+            unstable.append((stability.roots(*parts).real > 0).sum(axis=-1))
+        assert sorted(np.abs(unstable[1] - unstable[0]).tolist())[-1] == 2

@@ -62,9 +62,9 @@ CASES = {
         at_rest=True,
     ),
     "waves": Case(
-        "k_c * L_0 * sinh(depth / L_0)",
+        "k_c * L_0 * sinh(depth / L_0) * sqrt(2) * log(3) * exp(1) / 4",
         "mu0 * sinh(d * v) / cosh(d * v) * (1 + sin(v * d / 4) ** 2 / 8)",
-        mpmath.sinh,
+        lambda depth: mpmath.sinh(depth) * mpmath.sqrt(2) * mpmath.log(3) * mpmath.e / 4,
         lambda v: mpmath.tanh(10 * v) * (1 + mpmath.sin(v * 2.5) ** 2 / 8) / 2,
     ),
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import itertools
 import json
 import math
 import shutil
@@ -168,6 +169,16 @@ def test_a_motion_behind_the_anchor_goes_on_with_the_least_turning(model: Any, b
     assert tr.energy()[-1] - tr.energy()[0] == pytest.approx(work, abs=1e-5)
 
 
+@pytest.mark.parametrize("rtol", [1e-9, 1e-12])
+def test_a_jump_is_crossed_once_however_loose_the_tolerance(model: Any, rtol: float) -> None:
+    """The level of the border is curved in the state: by the error of a step a motion begins behind it in the new mode."""
+    pytest.importorskip("heyoka")
+    p = model.Parameters(theta0=2.205926133607513, mu0=0.0, kappa=0.30704, alpha=0.02441, sigma=0.08657, tau=1.725e-4, gamma=3.44)
+    start = [-1.0095703714247501, 1.4616892648305715, 0.2977184895486993, -1.058684974734116]
+    ends = [model.simulate(p, start=start, t_end=1.0, backend=name, rtol=rtol).state[:, -1] for name in ("heyoka", "scipy")]
+    assert np.abs(ends[0] - ends[1]).max() < 100 * rtol
+
+
 def test_a_motion_too_slow_for_the_ray_is_pushed_back(model: Any) -> None:
     """The torque points away from the ray on both sides, as the energy has its largest value there."""
     p = model.Parameters(tau=0.5, mu0=0.3)
@@ -225,7 +236,7 @@ def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str
     """Every equilibrium that Newton's method finds from many places is among those proved, to 1e-12, and no other one is."""
     p = model.Parameters(**changes)
     eq = model.equilibria(p, contact=contact)
-    assert eq.complete or not contact
+    assert eq.complete
     with mpmath.workdps(40):
         values = dict(zip(model.parameters, map(float, p.scalars(*model.parameters)), strict=True))
         known = roots_by_hand(values, int(contact))
@@ -233,6 +244,31 @@ def test_equilibria_are_those_of_a_balance_by_hand(model: Any, changes: dict[str
         assert len(known) == len(proved) == int(eq.count)
         for one, other in zip(known, proved, strict=True):
             assert max(abs(a - b) for a, b in zip(one, other, strict=True)) < 1e-12
+
+
+@pytest.mark.parametrize(("vary", "between"), [("tau", (0.0, 0.5)), ("theta0", (0.1, 3.0))])
+def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tuple[float, float]) -> None:
+    """Where the determinant of the derivatives of the balance by hand is 0; between them as many equilibria as they say."""
+    p = model.Parameters()
+    found = model.folds(p, vary, between={vary: between})
+    assert found.complete
+    assert found.kind.tolist() == ["fold", "fold"]
+    values = {name: mpmath.mpf(float(value)) for name, value in zip(model.parameters, p.scalars(*model.parameters), strict=True)}
+
+    def fold(x: Any, y: Any, value: Any) -> list[Any]:
+        def force(row: int) -> Any:
+            return lambda x, y: balance_by_hand(x, y, values | {vary: value}, 1)[row]
+
+        rows = [[mpmath.diff(force(row), (x, y), order) for order in ((1, 0), (0, 1))] for row in (0, 1)]
+        return [*balance_by_hand(x, y, values | {vary: value}, 1), rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]]
+
+    with mpmath.workdps(40):
+        for x, y, value in zip(found.x, found.y, found.values[vary], strict=True):
+            exact = mpmath.findroot(fold, (float(x), float(y), float(value)), tol=1e-20)
+            assert max(abs(a - float(b)) for a, b in zip(exact, (x, y, value), strict=True)) < 1e-11
+    ends = [between[0], *found.values[vary].tolist(), between[1]]
+    counts = [int(model.equilibria(model.Parameters(**{vary: (low + high) / 2})).count) for low, high in itertools.pairwise(ends)]
+    assert sorted(abs(one - other) for one, other in itertools.pairwise(counts)) == [2, 2]
 
 
 # ---------------------------------------------------------------------------------------------- number types

@@ -17,8 +17,7 @@ from flint import acb, arb, arb_mat
 
 from ..dynamics.field import Field, Mode
 from ..exact.jets import gradient, variables
-from ..exact.methods import Functions
-from .jets import Jet
+from .jets import XP, Jet
 
 #: Radii of convergence that are tried.
 TIMES = (3.0, 2.0, 1.4, 1.0, 0.75, 0.55, 0.4, 0.3, 0.22, 0.16, 0.11, 0.07, 0.04, 0.02, 0.005)
@@ -97,7 +96,7 @@ class Balls:
 
         def sizes(radii: list[Any]) -> list[Any]:
             about = disc(radii)
-            rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, Functions)]
+            rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, XP)]
             return [abs(acb(rate)).abs_upper() for rate in rates]
 
         if not all(value.rad() < 1e-2 for value in box):
@@ -130,7 +129,7 @@ class Balls:
         sign = border.sign(self.mode)
         if sign * border.level(state, self.constants, self.mode) > 0:
             return
-        accelerations = self.field.acceleration(state, self.constants, self.mode, Functions)
+        accelerations = self.field.acceleration(state, self.constants, self.mode, XP)
         rate = border.rate(state, accelerations, self.constants, self.mode)
         if rate > 0 or rate < 0:
             ends = [border.level(self._during(within, tails, t), self.constants, self.mode) for t in (begin, end)]
@@ -164,7 +163,7 @@ class Balls:
         self.keeps_clear(hull, but=index)
         speeds, slopes, rates = [], [arb(1)], []
         for mode in (self.mode, after):
-            accelerations = self.field.acceleration(hull, self.constants, mode, Functions)
+            accelerations = self.field.acceleration(hull, self.constants, mode, XP)
             rates.append(border.rate(hull, accelerations, self.constants, mode))
             speeds += [abs(value).abs_upper() for value in (*hull[n:], *map(arb, accelerations))]
             rows = slopes_at(self.field, hull, self.constants, mode)
@@ -175,7 +174,7 @@ class Balls:
         if not all(sign * rate < 0 for rate in rates):
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
         mixed = window * slope * window * speed
-        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, Functions)]
+        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
         self.point = [value + window * rate + _around(mixed) for value, rate in zip(self.point, fields, strict=True)]
         m, spread = self.field.size, _around((window * slope).exp() - 1)
         near_one = arb_mat(m, m, [(1 if i == j else 0) + spread for i in range(m) for j in range(m)])
@@ -190,7 +189,7 @@ def slopes_along(field: Field, within: list[Jet], constants: list[Any], mode: Mo
 
     The generated ones may be written out in powers: over wide balls their terms are many times as large as what is left of them.
     """
-    accelerations = field.acceleration(variables(within, 1), constants, mode, Functions)
+    accelerations = field.acceleration(variables(within, 1), constants, mode, XP)
     return [gradient(acceleration, field.size) for acceleration in accelerations]
 
 
@@ -204,7 +203,7 @@ def solution(field: Field, state: list[Any], constants: list[Any], mode: Mode, o
     """Taylor coefficients of the solution from a state."""
     n = len(field.coordinates)
     unknown = [Jet() for _ in state]
-    rates: list[Any] = [*unknown[n:], *field.acceleration(unknown, constants, mode, Functions)]
+    rates: list[Any] = [*unknown[n:], *field.acceleration(unknown, constants, mode, XP)]
     for jet, value in zip(unknown, state, strict=True):
         jet.known.append(value)
     for k in range(order):

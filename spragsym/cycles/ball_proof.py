@@ -18,8 +18,8 @@ from flint import acb_mat, arb, arb_mat, ctx
 
 from ..dynamics.field import Field, Mode
 from ..errors import ParameterError
-from ..exact.methods import Functions
 from .ball_flow import Balls, NotProved, polynomial, slopes_at, solution
+from .jets import XP
 
 #: Rounds of Newton's method with the slopes of double precision.
 ROUNDS = 14
@@ -33,7 +33,7 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     digits = int(claim["digits"])
     radius, order = arb(10) ** -digits, math.ceil(1.9 * digits)
     radius = arb(float(radius.mid()))
-    constants = list(field.constants([arb(value) for value in claim["values"]], Functions))
+    constants = list(field.constants([arb(value) for value in claim["values"]], XP))
     state, period = [arb(value) for value in claim["state"]], arb(claim["period"])
     n = len(field.coordinates)
     moved = [i for i in range(field.size) if i != n]  # the first speed is 0 where the first coordinate is largest
@@ -127,7 +127,7 @@ def _traced(
             that = field.borders[border]
             for _ in range(10):
                 there = [polynomial(jet, order, left).mid() for jet in jets]
-                accelerations = field.acceleration(there, constants, mode, Functions)
+                accelerations = field.acceleration(there, constants, mode, XP)
                 change = that.rate(there, accelerations, constants, mode)
                 left = (left - that.level(there, constants, mode) / change).mid()
         now = [polynomial(jet, order, left).mid() for jet in jets]
@@ -149,7 +149,7 @@ def _krawczyk(
     box, n = balls.box, len(balls.field.coordinates)
     around = [value + arb(0, arb(1e-6)) for value in box]
     balls.keeps_clear(around)
-    accelerations = field.acceleration(around, balls.constants, balls.mode, Functions)
+    accelerations = field.acceleration(around, balls.constants, balls.mode, XP)
     rates = [*around[n:], *map(arb, accelerations)]
     rows = slopes_at(field, around, balls.constants, balls.mode)
     slope = max([arb(1), *(sum((abs(arb(v)) for v in row), arb(0)) for row in rows)], key=lambda ball: float(ball.upper()))

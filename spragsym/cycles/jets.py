@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ..exact.methods import repeated_product
+from ..exact.methods import Functions, repeated_product
 
 
 class Jet:
@@ -151,3 +151,19 @@ def _quotient(numerator: Callable[[int], Any], divisor: Jet) -> Jet:
 
     quotient._following = following
     return quotient
+
+
+class BallFunctions:
+    """The namespace ``xp`` of python-flint's balls and of series and jets of them; a number is a ball without width."""
+
+    def __getattr__(self, name: str) -> Any:
+        from flint import arb
+
+        if name == "pi":
+            return arb.pi()
+        function = getattr(Functions, name)
+        return lambda value: function(arb(value) if isinstance(value, int | float) else value)
+
+
+#: The one that is needed.
+XP = BallFunctions()

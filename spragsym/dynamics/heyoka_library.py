@@ -15,3 +15,19 @@ def library() -> Any:
 
     hy.set_logger_level_error()
     return hy
+
+
+class Functions:
+    """The namespace ``xp`` of heyoka's expressions, whose functions take numbers too, as the 2 of sqrt(2)."""
+
+    def __getattr__(self, name: str) -> Any:
+        import heyoka as hy
+
+        found = getattr(hy, name)
+        if isinstance(found, hy.expression):
+            return found
+        return lambda *values: found(*(hy.expression(float(it)) if isinstance(it, int | float) else it for it in values))
+
+
+#: The one that is needed.
+XP = Functions()

@@ -21,7 +21,7 @@ from .field import Field, Mode
 from .heyoka_library import library
 from .motions import Measured, Motions, Turns
 from .problem import Event, event_at, out_of_range, too_many_steps
-from .with_heyoka import Equations, tolerance, watched
+from .with_heyoka import Equations, tolerance, watched, ways_out
 
 #: Motions in flight. Another number compiles other code, and may give other last bits.
 LANES = 8
@@ -97,7 +97,10 @@ class Lanes:
         self.solver = solver = hy.taylor_adaptive_batch(
             equations.system, np.zeros((len(equations.system), LANES)), tol=tolerance(field, rtol),
             t_events=[
-                hy.t_event_batch(watched(border, *equations.seen), callback=self._crossing(field, row), cooldown=0.0)
+                hy.t_event_batch(
+                    watched(border, *equations.seen), callback=self._crossing(field, row), cooldown=0.0,
+                    direction=ways_out(border),
+                )
                 for row, border in enumerate(field.borders)
             ],
             nt_events=[hy.nt_event_batch(1e-3 * equations.seen[0][self.size // 2], self._turning())] if watch else [],

@@ -11,7 +11,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import JUMPED, Field, Mode
-from .heyoka_library import library
+from .heyoka_library import XP, library
 from .lobatto import unit_points
 from .passage import Crossing, Passage, Turn
 from .with_heyoka import put, watched
@@ -39,11 +39,11 @@ class Compiled:
         width, parameters = len(field.modes[0]), len(field.parameters)
         constants = [hy.par[i] for i in range(self.constants)]
         mode = [hy.par[self.constants + i] for i in range(width)]
-        accelerations = list(field.acceleration(state, constants, mode, hy))
+        accelerations = list(field.acceleration(state, constants, mode, XP))
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if derivatives:
-            jacobian = field.jacobian(state, constants, mode, hy)
-            slopes = field.by_parameters(state, constants, mode, hy)
+            jacobian = field.jacobian(state, constants, mode, XP)
+            slopes = field.by_parameters(state, constants, mode, XP)
             for column in range(m + directions):
                 part = hy.make_vars(*(f"d{i}_{column}" for i in range(m)))
                 rates = [_dot(row, part) for row in jacobian]

@@ -13,7 +13,7 @@ import numpy as np
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import GAP, Border, Field, Mode
-from .heyoka_library import library
+from .heyoka_library import XP, library
 from .lobatto import unit_points
 from .problem import Problem, event_at, initial_mode, out_of_range, too_many_steps
 from .solution import Crossing, Solution, assembled
@@ -54,7 +54,7 @@ class Equations:
         end = constants + len(field.modes[0])
         state = hy.make_vars(*names, *(f"v{name}" for name in names))
         known, mode = ([hy.par[i] for i in range(*ends)] for ends in ((constants,), (constants, end)))
-        accelerations = field.acceleration(state, known, mode, hy)
+        accelerations = field.acceleration(state, known, mode, XP)
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]
@@ -80,7 +80,9 @@ class Compiled:
         self.solver = hy.taylor_adaptive(
             equations.system, [0.0] * field.size, tol=tolerance(field, rtol),
             t_events=[
-                hy.t_event(watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0)
+                hy.t_event(
+                    watched(border, *equations.seen), callback=partial(self._cross, row), cooldown=0.0, direction=ways_out(border)
+                )
                 for row, border in enumerate(field.borders)
             ],
         )  # fmt: skip
@@ -137,6 +139,17 @@ class Compiled:
         if not problem.field.is_inside(self.state.tolist(), problem.constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {solver.time:.6g}; use backend='scipy'")
         return steps, pieces
+
+
+def ways_out(border: Border) -> Any:
+    """In which directions an event of a border is looked for.
+
+    Where the field jumps, the levels of both modes are 0, and are curved in the state: after a crossing the new one may be
+    negative by the error of a step, and its way up is no event.
+    """
+    import heyoka as hy
+
+    return hy.event_direction.any if border.jumps is None else hy.event_direction.negative
 
 
 def tolerance(field: Field, rtol: float) -> float:

@@ -49,6 +49,9 @@ class System(Protocol):
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """F at floats, of which a system may know more digits than over boxes."""
 
+    def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray | None:
+        """Floats that may be nearer to roots than the given ones, shape (n, N), if it knows any: nothing is proved of them."""
+
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Enclosure of ∂F/∂x, shape (n, n, N)."""
 
@@ -78,6 +81,10 @@ class Plain:
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """The residuals over boxes without width."""
         return self.residuals(Intervals.point(middles), parameters)
+
+    def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray | None:
+        """None."""
+        return None
 
     def hopeless(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
         """No box."""

@@ -14,6 +14,8 @@ from .interval_arrays import FloatArray, Intervals, raised
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
+#: Relative half-width of boxes around what floats take for a root.
+NEAR = 2.0**-40
 #: Relative width up to which there is no further one.
 DONE = 2.0**-50
 
@@ -108,7 +110,9 @@ def _refined(
     for begin in range(0, point.size, boxes.CHUNK):
         rows = np.arange(begin, min(begin + boxes.CHUNK, point.size))
         at = system.prepared(parameters[:, point[rows]])
-        for _ in range(STEPS):
+        ends[:, :, rows], known = _guessed(system, ends[:, :, rows], at)
+        rows, at = rows[~known], at[:, ~known]
+        for _ in range(STEPS if rows.size else 0):
             box = Intervals(ends[:, :, rows])
             middle = box.middle
             reach = np.maximum(*raised(box.ends + np.stack([middle, -middle])))
@@ -123,6 +127,20 @@ def _refined(
             if not rows.size:
                 break
     return ends, empty
+
+
+def _guessed(system: System, ends: FloatArray, parameters: Intervals) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Small boxes around guesses, where interval Newton shows that the only root is there; the given ones elsewhere."""
+    guess = system.guessed(Intervals(ends).middle, parameters)
+    if guess is None:
+        return ends, np.zeros(ends.shape[2], dtype=np.bool_)
+    reach = NEAR * np.maximum(1.0, np.abs(guess))
+    around = np.stack([reach - guess, reach + guess])
+    middle = Intervals(around).middle
+    reach = np.maximum(*raised(around + np.stack([middle, -middle])))
+    step = contractors.newton(system.at_points(middle, parameters), system.jacobian(Intervals(around), parameters), middle, reach)
+    known = contractors.inside(step.ends, around) & contractors.within(around, ends)
+    return np.where(known, step.ends, ends), known
 
 
 def once(ends: FloatArray, alone: FloatArray, point: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

@@ -154,6 +154,9 @@ class _Reduction:
         side, *given = Intervals(boxes[:, self.unknowns, every])
         u = Intervals(side.ends + ROOM * side.width)
         others, proved = self._others(u, given)
+        if not proved.any():
+            nothing = np.empty((2, len(self.unknowns), 0))
+            return nothing, nothing, every[:0], ~proved, np.full((2, every.size), np.nan)
         (*_, last), terms = self._expansion(every, u, others, 3)
         curve, bend = self._centre(u, others, last, [row[-1] for row in terms])
         centre = curve.centre

@@ -22,6 +22,8 @@ AWAY = 1.0
 TURN = np.pi + 2e-6
 #: Sizes of a box from all anchors beyond which it counts as small.
 FAR = 2.0
+#: Steps of Newton's method from the middle of a box that has one root.
+GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
@@ -87,6 +89,8 @@ class Balance:
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
         self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.statics, "balance") else {}
+        #: Whether the sign of the slope of the friction law can be told where that is too small for floats.
+        self.slope_is_a_sum = hasattr(model.linearization, "friction_slope_by_sizes")
         self._lengths: bool | None = None
         #: Beyond them the forces are not asked for.
         self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
@@ -219,6 +223,17 @@ class Balance:
         """Slope of the friction law at steady sliding."""
         return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
 
+    def slope_has_a_sign(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
+        """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
+        out = np.zeros(shape, dtype=np.bool_)
+        if not self.slope_is_a_sum:
+            return out
+        for terms in undecorated(self.model.linearization.friction_slope_by_sizes)(*self._listed(values, "motion"), xp=XP):
+            kept = [(factor, power) for factor, power in terms if stacked([factor], shape)[0].ends.any()]
+            total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(shape)))
+            out |= ~total.holds_zero()
+        return out
+
     def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The gap of the contact."""
         return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=xp)
@@ -241,6 +256,17 @@ class Balance:
     def at_points(self, middles: FloatArray, parameters: Intervals) -> Intervals:
         """Forces at floats, shape (n, N)."""
         return self.residuals(Intervals.point(middles), parameters)
+
+    def guessed(self, middles: FloatArray, parameters: Intervals) -> FloatArray:
+        """Newton's method in floats."""
+        values = dict(zip(self.codes, parameters.middle, strict=True))
+        q = middles
+        for _ in range(GUESSES):
+            directions = self.plain_directions(list(q), values, np)
+            forces, rows = (self.call(name, list(q), directions, values, np) for name in ("forces", "forces_jacobian"))
+            J = contractors.inverse(np.array([[entry + 0.0 * q[0] for entry in row] for row in rows]))
+            q = q - (J * np.array([force + 0.0 * q[0] for force in forces])[None]).sum(axis=1)
+        return q
 
     def jacobian(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Stiffness over boxes, shape (n, n, N)."""
@@ -325,8 +351,12 @@ class Balance:
     # -------------------------------------------------------------------------------------------- contraction
 
     def fine(self, unknowns: Intervals, parameters: Intervals) -> NDArray[np.bool_]:
-        """Boxes far from the anchors of all springs, for their size: directions hardly change over them."""
-        far = np.full(unknowns.shape[1:], bool(self.springs))
+        """Boxes far from the anchors of all springs, for their size: directions hardly change over them.
+
+        None where a contact's law is no polynomial: over a small box an exponential of the depth may change by any factor.
+        """
+        smooth = not self.contact or bool(self.model.about["contact"].get("polynomial"))
+        far = np.full(unknowns.shape[1:], bool(self.springs) and smooth)
         for dx, dy in self.anchors(*self._taken(unknowns, parameters)):
             far &= np.hypot(dx.mignitude, dy.mignitude) > FAR * (dx.width + dy.width)
         return far

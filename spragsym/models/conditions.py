@@ -130,8 +130,14 @@ class NoSlope(Plain):
         """The slope."""
         return (at.slope(),)
 
+    def hopeless(self, at: State) -> NDArray[np.bool_]:
+        """Boxes where the slope has a sign, however small it is."""
+        return at.balance.slope_has_a_sign(at.values, at.shape)
+
     def given_up(self, at: State) -> NDArray[np.bool_]:
-        """Boxes where the slope is smaller all over than anything that a sum of floats tells from 0."""
+        """Boxes where the slope is smaller all over than anything that floats tell from 0, and its sign unknown."""
+        if at.balance.slope_is_a_sum:
+            return np.zeros(at.shape, dtype=np.bool_)
         out: NDArray[np.bool_] = stacked([at.slope()], at.shape)[0].magnitude <= FLAT
         return out
 

@@ -137,7 +137,12 @@ def _slope_over(balance: Balance, given: FloatArray, spans: FloatArray) -> Inter
 
 def _is_conservative(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
     """Whether K is symmetric all over a range: there is no friction, and the page's other forces have a potential."""
+    low, high = spans[0]
     values, shape = _over(balance, given, spans)
+    if low == high == 0:  # exactly, also for a parameter that never is
+        values |= {
+            name: 0 for name, fixed in zip(balance.parameters, given[:, 0], strict=True) if np.isnan(fixed) and name in values
+        }
     with np.errstate(all="ignore"):
         friction = stacked([balance.friction(values)], shape)[0]
     return bool(balance.model.about.get("symmetric")) and bool(friction.magnitude.max() <= NOTHING)
@@ -242,9 +247,22 @@ def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], 
     every = concatenated(roots, balance.n + 1)
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
     remarks = _undamped(balance, vary, given, roots[-1].left) if flat else ()
+    remarks += _at_ends(balance, vary, given, first.region[:, -1, 0], every.left)
     region = np.minimum.reduce([part.found.region for part in parts])
     found = merged(replace(first, region=region, roots=every))
     return arranged(balance, (vary,), given, found, kind, {"omega": omega}, remarks)
+
+
+def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, left: FloatArray) -> tuple[str, ...]:
+    """Of boxes that are left at an end of the range."""
+    remarks = []
+    for end in (-span[0], span[1]) if left.shape[2] else ():
+        here = int(((-left[0, -1] <= end) & (end <= left[1, -1])).sum())
+        why = ""
+        if _is_conservative(balance, given, np.array([[end, end]])):
+            why = ": K is symmetric there, so that no pair crosses, but whether one does beside it is not known"
+        remarks += [f"{here} of {left.shape[2]} undecided boxes hold the end {vary} = {end:g} of the range{why}"] if here else []
+    return tuple(remarks)
 
 
 def _undamped(balance: Balance, vary: str, given: FloatArray, left: FloatArray) -> tuple[str, ...]:

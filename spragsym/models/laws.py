@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..exact.interval_arrays import Intervals
-from ..exact.interval_functions import cos, sin
+from ..exact.interval_functions import atan2, cos, sin
 from ..exact.jets import Jet, JetFunctions, constant
 
 
@@ -42,6 +42,11 @@ class LawFunctions(JetFunctions):
     def exp(self, value: Any) -> Any:
         """Exponential: 1 of the number 0."""
         return 1 if isinstance(value, int | float) and value == 0 else super().exp(value)
+
+    @staticmethod
+    def atan2(sine: Any, cosine: Any) -> Any:
+        """The angle in (−π, π]."""
+        return atan2(_enclosed(sine), _enclosed(cosine))
 
     @staticmethod
     def sign(value: Any) -> Any:

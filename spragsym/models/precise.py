@@ -200,6 +200,9 @@ def assembled(regions: FloatArray, found: Roots, points: NDArray[np.int64], part
     open_ = np.concatenate([unclear, keep[border]])
     left = np.concatenate([*(part.left for part in parts), every[:, :, open_]], axis=2)
     left_point = np.concatenate([*(part.left_point for part in parts), point[open_]])
+    # Clusters are looked at in boxes that are wider than they are.
+    inside = ~contractors.apart(left, regions[:, :, left_point])
+    left, left_point = left[:, :, inside], left_point[inside]
     kept = keep[~border]
     return Roots(
         every[:, :, kept], only[:, :, kept], np.searchsorted(points, point[kept]),

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from ..exact import contractors
 from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
@@ -51,7 +52,17 @@ def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roo
 
     n = region.shape[1]
     parts = [with_digits(0, n, reduced(system, given[:, 0], widened(hulls[:, :, k]), precise)) for k in range(owner.size)]
+    parts = [_or_known(found, hulls[:, :, k], part) for k, part in enumerate(parts)]
     return replaced(found, points, assembled(region, found, points, parts))
+
+
+def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
+    """What many digits tell of a cluster; where they leave something, roots that are known already, to few digits."""
+    inside = contractors.within(found.ends, hull[:, :, None])
+    if not part.left.shape[2] or not inside.any() or not contractors.apart(found.left, hull[:, :, None]).all():
+        return part
+    none = part.left[:, :, :0], part.left_point[:0]
+    return Roots(found.ends[:, :, inside], found.alone[:, :, inside], found.point[inside], *none)
 
 
 def _values(system: Augmented, base: PreciseBalance, unknowns: Sequence[Any]) -> Sequence[Any]:

@@ -14,7 +14,7 @@ from ...quantities import Quantity
 from ...statements import straight_line
 
 #: What is printed: algebra, and functions by their names in each language.
-KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi)
+KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
 BY_NAME: Mapping[type[sp.Basic], str] = {
     sp.exp: "exp", sp.log: "log", sp.tanh: "tanh", sp.atan: "atan", sp.cos: "cos", sp.sin: "sin", sp.atan2: "atan2",
     sp.Abs: "abs", sp.sign: "sign",
@@ -81,6 +81,9 @@ class AlgebraPrinter(StrPrinter):
 
     # SymPy's printer has methods of its own for these.
     _print_exp = _print_log = _print_Abs = _print_sign = _print_Function
+
+    def _print_Exp1(self, expression: sp.Expr) -> str:
+        return self.call("exp", sp.S.One)
 
     def _print_Pi(self, expression: sp.Expr) -> str:
         return self.functions["pi"]

@@ -19,7 +19,7 @@ from .refined import refined
 WIDE = 2.0**-10
 #: Stiffness over that of the contact from which on a point is looked at in polar coordinates first. In lift-off, where nothing
 #: else may hold the mass across, the line of a single spring is the better guide however soft it is.
-STIFF = 3.0
+STIFF = 3e3
 #: What is searched beyond φ = ±π, and beyond l = 0 in parts of the largest length.
 BEYOND = 2.0**-6
 #: Upper bound of π.

@@ -35,14 +35,16 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         p = model.Parameters(**parameters_of(model, values))
         rows: list[dict[str, Any]] = []
         open_boxes: list[dict[str, Any]] = []
+        remarks: list[str] = []
         unilateral = model.about["contact"]["unilateral"]
         for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
             with busy(f"searching for equilibria in {state}"):
                 found = model.equilibria(p, contact=contact)
             rows += _rows(model, found, state)
             open_boxes += [{"state": state, "low": list(box.low), "high": list(box.high)} for box in found.undecided]
+            remarks += [f"{state}: {text}" for text in (*found.remarks, *_beyond(model, found))]
         if json_output:
-            print_json({"model": model.name, "equilibria": rows, "undecided": open_boxes})
+            print_json({"model": model.name, "equilibria": rows, "undecided": open_boxes, "remarks": remarks})
             return
         print_table("", ("state", "stability", *model.coordinates, "growth", "error"), [
             (row["state"], row["stability"], *(row[name] for name in model.coordinates),
@@ -52,6 +54,8 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         for place in ("contact", "lift-off"):
             if boxes := [box for box in open_boxes if box["state"] == place]:
                 click.echo(_summed(place, model.coordinates, [box["low"] for box in boxes], [box["high"] for box in boxes]))
+        for remark in remarks:
+            click.echo(remark)
 
     options = [*parameter_options(model, Number), json_option()]
     return options, equilibria, "All equilibria at one point, in contact and in lift-off, stable and unstable, proved."
@@ -64,6 +68,14 @@ def _summed(title: str, names: Sequence[str], lows: Sequence[Sequence[float]], h
     hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))
     boxes = "1 box is" if len(lows) == 1 else f"{len(lows)} boxes are"
     return f"{title}: not complete, {boxes} undecided, within {hull}"
+
+
+def _beyond(model: Model, found: Any) -> tuple[str, ...]:
+    """Said of a region that is not proved to hold all equilibria."""
+    if found.whole:
+        return ()
+    searched = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, (a, b) in zip(model.coordinates, found.region, strict=True))
+    return (f"searched within {searched}; there may be equilibria beyond it",)
 
 
 def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:

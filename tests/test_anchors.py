@@ -16,6 +16,7 @@ from spragsym.models.balance import Balance
 from spragsym.models.regions import region
 from spragsym.models.remarks import remarks
 from tests.conftest import Once
+from tests.support import few
 from tests.test_documents import ROOT
 
 pytest.importorskip("sympy")
@@ -55,7 +56,7 @@ def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool)
     assert np.nanmax(eq.error, initial=0.0) <= 1e-12
 
 
-@pytest.mark.parametrize("contact", [True, False])
+@pytest.mark.parametrize("contact", few([True, False], False))
 def test_states_with_a_torsion_spring_are_those_of_a_scalar_equation_in_its_angle(model: Any, contact: bool) -> None:
     rng = np.random.default_rng(14)
     base = model.base

@@ -33,6 +33,6 @@ def once_around(balance: Balance, found: Roots) -> Roots:
 def _parted(ends: FloatArray, around: list[int]) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
     """Boxes that lie beyond the turn with one of these unknowns, and boxes that meet an end of it."""
     low, high = -ends[0, around], ends[1, around]
-    beyond = ((low > END) | (high < BEGIN)).any(axis=0)
-    across = ((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN)).any(axis=0)
+    beyond = np.logical_or.reduce((low > END) | (high < BEGIN))
+    across = np.logical_or.reduce((low <= END) & (high >= END) | (low <= BEGIN) & (high >= BEGIN))
     return np.asarray(beyond), np.asarray(across)

@@ -18,8 +18,8 @@ from .laws import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
-#: Where an angle is searched that comes around after a turn: more than half of it to either side, so that none is on the border.
-TURN = np.pi + 2e-6
+#: Where an angle is searched that comes around after a turn: beyond π to either side, so that no state is near the border.
+TURN = np.pi + 0.02
 #: Sizes of a box from all anchors beyond which it counts as small.
 FAR = 2.0
 #: Steps of Newton's method from the middle of a box that has one root.

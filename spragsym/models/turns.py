@@ -10,7 +10,7 @@ from ..exact.interval_arrays import FloatArray
 from .balance import Balance
 
 #: From it each state lies once in a turn, which the search goes beyond at both ends. No angle that models have.
-BEGIN, END = -np.pi + 1.2345e-6, np.pi + 1.2345e-6
+BEGIN, END = -np.pi + 0.012345, np.pi + 0.012345
 
 
 def once_around(balance: Balance, found: Roots) -> Roots:

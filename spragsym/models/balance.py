@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,14 +12,11 @@ from numpy.typing import NDArray
 from ..exact import contractors, jets
 from ..exact.boxes import POLE
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
-from ..exact.interval_functions import cos, sin
-from .directions import direction, turning
+from .forces import Forces, undecorated
 from .laws import FREE, XP
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
-#: Where an angle is searched that comes around after a turn: beyond π to either side, so that no state is near the border.
-TURN = np.pi + 0.02
 #: Sizes of a box from all anchors beyond which it counts as small.
 FAR = 2.0
 #: Steps of Newton's method from the middle of a box that has one root.
@@ -27,221 +24,19 @@ GUESSES = 4
 #: What is smaller than this for all states is 0, but for the room that sums of intervals leave.
 NOTHING = 1e-290
 
-
-class Model(Protocol):
-    """What is needed of a model: generated modules, and what its page says."""
-
-    statics: Any
-    linearization: Any
-    about: Mapping[str, Any]
-
-
 #: Which of some boxes, by their numbers, are excluded on the given sides of the jumps of turnings.
 Excluded: TypeAlias = Callable[[NDArray[np.int64], Sequence[int]], NDArray[np.bool_]]
 
 
-def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:
-    """The algebra of a generated function, without the common shape given to results."""
-    algebra: Callable[..., Any] = getattr(function, "__wrapped__", function)
-    return algebra
-
-
-class Balance:
-    """Forces of a model in contact or in lift-off; unknowns are the coordinates.
+class Balance(Forces):
+    """Forces as the search asks for them: unknowns are the coordinates.
 
     Parameters of the search are those of the page, in its order; :meth:`prepared` turns them into the arguments of the
     generated functions, once for each node of the tree of points.
     """
 
-    def __init__(self, model: Model, contact: bool, law: str = "friction_at_rest") -> None:
-        about = model.about
-        #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
-        self.law = law
-        self.model, self.contact = model, contact
-        self.coordinates: list[str] = [entry["name"] for entry in about["coordinates"]]
-        self.parameters: list[str] = [entry["name"] for entry in about["parameters"]]
-        self.angles: dict[str, Sequence[str]] = dict(about["angles"])
-        #: Parameters that may be 0.
-        self.may_vanish = [
-            entry["name"]
-            for entry in about["parameters"]
-            if entry["name"] not in self.angles and not (entry["low"] == 0 and entry["low_open"])
-        ]
-        #: Angles that the functions take by themselves too, beside their cosines and sines.
-        self.alone = [name for name in self.angles if name in about["arguments"]["motion"]]
-        self.codes = [
-            code for name in self.parameters for code in (*self.angles.get(name, ()), *(() if self.only_turns(name) else (name,)))
-        ]
-        self.n = len(self.coordinates)
-        self.springs = len(about["springs"])
-        #: Of each torsion spring the number of the spring that it turns with.
-        self.torsions: list[int] = [entry["spring"] for entry in about.get("torsions", ())]
-        self.pushing = int(contact)
-        #: −low and high of each coordinate: on which side of the border the contact's gap is, where that is a coordinate.
-        self.border = np.full((2, self.n), np.inf)
-        gap = about["contact"]["gap"]
-        self.opens = bool(gap and about["contact"]["unilateral"])
-        if self.opens and gap in self.coordinates:
-            self.border[self.pushing, self.coordinates.index(gap)] = 0.0
-        #: Numbers of coordinates that are angles after a turn of which all is as before: one turn of each is searched.
-        self.around = [place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")]
-        self.border[:, self.around] = TURN
-        #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
-        #: cancels in them is not lost in boxes.
-        self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.statics, "balance") else {}
-        #: Whether the sign of the slope of the friction law can be told where that is too small for floats.
-        self.slope_is_a_sum = hasattr(model.linearization, "friction_slope_by_sizes")
-        self._lengths: bool | None = None
-        #: Beyond them the forces are not asked for.
-        self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
-
-    # ------------------------------------------------------------------------------------------- arguments
-
-    def prepared(self, bounds: Intervals) -> Intervals:
-        """Arguments of the generated functions, shape (arguments, N), from parameters of shape (P, N)."""
-        parts: list[Intervals] = []
-        for place, name in enumerate(self.parameters):
-            value = bounds[place]
-            parts += [cos(value), sin(value)] if name in self.angles else []
-            parts += [] if self.only_turns(name) else [value]
-        return stacked(parts, bounds.shape[1:])
-
-    def only_turns(self, name: str) -> bool:
-        """Whether a parameter is an angle of which the functions take cosine and sine, and not itself."""
-        return name in self.angles and name not in self.alone
-
-    def arguments(self, prepared: Intervals, changed: Mapping[str, Any] | None = None) -> dict[str, Any]:
-        """By name; ``changed`` are parameters that are unknowns, of any number type.
-
-        A parameter that is 0 everywhere, and may be, is the number 0: products with it and exponentials of it are exact.
-        """
-        values: dict[str, Any] = {code: prepared[place] for place, code in enumerate(self.codes)}
-        values |= {name: 0 for name in self.may_vanish if _is_nothing(values[name])}
-        for name, value in (changed or {}).items():
-            if name in self.angles:
-                cosine, sine = self.angles[name]
-                turned = value if isinstance(value, jets.Jet) else None
-                values[cosine] = turned.cos() if turned is not None else cos(value)
-                values[sine] = turned.sin() if turned is not None else sin(value)
-            values[name] = value
-        return values
-
-    def _listed(self, values: Mapping[str, Any], kind: str) -> list[Any]:
-        return [values[name] for name in self.model.about["arguments"][kind]]
-
-    # ---------------------------------------------------------------------------------------------- forces
-
-    def directions(
-        self,
-        q: Sequence[Any],
-        values: Mapping[str, Any],
-        shape: tuple[int, ...],
-        upright: Sequence[int] = (),
-        sides: Sequence[int] | None = None,
-    ) -> list[Any]:
-        """Cosine, sine and length of every spring, then the turning of every torsion spring.
-
-        Parameters
-        ----------
-        upright : sequence of int
-            Springs that are known to have dx = 0.
-        sides : sequence of int, optional
-            For each torsion spring what its turning is in boxes that meet the ray where it jumps: NaN if nothing is said, with 1
-            or −1 that on one side of the ray, with 0 anything from −π to π.
-        """
-        rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
-        steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
-        parts = [part for dx, dy in steps for part in direction(dx, dy, shape)]
-        return parts + self._turnings(q, values, shape, steps, parts, sides) if self.torsions else parts
-
-    def _turnings(
-        self,
-        q: Sequence[Any],
-        values: Mapping[str, Any],
-        shape: tuple[int, ...],
-        steps: Sequence[tuple[Any, Any]],
-        directions: Sequence[Any],
-        sides: Sequence[int] | None,
-    ) -> list[Any]:
-        """φ of every torsion spring; 0 where its stiffness is."""
-        given = self._listed(values, "statics")
-        cosine_and_sine = undecorated(self.model.statics.turnings)
-        fixed = [jets.constant(part) for part in (*q, *directions, *given)]
-        rests = cosine_and_sine(*q, *(1, 0, 1) * self.springs, *given, xp=XP)
-        stiffnesses = undecorated(self.model.statics.torsions)(*q, *given, xp=XP)
-        found = []
-        for place, value in enumerate(cosine_and_sine(*fixed, xp=XP)):
-            if _is_none(stiffnesses[place]):
-                found.append(Intervals(np.zeros((2, *shape))))
-                continue
-            cosine, minus_sine = rests[place]
-            side = None if sides is None else sides[place]
-            found.append(turning(value, steps[self.torsions[place]], (cosine, -minus_sine), shape, side))
-        return found
-
-    def plain_directions(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any) -> list[Any]:
-        """Cosine, sine and length of every spring, then turnings, for numbers that are narrow: quotients."""
-        directions: list[Any] = []
-        given = self._listed(values, "statics")
-        for dx, dy, _ in undecorated(self.model.statics.geometry)(*q, *given, xp=xp):
-            length = xp.sqrt(dx**2 + dy**2)
-            directions += [dx / length, dy / length, length]
-        if not self.torsions:
-            return directions
-        pairs = undecorated(self.model.statics.turnings)(*q, *directions, *given, xp=xp)
-        return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
-
-    def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
-        """A function of ``statics`` that has the arguments of ``forces``; of ``forces`` and their slopes :attr:`sums`."""
-        return self.by_coordinate(self.sums.get(name, name), q, directions, values, xp)
-
-    def by_coordinate(
-        self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
-    ) -> Any:
-        """The same, each row that of its coordinate."""
-        mu = self.friction(values, xp)
-        function = undecorated(getattr(self.model.statics, name))
-        return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
-
-    def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
-        """The friction coefficient at steady sliding."""
-        return undecorated(getattr(self.model.statics, self.law))(*self._listed(values, "motion"), xp=xp)
-
-    def mass(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
-        """M of the kinetic energy."""
-        return undecorated(self.model.linearization.mass_matrix)(*q, *self._listed(values, "motion"), xp=xp)
-
-    def damping(
-        self, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], pushing: int | None = None, xp: Any = XP
-    ) -> Any:
-        """C of dampers and of the slope of the friction law."""
-        function = undecorated(self.model.linearization.damping)
-        lines = directions[: 3 * self.springs]
-        return function(*q, *lines, *self._listed(values, "motion"), self.pushing if pushing is None else pushing, xp=xp)
-
-    def slope(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
-        """Slope of the friction law at steady sliding."""
-        return undecorated(self.model.linearization.friction_slope)(*self._listed(values, "motion"), xp=xp)
-
-    def slope_has_a_sign(self, values: Mapping[str, Any], shape: tuple[int, ...]) -> NDArray[np.bool_]:
-        """Whether the slope is shown not to be 0, over one of its exponentials: also where that is too small for floats."""
-        out = np.zeros(shape, dtype=np.bool_)
-        if not self.slope_is_a_sum:
-            return out
-        for terms in undecorated(self.model.linearization.friction_slope_by_sizes)(*self._listed(values, "motion"), xp=XP):
-            kept = [(factor, power) for factor, power in terms if stacked([factor], shape)[0].ends.any()]
-            total = sum((factor * XP.exp(power) for factor, power in kept), Intervals.point(np.zeros(shape)))
-            out |= ~total.holds_zero()
-        return out
-
-    def gap(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
-        """The gap of the contact."""
-        return undecorated(self.model.statics.contact_gap)(*q, *self._listed(values, "statics"), xp=xp)
-
-    def mirrored(self, q: Sequence[Any], values: Mapping[str, Any]) -> Sequence[Any]:
-        """The image of a state in the model's mirror."""
-        image: Sequence[Any] = undecorated(self.model.statics.mirror)(*q, *self._listed(values, "statics"), xp=XP)
-        return image
+    #: Whether forces contain a length, once that was asked.
+    _lengths: bool | None = None
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces over boxes, shape (n, N)."""
@@ -440,12 +235,3 @@ def matrix(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> Intervals:
     """Rows of entries as one array of intervals, shape (rows, columns, …)."""
     entries = stacked([entry for row in rows for entry in row], shape)
     return Intervals(entries.ends.reshape(2, len(rows), len(rows[0]), *shape))
-
-
-def _is_nothing(values: Intervals) -> bool:
-    return values.ends.size > 0 and not values.ends.any()
-
-
-def _is_none(stiffness: Any) -> bool:
-    """0 everywhere, and no unknown."""
-    return not stiffness if isinstance(stiffness, int) else isinstance(stiffness, Intervals) and _is_nothing(stiffness)

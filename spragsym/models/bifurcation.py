@@ -13,11 +13,12 @@ from ..display import Result
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
 from .augmented import Augmented
-from .balance import Balance, Model
+from .balance import Balance
 from .columns import Columns
 from .conditions import Fold
 from .cusps import cusps
 from .fold_curves import FoldCurves
+from .forces import Model
 from .points import ModelPoints, given_column, ranges, search
 
 #: Rounds in which points are joined to those next to them.

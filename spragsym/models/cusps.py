@@ -13,8 +13,9 @@ from ..errors import ParameterError
 from ..exact.interval_arrays import Intervals
 from ..exact.jets import variables
 from .augmented import Augmented
-from .balance import Balance, Model
+from .balance import Balance
 from .conditions import Cusp, change, cofactor
+from .forces import Model
 from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
 
 

@@ -16,8 +16,9 @@ from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
-from .balance import Balance, Model
+from .balance import Balance
 from .columns import Columns
+from .forces import Model
 from .precise import (
     assembled,
     at,

@@ -15,8 +15,9 @@ from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
 from . import stability
 from .augmented import Condition
-from .balance import NOTHING, Balance, Model, matrix
+from .balance import NOTHING, Balance, matrix
 from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .forces import Model
 from .points import Found, ModelPoints, arranged, given_column, merged, nothing, picked, ranges, search
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.

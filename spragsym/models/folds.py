@@ -9,9 +9,10 @@ import numpy as np
 
 from ..exact.interval_arrays import FloatArray
 from .augmented import Augmented
-from .balance import Balance, Model
+from .balance import Balance
 from .conditions import Fold
 from .ends import vanishes
+from .forces import Model
 from .points import Found, ModelPoints, arranged, given_column, merged, ranges, search
 from .symmetry import with_pitchforks
 

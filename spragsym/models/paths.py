@@ -18,12 +18,13 @@ from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
 from ..statics.solver import Stability
-from .balance import Balance, Model
+from .balance import Balance
 from .branches import Along, links
 from .columns import Columns
 from .conditions import Touch
 from .equilibria import ModelEquilibria, columns, equilibria
 from .folds import folds
+from .forces import Model
 from .points import ModelPoints, arranged, given_column, search
 from .stability import linearization
 

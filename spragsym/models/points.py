@@ -16,9 +16,10 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from ..parameters import as_numbers
 from . import near_zero
 from .augmented import Augmented, Condition
-from .balance import Balance, Model
+from .balance import Balance
 from .columns import Columns
 from .ends import shared
+from .forces import Model
 from .precise_points import settled
 from .regions import region
 from .turns import once_around

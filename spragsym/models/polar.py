@@ -47,8 +47,9 @@ from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
 from ..exact.interval_functions import length as interval_length
 from ..exact.reduction import Evaluate
-from .balance import Balance, matrix, undecorated
+from .balance import Balance, matrix
 from .directions import direction
+from .forces import undecorated
 from .laws import XP
 from .precise import PreciseBalance, ball
 

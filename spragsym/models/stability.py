@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray
 from . import spectrum
-from .balance import Balance, undecorated
+from .balance import Balance
+from .forces import undecorated
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from spragsym.cli import main
 plot = pytest.importorskip("matplotlib.figure")
 
 from spragsym import figures  # noqa: E402  needs matplotlib
-from spragsym.figures.models import label  # noqa: E402  needs matplotlib
+from spragsym.figures.models import label, window  # noqa: E402  needs matplotlib
 
 BETWEEN = {"mu0": (0.0, 1.0)}
 
@@ -108,3 +108,10 @@ def status(command):
     with pytest.raises(SystemExit) as ended:
         main(command)
     return ended.value.code or 0
+
+
+def test_the_window_of_a_bifurcation_set_holds_every_cusp_that_was_found() -> None:
+    model = ss.load("two_springs")
+    cusps = model.cusps(model.Parameters(), ("theta0", "mu0"))
+    assert window(model, ("theta0", "mu0"), {})["mu0"][1] < cusps.mu0.max() < window(model, ("theta0", "mu0"), {}, cusps)["mu0"][1]
+    assert window(model, ("theta0", "mu0"), {"mu0": (0.0, 0.5)}, cusps)["mu0"] == (0.0, 0.5)

@@ -104,7 +104,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
     ) -> None:
         spans = _spans(model, between, (vary, along) if along else (vary,))
         if plot is not None:
-            draw(plot, vary, along, spans, dict(values), n, force)
+            check(plot, along, force)
         one, both = without(model, (vary,), dict(values)), (vary, along)
         span = {name: ends for name, ends in spans.items() if name == vary}
         asked: dict[str, Callable[[], Any]] = {
@@ -121,19 +121,24 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
                 print_points(model, title, found[title])
         if json_output:
             print_json({"model": model.name, **{title: points_of(model, points) for title, points in found.items()}})
+        if plot is not None:
+            draw(plot, without(model, both, dict(values)), both, spans, found["cusps"], n)
 
-    def draw(plot: Path, vary: str, along: str, spans: Spans, values: dict[str, Any], n: int, force: bool) -> None:
+    def check(plot: Path, along: str, force: bool) -> None:
         if plot.suffix not in (".pdf", ".png", ".svg"):
             raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
         if not along:
             raise ParameterError("--plot shows the plane of two parameters; give the second one with --along")
         refuse([plot], force)
+
+    def draw(plot: Path, p: Any, vary: tuple[str, str], spans: Spans, cusps: Any, n: int) -> None:
         from ..figures import FORMATS, model_figure
+        from ..figures.models import window
         from ..figures.style import house_style
 
         kind = plot.suffix[1:]
-        with house_style(), busy(f"drawing folds and cusps in the plane of {vary} and {along}"):
-            figure = model_figure(model, without(model, (vary, along), values), (vary, along), between=spans, n=n)
+        with house_style(), busy(f"drawing folds and cusps in the plane of {' and '.join(vary)}"):
+            figure = model_figure(model, p, vary, between=window(model, vary, spans, cusps), n=n)
             figure.savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)
 

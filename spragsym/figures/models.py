@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from ..models import Model
 from ..models.bifurcation import ModelBifurcationSet
 from ..models.describe import units_of
+from ..models.points import ModelPoints
 from ..models.trajectory import ModelTrajectory
 from ..statics.solver import Stability
 from .motion_pictures import draw_motion
@@ -42,13 +43,18 @@ def label(model: Model, name: str) -> str:
     return f"${symbol}$ (deg)" if name in model.about["angles"] else f"${symbol}$"
 
 
-def window(model: Model, vary: Sequence[str], between: Between) -> Between:
-    """Ranges to show: those given, the parameter's own, or up to twice the base value, and to 1 at least, if it has no end."""
+#: What is shown beyond the farthest cusp.
+ROOM = 1.25
+
+
+def window(model: Model, vary: Sequence[str], between: Between, cusps: ModelPoints | None = None) -> Between:
+    """Ranges to show: those given, the parameter's own, or one that has room for its base value, for 1 and for all cusps."""
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
     out = dict(between)
     for name in (name for name in vary if name in entries and name not in between):
         entry = entries[name]
-        far = max(1.0, 2.0 * abs(entry["base"] or 0.0))
+        farthest = 0.0 if cusps is None else float(np.abs(getattr(cusps, name)).max(initial=0.0))
+        far = max(1.0, 2.0 * abs(entry["base"] or 0.0), ROOM * farthest)
         out[name] = (-far if entry["low"] is None else entry["low"], far if entry["high"] is None else entry["high"])
     return out
 

@@ -113,5 +113,7 @@ def status(command):
 def test_the_window_of_a_bifurcation_set_holds_every_cusp_that_was_found() -> None:
     model = ss.load("two_springs")
     cusps = model.cusps(model.Parameters(), ("theta0", "mu0"))
-    assert window(model, ("theta0", "mu0"), {})["mu0"][1] < cusps.mu0.max() < window(model, ("theta0", "mu0"), {}, cusps)["mu0"][1]
+    assert (
+        window(model, ("theta0", "mu0"), {})["mu0"][1] < cusps.mu0.max() < window(model, ("theta0", "mu0"), {}, cusps)["mu0"][1]
+    )
     assert window(model, ("theta0", "mu0"), {"mu0": (0.0, 0.5)}, cusps)["mu0"] == (0.0, 0.5)

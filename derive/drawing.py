@@ -217,14 +217,24 @@ def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> 
             wall(sheet, (end, y - 4), 18.0, (-1.0, 0.0))
 
 
+def _weight(page: Page, energy: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+    """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no spring, but an arrow."""
+    slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
+    if len(slopes) < 2 or slopes[:2] == [0, 0] or any(slope.has(it.symbol) for slope in slopes for it in page.coordinates):
+        return None
+    return -slopes[0], -slopes[1]
+
+
 def _leaning(sheet: Sheet, page: Page) -> None:
     """A potential that depends on one combination of x and y: a spring along it that keeps its direction."""
+    symbols = [it.symbol for it in page.coordinates[:2]]
+    if any(it.unit == "rad" for it in page.coordinates[:2]):
+        return
     for energy, _ in page.energies:
-        symbols = [it.symbol for it in page.coordinates[:2]]
-        if len(symbols) < 2:
-            continue
         slopes = [sp.diff(energy, symbol) for symbol in symbols]
-        ratio = sp.simplify(slopes[1] / slopes[0])
+        if len(symbols) < 2 or slopes == [0, 0] or _weight(page, energy):
+            continue
+        ratio = sp.simplify(slopes[1] / slopes[0]) if slopes[0] != 0 else sp.oo  # across the belt alone
         if not ratio.is_number:
             continue
         along = math.atan2(float(ratio), 1.0)
@@ -247,6 +257,7 @@ def _forces(sheet: Sheet, page: Page) -> None:
     values = _values(page)
     width, height = _half(page)
     given = [force.components for force in page.forces if force.at is not None]
+    given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
         given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Symbol("depth", positive=True)))))
     for place, components in enumerate(given):

@@ -144,3 +144,12 @@ def test_a_potential_of_the_second_coordinate_alone(second: tuple[str, str], sho
     svg = drawing.render(page)
     assert ("k" in words(svg)) == shown
     assert not re.search(r"\b(nan|inf)\b", svg)
+
+
+def test_a_torsion_spring_is_drawn_at_its_anchor() -> None:
+    page, _, L_0, y = a_free_mass("A mass with a spring whose anchor resists turning.")
+    k, k_t = page.parameter("k", "N/m", "stiffness", "> 0", 1.0), page.parameter("k_t", "N m", "torsion spring", "> 0", 1.0)
+    mass, anchor = (page.coordinates[0].symbol, y), (L_0, L_0)
+    page.spring(k, mass, anchor, length=L_0)
+    page.torsion(k_t, mass, anchor, rest=sp.pi / 4)
+    assert {"k", "k_t"} <= set(words(drawing.render(page)))

@@ -153,16 +153,23 @@ def _between_ends(sheet: Sheet, page: Page) -> None:
     values = _values(page)
     shared: dict[Place, list[_Part]] = {}
     movable: dict[Place, Coordinate] = {}
+    turned: dict[Place, list[str]] = {}
+
+    def placed(ends: tuple[tuple[sp.Expr, sp.Expr], ...]) -> tuple[tuple[sp.Expr, sp.Expr], Place]:
+        anchor = next(end for end in ends if set(end) != {it.symbol for it in page.coordinates[:2]})
+        x, y = (float(sp.sympify(component).subs(values)) for component in anchor)
+        return anchor, (_LENGTH * x, -_LENGTH * y - _half(page)[1])
+
+    for it in page.torsions:
+        turned.setdefault(placed(it.ends)[1], []).append(_letter(it.stiffness))
     for part, ends, _ in _members(page):
         if ends is None:
             continue
-        anchor = next(end for end in ends if set(end) != {it.symbol for it in page.coordinates[:2]})
-        x, y = (float(sp.sympify(component).subs(values)) for component in anchor)
-        place = _LENGTH * x, -_LENGTH * y - _half(page)[1]
+        anchor, place = placed(ends)
         shared.setdefault(place, []).append(part)
-        for it in page.coordinates[2:]:
-            if it.symbol in anchor[0].free_symbols | anchor[1].free_symbols:
-                movable[place] = it
+        for coordinate in page.coordinates[2:]:
+            if coordinate.symbol in anchor[0].free_symbols | anchor[1].free_symbols:
+                movable[place] = coordinate
     first = True
     for place, parts in shared.items():
         axis = Axis((0.0, -_half(page)[1]), place)
@@ -172,9 +179,19 @@ def _between_ends(sheet: Sheet, page: Page) -> None:
         else:
             sheet.circle(place, 5.0)
             wall(sheet, (place[0], place[1] - 8), 16.0, (0.0, -1.0))
+        for letter in turned.get(place, ()):
+            _turning(sheet, place, letter)
         if first:
             _angle(sheet, axis)
         first = False
+
+
+def _turning(sheet: Sheet, place: Place, letter: str) -> None:
+    """A torsion spring at an anchor: two arcs around it, and its letter."""
+    for radius in (11.0, 17.0):
+        angles = (math.radians(10.0 * turn) for turn in range(17))
+        sheet.line(*((place[0] + radius * math.cos(it), place[1] + radius * math.sin(it)) for it in angles), style="ink thin")
+    sheet.name(letter, (place[0] + 24, place[1] + 12), anchor="start")
 
 
 def _side_by_side(sheet: Sheet, axis: Axis, parts: list[_Part]) -> None:
@@ -217,14 +234,24 @@ def _trolley(sheet: Sheet, page: Page, place: Place, coordinate: Coordinate) -> 
             wall(sheet, (end, y - 4), 18.0, (-1.0, 0.0))
 
 
+def _weight(page: Page, energy: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+    """The force on the mass of a potential that is linear in the coordinates, as gravity's is: no spring, but an arrow."""
+    slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
+    if len(slopes) < 2 or slopes[:2] == [0, 0] or any(slope.has(it.symbol) for slope in slopes for it in page.coordinates):
+        return None
+    return -slopes[0], -slopes[1]
+
+
 def _leaning(sheet: Sheet, page: Page) -> None:
     """A potential that depends on one combination of x and y: a spring along it that keeps its direction."""
+    symbols = [it.symbol for it in page.coordinates[:2]]
+    if any(it.unit == "rad" for it in page.coordinates[:2]):
+        return
     for energy, _ in page.energies:
-        symbols = [it.symbol for it in page.coordinates[:2]]
-        if len(symbols) < 2:
-            continue
         slopes = [sp.diff(energy, symbol) for symbol in symbols]
-        ratio = sp.simplify(slopes[1] / slopes[0])
+        if len(symbols) < 2 or slopes == [0, 0] or _weight(page, energy):
+            continue
+        ratio = sp.simplify(slopes[1] / slopes[0]) if slopes[0] != 0 else sp.oo  # across the belt alone
         if not ratio.is_number:
             continue
         along = math.atan2(float(ratio), 1.0)
@@ -247,6 +274,7 @@ def _forces(sheet: Sheet, page: Page) -> None:
     values = _values(page)
     width, height = _half(page)
     given = [force.components for force in page.forces if force.at is not None]
+    given += [force for energy, _ in page.energies if (force := _weight(page, energy))]
     if page.normal is not None and page.normal.gap is None:
         given.append((sp.S.Zero, -sp.sympify(page.normal.law(sp.Symbol("depth", positive=True)))))
     for place, components in enumerate(given):
@@ -256,7 +284,7 @@ def _forces(sheet: Sheet, page: Page) -> None:
         letter = _letter(bare)
         across = (x / size, -y / size)
         if place == 0:  # onto the mass, on the side that no spring leans to
-            side = 1.0 if page.energies else -1.0
+            side = 1.0 if any(not _weight(page, energy) for energy, _ in page.energies) else -1.0
             tip = side * 0.92 * width, -height - 4  # near the edge, beside a second spring that leans to it
             start = tip[0] - 52 * across[0], tip[1] - 52 * across[1]
             arrow(sheet, start, tip, style="ink force")

@@ -183,7 +183,7 @@ class Mechanics:
     def tidy(self, expression: sp.Expr) -> sp.Expr:
         """In the fewest terms: by c² + s² = 1, either square of every direction may go; common factors stand outside."""
         # Kept whole: expanded, they may overflow, or become sums of logarithms.
-        nodes = sorted(expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan), key=sp.default_sort_key)
+        nodes = sorted(expression.atoms(sp.exp, sp.log, sp.tanh, sp.atan) | self._quotients(expression), key=sp.default_sort_key)
         kept = {1 / line.l: sp.Dummy() for line in self.lines} | {node: sp.Dummy() for node in nodes}
         shortest = sp.expand(sp.expand(expression.xreplace({node: kept[node] for node in nodes})).subs(kept)).subs(SIDE**2, 1)
         turned = {node: sp.Dummy(real=True) for pair in waves(shortest) for node in pair}
@@ -195,6 +195,12 @@ class Mechanics:
                 forms = [reduce_circles(shortest, (pair,)) for pair in ((cosine, sine), (sine, cosine))]
                 shortest = min(forms, key=lambda form: len(sp.Add.make_args(form)))
         return sp.factor_terms(shortest.subs({dummy: quotient for quotient, dummy in kept.items()}))
+
+    def _quotients(self, expression: sp.Expr) -> set[sp.Expr]:
+        """Quotients and roots of what has a direction or an angle: no polynomials in its cosine and sine, as 1/(1 + cos² v²) is none."""
+        directions = {symbol for line in self.lines for symbol in (line.c, line.s)}
+        powers = (node for node in expression.atoms(sp.Pow) if not (node.exp.is_Integer and node.exp.is_positive))
+        return {node for node in powers if waves(node.base) or node.base.free_symbols & directions}
 
     # ------------------------------------------------------------------------------------------------ forces
 

@@ -109,3 +109,47 @@ def test_a_page_that_nobody_has_drawn_before() -> None:
     page.spring(stiffness[3], (x, y), (L_0, L_0), length=L_0)
     page.spring(stiffness[4], (x, y), (2 * L_0, L_0), length=L_0)
     assert {f"k_{k}" for k in range(5)} <= set(words(drawing.render(page)))
+
+
+def a_free_mass(summary: str, second: tuple[str, str] = ("y", "m")) -> tuple[Page, sp.Expr, sp.Expr, sp.Symbol]:
+    """A page with a mass, tied to the ground along x, and its second coordinate, of any unit."""
+    page = Page(summary)
+    m, g, L_0 = page.unit("m", "kg", "mass"), page.unit("g", "m/s^2", "gravity"), page.unit("L_0", "m", "length")
+    k_x = page.parameter("k_x", "N/m", "stiffness", "> 0", 1.0)
+    x, y = page.coordinate("x", "m", "along"), page.coordinate(*second, "the other")
+    sizes = {"m": sp.S.One, "rad": L_0**2}
+    page.kinetic(m * (page.rate(x) ** 2 + sizes[second[1]] * page.rate(y) ** 2) / 2)
+    page.spring(k_x, along=x)
+    return page, m * g, L_0, y
+
+
+def test_the_potential_of_gravity_is_an_arrow_downwards() -> None:
+    """It depends on y alone and is linear: the same arrow as of the force that it stands for, and no spring."""
+    by_energy, weight, _, y = a_free_mass("A mass with a weight.")
+    by_energy.potential(weight * y)
+    by_force, weight, _, y = a_free_mass("A mass with a weight.")
+    by_force.force(0, -weight, at=(by_force.coordinates[0].symbol, y))
+    arrows = [re.findall(r'<[^>]*class="ink force"[^>]*>', drawing.render(page)) for page in (by_energy, by_force)]
+    assert {"m", "g"} <= set(" ".join(words(drawing.render(by_energy))).split())
+    assert len(arrows[0]) == len(arrows[1]) > 0
+    assert drawing.render(by_energy).count("<") == drawing.render(by_force).count("<")
+
+
+@pytest.mark.parametrize(("second", "shown"), [(("y", "m"), True), (("phi", "rad"), False)])
+def test_a_potential_of_the_second_coordinate_alone(second: tuple[str, str], shown: bool) -> None:
+    """A spring across the belt, if that coordinate is a length; one that turns is not drawn as a spring that leans."""
+    page, _, length, y = a_free_mass("A mass with a potential.", second)
+    k = page.parameter("k", "N/m", "stiffness", "> 0", 1.0)
+    page.potential(k * (y if shown else length * y) ** 2)
+    svg = drawing.render(page)
+    assert ("k" in words(svg)) == shown
+    assert not re.search(r"\b(nan|inf)\b", svg)
+
+
+def test_a_torsion_spring_is_drawn_at_its_anchor() -> None:
+    page, _, L_0, y = a_free_mass("A mass with a spring whose anchor resists turning.")
+    k, k_t = page.parameter("k", "N/m", "stiffness", "> 0", 1.0), page.parameter("k_t", "N m", "torsion spring", "> 0", 1.0)
+    mass, anchor = (page.coordinates[0].symbol, y), (L_0, L_0)
+    page.spring(k, mass, anchor, length=L_0)
+    page.torsion(k_t, mass, anchor, rest=sp.pi / 4)
+    assert {"k", "k_t"} <= set(words(drawing.render(page)))

@@ -20,7 +20,7 @@ from tests.conftest import Once
 pytest.importorskip("sympy")
 
 HEAD = '''r"""A page of the tests."""
-from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin, sqrt
+from spragsym.derive.model import Abs, Page, atan, cos, exp, pi, sgn, sin, sqrt
 page = Page("A page of the tests.")
 m = page.unit("m", "kg", "mass")
 k_c = page.unit("k_c", "N/m", "contact stiffness")
@@ -52,6 +52,15 @@ page.kinetic(m * L_0**2 * page.rate(phi)**2 / 2)
 page.potential(k_t * (phi - theta0)**2 / 2)
 page.contact(h - L_0 * sin(phi), lambda depth: k_c * depth)
 page.friction(L_0 * cos(phi), V, {FRICTION})
+""",
+    "rubbing_arm": HEAD + BELT + """
+h = page.parameter("h", "m", "height", "> 0", 0.9, becomes="eta")
+k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.0025, becomes="tau")
+phi = page.coordinate("phi", "rad", "angle from below")
+page.kinetic(m * L_0**2 * page.rate(phi)**2 / 2)
+page.potential(k_t * phi**2 / 2)
+page.contact(h - L_0 * cos(phi), lambda depth: k_c * L_0 * (depth / L_0) ** (4 / 3))
+page.friction(L_0 * sin(phi), V, lambda v: mu0 * 2 / pi * atan(d * v), at_rest=mu0)
 """,
     "still": HEAD + """
 theta0 = page.parameter("theta0", "rad", "inclination", "(0, pi)", 0.8)
@@ -238,3 +247,29 @@ def test_a_fraction_by_itself_is_refused_by_its_line(tmp_path: Path) -> None:
     folder.write_page(tmp_path / "rod.py", tmp_path / "rod")
     eq = ss.load(tmp_path / "rod").equilibria(ss.load(tmp_path / "rod").Parameters())
     assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(2))
+
+
+def test_a_law_whose_slope_is_a_quotient_of_an_angle(models: dict[str, Any]) -> None:
+    """φ″ = N sin φ + μ N cos φ − τ φ with μ = 2 μ₀/π atan(d (V − φ′ cos φ)): its derivatives have cos φ in a denominator."""
+    model, eta, mu0, V, d, tau = models["rubbing_arm"], 0.9, 0.5, 0.5, 10.0, 0.0025
+    given = {"eta": eta, "mu0": mu0, "V": V, "d": d, "tau": tau}
+    order = [given[name] for name in model.parameters]
+
+    def turning(phi: Any, rate: Any) -> Any:
+        push = (mpmath.cos(phi) - eta) ** (mpmath.mpf(4) / 3)
+        mu = 2 * mu0 / mpmath.pi * mpmath.atan(d * (V - rate * mpmath.cos(phi)))
+        return push * (mpmath.sin(phi) + mu * mpmath.cos(phi)) - tau * phi
+
+    for phi, rate in ((0.3, 0.1), (-0.2, -0.7), (0.1, 0.8)):
+        side = math.copysign(1, V - rate * math.cos(phi))
+        slopes = np.ravel(np.array(model.motion.regime_jacobian(phi, rate, *order, 1, side), dtype=float))
+        want = [float(mpmath.diff(turning, (phi, rate), order)) for order in ((1, 0), (0, 1))]
+        assert np.allclose(slopes, want, rtol=1e-9)
+
+
+def test_curves_of_folds_of_different_turns_are_not_joined(models: dict[str, Any]) -> None:
+    """An arm that turns around many times has a curve of folds in each turn; they end at the borders of the plane."""
+    model = models["rubbing_arm"]
+    found = model.bifurcation_set(model.Parameters(), ("eta", "mu0"), 16, between={"eta": (0.5, 1.2), "mu0": (0, 1)})
+    assert len(found.curves) > 10
+    assert max(np.ptp(np.asarray(curve.phi)) for curve in found.curves) < math.pi / 2

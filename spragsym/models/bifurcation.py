@@ -25,6 +25,8 @@ from .points import ModelPoints, given_column, ranges, search
 ROUNDS = 4
 #: Boxes looked at for one line of the plane.
 BUDGET = 20_000
+#: How near a line counts as on it, over the range of the parameter.
+ON_LINE = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +97,8 @@ def bifurcation_set(
     Notes
     -----
     Source: F = 0 and det K = 0 along 2 n lines, all searched at once; cusps by :func:`spragsym.models.cusps.cusps`; points
-    between these by :mod:`spragsym.models.fold_curves`. A curve that closes between two lines without a cusp is not seen.
+    between these by :mod:`spragsym.models.fold_curves`. Two points are neighbours only if no line separates them on which all
+    folds are known. A curve that closes between two lines without a cusp is not seen.
     """
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
         raise ParameterError(f"n = {n!r} is not a number of lines; give an integer of 2 or more")
@@ -103,7 +106,7 @@ def bifurcation_set(
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
-    rows, left, lines = [], [], {}
+    rows, left, lines, decided = [], [], {}, {}
     for along, across in ((0, 1), (1, 0)):
         # Inside of the range: its ends are often degenerate.
         values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
@@ -111,6 +114,7 @@ def bifurcation_set(
         column = np.repeat(given, n, axis=1)
         column[balance.parameters.index(vary[across])] = values
         found = search(balance, (vary[along],), Fold(), column, spans[along : along + 1], budget=BUDGET)
+        decided[across] = np.delete(values, found.roots.left_point)
         rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
         ends = np.stack([-found.roots.left[0], found.roots.left[1]])
         left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
@@ -118,10 +122,11 @@ def bifurcation_set(
     undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
     reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
     scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
+    near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
     folds = FoldCurves(Augmented(balance, vary, Fold()), given, scale, spans)
     curves = [
         ModelCurve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True)))
-        for chain in (folds.smooth(states[:, rows]) for rows in _chains(folds, states))
+        for chain in (folds.smooth(states[:, rows]) for rows in _chains(folds, states, near))
     ]
     complete = found_cusps.complete and not undecided.shape[0]
     return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, lines, complete, undecided)
@@ -145,8 +150,19 @@ def _named(states: FloatArray, n: int) -> list[FloatArray]:
 # ------------------------------------------------------------------------------------------------------- order of points
 
 
-def _chains(folds: FoldCurves, states: FloatArray) -> list[NDArray[np.int64]]:
-    """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree."""
+def _no_line_between(places: FloatArray, lines: FloatArray, span: FloatArray) -> NDArray[np.bool_]:
+    """Of every two points whether none of the lines separates them: where a curve crosses a line, there is a point of its own."""
+    room = ON_LINE * (span[1] - span[0])
+    first, last = np.searchsorted(lines, places - room, "left"), np.searchsorted(lines, places + room, "right")
+    together: NDArray[np.bool_] = np.maximum.outer(first, first) <= np.minimum.outer(last, last)
+    return together
+
+
+def _chains(folds: FoldCurves, states: FloatArray, near: NDArray[np.bool_]) -> list[NDArray[np.int64]]:
+    """Points in order along curves: each is joined to the next ones ahead and behind along its tangent, if they agree.
+
+    ``near`` says which two may be neighbours, shape (points, points).
+    """
     count = states.shape[1]
     if count < 2:
         return [np.arange(count)] if count else []
@@ -156,7 +172,7 @@ def _chains(folds: FoldCurves, states: FloatArray) -> list[NDArray[np.int64]]:
     ahead = (gap * tangent[:, :, None]).sum(axis=0)
     with np.errstate(all="ignore"):
         straight = np.abs(ahead) / distance
-    cost = np.where((straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
+    cost = np.where(near & (straight > 0.5) & (distance > 1e-12), distance / straight**2, np.inf)
     # Side 0 of a point lies ahead along its tangent, side 1 behind; each takes one link.
     cost = np.stack([np.where(sign * ahead > 0, cost, np.inf) for sign in (1, -1)])
     links: list[set[int]] = [set() for _ in range(count)]

@@ -13,7 +13,7 @@ from .targets import force, refuse
 
 @command()
 @click.argument("page", type=click.Path(exists=True, dir_okay=False, path_type=Path))
-@click.option("--out", type=click.Path(path_type=Path, file_okay=False), required=True, help="Folder to write.")
+@click.option("--out", "-o", type=click.Path(path_type=Path, file_okay=False), required=True, help="Folder to write.")
 @force
 def derive(page: Path, out: Path, force: bool) -> None:
     """Derive the model of a page, and write it to a folder.

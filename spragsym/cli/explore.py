@@ -29,6 +29,7 @@ ARTICLE_MODEL = "kang_nam"
 @command()
 @click.option(
     "--out",
+    "-o",
     type=click.Path(path_type=Path),
     default=Path("explorer.html"),
     show_default=True,

@@ -35,6 +35,7 @@ def languages() -> dict[str, tuple[Traversable, tuple[str, ...]]]:
 @click.option("--language", type=click.Choice(sorted(languages())), default="c", show_default=True, help="Language to write.")
 @click.option(
     "--out",
+    "-o",
     type=click.Path(path_type=Path, file_okay=False),
     required=True,
     help="Folder to write to, made if missing.",

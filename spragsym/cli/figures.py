@@ -31,6 +31,7 @@ from .targets import force, refuse
 @click.argument("more", nargs=-1, metavar="")
 @click.option(
     "--out",
+    "-o",
     type=click.Path(file_okay=False, path_type=Path),
     required=True,
     help="Folder to write to, made if missing.",

@@ -7,8 +7,9 @@ const STARTS = 576;
 const CLOSE = 1e-3;
 /** Places about an anchor where searches begin as well. */
 const [RADII, AROUND] = [[0.05, 0.2, 0.5], 12];
-/** Coordinates that a search begins from without springs. */
-const PLAIN = [-0.5, 0, 0.5];
+/** Coordinates that a search begins from without springs: of one or two, and of more. */
+const PLAIN = [-3, -2, -1.3, -0.8, -0.4, -0.15, 0, 0.15, 0.4, 0.8, 1.3, 2, 3];
+const FEW = [-0.5, 0, 0.5];
 const STEPS = 40;
 /** Newton's method has arrived when a step is no longer than this, relative to the coordinates; states closer than SAME are one. */
 const ARRIVED = 1e-12;
@@ -70,7 +71,7 @@ function starts(balance, about, contact) {
   const rest = about.coordinates.map(({ name }) => (name === about.gap ? (contact ? -0.01 : 0.01) : 0));
   const springs = balance.vectors(rest).length;
   if (!springs) {
-    return products(about.coordinates.map(() => PLAIN)).map((q) => q.map((value, k) => value + rest[k]));
+    return products(rest.map(() => (rest.length > 2 ? FEW : PLAIN))).map((q) => q.map((value, k) => value + rest[k]));
   }
   const each = Math.max(8, Math.round(STARTS ** (1 / springs)));
   const angles = Array.from({ length: each }, (_, k) => (2 * Math.PI * (k + 0.5)) / each - Math.PI);

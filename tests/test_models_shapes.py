@@ -43,6 +43,12 @@ x2, y2 = x1 + L_0 * sin(b), y1 - L_0 * cos(b)
 page.kinetic(m * (page.rate(x1)**2 + page.rate(y1)**2) / 2 + nu * m * (page.rate(x2)**2 + page.rate(y2)**2) / 2)
 page.potential(m * g * y1 + nu * m * g * y2)
 """,
+    "waves": HEAD + """
+b = page.parameter("b", "1", "second wave over first", ">= 0", 0.25)
+a = page.coordinate("a", "rad", "angle")
+page.kinetic(m * L_0**2 * page.rate(a)**2 / 2)
+page.potential(k_c * L_0**2 * (cos(a) + b * cos(2 * a)))
+""",
     "arm": HEAD + BELT + f"""
 theta0 = page.parameter("theta0", "rad", "angle at rest", "(0, pi)", 1.3)
 k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.3, becomes="tau")
@@ -100,6 +106,21 @@ def models(once: Once, tmp_path_factory: pytest.TempPathFactory) -> dict[str, An
 def states(model: Any, found: Any) -> np.ndarray:
     """Equilibria of one point, shape (count, n)."""
     return np.array([found.coordinates[name][: int(found.count)] for name in model.coordinates]).T
+
+
+@pytest.mark.parametrize("off", [1e-13, 1e-11, 1e-9, 1e-6, -1e-12])
+def test_equilibria_close_together_where_a_turn_ends_are_there_once(models: dict[str, Any], off: float) -> None:
+    """sin a (1 + 4 b cos a) = 0: beside ±π there are two more from b = 1/4 on, which only many digits tell apart."""
+    model, b = models["waves"], 0.25 * (1 + off)
+    found = model.equilibria(model.Parameters(b=b))
+    with mpmath.workdps(50):
+        beside = [mpmath.acos(-1 / (4 * mpmath.mpf(b)))] if off > 0 else []
+        want = [0, mpmath.pi, *beside, *(-a for a in beside)]
+        assert found.complete
+        assert int(found.count) == len(want)
+        for a in want:
+            turned = [abs(mpmath.mpf(value) - a + k * 2 * mpmath.pi) for value in found.a.tolist() for k in (-1, 0, 1)]
+            assert sum(value < 1e-14 for value in turned) == 1
 
 
 def roots(balance: Any, starts: Any) -> list[tuple[float, ...]]:

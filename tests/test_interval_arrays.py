@@ -179,6 +179,14 @@ def test_roots_and_unknown_ends_bound_nothing():
     assert not (Intervals.between([1e308], [1.7e308]) * 10).low > 1e309
 
 
+def test_directions_of_vectors_whose_squares_are_no_floats():
+    sizes = np.array([1e-320, 1e-170, 1e-150, 1e150, 1e160, 1e300])
+    with np.errstate(all="ignore"):
+        c, s = unit_vector(Intervals.point(3 * sizes), Intervals.point(-4 * sizes))
+    assert ((c.low <= 0.6) & (c.high >= 0.6)).all()
+    assert ((s.low <= -0.8) & (s.high >= -0.8)).all()
+
+
 def test_directions_are_sharp_and_hold_all():
     rng = np.random.default_rng(8)
     corner, size = rng.normal(size=(2, 400)), 10.0 ** rng.uniform(-8, 0.5, size=(2, 400))

@@ -43,6 +43,13 @@ x2, y2 = x1 + L_0 * sin(b), y1 - L_0 * cos(b)
 page.kinetic(m * (page.rate(x1)**2 + page.rate(y1)**2) / 2 + nu * m * (page.rate(x2)**2 + page.rate(y2)**2) / 2)
 page.potential(m * g * y1 + nu * m * g * y2)
 """,
+    "waves": HEAD + """
+b = page.parameter("b", "1", "second wave over first", ">= 0", 0.25)
+c = page.parameter("c", "1", "what breaks the mirror", ">= 0", 0.0)
+a = page.coordinate("a", "rad", "angle")
+page.kinetic(m * L_0**2 * page.rate(a)**2 / 2)
+page.potential(k_c * L_0**2 * (cos(a) + b * cos(2 * a) + c * sin(a)))
+""",
     "arm": HEAD + BELT + f"""
 theta0 = page.parameter("theta0", "rad", "angle at rest", "(0, pi)", 1.3)
 k_t = page.parameter("k_t", "N m", "torsion spring", "> 0", 0.3, becomes="tau")
@@ -109,6 +116,39 @@ def models(once: Once, tmp_path_factory: pytest.TempPathFactory) -> dict[str, An
 def states(model: Any, found: Any) -> np.ndarray:
     """Equilibria of one point, shape (count, n)."""
     return np.array([found.coordinates[name][: int(found.count)] for name in model.coordinates]).T
+
+
+@pytest.mark.parametrize("off", [1e-13, 1e-11, 1e-9, 1e-6, -1e-12])
+def test_equilibria_close_together_where_a_turn_ends_are_there_once(models: dict[str, Any], off: float) -> None:
+    """sin a (1 + 4 b cos a) = 0: beside ±π there are two more from b = 1/4 on, which only many digits tell apart."""
+    model, b = models["waves"], 0.25 * (1 + off)
+    found = model.equilibria(model.Parameters(b=b))
+    with mpmath.workdps(50):
+        beside = [mpmath.acos(-1 / (4 * mpmath.mpf(b)))] if off > 0 else []
+        want = [0, mpmath.pi, *beside, *(-a for a in beside)]
+        assert found.complete
+        assert int(found.count) == len(want)
+        for a in want:
+            turned = [abs(mpmath.mpf(value) - a + k * 2 * mpmath.pi) for value in found.a.tolist() for k in (-1, 0, 1)]
+            assert sum(value < 1e-14 for value in turned) == 1
+
+
+@pytest.mark.parametrize("c", [1e-19, 1e-9])
+def test_a_fold_where_a_turn_ends_is_there_once(models: dict[str, Any], c: float) -> None:
+    """Beside the cusp at a = π, b = 1/4: found within 1e-6 of the end of the turn on both of its sides."""
+    model = models["waves"]
+
+    def fold(a: Any, b: Any) -> list[Any]:
+        sines, cosines = (f(a) + k * b * f(2 * a) for f, k in ((mpmath.sin, 2), (mpmath.cos, 4)))
+        return [c * mpmath.cos(a) - sines, -c * mpmath.sin(a) - cosines]
+
+    found = model.folds(model.Parameters(c=c), vary="b")
+    assert found.complete
+    assert len(found) == 1
+    with mpmath.workdps(60):
+        a, b = mpmath.findroot(fold, (mpmath.pi - mpmath.cbrt(c), 0.25 + mpmath.cbrt(c) ** 2 / 2), tol=mpmath.mpf(10) ** -100)
+        assert abs(float(a) - found.a[0]) < 1e-12
+        assert abs(float(b) - found.b[0]) < 1e-12
 
 
 def roots(balance: Any, starts: Any) -> list[tuple[float, ...]]:

@@ -56,9 +56,10 @@ def _component(along: Intervals, across: Intervals) -> Intervals:
     near, far = across.mignitude, across.magnitude
     ends = along.ends
     other = np.where(ends > 0, near, far)
-    # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing underflows.
+    # Three roundings, of a sum of squares, and two more: less than 4 units, where nothing underflows or overflows.
     values = raised(ends / np.sqrt(ends * ends + other * other), 4)
-    known = (np.maximum(np.abs(ends), other) > 1e-140) & (values <= 1)
+    size = np.maximum(np.abs(ends), other)
+    known = (size > 1e-140) & (size < 1e150) & (values <= 1)
     return Intervals(np.where(known, values, 1.0))
 
 

@@ -185,8 +185,9 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
 
 
 def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
-    """The same roots, those that are known to few digits in narrower boxes."""
-    return replace(found, ends=refined(balance, given, found.ends, found.point, precise_forces(balance)))
+    """The same roots, those that are known to few digits in narrower boxes; angles that come around once each."""
+    found = replace(found, ends=refined(balance, given, found.ends, found.point, precise_forces(balance)))
+    return once_around(balance, found)
 
 
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
@@ -207,7 +208,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
 def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int) -> Roots:
     """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double."""
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
-    found = once_around(balance, certified_roots.roots(balance, outcome, around, given, given))
+    found = certified_roots.roots(balance, outcome, around, given, given)
     return settled(balance, given, around, found, levels)
 
 

@@ -146,9 +146,10 @@ def search(
     if from_least:
         roots = near_zero.joined(near_zero.searched(system, fixed, around, limits), roots)
         around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)
-    roots = once_around(balance, roots)
     if alone:
         roots = settled(system, fixed, around, roots)
+    roots = once_around(balance, roots)
+    if alone:
         dropped = shared(system, given, spans[0], roots.left)
         roots = without(roots, dropped)
     return Found(roots, around, whole)

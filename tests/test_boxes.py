@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import time
+from fractions import Fraction
+from math import isqrt
 
 import numpy as np
 import pytest
@@ -45,6 +47,12 @@ class Quadratic(boxes.Plain):
 
 
 WIDE = np.full((2, 2, 1), 30.0)
+ROOT_ERROR = Fraction(1, 2**160)
+
+
+def root_of(square):
+    """The square root, to some 170 bits."""
+    return Fraction(isqrt(int(square * 2**360)), 2**180)
 
 
 def test_many_points_at_once():
@@ -142,3 +150,58 @@ def test_inverses():
         product = np.einsum("ijN,jkN->ikN", matrices, inverses)
         assert np.allclose(product[:, :, 2:], np.eye(n)[:, :, None])
         assert (inverses[:, :, :2] == np.eye(n)[:, :, None]).all()
+
+
+class Told(Quadratic):
+    """The same with guesses, and with a word on which boxes are small."""
+
+    def __init__(self, guess=lambda x: None, fine=lambda count: np.zeros(count, dtype=bool)):
+        self.guess, self.small = guess, fine
+
+    def guessed(self, middles, parameters):
+        p, q = parameters.middle
+        return self.guess(np.stack([-p / 2 + way * np.sqrt(np.maximum(p**2 / 4 - q, 0.0)) for way in (-1, 1)]))
+
+    def fine(self, unknowns, parameters):
+        return self.small(unknowns.shape[1])
+
+
+ANY = np.random.default_rng(5)
+GUESSES = {
+    "the other root": lambda x: np.stack([x[1], x[1] ** 3]),
+    "the one root": lambda x: np.stack([x[0], x[0] ** 3]),
+    "beside a root": lambda x: np.stack([x[1] * (1 + 1e-9), x[1] ** 3]),
+    "one component": lambda x: np.stack([x[1], x[0] ** 3]),
+    "no numbers": lambda x: np.full((2, x.shape[1]), np.nan),
+    "infinity": lambda x: np.full((2, x.shape[1]), np.inf),
+    "anything": lambda x: ANY.normal(size=(2, x.shape[1])),
+}
+SMALL = {
+    "none": lambda count: np.zeros(count, dtype=bool),
+    "all": lambda count: np.ones(count, dtype=bool),
+    "some": lambda count: ANY.random(count) < 0.5,
+}
+
+
+def test_whatever_is_guessed_every_root_is_there_once_and_in_its_box():
+    p, q = np.random.default_rng(6).uniform([[0.5], [-2.0]], [[2.0], [0.0]], (2, 100))
+    exact = [
+        [(-Fraction(a) + way * root_of(Fraction(a) ** 2 - 4 * Fraction(b))) / 2 for way in (-1, 1)]
+        for a, b in zip(p, q, strict=True)
+    ]
+    for guess in GUESSES.values():
+        for small in SMALL.values():
+            found = solved(Told(guess, small), WIDE, np.stack([p, q]))
+            assert found.left_point.size == 0
+            assert (np.bincount(found.point, minlength=100) == 2).all()
+            assert found.error.max() < 1e-13
+            order = np.lexsort((found.middle[0], found.point))
+            for ends, root in zip(np.moveaxis(found.ends[:, :, order], 2, 0), [x for pair in exact for x in pair], strict=True):
+                for (low, high), value in zip(ends.T, (root, root**3), strict=True):
+                    assert Fraction(-low) - ROOT_ERROR <= value <= Fraction(high) + ROOT_ERROR
+
+
+def test_small_boxes_without_a_root_are_dropped_by_slopes_alone():
+    for small in SMALL.values():
+        assert solved(Told(fine=small), WIDE, np.array([[0.0], [1e-3]])).left_point.size == 0
+        assert solved(Told(fine=small), WIDE, np.array([[0.0], [1e-3]])).point.size == 0

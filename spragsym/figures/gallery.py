@@ -17,6 +17,7 @@ from .style import SINGLE, Sheet, house_style, panels, styled
 
 #: What the gallery shows of a model: the plane and its ranges; ("hopf", …) and ("flutter", …) are onsets along the second one.
 GALLERY: Mapping[str, tuple[str, str, str, Between]] = {
+    "two_springs": ("folds", "theta0", "mu0", {"mu0": (0.0, 1.4)}),
     "stribeck": ("folds", "theta0", "mu_s", {"mu_s": (0.0, 1.5)}),
     "mode_coupling": ("flutter", "sigma", "mu0", {"sigma": (0.05, 2.0), "mu0": (0.0, 2.0)}),
     "stick_slip": ("hopf", "V", "zeta", {"V": (0.01, 1.5), "zeta": (0.0, 2.0)}),

@@ -64,7 +64,7 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     stability : ndarray of int8
         Codes of :class:`spragsym.Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the friction law.
     marginal : ndarray of bool
-        Where the code is not proved: a sign behind it is that of 0 to 256 bits, and counts as 0.
+        Where the code is not proved: 256 bits do not tell a sign behind it from that of 0, and it counts as 0.
     eigenvalues : ndarray of complex
         The λ of it, on one more axis.
     growth : ndarray

@@ -407,7 +407,7 @@ def test_reach_is_no_less_than_the_distance():
     low = rng.normal(size=(1, 500)) * 10.0 ** rng.integers(-5, 5, (1, 500))
     high = low + rng.uniform(0, 2, (1, 500)) * 10.0 ** rng.integers(-16, 2, (1, 500))
     middle = Intervals.between(low, high).middle
-    reach = boxes._reach(ends_of(low, high), middle)
+    reach = contractors.distance(ends_of(low, high), middle)
     for k in range(500):
         exact = max(
             Fraction(float(high[0, k])) - Fraction(float(middle[0, k])),

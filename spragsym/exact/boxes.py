@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import contractors
-from .interval_arrays import FloatArray, Intervals, raised
+from .interval_arrays import FloatArray, Intervals
 from .parameter_tree import Tree, tree
 
 #: Pairs looked at in one go: enough to forget the calls' overhead, few enough to stay in the cache.
@@ -223,7 +223,7 @@ class _Search:
         middle = Intervals(pairs.ends).middle
         at_middle = self.system.at_points(middle, parameters)
         slopes = self.system.jacobian(Intervals(wide), parameters)
-        step = contractors.newton(at_middle, slopes, middle, _reach(wide, middle))
+        step = contractors.newton(at_middle, slopes, middle, contractors.distance(wide, middle))
         proved = contractors.inside(step.ends, wide)
         self.unique.append(Pairs(wide, pairs.nodes)[proved])
         self.where.append(Pairs(step.ends, pairs.nodes)[proved])
@@ -232,7 +232,7 @@ class _Search:
         slopes, closed = slopes[:, :, rest], np.logical_and.reduce(ends < wide[:, :, rest])
         if self.sharp:
             middle = middle[:, rest]
-            by_rows, none = contractors.by_each_row(at_middle[:, rest], slopes, middle, _reach(pairs.ends, middle))
+            by_rows, none = contractors.by_each_row(at_middle[:, rest], slopes, middle, contractors.distance(pairs.ends, middle))
             ends = np.fmin(ends, by_rows)
             none |= np.logical_or.reduce(ends[0] + ends[1] < 0) | contractors.apart(ends, pairs.ends)
             rest = np.flatnonzero(~none)
@@ -287,12 +287,6 @@ def _with_room(ends: FloatArray, given: FloatArray, noise: FloatArray | float) -
     """A box narrowed, but not to the last digit: a component that converges before the others keeps room until all are proved."""
     narrowed: FloatArray = np.fmin(ends + (MARGIN * Intervals(given).width + 4 * noise), given)
     return narrowed
-
-
-def _reach(ends: FloatArray, middle: FloatArray) -> FloatArray:
-    """|x − m| over a box."""
-    reach: FloatArray = np.maximum(*raised(ends + np.stack([middle, -middle])))
-    return reach
 
 
 def _parted(pairs: Pairs) -> Pairs:

@@ -70,8 +70,7 @@ def concatenated(parts: Sequence[Roots], n: int) -> Roots:
 
 def relative_error(ends: FloatArray, middle: FloatArray) -> FloatArray:
     """Bound on |x − middle| / max(1, |middle|) over the boxes, shape (2, n, N), the largest of the components."""
-    reach = np.maximum(*raised(ends + np.stack([middle, -middle])))
-    out: FloatArray = raised((reach / np.maximum(1.0, np.abs(middle))).max(axis=0))
+    out: FloatArray = raised((contractors.distance(ends, middle) / np.maximum(1.0, np.abs(middle))).max(axis=0))
     return out
 
 
@@ -113,20 +112,25 @@ def _refined(
         ends[:, :, rows], known = _guessed(system, ends[:, :, rows], at)
         rows, at = rows[~known], at[:, ~known]
         for _ in range(STEPS if rows.size else 0):
-            box = Intervals(ends[:, :, rows])
-            middle = box.middle
-            reach = np.maximum(*raised(box.ends + np.stack([middle, -middle])))
-            step = contractors.newton(system.at_points(middle, at), system.jacobian(box, at), middle, reach)
-            empty[rows] |= contractors.apart(step.ends, box.ends)
-            new = np.fmin(step.ends, box.ends)
+            before = ends[:, :, rows]
+            step = stepped(system, before, at)
+            empty[rows] |= contractors.apart(step.ends, before)
+            new = np.fmin(step.ends, before)
             ends[:, :, rows] = new
             widths = new[0] + new[1]
             wide = widths > DONE * np.maximum(1.0, np.abs(new).max(axis=0))
-            narrower = (wide & (widths < 0.75 * (box.ends[0] + box.ends[1]))).any(axis=0)
+            narrower = (wide & (widths < 0.75 * (before[0] + before[1]))).any(axis=0)
             rows, at = rows[narrower], at[:, narrower]
             if not rows.size:
                 break
     return ends, empty
+
+
+def stepped(system: System, ends: FloatArray, parameters: Intervals) -> contractors.Newton:
+    """The step of interval Newton from the middles of boxes of shape (2, n, N)."""
+    middle = Intervals(ends).middle
+    values, slopes = system.at_points(middle, parameters), system.jacobian(Intervals(ends), parameters)
+    return contractors.newton(values, slopes, middle, contractors.distance(ends, middle))
 
 
 def _guessed(system: System, ends: FloatArray, parameters: Intervals) -> tuple[FloatArray, NDArray[np.bool_]]:
@@ -136,9 +140,7 @@ def _guessed(system: System, ends: FloatArray, parameters: Intervals) -> tuple[F
         return ends, np.zeros(ends.shape[2], dtype=np.bool_)
     reach = NEAR * np.maximum(1.0, np.abs(guess))
     around = np.stack([reach - guess, reach + guess])
-    middle = Intervals(around).middle
-    reach = np.maximum(*raised(around + np.stack([middle, -middle])))
-    step = contractors.newton(system.at_points(middle, parameters), system.jacobian(Intervals(around), parameters), middle, reach)
+    step = stepped(system, around, parameters)
     known = contractors.inside(step.ends, around) & contractors.within(around, ends)
     return np.where(known, step.ends, ends), known
 

@@ -42,6 +42,12 @@ class Newton:
     none: NDArray[np.bool_]
 
 
+def distance(ends: FloatArray, middle: FloatArray) -> FloatArray:
+    """|x − m| over boxes of shape (2, n, N)."""
+    out: FloatArray = np.maximum(*raised(ends + np.stack([middle, -middle])))
+    return out
+
+
 def newton(values: Intervals, slopes: Intervals, middle: FloatArray, reach: FloatArray) -> Newton:
     """The step of interval Newton, from F(m), shape (n, N), J, shape (n, n, N), m and r, shape (n, N)."""
     Y = inverse(slopes.middle)

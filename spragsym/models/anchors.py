@@ -48,7 +48,8 @@ def turned_points(balance: Balance, given: FloatArray, regions: FloatArray) -> t
     system = _system(balance, given, balance.torsions[0], True) if len(balance.torsions) == 1 else None
     if system is None:
         return certified_roots.concatenated([], balance.n), done
-    done = _torsion(balance, given).low[0] > 0
+    with np.errstate(all="ignore"):
+        done = _stiffnesses(balance, given, "torsions").low[0] > 0
     return _of_points(system, given, of_each(regions, given), np.flatnonzero(done)), done
 
 
@@ -84,19 +85,10 @@ def around_anchors(balance: Balance, given: FloatArray, regions: FloatArray, fou
     return replaced(found, decided, replace(again, point=np.searchsorted(decided, again.point)))
 
 
-def _stiffnesses(balance: Balance, given: FloatArray) -> Intervals:
-    """Of all springs and torsion springs: they depend on no place."""
+def _stiffnesses(balance: Balance, given: FloatArray, name: str = "stiffnesses") -> Intervals:
+    """Of all springs, or as ``"torsions"`` of all torsion springs, shape (springs, points)."""
     values = balance.arguments(balance.prepared(Intervals.point(given)))
-    system = Polar(balance, 0, (0, 0), False, False)
-    return stacked(system.stiffnesses(values, over_boxes(given.shape[1:])), given.shape[1:])
-
-
-def _torsion(balance: Balance, given: FloatArray) -> Intervals:
-    """Stiffnesses of all torsion springs, shape (torsion springs, points)."""
-    shape = given.shape[1:]
-    with np.errstate(all="ignore"):
-        values = balance.arguments(balance.prepared(Intervals.point(given)))
-        return stacked(Polar(balance, 0, (0, 0), False, False).stiffnesses_of_turning(values, over_boxes(shape)), shape)
+    return stacked(balance.of_no_place(name, values), given.shape[1:])
 
 
 def _of_any_spring(
@@ -106,7 +98,8 @@ def _of_any_spring(
     done = np.zeros(given.shape[1], dtype=np.bool_)
     parts: list[Roots] = []
     if balance.torsions:
-        points = points[_torsion(balance, given[:, points]).high.max(axis=0) <= 0]
+        with np.errstate(all="ignore"):
+            points = points[_stiffnesses(balance, given[:, points], "torsions").high.max(axis=0) <= 0]
     for spring in range(balance.springs):
         points = points[~done[points]]
         system = _system(balance, given, spring, False) if points.size else None
@@ -154,17 +147,16 @@ def _sides(system: Polar, given: FloatArray, around: FloatArray) -> tuple[FloatA
     """Of each point: the region in the unknowns, the scale, and whether the length stays away from 0."""
     balance, shape = system.balance, given.shape[1:]
     values = balance.arguments(balance.prepared(Intervals.point(given)))
-    kind = over_boxes(shape)
-    stiffnesses = system.stiffnesses(values, kind)
+    stiffnesses = balance.of_no_place("stiffnesses", values)
     k = stacked(stiffnesses, shape)[system.spring]
     q = [0 if i in system.chart else Intervals(around[:, i]) for i in range(balance.n)]
-    *anchor, rest = stacked(system.geometry(q, values, kind)[system.spring], shape)
+    *anchor, rest = stacked(balance.geometry(q, values)[system.spring], shape)
     reach = [np.maximum(*raised(around[:, i] + end.ends[::-1])) for i, end in zip(system.chart, anchor, strict=True)]
     length = raised(np.hypot(*reach), 4)
     # Along the line the tension balances all else.
     whole = list(Intervals(around))
     directions = system.turned(balance.directions(whole, values, shape)[: 3 * balance.springs], Intervals.point(np.zeros(shape)))
-    forces = stacked(system.other_forces(whole, directions, values, stiffnesses, kind), shape)
+    forces = stacked(system.other_forces(whole, directions, values, stiffnesses, over_boxes(shape)), shape)
     most = ROOM * raised(np.hypot(*(forces.magnitude[i] for i in system.chart)) / k.low, 8)
     most = np.where(np.isfinite(most) & (k.low > 0), most, np.inf)
     tight = most < 0.5 * rest.low
@@ -241,11 +233,7 @@ def _are_equilibria(system: Polar, ends: FloatArray) -> NDArray[np.bool_]:
 def _sharpened(system: Polar, ends: FloatArray, parameters: Intervals) -> FloatArray:
     """Roots known to more digits: a length that is a small part of the scale to as many as a large one."""
     for _ in range(STEPS):
-        box = Intervals(ends)
-        middle = box.middle
-        reach = np.maximum(*raised(ends + np.stack([middle, -middle])))
-        step = contractors.newton(system.at_points(middle, parameters), system.jacobian(box, parameters), middle, reach)
-        ends = np.fmin(step.ends, ends)
+        ends = np.fmin(certified_roots.stepped(system, ends, parameters).ends, ends)
     return ends
 
 

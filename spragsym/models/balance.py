@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from ..exact import contractors, jets
 from ..exact.boxes import POLE
-from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
-from .forces import Forces, undecorated
-from .laws import FREE, XP
+from ..exact.interval_arrays import FloatArray, Intervals, stacked
+from .forces import Forces
+from .laws import FREE
 
 #: Sizes of a box from an anchor up to which it is asked whether any direction of the spring balances the forces.
 AWAY = 1.0
@@ -140,8 +140,7 @@ class Balance(Forces):
 
     def anchors(self, q: Sequence[Any], values: Mapping[str, Any], shape: tuple[int, ...]) -> list[tuple[Intervals, Intervals]]:
         """The vectors from the mass to the anchors of all springs."""
-        rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
-        return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in rows]
+        return [(stacked([dx], shape)[0], stacked([dy], shape)[0]) for dx, dy, _ in self.geometry(q, values)]
 
     # -------------------------------------------------------------------------------------------- contraction
 
@@ -178,7 +177,7 @@ class Balance(Forces):
         at_near = self.by_coordinate("forces", list(Intervals.point(near)), directions, values, FREE)
         rows = self.by_coordinate("forces", jets.variables(list(unknowns), 1), directions, values, FREE)
         slopes = matrix([jets.gradient(row, self.n) for row in rows], shape)
-        reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([near, -near])))
+        reach = contractors.distance(unknowns.ends, near)
         return np.fmin(contractors.by_rows(stacked(at_near, shape), slopes, near, reach), unknowns.ends)
 
     def _linear(
@@ -192,7 +191,7 @@ class Balance(Forces):
         """Forces at points of the boxes, slopes over the boxes, the points and distances from them, with fixed directions."""
         shape, call = unknowns.shape[1:], call or self.call
         at_middle = call("forces", list(Intervals.point(middle)), directions, values)
-        reach: FloatArray = np.maximum(*raised(unknowns.ends + np.stack([middle, -middle])))
+        reach = contractors.distance(unknowns.ends, middle)
         return stacked(at_middle, shape), self._slopes(unknowns, values, directions, call), middle, reach
 
     def _slopes(

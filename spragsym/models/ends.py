@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact import boxes, contractors
-from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
+from ..exact.certified_roots import stepped
+from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from .augmented import Augmented
 from .balance import NOTHING
 
@@ -72,7 +73,4 @@ def _filled(given: FloatArray, value: float) -> FloatArray:
 def _one_root(system: boxes.System, given: FloatArray, wide: FloatArray) -> NDArray[np.bool_]:
     """Boxes with exactly one root."""
     parameters = system.prepared(Intervals.point(given))
-    middle = Intervals(wide).middle
-    reach = np.maximum(*raised(wide + np.stack([middle, -middle])))
-    step = contractors.newton(system.at_points(middle, parameters), system.jacobian(Intervals(wide), parameters), middle, reach)
-    return contractors.inside(step.ends, wide)
+    return contractors.inside(stepped(system, wide, parameters).ends, wide)

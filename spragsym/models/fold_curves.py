@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact import contractors
-from ..exact.interval_arrays import FloatArray, Intervals, raised
+from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented
 
 #: How far a curve may be from the straight line between two neighbours, over the ranges of the parameters.
@@ -117,7 +117,7 @@ class FoldCurves:
         room[fixed, columns] = 0.0
         wide = np.stack([-states, states]) + room
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
-        reach = np.maximum(*raised(wide + np.stack([states, -states])))[free, columns]
+        reach = contractors.distance(wide, states)[free, columns]
         step = contractors.newton(self._values(states), Intervals(slopes), states[free, columns], reach)
         return contractors.inside(step.ends, wide[:, free, columns])
 

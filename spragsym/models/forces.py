@@ -116,6 +116,24 @@ class Forces:
 
     # ---------------------------------------------------------------------------------------------- forces
 
+    def geometry(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:
+        """Vector and undeformed length of every line."""
+        return undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=xp)
+
+    def of_no_place(self, name: str, values: Mapping[str, Any], xp: Any = XP) -> Sequence[Any]:
+        """A function of ``statics`` that depends on parameters only: ``"stiffnesses"`` of springs, ``"torsions"`` of turning."""
+        found: Sequence[Any] = undecorated(getattr(self.model.statics, name))(
+            *[0] * self.n, *self._listed(values, "statics"), xp=xp
+        )
+        return found
+
+    def at_rest(self, values: Mapping[str, Any], xp: Any = XP) -> list[tuple[Any, Any]]:
+        """Cosine and sine of the direction in which each torsion spring rests: a line along x has turned by minus its angle."""
+        pairs = undecorated(self.model.statics.turnings)(
+            *[0] * self.n, *[1, 0, 1] * self.springs, *self._listed(values, "statics"), xp=xp
+        )
+        return [(cosine, -sine) for cosine, sine in pairs]
+
     def directions(
         self,
         q: Sequence[Any],
@@ -134,8 +152,7 @@ class Forces:
             For each torsion spring what its turning is in boxes that meet the ray where it jumps: NaN if nothing is said, with 1
             or −1 that on one side of the ray, with 0 anything from −π to π.
         """
-        rows = undecorated(self.model.statics.geometry)(*q, *self._listed(values, "statics"), xp=XP)
-        steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(rows)]
+        steps = [(0 if place in upright else dx, dy) for place, (dx, dy, _) in enumerate(self.geometry(q, values))]
         parts = [part for dx, dy in steps for part in direction(dx, dy, shape)]
         return parts + self._turnings(q, values, shape, steps, parts, sides) if self.torsions else parts
 
@@ -149,31 +166,27 @@ class Forces:
         sides: Sequence[int] | None,
     ) -> list[Any]:
         """φ of every torsion spring; 0 where its stiffness is."""
-        given = self._listed(values, "statics")
-        cosine_and_sine = undecorated(self.model.statics.turnings)
-        fixed = [jets.constant(part) for part in (*q, *directions, *given)]
-        rests = cosine_and_sine(*q, *(1, 0, 1) * self.springs, *given, xp=XP)
-        stiffnesses = undecorated(self.model.statics.torsions)(*q, *given, xp=XP)
+        fixed = [jets.constant(part) for part in (*q, *directions, *self._listed(values, "statics"))]
+        turned = undecorated(self.model.statics.turnings)(*fixed, xp=XP)
+        rests, stiffnesses = self.at_rest(values), self.of_no_place("torsions", values)
         found = []
-        for place, value in enumerate(cosine_and_sine(*fixed, xp=XP)):
+        for place, value in enumerate(turned):
             if _is_none(stiffnesses[place]):
                 found.append(Intervals(np.zeros((2, *shape))))
                 continue
-            cosine, minus_sine = rests[place]
             side = None if sides is None else sides[place]
-            found.append(turning(value, steps[self.torsions[place]], (cosine, -minus_sine), shape, side))
+            found.append(turning(value, steps[self.torsions[place]], rests[place], shape, side))
         return found
 
     def plain_directions(self, q: Sequence[Any], values: Mapping[str, Any], xp: Any) -> list[Any]:
         """Cosine, sine and length of every spring, then turnings, for numbers that are narrow: quotients."""
         directions: list[Any] = []
-        given = self._listed(values, "statics")
-        for dx, dy, _ in undecorated(self.model.statics.geometry)(*q, *given, xp=xp):
+        for dx, dy, _ in self.geometry(q, values, xp):
             length = xp.sqrt(dx**2 + dy**2)
             directions += [dx / length, dy / length, length]
         if not self.torsions:
             return directions
-        pairs = undecorated(self.model.statics.turnings)(*q, *directions, *given, xp=xp)
+        pairs = undecorated(self.model.statics.turnings)(*q, *directions, *self._listed(values, "statics"), xp=xp)
         return directions + [xp.atan2(sine, cosine) for cosine, sine in pairs]
 
     def call(self, name: str, q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP) -> Any:

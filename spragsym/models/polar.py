@@ -49,7 +49,6 @@ from ..exact.interval_functions import length as interval_length
 from ..exact.reduction import Evaluate
 from .balance import Balance, matrix
 from .directions import direction
-from .forces import undecorated
 from .laws import XP
 from .precise import PreciseBalance, ball
 
@@ -115,13 +114,13 @@ class Polar(boxes.Plain):
         q: list[Any] = [0] * self.balance.n
         for number, value in zip((i for i in range(self.balance.n) if i not in self.chart), others, strict=True):
             q[number] = value
-        *anchor, rest = self.geometry(q, values, kind)[self.spring]
+        *anchor, rest = self.balance.geometry(q, values, kind.xp)[self.spring]
         far = part * scale
         length, elongation = (far + rest, far) if self.tight else (far, far - rest)
         for number, end, share in zip(self.chart, anchor, (c, s), strict=True):
             q[number] = -(length * share) + end
         directions: list[Any] = []
-        for number, (dx, dy, _) in enumerate(self.geometry(q, values, kind)):
+        for number, (dx, dy, _) in enumerate(self.balance.geometry(q, values, kind.xp)):
             directions += [c, s, length] if number == self.spring else kind.direction(dx, dy)
         return q, self.turned(directions, angle), elongation
 
@@ -129,35 +128,9 @@ class Polar(boxes.Plain):
         """Directions with the angle behind by which the torsion spring turns; without stiffness it does not matter."""
         return [*directions, *(angle if self.turns else 0 for _ in self.balance.torsions)]
 
-    def geometry(self, q: Sequence[Any], values: Mapping[str, Any], kind: Kind) -> Any:
-        """Vectors and undeformed lengths of all lines."""
-        return undecorated(self.balance.model.statics.geometry)(*q, *self._given(values), xp=kind.xp)
-
     def _at_rest(self, values: Mapping[str, Any], kind: Kind) -> tuple[Any, Any]:
-        """Cosine and sine of the direction at φ = 0: a line along x has turned by minus the angle at rest."""
-        if not self.turns:
-            return 1, 0
-        balance = self.balance
-        function = undecorated(balance.model.statics.turnings)
-        ((cosine, sine),) = function(*[0] * balance.n, *[1, 0, 1] * balance.springs, *self._given(values), xp=kind.xp)
-        return cosine, -sine
-
-    def _given(self, values: Mapping[str, Any]) -> list[Any]:
-        return [values[name] for name in self.balance.model.about["arguments"]["statics"]]
-
-    def stiffnesses(self, values: Mapping[str, Any], kind: Kind) -> Sequence[Any]:
-        """Of all springs along their lines."""
-        found: Sequence[Any] = self._of_no_place("stiffnesses", values, kind)
-        return found
-
-    def stiffnesses_of_turning(self, values: Mapping[str, Any], kind: Kind) -> Sequence[Any]:
-        """Of all torsion springs."""
-        found: Sequence[Any] = self._of_no_place("torsions", values, kind)
-        return found
-
-    def _of_no_place(self, name: str, values: Mapping[str, Any], kind: Kind) -> Any:
-        none = [0] * self.balance.n
-        return undecorated(getattr(self.balance.model.statics, name))(*none, *self._given(values), xp=kind.xp)
+        """Cosine and sine of the direction at φ = 0."""
+        return self.balance.at_rest(values, kind.xp)[0] if self.turns else (1, 0)
 
     def rows(self, unknowns: Sequence[Any], values: Mapping[str, Any], scale: Any, kind: Kind) -> list[Any]:
         """Balance along, and across times l, in the rows of the line's end; of the other coordinates."""
@@ -167,7 +140,7 @@ class Polar(boxes.Plain):
         self, q: Sequence[Any], directions: Sequence[Any], elongation: Any, values: Mapping[str, Any], kind: Kind
     ) -> list[Any]:
         """The same in a place with directions."""
-        stiffnesses = self.stiffnesses(values, kind)
+        stiffnesses = self.balance.of_no_place("stiffnesses", values, kind.xp)
         c, s, length = directions[3 * self.spring : 3 * self.spring + 3]
         forces = self.other_forces(q, directions, values, stiffnesses, kind)
         x, y = self.chart
@@ -176,10 +149,10 @@ class Polar(boxes.Plain):
         out[x] = forces[x] * c + forces[y] * s - tension
         out[y] = across
         if self.turns:
-            (torsion,) = self.stiffnesses_of_turning(values, kind)
+            (torsion,) = self.balance.of_no_place("torsions", values, kind.xp)
             out[y] = length * across - directions[-1] * torsion
         if self.balance.n > 2:
-            a, b = end_slopes(self.balance, self._given(values))[self.spring]
+            a, b = end_slopes(self.balance, values)[self.spring]
             for row in set(range(self.balance.n)) - set(self.chart):
                 out[row] = forces[row] + tension * (c * a[row] + s * b[row]) + (c * b[row] - s * a[row]) * across
         return out
@@ -191,8 +164,8 @@ class Polar(boxes.Plain):
         forces = list(self.balance.call("forces_apart", q, directions, values, kind.xp))
         if self.balance.springs == 1:
             return forces
-        rests = [row[2] for row in self.geometry(q, values, kind)]
-        slopes = end_slopes(self.balance, self._given(values))
+        rests = [row[2] for row in self.balance.geometry(q, values, kind.xp)]
+        slopes = end_slopes(self.balance, values)
         for place, (k, rest, (a, b)) in enumerate(zip(stiffnesses, rests, slopes, strict=True)):
             if place != self.spring:
                 c, s, length = directions[3 * place : 3 * place + 3]
@@ -238,7 +211,7 @@ class Polar(boxes.Plain):
 
     def _towards(self, places: Intervals, unknowns: Intervals, values: Mapping[str, Any], scale: Any, kind: Kind) -> FloatArray:
         """Boxes that hold the angles and lengths of places among the given ones, where lengths are positive."""
-        dx, dy, rest = self.geometry(list(places), values, kind)[self.spring]
+        dx, dy, rest = self.balance.geometry(list(places), values, kind.xp)[self.spring]
         c0, s0 = self._at_rest(values, kind)
         cosine, sine = kind.turn(Intervals.point(unknowns[0].middle))
         c, s = cosine * c0 - sine * s0, sine * c0 + cosine * s0
@@ -268,17 +241,15 @@ class Polar(boxes.Plain):
         return lambda unknowns: self.rows(unknowns, values, scale, _BALLS)
 
 
-def end_slopes(balance: Balance, given: Sequence[Any], near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
+def end_slopes(balance: Balance, values: Mapping[str, Any], near: Any = 0) -> list[tuple[list[Any], list[Any]]]:
     """How the vector of every spring changes with the coordinates: for ends that are linear in them the same everywhere."""
-    place = jets.variables([near] * balance.n, 1)
-    rows = undecorated(balance.model.statics.geometry)(*place, *given, xp=XP)
+    rows = balance.geometry(jets.variables([near] * balance.n, 1), values)
     return [(jets.gradient(dx, balance.n), jets.gradient(dy, balance.n)) for dx, dy, _ in rows]
 
 
 def ends_are_linear(balance: Balance, given: FloatArray) -> bool:
     """Whether the ends of all springs are linear in the coordinates."""
     values = balance.arguments(balance.prepared(Intervals.point(given)))
-    given_place = [values[name] for name in balance.model.about["arguments"]["statics"]]
-    slopes = end_slopes(balance, given_place, Intervals.between(np.array([-2.0]), np.array([3.0])))
+    slopes = end_slopes(balance, values, Intervals.between(np.array([-2.0]), np.array([3.0])))
     every = [entry for pair in slopes for row in pair for entry in row]
     return bool((stacked(every, (1,)).width < 1e-12).all()) if every else True

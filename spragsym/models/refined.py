@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..exact import contractors
 from ..exact.boxes import System
 from ..exact.certified_roots import relative_error
-from ..exact.interval_arrays import FloatArray, Intervals, raised
+from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.intervals import Ball, Balls
 from ..exact.polynomials import Undecided
 from .precise import BITS, TOLERANCE, Precise, ball
@@ -65,7 +65,7 @@ def _narrowed(system: System, given: FloatArray, ends: FloatArray, precise: Prec
             values = evaluate([ball(value, BITS[0]) for value in middle[:, 0].tolist()])
         except Undecided:
             break
-        reach = np.maximum(*raised(ends + np.stack([middle, -middle])))
+        reach = contractors.distance(ends, middle)
         step = contractors.newton(as_intervals(values), system.jacobian(box, parameters), middle, reach)
         new = np.fmin(step.ends, ends)
         if not (new < ends).any():

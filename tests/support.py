@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import importlib
 import os
-from collections.abc import Iterable
+import subprocess
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from pathlib import Path
 from types import ModuleType
 from typing import Any
 
@@ -65,3 +67,25 @@ def middle_of(value: intervals.Interval) -> float:
     """The middle of an interval."""
     low, high = intervals.arithmetic().ends(value)
     return float((low + high) / 2)
+
+
+def results_of_c(
+    folder: Path, library: str, calls: Iterable[tuple[str, Sequence[float], int]], optimized: str = "-O0"
+) -> list[float]:
+    """Compile an exported library without a warning, call functions by their names with numbers, and read all they write.
+
+    A call is the name of a function, its arguments, and how many numbers it writes.
+    """
+    lines = []
+    for function, given, size in calls:
+        listed = ", ".join(float(value).hex() for value in given)
+        lines.append(
+            f"{{ double r[{size}]; if ({library}_{function}({listed}, r)) return 1; "
+            f'for (int i = 0; i < {size}; i++) printf("%.17g\\n", r[i]); }}'
+        )
+    program = f'#include <stdio.h>\n#include "{library}.h"\nint main(void) {{\n' + "\n".join(lines) + "\nreturn 0;\n}\n"
+    (folder / "try.c").write_text(program, encoding="utf-8")
+    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", optimized, "try.c", f"{library}.c", "-lm", "-o", "try"]
+    subprocess.run(build, cwd=folder, check=True, timeout=120)
+    shown = subprocess.run(["./try"], cwd=folder, check=True, capture_output=True, text=True, timeout=60).stdout
+    return [float(line) for line in shown.split()]

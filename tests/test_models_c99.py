@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +17,7 @@ import spragsym as ss
 from spragsym.cli import main
 from spragsym.derive.emit.targets.c99.layout import comment, plain
 from spragsym.models.load import shipped
-from tests.support import few
+from tests.support import few, results_of_c
 
 COMPILER = shutil.which("cc")
 
@@ -65,18 +64,9 @@ def test_c_gives_the_numbers_of_python(name: str, tmp_path: Path) -> None:
         given = numbers(model, function)
         result = np.array(getattr(getattr(model, module), function)(*given), dtype=float).ravel()
         want.append(result)
-        listed = ", ".join(float(value).hex() for value in given)
-        calls.append(
-            f"{{ double r[{result.size}]; if ({name}_{function}({listed}, r)) return 1; "
-            f'for (int i = 0; i < {result.size}; i++) printf("%.17g\\n", r[i]); }}'
-        )
-    (out / "try.c").write_text(
-        f'#include <stdio.h>\n#include "{name}.h"\nint main(void) {{\n' + "\n".join(calls) + "\nreturn 0;\n}\n"
-    )
-    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "try.c", f"{name}.c", "-lm", "-o", "try"]
-    subprocess.run(build, cwd=out, check=True, timeout=120)
-    shown = subprocess.run(["./try"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout
-    np.testing.assert_allclose([float(line) for line in shown.split()], np.concatenate(want), rtol=1e-13, atol=1e-15)
+        calls.append((function, given, result.size))
+    got = results_of_c(out, name, calls, "-O1")
+    np.testing.assert_allclose(got, np.concatenate(want), rtol=1e-13, atol=1e-15)
 
 
 @given(hypothesis.strategies.text())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -17,7 +16,7 @@ pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.derive import export, folder, pages
-from tests.support import few
+from tests.support import few, results_of_c
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
 OFFERED = "from spragsym.derive.model import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
@@ -172,15 +171,6 @@ def test_c_gives_the_numbers_of_python(model: Any) -> None:
         given = [0.1, -0.05, 0.7, 0.02, *taken, *sides]
         values = np.array(getattr(it.motion, function)(*given), dtype=float).ravel()
         want.append(values)
-        listed = ", ".join(float(value).hex() for value in given)
-        calls.append(
-            f"{{ double r[{values.size}]; if ({name}_{function}({listed}, r)) return 1; "
-            f'for (int i = 0; i < {values.size}; i++) printf("%.17g\\n", r[i]); }}'
-        )
-    (out / "try.c").write_text(
-        f'#include <stdio.h>\n#include "{name}.h"\nint main(void) {{\n' + "\n".join(calls) + "\nreturn 0;\n}\n"
-    )
-    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O0", "try.c", f"{name}.c", "-lm", "-o", "try"]
-    subprocess.run(build, cwd=out, check=True, timeout=120)
-    shown = subprocess.run(["./try"], cwd=out, check=True, capture_output=True, text=True, timeout=60).stdout
-    np.testing.assert_allclose([float(line) for line in shown.split()], np.concatenate(want), rtol=1e-12, atol=1e-15)
+        calls.append((function, given, values.size))
+    got = results_of_c(out, name, calls)
+    np.testing.assert_allclose(got, np.concatenate(want), rtol=1e-12, atol=1e-15)

@@ -27,6 +27,7 @@ from spragsym.exact.polynomials import Undecided
 from spragsym.models.balance import Balance
 from spragsym.models.precise import ball
 from tests.conftest import Once
+from tests.support import results_of_c
 from tests.test_documents import ROOT
 
 pytest.importorskip("sympy")
@@ -391,15 +392,9 @@ def test_c_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp
     for function, given in numbers.items():
         result = np.array(getattr(model.motion, function)(*given), dtype=float).ravel()
         want += result.tolist()
-        listed = ", ".join(value.hex() for value in given)
-        shown = "".join(f'printf("%.17g\\n", r[{i}]);' for i in range(result.size))
-        calls.append(f"{{ double r[{result.size}]; if (soft_{function}({listed}, r)) return 1; {shown} }}")
-    program = '#include <stdio.h>\n#include "soft.h"\nint main(void) {\n' + "\n".join(calls) + "\nreturn 0;\n}\n"
-    (tmp_path / "try.c").write_text(program, encoding="utf-8")
-    build = ["cc", "-std=c99", "-Wall", "-Wextra", "-Werror", "-O0", "try.c", "soft.c", "-lm", "-o", "try"]
-    subprocess.run(build, cwd=tmp_path, check=True, timeout=120)
-    shown = subprocess.run(["./try"], cwd=tmp_path, check=True, capture_output=True, text=True, timeout=60).stdout
-    np.testing.assert_allclose([float(line) for line in shown.split()], want, rtol=1e-13, atol=1e-15)
+        calls.append((function, given, result.size))
+    got = results_of_c(tmp_path, "soft", calls)
+    np.testing.assert_allclose(got, want, rtol=1e-13, atol=1e-15)
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="there is no node")

@@ -45,6 +45,11 @@ def test_around_a_torsion_spring_searches_end_soon_and_say_why(tmp_path: Path) -
     assert model.folds(model.Parameters(), "theta0", between={"theta0": (0.1, 3.0)}).complete
 
 
+def test_the_page_of_other_tests_is_the_one_that_is_shown() -> None:
+    shown = re.findall(r"^```{code-block} python\n:caption: soft_brake.py\n(.*?)^```$", PAGE.read_text("utf-8"), re.M | re.S)
+    assert shown == [(ROOT / "tests/soft_brake.py").read_text(encoding="utf-8")]
+
+
 def test_the_vocabulary_is_that_of_the_page() -> None:
     from spragsym.derive import model
 

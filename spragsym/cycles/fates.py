@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from bisect import insort
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from dataclasses import field as attribute
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -14,16 +16,16 @@ from ..dynamics.cycles import same_orbit
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, follower
 from ..dynamics.problem import BELT_SPEED, CREEP
-from ..dynamics.regimes import Outcome, Regime
+from ..dynamics.regimes import Outcome
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
-from .attractors import Verdict, attractor, followed, judged, same
+from .attractors import JUDGED, Verdict, attractor, followed, judged, same
 from .finding import cycle_at
 from .saddles import growth_of_cycle, saddle_near
 from .sprag import SPRAG
 
-#: Shares of the bracket at which fates are looked at before it is narrowed.
-LOOKED_AT = (0.2, 0.4, 0.6, 0.8)
+#: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
+LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
 
 #: Where to look next in a bracket, as far as motions are undecided.
 NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
@@ -34,14 +36,14 @@ ROUGH, FINE = 1e-12, 1e-13
 #: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
 NARROW, TOO_WIDE = 1e-13, 1e-8
 
-#: To either side of what was found it is looked whether fates alternate.
-ASIDE = (1e-9, 1e-7, 1e-6, 1e-5)
+#: To either side of what was found it is looked whether fates alternate, and whether both tolerances come to the same.
+ASIDE = (1e-8, 1e-6)
 
 #: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its extent.
 CLOSE = 0.05
 
-#: Motions have parted beyond this, and are on one way below the second.
-PARTED, TOGETHER = 1e-3, 1e-10
+#: Motions have parted beyond this.
+PARTED = 1e-3
 
 #: Pairs of states of a hovering motion from which a cycle is looked for.
 TRIES = 12
@@ -73,7 +75,8 @@ class FateBoundary(Result):
     below, above : Outcome
         What the start comes to on either side.
     others : ndarray, shape (k, 2)
-        Other intervals of the bracket, as far as was looked, at whose ends the fates differ: fates alternate.
+        Other intervals of the bracket, as far as was looked, at whose ends the fates differ: where there are any, fates
+        alternate. Those may be several fates on one side, none of which is on the other: an irregular transient that ends anywhere.
     """
 
     vary: str
@@ -120,8 +123,9 @@ def fate_boundary(
     ParameterError
         Where both ends have the same fate.
     ConvergenceError
-        Where an end is undecided; where all changes between are of the attractor itself, which ends or loses its stability; and
-        where motions between stay undecided. It says what the start comes to on either side.
+        Where the motion is undecided at an end and nothing is seen to change between; where what changes is the attractor
+        itself, which ends or loses its stability; where motions between stay undecided; and where fates alternate on both sides
+        more closely than rounding can tell. It says what the start comes to on either side.
 
     Notes
     -----
@@ -161,24 +165,28 @@ def boundary_of(
     low, high = sorted(bracket)
     asked = _Asked(field, at, vary, start, name)
     ends = asked.ask(low), asked.ask(high)
-    if not all(end.verdict.decided for end in ends):
-        raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {asked.told(*ends)}; give values at which the motion settles")
     for share in LOOKED_AT:
         asked.ask(low + share * (high - low))
-    if ends[0].label == ends[1].label:
-        between = [pair for pair in asked.changes() if pair[0].value > low]
+    if ends[0].label == ends[1].label >= 0:
+        between = [each for each, _ in asked.changes() if each.label != ends[0].label]
         raise ParameterError(
             f"bracket = ({low:g}, {high:g}): the start comes to {ends[0].verdict.told()} at both ends, which is one attractor"
-            + "".join(f", and to {a.verdict.told()} at {a.value:g} between" for a, _ in between[:1])
+            + "".join(f", and to {each.verdict.told()} at {each.value:g} between" for each in between[:1])
             + "; give values of different fates"
         )
+    for share in MORE:
+        if next(asked.changes(), None) is None:
+            asked.ask(low + share * (high - low))
+    if next(asked.changes(), None) is None:
+        raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {asked.told(*ends)}; give values at which the motion settles")
     why = []
     for one, other in list(asked.changes()):
-        try:
-            return _boundary(asked, *asked.narrowed(one, other, NARROW * (1 + abs(one.value) + abs(other.value))))
-        except ConvergenceError as error:
-            why.append(str(error))
-    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): " + "; ".join(why))
+        for kept in (one.label, other.label):
+            try:
+                return _boundary(asked, one, other, kept)
+            except ConvergenceError as error:
+                why.append(str(error))
+    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): " + "; ".join(dict.fromkeys(why)))
 
 
 @dataclass(frozen=True)
@@ -186,6 +194,7 @@ class _Fate:
     """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided."""
 
     value: float
+    rtol: float
     verdict: Verdict
     label: int
 
@@ -199,15 +208,15 @@ class _Asked:
     vary: str
     start: FloatArray
     backend: str
-    known: list[_Fate] = field(default_factory=list)
+    known: list[_Fate] = attribute(default_factory=list)
 
     def ask(self, value: float, rtol: float = ROUGH) -> _Fate:
         """The fate at a value."""
-        before = next((each for each in self.known if each.value == value and rtol == ROUGH), None)
+        before = next((each for each in self.known if (each.value, each.rtol) == (value, rtol)), None)
         if before is not None:
             return before
         verdict = judged(self.field, self.at(value), self.start, self.backend, rtol=rtol)
-        found = _Fate(value, verdict, self._label(value, verdict) if verdict.decided else -1)
+        found = _Fate(value, rtol, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
         return found
 
@@ -237,11 +246,11 @@ class _Asked:
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
         """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
         decided = [each for each in self.known if each.label >= 0]
-        pairs = [(a, b) for a, b in zip(decided[:-1], decided[1:], strict=True) if a.label != b.label]
+        pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
         yield from sorted(pairs, key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known))
 
-    def narrowed(self, low: _Fate, high: _Fate, width: float, rtol: float = ROUGH) -> tuple[_Fate, _Fate]:
-        """A narrower bracket, as far as motions are decided."""
+    def narrowed(self, low: _Fate, high: _Fate, kept: int, width: float, rtol: float = ROUGH) -> tuple[_Fate, _Fate]:
+        """A narrower bracket, as far as motions are decided: one side of it has the fate ``kept``, the other one not."""
         while high.value - low.value > width:
             for share in NEXT:
                 middle = low.value + share * (high.value - low.value)
@@ -252,12 +261,19 @@ class _Asked:
                     break
             else:
                 return low, high
-            low, high = (found, high) if found.label == low.label else (low, found)
+            low, high = (found, high) if (found.label == kept) == (low.label == kept) else (low, found)
         return low, high
 
     def told(self, low: _Fate, high: _Fate) -> str:
         """What the start comes to on two sides."""
         return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
+
+    def lost(self, low: _Fate, high: _Fate, value: float) -> str:
+        """That no value can be told, and why."""
+        return (
+            f"{self.told(low, high)}, and between the two fates alternate: near {self.vary} = {value:.12g} motions come to "
+            f"either on both sides, and to different ones at the tolerances {ROUGH:g} and {FINE:g}"
+        )
 
 
 def _seems(one: Outcome, other: Outcome) -> bool:
@@ -268,43 +284,47 @@ def _seems(one: Outcome, other: Outcome) -> bool:
     return max(apart, default=0.0) < 1e-6
 
 
-def _boundary(asked: _Asked, low: _Fate, high: _Fate) -> FateBoundary:
-    """The boundary in a narrow bracket; ConvergenceError where there is none."""
+def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary:
+    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary."""
+    low, high = asked.narrowed(low, high, kept, NARROW * (1 + abs(low.value) + abs(high.value)))
     if high.value - low.value > TOO_WIDE * (1 + abs(low.value)):
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
     for one, other in ((low, high), (high, low)):
         try:
             met = same(asked.followed(one, other.value), asked.attractor(other))
-        except ConvergenceError as error:
-            raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {error}") from error
+        except ConvergenceError as why:
+            raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
         if met:
             raise ConvergenceError(f"{asked.told(low, high)}, which is one attractor")
-    value, error = _anew(asked, low, high)
+    value, error = _anew(asked, low, high, kept)
     first, last = asked.known[0].value, asked.known[-1].value
-    for aside in ASIDE:
-        for there in (value - aside, value + aside):
-            if first < there < last:
-                asked.ask(there)
+    sides = [{asked.ask(value + sign * aside, rtol).label for aside in ASIDE for rtol in (ROUGH, FINE)
+              if first < value + sign * aside < last} - {-1} for sign in (-1, 1)]  # fmt: skip
+    if sides[0] & sides[1]:
+        raise ConvergenceError(asked.lost(low, high, value))
     kind, state, growth, distance = _saddle(asked, low.value, high.value)
-    others = [(a.value, b.value) for a, b in asked.changes() if not a.value <= value + error or not value - error <= b.value]
+    others = {(a.value, b.value) for a, b in asked.changes() if a.value < b.value and not a.value <= value <= b.value}
     return FateBoundary(
         asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
         np.array(sorted(others)).reshape(-1, 2),
     )  # fmt: skip
 
 
-def _anew(asked: _Asked, low: _Fate, high: _Fate) -> tuple[float, float]:
+def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, float]:
     """The middle of the bracket by a finer tolerance, and how much that has changed it, with a margin."""
-    rough, labels = (low.value + high.value) / 2, (low.label, high.label)
+    rough = (low.value + high.value) / 2
     half = max(high.value - low.value, NARROW * (1 + abs(rough)))
     while half < TOO_WIDE * (1 + abs(rough)):
         one, other = asked.ask(rough - half, FINE), asked.ask(rough + half, FINE)
-        if (one.label, other.label) == labels:
-            one, other = asked.narrowed(one, other, 1e-15 * (1 + abs(rough)), FINE)
+        if min(one.label, other.label) >= 0 and [one.label == kept, other.label == kept] == [
+            low.label == kept,
+            high.label == kept,
+        ]:
+            one, other = asked.narrowed(one, other, kept, 1e-15 * (1 + abs(rough)), FINE)
             fine = (one.value + other.value) / 2
             return fine, other.value - one.value + 2 * abs(fine - rough) + 4 * float(np.spacing(abs(fine)))
         half *= 8
-    return rough, half
+    raise ConvergenceError(asked.lost(low, high, rough))
 
 
 def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:
@@ -336,12 +356,12 @@ def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, fl
 
 def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:
     """States where the first coordinate is largest while motions of the two values are on one way, and the times of these."""
-    span = 2000.0
-    one, other = (asked.field.simulate(asked.at(value), asked.start, span, backend=asked.backend, rtol=FINE) for value in (low, high))
+    span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE}
+    one, other = (asked.field.simulate(asked.at(value), asked.start, span, **settings) for value in (low, high))
     times = np.linspace(0.0, span, int(10 * span) + 1)
     apart = np.abs(one(times) - other(times)).max(axis=0) > PARTED
     until = float(times[int(np.argmax(apart))]) if apart.any() else span
-    n, none = len(asked.field.coordinates), np.zeros((2, len(asked.field.parameters)))
+    none = np.zeros((2, len(asked.field.parameters)))
     passage = follower(asked.field, asked.backend).fly(asked.start, asked.field.constants(asked.at(low)), until, none)
     tops = [turn for turn in passage.turns if turn.border == -1 and turn.direction < 0]
     if not tops:

@@ -1,4 +1,4 @@
-"""Saddles: equilibria and cycles that repel in exactly one direction, and on which side of its stable manifold a motion passes."""
+"""Saddles: equilibria and cycles that repel in exactly one direction, and on which side of them a motion passes."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def saddle_near(field: Field, values: Sequence[float], state: FloatArray) -> Sad
 
 
 def sensitivities(vectors: Any) -> FloatArray:
-    """By how much more than a matrix each of its eigenvalues moves: of the matrix of its eigenvectors; infinite for a double one."""
+    """By how much more than a matrix each of its eigenvalues moves, from its eigenvectors; infinite for a double one."""
     try:
         return np.asarray(np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
     except np.linalg.LinAlgError:

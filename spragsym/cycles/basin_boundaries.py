@@ -1,4 +1,4 @@
-"""Where the stable manifold of a divergent equilibrium meets a plane of starts: the boundary of a basin."""
+"""Where the stable manifold of a divergent equilibrium meets a plane of starts, and where that is the boundary of a basin."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..display import Result
 from ..dynamics.field import Field
@@ -15,6 +16,7 @@ from ..dynamics.passage import Fly
 from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from .attractors import Verdict, attractor, judged, same
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 
@@ -23,6 +25,9 @@ COMPONENTS = ("x", "y", "vx", "vy")
 
 #: How much longer the motion is followed in each refinement, in units of the saddle's time.
 MORE = 2.5
+
+#: To either side of a point it is looked what motions come to.
+ASIDE = 1e-6
 
 #: A refinement that moves the start by less than this is the last.
 SETTLED = 1e-11
@@ -39,7 +44,10 @@ STRAIGHT = 0.95
 
 @dataclass(frozen=True, eq=False)
 class BasinBoundary(Result):
-    """A curve of starts in a plane from which a motion goes to the divergent equilibrium.
+    """A curve of starts in a plane from which a motion goes to the divergent equilibrium: its stable manifold.
+
+    Motions from both sides of the curve leave the equilibrium to different sides. Whether they come to different attractors is
+    another question, since a motion that is turned back at first may go over later: ``boundary`` is true only where they do.
 
     Attributes
     ----------
@@ -48,6 +56,11 @@ class BasinBoundary(Result):
         In order along the curve.
     error : ndarray, shape (n,)
         How much the last refinement moved them.
+    boundary : ndarray of bool, shape (n,)
+        Whether starts 1e-6 to either side of a point, across the curve, come to different attractors. What is not is manifold,
+        with one basin on both sides, or undecided.
+    sides : ndarray of str, shape (n, 2)
+        What they come to, in words: where the part along the saddle's direction of growth becomes negative, and where positive.
     saddle : ndarray, shape (m,)
         The equilibrium.
     growth : float
@@ -59,6 +72,8 @@ class BasinBoundary(Result):
     plane: tuple[str, str]
     points: FloatArray
     error: FloatArray
+    boundary: NDArray[np.bool_]
+    sides: NDArray[np.str_]
     saddle: FloatArray
     growth: float
     how: tuple[str, str]
@@ -69,49 +84,53 @@ def basin_boundary(
     to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
     backend: str | None = None,
 ) -> BasinBoundary:  # fmt: skip
-    """The stable manifold of the divergent equilibrium in a plane of starts.
+    """The stable manifold of the divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
 
-    Parameters
-    ----------
-    p : Parameters
-        Scalars, where there are three equilibria.
-    V, d : float
-        As for :func:`~spragsym.simulate`.
-    plane : tuple of str
-        Two of x, y, vx, vy; the other two are those of ``start``.
-    start : array_like of 4 numbers
-        A state in the plane; the curve is looked for along the first direction of the plane, from the equilibrium on.
-    to : pair of ranges, optional
-        Of the two; by default 3 to either side of the equilibrium, and 1 for speeds.
-    step : float
-        Between neighbours on the curve.
-    points : int
-        Most points either way.
+        Parameters
+        ----------
+        p : Parameters
+            Scalars, where there are three equilibria.
+        V, d : float
+            As for :func:`~spragsym.simulate`.
+        plane : tuple of str
+            Two of x, y, vx, vy; the other two are those of ``start``.
+        start : array_like of 4 numbers
+            A state in the plane; the curve is looked for along the first direction of the plane, from the equilibrium on.
+        to : pair of ranges, optional
+            Of the two; by default 3 to either side of the equilibrium, and 1 for speeds.
+        step : float
+            Between neighbours on the curve.
+        points : int
+            Most points either way.
 
-    Returns
-    -------
-    BasinBoundary
+        Returns
+        -------
+        BasinBoundary
 
-    Raises
-    ------
-    ParameterError, ParameterTypeError
-        For arguments that make no sense, and where there is no divergent equilibrium.
+        Raises
+        ------
+        ParameterError, ParameterTypeError
+            For arguments that make no sense, and where there is no divergent equilibrium.
 
-    Notes
-    -----
-    A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
-    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the boundary;
-    others may be elsewhere in the plane, and far folds of the manifold are not followed. Where folds lie closer than ``step``,
-    the walk may pass from one to the next: a smaller step tells.
+        Notes
+        -----
+        A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
+        left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the manifold, and
+        on the boundary of a basin where ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and far
+        folds of it are not followed. Where folds lie closer than ``step``,
+        the walk may pass from one to the next: a smaller step tells.
 
-    Examples
-    --------
-    >>> import numpy as np
-    >>> import spragsym as ss
-    >>> p = ss.Parameters.article(theta0=np.radians(40))
-    >>> found = ss.basin_boundary(p, V=0.5, d=10.0, step=0.1, points=1)
-    >>> found.points.round(3).tolist()
-    [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
+        Examples
+        --------
+        >>> import numpy as np
+    from numpy.typing import NDArray
+        >>> import spragsym as ss
+        >>> p = ss.Parameters.article(theta0=np.radians(40))
+        >>> found = ss.basin_boundary(p, V=0.5, d=10.0, step=0.1, points=1)
+        >>> found.points.round(3).tolist()
+        [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
+        >>> found.boundary.tolist(), found.sides[0].tolist()
+        ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
     values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
     state = np.array([as_number("start", value, FINITE) for value in start])
@@ -136,10 +155,31 @@ def boundary_of(
     first, error, span = walk.begun(start)
     ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
     found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
+    sides = [_sides(walk, name, each, span) for each, _ in found]
+    differ = np.array([_differ(field, values, *each, name) for each in sides])
     return BasinBoundary(
-        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]), saddle.state,
-        saddle.growth, (ways[0][1], ways[1][1]),
+        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]), differ,
+        np.array([[each.told() for each in both] for both in sides]), saddle.state, saddle.growth, (ways[0][1], ways[1][1]),
     )  # fmt: skip
+
+
+def _sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tuple[Verdict, Verdict]:
+    """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
+    normal = walk.off(state, span)[1]
+    across = np.zeros_like(state)
+    across[list(walk.axes)] = ASIDE * normal / np.linalg.norm(normal)
+    one, other = (judged(walk.field, walk.values, state + sign * across, backend) for sign in (-1, 1))
+    return one, other
+
+
+def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdict, backend: str) -> bool:
+    """Whether two motions are seen to come to different attractors."""
+    if not (one.decided and other.decided):
+        return False
+    try:
+        return not same(*(attractor(field, values, each, backend) for each in (one, other)))
+    except ConvergenceError:  # one that Newton's method does not find again decides nothing
+        return False
 
 
 def _divergent(p: Parameters, values: tuple[float, ...]) -> Saddle:

@@ -76,7 +76,7 @@ class FateBoundary(Result):
         What the start comes to on either side.
     others : ndarray, shape (k, 2)
         Other intervals of the bracket, as far as was looked, at whose ends the fates differ: where there are any, fates
-        alternate. Those may be several fates on one side, none of which is on the other: an irregular transient that ends anywhere.
+        alternate. Those may be several fates on one side, none of which is on the other: an irregular transient ends anywhere.
     """
 
     vary: str

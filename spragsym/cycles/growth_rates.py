@@ -86,14 +86,14 @@ class Rates:
 
     @cached_property
     def error(self) -> FloatArray:
-        """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of the flow's speed over the time."""
+        """Half-widths of 95 % intervals; of the trivial one a bound, the range of the logarithm of the flow's speed."""
         found = half_widths(self.logs, self.stretch)
         if self.moves:
             found[0] = float(np.ptp(self.flow)) / self.span
         return found
 
     def undecided(self, before: float) -> str:
-        """Why these do not prove that the motion is chaotic, or empty. ``before`` is how long it was followed before."""
+        """Why these do not prove that the motion is chaotic, or nothing; ``before`` is how long it was followed before."""
         across, error = self.exponents[1:], self.error[1:]
         if not self.moves:
             return "the motion comes to rest"
@@ -101,13 +101,11 @@ class Rates:
         if len(open_):
             worst = open_[int(np.argmax(error[open_] / np.maximum(np.abs(across[open_]), 1e-300)))]
             return (
-                f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: a longer motion narrows that as the "
-                "root of its time; on a torus it stays"
+                f"an exponent of {across[worst]:.2g} ± {error[worst]:.1g} is not told from 0: a longer motion narrows that as "
+                "the root of its time; on a torus it stays"
             )
         if across.max() < 0:
-            return (
-                "all exponents but the trivial one are negative, so that it nears a cycle, which is not reached: a longer motion"
-            )
+            return "all exponents but the trivial one are negative: it nears a cycle, which a longer motion reaches"
         slowest = float(-across[across < 0].max(initial=-np.inf))
         if before * slowest < SETTLED:
             return f"it may not have settled: deviations decay as exp(−{slowest:.2g} τ), followed for {before:g} before"
@@ -122,7 +120,7 @@ class Rates:
 
 
 def half_widths(logs: FloatArray, stretch: float) -> FloatArray:
-    """Half-widths of 95 % intervals of the mean rates: the widest by batch means, and by the range of what sums up to them.
+    """Half-widths of 95 % intervals of mean rates: the widest by batch means, and by the range of their sums.
 
     The range is that of the sums about their straight line: of motions that repeat themselves it stays, and the error falls as
     the time; of irregular ones it grows as its root, as the scatter of means does.

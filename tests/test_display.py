@@ -91,6 +91,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "CycleBranch": _branch,
     "CycleEvent": _doubling,
     "EventCurve": lambda: ss.cycle_events(_doubling(), vary=("theta0", "mu0"), points=1),
+    "Fate": lambda: ss.fate(SLIDING, **SPEED),
     "FateBoundary": _fate,
     "BasinBoundary": lambda: ss.basin_boundary(ss.Parameters.article(theta0=np.radians(40.0)), **SPEED, step=0.05, points=1),
     "Lyapunov": lambda: ss.lyapunov(SLIDING, **SPEED, start=_cycle().state, t_end=2 * _cycle().period),
@@ -104,7 +105,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
 
 
 #: Those that take long motions.
-LONG_MOTIONS = ("Cycle", "CycleBranch", "CycleEvent", "EventCurve", "FateBoundary", "BasinBoundary", "Lyapunov")
+LONG_MOTIONS = ("Cycle", "CycleBranch", "CycleEvent", "EventCurve", "Fate", "FateBoundary", "BasinBoundary", "Lyapunov")
 
 
 class Tables(HTMLParser):

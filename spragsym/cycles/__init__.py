@@ -7,8 +7,9 @@ from .fates import FateBoundary, fate_boundary
 from .finding import cycle
 from .orbit import Cycle
 from .two_parameters import EventCurve, cycle_events
+from .verdicts import Fate, fate
 
 __all__ = [
-    "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "FateBoundary", "Lyapunov",
-    "basin_boundary", "cycle", "cycle_branch", "cycle_events", "fate_boundary", "lyapunov",
+    "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "Fate", "FateBoundary", "Lyapunov",
+    "basin_boundary", "cycle", "cycle_branch", "cycle_events", "fate", "fate_boundary", "lyapunov",
 ]  # fmt: skip

@@ -7,17 +7,15 @@ orbit by Newton's method, which can be followed to other values of the parameter
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from ..dynamics.field import Field
-from ..dynamics.flows import carrier
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .finding import cycle_at, cycle_near
-from .growth_rates import rates_along
 from .orbit import Cycle
 from .saddles import equilibrium_near, linearization, rounding_of
 
@@ -25,13 +23,7 @@ from .saddles import equilibrium_near, linearization, rounding_of
 JUDGED = (2000.0, 10_000.0, 40_000.0)
 
 #: What a motion comes to, where that is told.
-DECIDED = (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE, Regime.LIFT_OFF, Regime.CHAOTIC)
-
-#: Exponents are looked at from the second of those times on, over this share of the time so far.
-CHAOS = 0.5
-
-#: Limits that are no solution of an equation.
-REGIONS = (Regime.LIFT_OFF, Regime.CHAOTIC)
+DECIDED = (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE, Regime.LIFT_OFF)
 
 #: Equilibria, and averages over cycles, that differ by less than this are one.
 SAME = 1e-6
@@ -61,7 +53,7 @@ class Verdict:
 
     @property
     def kind(self) -> Regime:
-        """EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF, CHAOTIC or UNSETTLED."""
+        """EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED."""
         return ATTRACTOR.get(self.outcome.regime, self.outcome.regime)
 
     @property
@@ -76,32 +68,27 @@ class Verdict:
             return f"rest at x = {found.rest_x:.6g}" + (f", y = {found.rest_y:.6g}" if np.isfinite(found.rest_y) else "")
         if self.kind == Regime.LIMIT_CYCLE:
             return f"a cycle of period {found.period:.6g}"
-        others = {Regime.LIFT_OFF: "lift-off", Regime.CHAOTIC: "chaos"}
-        return others.get(self.kind, f"nothing that is decided by t = {self.t:g}")
+        return "lift-off" if self.kind == Regime.LIFT_OFF else f"nothing that is decided by t = {self.t:g}"
 
 
 def judged(
     field: Field, values: tuple[float, ...], start: FloatArray, backend: str, *, times: Sequence[float] = JUDGED,
-    rtol: float = 1e-12, chaos: bool = True,
+    rtol: float = 1e-12,
 ) -> Verdict:  # fmt: skip
-    """What the motion from a state comes to, looked at later and later while that is undecided; with or without exponents."""
+    """What the motion from a state comes to, looked at later and later as long as that is undecided."""
     state, begun = np.asarray(start, dtype=float), 0.0
     for t_end in times:
         motion = field.simulate(values, state, t_end - begun, backend=backend, rtol=rtol)
         verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
         if verdict.decided:
             break
-        if chaos and begun > 0:
-            fly, _ = carrier(field, backend)
-            if not rates_along(field, fly, values, verdict.end, CHAOS * t_end).undecided(t_end):
-                return replace(verdict, outcome=Outcome(Regime.CHAOTIC))
         state, begun = verdict.end, t_end
     return verdict
 
 
 @dataclass(frozen=True)
 class Attractor:
-    """A stable equilibrium or cycle; of lift-off and chaos the kind alone, which all of it shares."""
+    """A stable equilibrium or cycle; of lift-off the kind alone, which all of it shares."""
 
     kind: Regime
     values: tuple[float, ...]
@@ -112,7 +99,7 @@ class Attractor:
 def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> Attractor:
     """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the one that was told."""
     found, n = verdict.outcome, len(field.coordinates)
-    if verdict.kind in REGIONS:
+    if verdict.kind == Regime.LIFT_OFF:
         return Attractor(verdict.kind, values, verdict.end)
     if verdict.kind == Regime.EQUILIBRIUM:
         place = [found.rest_x, found.rest_y][:n] if n < 3 else verdict.end[:n].tolist()
@@ -131,7 +118,7 @@ def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend
 
 def followed(field: Field, known: Attractor, values: tuple[float, ...], backend: str) -> Attractor:
     """The same attractor at other values of the parameters; ConvergenceError where it ends or is lost on the way."""
-    if known.kind in REGIONS:
+    if known.kind == Regime.LIFT_OFF:
         return Attractor(known.kind, values, known.state)
     if known.orbit is not None:
         orbit = cycle_near(field, values, known.orbit, backend)
@@ -169,7 +156,7 @@ def same(one: Attractor, other: Attractor) -> bool:
     if one.kind != other.kind:
         return False
     if one.orbit is None or other.orbit is None:
-        return one.kind in REGIONS or bool(np.abs(one.state - other.state).max() < SAME * (1 + np.abs(one.state).max()))
+        return one.kind == Regime.LIFT_OFF or bool(np.abs(one.state - other.state).max() < SAME * (1 + np.abs(one.state).max()))
     a, b = one.orbit, other.orbit
     size = max(a.amplitude, b.amplitude)
     alike = abs(a.period / b.period - 1) < SAME and max(abs(a.rms - b.rms), abs(a.mean - b.mean)) < SAME * size

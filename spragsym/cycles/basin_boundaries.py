@@ -1,4 +1,4 @@
-"""Where the stable manifold of a divergent equilibrium meets a plane of starts, and where that is the boundary of a basin."""
+"""Where the stable manifold of a divergent equilibrium meets a plane of starts, and where that bounds a basin."""
 
 from __future__ import annotations
 
@@ -115,12 +115,12 @@ def basin_boundary(
         Notes
         -----
         A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
-        left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the manifold, and
-        on the boundary of a basin where ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and far
-        folds of it are not followed. Where folds lie closer than ``step``,
-        the walk may pass from one to the next: a smaller step tells.
+    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the manifold,
+    and on the boundary of a basin where ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and
+    far folds of it are not followed. Where folds lie closer than ``step``, the walk may pass from one to the next: a smaller
+    step tells.
 
-        Examples
+    Examples
         --------
         >>> import numpy as np
     from numpy.typing import NDArray

@@ -141,7 +141,7 @@ def exponents_of(
 def _kind(field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str) -> tuple[str, str, FloatArray]:
     """What a motion is by the attractor that it comes to, why, and the exponents of that; empty where none is found."""
     none = np.full(field.size, np.nan)
-    verdict = judged(field, values, state, backend, times=(t_end,), chaos=False)
+    verdict = judged(field, values, state, backend, times=(t_end,))
     if not verdict.decided:
         return "", "", none
     why = f"it comes to {verdict.told()}"

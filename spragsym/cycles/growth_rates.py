@@ -68,6 +68,13 @@ class Rates:
         """Without the first stretches."""
         return Rates(self.logs[first:], self.volumes[first:], self.stretch, self.flow[first:], self.end)
 
+    def joined(self, later: Rates) -> Rates:
+        """With what follows, in stretches of the same time."""
+        return Rates(
+            np.vstack([self.logs, later.logs]), np.append(self.volumes, later.volumes), self.stretch,
+            np.append(self.flow, later.flow[1:]), later.end,
+        )  # fmt: skip
+
     @property
     def span(self) -> float:
         """Time in all."""

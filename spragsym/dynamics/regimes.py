@@ -30,8 +30,6 @@ class Regime(IntEnum):
     """Decays to an equilibrium at the rate of the linearization there, and is still on its way."""
     APPROACHES_CYCLE = 6
     """Winds onto a cycle at the rate of the cycle's multipliers, and is still on its way."""
-    CHAOTIC = 7
-    """Irregular for good, by Lyapunov exponents, which :func:`spragsym.fate` looks at, and sweeps and ``outcome`` do not."""
 
 
 #: The attractor behind a regime.

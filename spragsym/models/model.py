@@ -13,7 +13,7 @@ from . import parameters as _parameters
 from .describe import described
 
 if TYPE_CHECKING:
-    from ..cycles import BasinBoundary, Cycle, CycleBranch, FateBoundary, Lyapunov
+    from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
     from .equilibria import ModelEquilibria
@@ -172,6 +172,12 @@ class Model:
         from .oscillation import lyapunov
 
         return lyapunov(self, _parameters.own(self, p), **options)
+
+    def fate(self, p: ParameterSet, **options: Any) -> Fate:
+        """What the motion from ``start`` comes to: see :func:`spragsym.fate`."""
+        from .oscillation import fate
+
+        return fate(self, _parameters.own(self, p), **options)
 
     def fate_boundary(self, p: ParameterSet, **options: Any) -> FateBoundary:
         """The value of ``vary`` in ``bracket`` at which ``start`` changes its fate: see :func:`spragsym.fate_boundary`."""

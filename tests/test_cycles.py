@@ -422,11 +422,31 @@ def test_random_fates_are_confirmed_by_another_integrator(number: int) -> None:
 
 
 def test_what_has_not_settled_is_no_fate() -> None:
-    given = validate_fates.call(6)
-    p = ss.Parameters(**{name: value for name, value in given["values"].items() if name not in ("V", "d")})
-    belt = {name: given["values"][name] for name in ("V", "d")}
-    with pytest.raises(ss.ConvergenceError, match=r"nothing that is decided by t = 40000 at V = 0\.1517.* a cycle of period 148"):
-        ss.fate_boundary(p, vary="V", bracket=given["bracket"], start=given["start"], **belt)
+    """Both ends are chaotic."""
+    with pytest.raises(
+        ss.ConvergenceError, match=r"nothing that is decided by t = 40000 at theta0 = 0\.7217 and it comes to nothing"
+    ):
+        ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7217, 0.722), V=0.25, d=20.0)
+
+
+@pytest.mark.thorough
+def test_chaos_is_proved_by_exponents() -> None:
+    found = ss.fate(ss.Parameters.article(theta0=0.7237), V=0.25, d=20.0)
+    assert found.kind == "chaotic", found.why
+    across = np.abs(found.exponents) > 2 * found.error
+    assert across.sum() == 3  # all but that of the flow
+    assert found.exponents[0] > 0
+    short = ss.fate(ss.Parameters.article(theta0=0.7237), V=0.25, d=20.0, t_end=4000.0)
+    assert short.kind == "undecided"
+    assert "not told from 0" in short.why
+
+
+def test_the_time_scale_is_that_of_the_friction_law() -> None:
+    p = at(30.0)
+    found = ss.fate(p, **BELT)
+    assert found.kind == "rest"
+    contact = -found.outcome.rest_y  # the force of the contact over k_c L_0
+    assert found.time_scale == pytest.approx(math.exp(5.0) / (0.5 * 10.0 * contact), rel=1e-6)
 
 
 def test_a_saddle_repels_in_exactly_one_direction(slow: ss.Cycle) -> None:

@@ -121,7 +121,10 @@ def head(module: Module, meanings: Mapping[str, str], header: str, imports: str)
     symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
     table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ") for name in symbols)
     names = textwrap.fill(
-        ", ".join(f'"{function.name}"' for function in module.functions), _WIDTH - 2, initial_indent="    ", subsequent_indent="    "
+        ", ".join(f'"{function.name}"' for function in module.functions),
+        _WIDTH - 2,
+        initial_indent="    ",
+        subsequent_indent="    ",
     )
     return "\n\n".join([
         f'"""{module.summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""',

@@ -1,15 +1,8 @@
 function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10] = ...
     turning_polynomial(kappa, alpha, sigma, beta)
-%TURNING_POLYNOMIAL  Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points at
-%  which the curve of folds turns back in μ₀. Needs α > 0.
-%  Returns e0, …, e9, elements one after the other.
-%
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = f_θ₀ = 0. Operations: 283.
+%TURNING_POLYNOMIAL  Coefficients of e0 + … + e9 s⁹, among whose roots s = sin θ in (0, 1] are all points at which the curve
+%  of folds turns back in μ₀. Needs α > 0. Returns e0, …, e9, elements one after the other. Source: f = f′ = f_θ₀ = 0.
+%  Operations: 283.
   B = beta + 1;
   w0 = alpha + sigma;
   base0 = w0;
@@ -81,17 +74,16 @@ function [result1, result2, result3, result4, result5, result6, result7, result8
   result1 = base0_4.*kappa.*w2.*(kappa - sigma).*(kappa + sigma);
   result2 = base3_3.*w2.*w7.*(3.*w3 - w4 + w6);
   result3 = -base8_2.*kappa.*(2.*B.*alpha_2.*kappa_2.*sigma - B.*sigma_4.*w11 + B_2.*kappa_2.*sigma_2 + ...
-      20.*alpha.*kappa_2.*sigma_3 + 15.*alpha_2.*kappa_2.*sigma_2 - alpha_2.*sigma_4 + 5.*kappa_2.*sigma_4 - ...
-      sigma_4.*w10 - 13.*w12 - 16.*w14 - w15.*w16 - w24 - w9);
+      20.*alpha.*kappa_2.*sigma_3 + 15.*alpha_2.*kappa_2.*sigma_2 - alpha_2.*sigma_4 + 5.*kappa_2.*sigma_4 - sigma_4.*w10 - ...
+      13.*w12 - 16.*w14 - w15.*w16 - w24 - w9);
   result4 = -base15_2.*w7.*(4.*B.*alpha_2.*kappa_2.*sigma - 3.*B.*w15 + 7.*B_2.*alpha.*kappa_2.*sigma + ...
       3.*B_2.*kappa_2.*sigma_2 + 9.*alpha_2.*kappa_2.*sigma_2 - 3.*w17 - w20.*w27 - w26 - w29 - w31);
-  result5 = -w41.*(12.*B.*alpha_2.*sigma_2 + 14.*B.*alpha_3.*sigma + 25.*B_2.*w4 - 28.*alpha_2.*w5 - ...
-      kappa_2.*w35 + 35.*sigma.*w8 - 34.*w15 - 8.*w18 + 8.*w21 + w30 + 13.*w32 + 10.*w33 - 2.*w37 - 8.*w39);
+  result5 = -w41.*(12.*B.*alpha_2.*sigma_2 + 14.*B.*alpha_3.*sigma + 25.*B_2.*w4 - 28.*alpha_2.*w5 - kappa_2.*w35 + ...
+      35.*sigma.*w8 - 34.*w15 - 8.*w18 + 8.*w21 + w30 + 13.*w32 + 10.*w33 - 2.*w37 - 8.*w39);
   result6 = -2.*w40.*(8.*w12 + w24 + 2.*w26 - 10.*w28 + w31 - 7.*w34.*w5 - 14.*w42 + w44);
-  result7 = w41.*(16.*B.*alpha_2.*sigma_2 - B.*sigma_3.*w27 + 5.*B_2.*alpha.*sigma_2 + 14.*B_2.*alpha_2.*sigma ...
-      + B_2.*sigma_3 - B_2.*w3 + 12.*alpha_2.*sigma_3 - sigma_3.*w45 - 13.*w15 - 6.*w37 - 14.*w39 - w46);
+  result7 = w41.*(16.*B.*alpha_2.*sigma_2 - B.*sigma_3.*w27 + 5.*B_2.*alpha.*sigma_2 + 14.*B_2.*alpha_2.*sigma + ...
+      B_2.*sigma_3 - B_2.*w3 + 12.*alpha_2.*sigma_3 - sigma_3.*w45 - 13.*w15 - 6.*w37 - 14.*w39 - w46);
   result8 = 2.*sigma_3.*(-B.*w4.*w45 + B_2.*w36 + alpha.*w46 + w14 + w29 - w35.*w5 - 7.*w42 + w44 + w9);
-  result9 = -kappa.*sigma_3.*w1.*(B.*alpha_2.*sigma + 5.*alpha_2.*sigma_2 - w16.*w3 - w23 - w36 - w38 - ...
-      w4.*w43);
+  result9 = -kappa.*sigma_3.*w1.*(B.*alpha_2.*sigma + 5.*alpha_2.*sigma_2 - w16.*w3 - w23 - w36 - w38 - w4.*w43);
   result10 = 2.*base18_2.*sigma_4.*w3;
 end

@@ -1,14 +1,6 @@
 function [result1, result2] = turning_sine(sin, kappa, alpha, sigma, beta)
-%TURNING_SINE  Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀.
-%  Returns numerator, denominator, elements one after the other.
-%
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = f_θ₀ = 0. Operations: 47.
+%TURNING_SINE  Numerator and denominator of sin θ₀ where the curve of folds turns back in μ₀. Returns numerator,
+%  denominator, elements one after the other. Source: f = f′ = f_θ₀ = 0. Operations: 47.
   B = beta + 1;
   a_f = sigma.*(B - alpha);
   p = alpha + sigma;

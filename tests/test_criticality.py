@@ -247,5 +247,5 @@ def test_what_a_cycle_at_an_onset_is_asked_with(stick_slip: Any) -> None:
         model.cycle(onset=stick_slip, amplitude=-1.0)
     with pytest.raises(ss.ParameterTypeError, match=r"is no result of model\.flutter_onsets"):
         ss.cycle(onset=3)
-    with pytest.raises(ss.ParameterTypeError, match="p, V and d are missing"):
+    with pytest.raises(ss.ParameterTypeError, match="p is missing"):
         ss.cycle()

@@ -12,11 +12,10 @@ from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
 from ..dynamics.flows import NEAR, carrier, follower, scout
 from ..dynamics.passage import Fly, Turn
-from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import Regime
 from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from ..parameters import FINITE, FloatArray, Parameters, as_number
 from .orbit import Cycle, cycle_of
 from .sprag import SPRAG
 
@@ -52,8 +51,8 @@ def cycle(
     ----------
     p : Parameters
         Scalars.
-    V, d : float
-        As for :func:`~spragsym.simulate`.
+    V, d : float, optional
+        In place of those of ``p``.
     near : array_like of 4 numbers, Trajectory or Cycle, optional
         A state x, y, x', y' near the cycle, stable or not; or a motion whose end approaches it; or a cycle for other values
         of the parameters. Rest at x = y = 0 where left out.
@@ -98,9 +97,9 @@ def cycle(
     born = at_onset(p, near, {"onset": onset, "index": index, "amplitude": amplitude, "backend": backend})
     if born is not None:
         return born
-    if p is None or V is None or d is None:
-        raise ParameterTypeError("p, V and d are missing; give them, or the onset of a model")
-    values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
+    if p is None:
+        raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
+    values = p.given(V=V, d=d).scalars(*p.ranges)
     return cycle_near(SPRAG, values, near, backend, patient=patient)
 
 

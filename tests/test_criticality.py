@@ -60,7 +60,7 @@ def test_stick_slip_in_closed_form(stick_slip: Any) -> None:
             pytest.param("mode_coupling", "mu0", {}, id="mode_coupling"),
             pytest.param("trolley", "theta0", {}, id="trolley"),
         ],
-        "damped", "stribeck", "hertz",
+        "damped", "stribeck",
     ),
 )  # fmt: skip
 def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values: dict[str, float]) -> None:

@@ -161,7 +161,7 @@ class _Point:
         with BALLS.precision(BITS):
             q = [BALLS.between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(state, radii, strict=False)]
         span = {vary: (Fraction(given[place]) - Fraction(radii[-1]), Fraction(given[place]) + Fraction(radii[-1]))}
-        self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, span).values
+        self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, span).arguments
         self.parameter: Ball = self.values[vary]
         self.state = [*q, *(_ball(0) for _ in q)]
         self.motion = field_of(model, REACH)

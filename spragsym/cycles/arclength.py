@@ -8,7 +8,7 @@ import numpy as np
 
 from ..dynamics.field import Field
 from ..dynamics.passage import Fly
-from ..dynamics.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, growth, looped, rate, recut, solved
+from ..dynamics.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, growth, looped, rate, recut, rounding, solved
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 
@@ -103,6 +103,14 @@ def cut_finer(setting: Setting, point: Point) -> Point:
     size = setting.field.size
     along[:size], along[finer.guess.states.size :] = point.tangent[:size], point.tangent[loop.guess.states.size :]
     return point_of(setting, finer, along)
+
+
+def uncertainty(setting: Setting, point: Point) -> float:
+    """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
+    weights = setting.weights(len(point.loop.guess.states))
+    rows = np.vstack([point.loop.slopes(len(setting.free)), phase_row(setting, point.loop), (point.tangent * weights**2)[None]])
+    inverse = np.linalg.pinv(rows, rcond=1e-14)
+    return float(np.abs(inverse[-1]).sum()) * max(point.loop.missed, rounding(point.loop))
 
 
 def angle(setting: Setting, one: Point, other: Point) -> float:

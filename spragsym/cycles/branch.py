@@ -14,7 +14,8 @@ from ..dynamics.shooting import Guess, Loop, extent, looped, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, aligned, angle, between, corrected, cut_finer, fixed, point_of, started
-from .inspection import Finding, Seen, findings, halved, repeats
+from .halving import between_halves, due, halved, in_halves, meets, nearer
+from .inspection import Finding, Seen, findings
 from .orbit import Cycle, cycle_of
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
@@ -32,6 +33,12 @@ SHRUNK = 0.1
 #: Slowest part of an orbit that is said to come to rest.
 STILL = 2e-3
 
+
+#: Steps longer than this are cut where the halves of a doubled cycle seem to meet and do not.
+COARSE = 1e-4
+
+#: The last cycles before such an end: how far apart their halves are, each in that of the one before.
+SHORT_OF = (0.5, 0.5, 0.5)
 
 CROSSES = "another branch of cycles crosses this one"
 MERGES = "it meets the cycle of half its period, which doubles there"
@@ -154,7 +161,7 @@ def cycle_branch(
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
     fly, backend = carrier(model, cycle.backend)
     setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,))
-    start = started(setting, cycle.loop.guess)
+    start = started(setting, in_halves(cycle.loop, setting).guess)
     trace = _Trace(setting, (low, high), points, longest, backend)
     back = list(trace.follow(start, -1.0))
     forth = list(trace.follow(start, 1.0))
@@ -233,18 +240,18 @@ class _Trace:
                     length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
                     continue
                 ahead = stop
-            if repeats(ahead.loop) and not repeats(point.loop):
-                # A long step has gone over the place where the branch ends, on to a shorter cycle twice round.
-                merged = halved(setting, ahead.loop) or halved(setting, point.loop)
-                if merged is not None:
-                    yield End("end", merged, 1e-11, how=MERGES)
-                    return
-            after = Seen(setting, ahead)
             arc = length if stop is None else between(setting, point, ahead)
-            for found in findings(seen, after, arc, before):
-                if found.kind == "merging":
-                    yield End("end", found.loop, found.error, how=MERGES)
+            share = meets(point, ahead)
+            if share is not None:
+                merged = halved(setting, *between_halves(point, ahead, share, setting.free[0]))
+                if merged is not None:
+                    yield from self._merging(seen, before, *merged)
                     return
+                if arc > COARSE:
+                    length = arc / 3
+                    continue
+            after = Seen(setting, ahead)
+            for found in findings(seen, after, arc, before):
                 if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
                     yield self._shrunk(before, seen)
                     return
@@ -257,11 +264,41 @@ class _Trace:
             if end is not None:
                 yield end
                 return
+            merged = self._soon(point, ahead)
+            if merged is not None:
+                yield from self._merging(after, seen, *merged)
+                return
             finer = cut_finer(setting, ahead)
             before = seen if finer is ahead else None
             point, seen = finer, after if finer is ahead else Seen(setting, finer)
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
         yield End("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
+
+    def _merging(self, seen: Seen, before: Seen | None, loop: Loop, error: float) -> Iterator[Point | Finding]:
+        """What happens on the last part of a branch of doubled cycles, a bit short of its end, and the end."""
+        for share in SHORT_OF:
+            near = nearer(self.setting, seen.point, loop, share)
+            if near is None:
+                break
+            last = Seen(self.setting, near)
+            yield from findings(seen, last, between(self.setting, seen.point, near), before)
+            yield near
+            before, seen = None, last
+        yield End("end", loop, error, how=MERGES)
+
+    def _soon(self, point: Point, ahead: Point) -> tuple[Loop, float] | None:
+        """Where a branch of doubled cycles is about to end within the range."""
+        index = self.setting.free[0]
+        value = due(point, ahead, index)
+        if value is None or not self.to[0] <= value <= self.to[1]:
+            return None
+        guess, _, reach = between_halves(point, ahead, 1.0, index)
+        found = halved(self.setting, guess, value, reach)
+        if found is None:
+            return None
+        begun, there = self.value(ahead.loop), found[0].guess.values[index]
+        onward = (there - begun) * (begun - self.value(point.loop)) > 0
+        return found if onward and self.to[0] <= there <= self.to[1] else None
 
     def _shrunk(self, before: Seen | None, last: Seen) -> End:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""

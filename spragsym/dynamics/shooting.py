@@ -13,6 +13,7 @@ import numpy as np
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
 from .field import Field
+from .multipliers import Multipliers, multipliers_of
 from .passage import Crossing, Fly, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.
@@ -77,6 +78,12 @@ class Loop:
         for each in self.passages:
             product = each.by_state @ product
         return product
+
+    @cached_property
+    def multipliers(self) -> Multipliers:
+        """Its Floquet multipliers."""
+        flows = [rate(self.field, state, self.constants) for state in self.guess.states]
+        return multipliers_of([each.by_state for each in self.passages], flows)
 
     def slopes(self, parameters: int) -> FloatArray:
         """Derivatives of the gaps by states, period and ``parameters`` directions: shape (k m, k m + 1 + parameters)."""
@@ -265,3 +272,8 @@ def extent(loop: Loop) -> float:
 def growth(loop: Loop) -> float:
     """Largest derivative over one stretch."""
     return max(float(np.abs(each.by_state).max()) for each in loop.passages)
+
+
+def rounding(loop: Loop) -> float:
+    """What rounding adds to the gaps of a loop, about."""
+    return 4e-16 * float(np.abs(loop.guess.states).max()) * math.sqrt(loop.guess.period)

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..dynamics.flows import carrier
+from ..dynamics.flows import carrier, flow
 from ..dynamics.shooting import Guess, Loop, extent, looped, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, aligned, angle, between, corrected, cut_finer, fixed, point_of, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer
 from .inspection import Finding, Seen, findings
-from .orbit import Cycle, cycle_of
+from .orbit import Cycle, Cycles, amplitude_of, cycle_of, is_stable, moments
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
@@ -82,7 +82,8 @@ class CycleBranch(Result):
     values, periods, rms, amplitude : ndarray, shape (n,)
         Of the parameter and of the cycles.
     stable : ndarray of bool, shape (n,)
-    cycles : tuple of Cycle
+    cycles : sequence of Cycle
+        Each begun anew where its first coordinate is largest when it is asked for.
     events : tuple of CycleEvent
         In the order of the branch.
     """
@@ -93,7 +94,7 @@ class CycleBranch(Result):
     rms: FloatArray
     amplitude: FloatArray
     stable: NDArray[np.bool_]
-    cycles: tuple[Cycle, ...] = field(repr=False)
+    cycles: Sequence[Cycle] = field(repr=False)
     events: tuple[CycleEvent, ...]
     to: tuple[float, float] = field(repr=False)
 
@@ -160,24 +161,20 @@ def cycle_branch(
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
     fly, backend = carrier(model, cycle.backend)
-    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,))
+    plain = flow(model, backend, derivatives=False).fly if backend == "heyoka" else None
+    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,), plain)
     start = started(setting, in_halves(cycle.loop, setting).guess)
     trace = _Trace(setting, (low, high), points, longest, backend)
     back = list(trace.follow(start, -1.0))
     forth = list(trace.follow(start, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
-    cycles: list[Cycle] = []
-    events: list[CycleEvent] = []
-    for item in items:
-        if isinstance(item, Point):
-            cycles.append(cycle_of(item.loop, fly, backend))
-        elif item.kind != "closed":
-            events.append(trace.event(item))
+    loops = [item.loop for item in items if isinstance(item, Point)]
+    events = [trace.event(item) for item in items if isinstance(item, Finding) and item.kind != "closed"]
     return CycleBranch(
-        vary, np.array([each.values[index] for each in cycles]), np.array([each.period for each in cycles]),
-        np.array([each.rms for each in cycles]), np.array([each.amplitude for each in cycles]),
-        np.array([each.stable for each in cycles]), tuple(cycles), tuple(events), (low, high),
+        vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
+        np.array([moments(loop, backend)[1] for loop in loops]), np.array([amplitude_of(loop) for loop in loops]),
+        np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops), fly, backend), tuple(events), (low, high),
     )  # fmt: skip
 
 

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -161,16 +163,54 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
     loop = refined(once_round(loop, fly), fly)
     guess, found = loop.guess, loop.multipliers
-    samples = sampled(loop, backend)
-    x, weights = samples.states[0], samples.weights() / guess.period
-    turning = [turn.state[0] for turn in loop.turns() if turn.border == -1]
+    mean, rms = moments(loop, backend)
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
-        stable=bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all()), error=_error(loop), residual=loop.missed,
-        events=_events(loop), rms=float(np.sqrt((weights * x**2).sum())), mean=float((weights * x).sum()),
-        amplitude=float(np.ptp([*turning, *loop.guess.states[:, 0]])) / 2,  # a turn between two stretches is in neither
-        backend=backend, loop=loop,
+        stable=is_stable(loop), error=_error(loop), residual=loop.missed,
+        events=_events(loop), rms=rms, mean=mean, amplitude=amplitude_of(loop), backend=backend, loop=loop,
     )  # fmt: skip
+
+
+class Cycles(Sequence[Cycle]):
+    """The cycles that closed loops are, each made when it is asked for first."""
+
+    def __init__(self, loops: tuple[Loop, ...], fly: Fly, backend: str) -> None:
+        self._loops, self._fly, self._backend = loops, fly, backend
+        self._known: dict[int, Cycle] = {}
+
+    def __len__(self) -> int:
+        return len(self._loops)
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return tuple(self[i] for i in range(*index.indices(len(self))))
+        place = range(len(self))[index]
+        if place not in self._known:
+            self._known[place] = cycle_of(self._loops[place], self._fly, self._backend)
+        return self._known[place]
+
+
+def is_stable(loop: Loop) -> bool:
+    """Whether all multipliers but the trivial one are inside of the unit circle, by more than their errors."""
+    found = loop.multipliers
+    return bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all())
+
+
+def amplitude_of(loop: Loop) -> float:
+    """Half of the range of the first coordinate: a turn between two stretches is in neither, but in a state."""
+    turning = [turn.state[0] for turn in loop.turns() if turn.border == -1]
+    return float(np.ptp([*turning, *loop.guess.states[:, 0]])) / 2
+
+
+def moments(loop: Loop, backend: str) -> tuple[float, float]:
+    """Mean and root mean square of the first coordinate."""
+    parts = [each.integrals for each in loop.passages if each.integrals is not None]
+    if len(parts) == len(loop.passages):
+        mean, square = (math.fsum(part[i] for part in parts) / loop.guess.period for i in (0, 1))
+        return mean, math.sqrt(square)
+    samples = sampled(loop, backend)
+    x, weights = samples.states[0], samples.weights() / loop.guess.period
+    return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
 
 
 def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:

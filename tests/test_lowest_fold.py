@@ -177,4 +177,4 @@ def test_it_is_used_as_an_array() -> None:
 
 def test_a_parameter_that_is_missing_is_named() -> None:
     with pytest.raises(ss.ParameterError, match="kappa"):
-        ss.critical_friction(ss.Parameters(alpha=0.1, sigma=0.1, beta=0.0))
+        ss.critical_friction(ss.Parameters(kappa=None, alpha=0.1, sigma=0.1, beta=0.0))

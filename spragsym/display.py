@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from .exact.decimals import upward
+
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
 
@@ -289,7 +291,7 @@ def _cell(key: str, value: Any) -> str:
     if not isinstance(value, float):
         return str(value)
     if key == "error":
-        return f"{value:.1e}"
+        return upward(value)
     return f"{math.degrees(value) if _is_angle(key) else value:.10g}"
 
 

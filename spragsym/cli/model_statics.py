@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from ..errors import ParameterError
+from ..exact.decimals import upward
 from .options import Number
 from .tables import busy, print_json, print_table
 from .targets import refuse
@@ -48,7 +49,7 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
             return
         print_table("", ("state", "stability", *model.coordinates, "growth", "error"), [
             (row["state"], row["stability"], *(row[name] for name in model.coordinates),
-             *(f"{row[name]:.1e}" for name in ("growth", "error")))
+             f"{row['growth']:.1e}", upward(row["error"]))
             for row in rows
         ])  # fmt: skip
         for place in ("contact", "lift-off"):

@@ -13,9 +13,8 @@ from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, flow
 from ..dynamics.passage import Fly
-from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from ..parameters import FINITE, FloatArray, Parameters, as_number
 from .attractors import Verdict, attractor, judged, same
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
@@ -80,59 +79,59 @@ class BasinBoundary(Result):
 
 
 def basin_boundary(
-    p: Parameters, *, V: float, d: float, plane: tuple[str, str] = ("x", "vx"), start: Any = (0.0, 0.0, 0.0, 0.0),
+    p: Parameters, *, V: float | None = None, d: float | None = None, plane: tuple[str, str] = ("x", "vx"),
+    start: Any = (0.0, 0.0, 0.0, 0.0),
     to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
     backend: str | None = None,
 ) -> BasinBoundary:  # fmt: skip
     """The stable manifold of the divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
 
-        Parameters
-        ----------
-        p : Parameters
-            Scalars, where there are three equilibria.
-        V, d : float
-            As for :func:`~spragsym.simulate`.
-        plane : tuple of str
-            Two of x, y, vx, vy; the other two are those of ``start``.
-        start : array_like of 4 numbers
-            A state in the plane; the curve is looked for along the first direction of the plane, from the equilibrium on.
-        to : pair of ranges, optional
-            Of the two; by default 3 to either side of the equilibrium, and 1 for speeds.
-        step : float
-            Between neighbours on the curve.
-        points : int
-            Most points either way.
+    Parameters
+    ----------
+    p : Parameters
+        Scalars, where there are three equilibria.
+    V, d : float, optional
+        In place of those of ``p``.
+    plane : tuple of str
+        Two of x, y, vx, vy; the other two are those of ``start``.
+    start : array_like of 4 numbers
+        A state in the plane; the curve is looked for along the first direction of the plane, from the equilibrium on.
+    to : pair of ranges, optional
+        Of the two; by default 3 to either side of the equilibrium, and 1 for speeds.
+    step : float
+        Between neighbours on the curve.
+    points : int
+        Most points either way.
 
-        Returns
-        -------
-        BasinBoundary
+    Returns
+    -------
+    BasinBoundary
 
-        Raises
-        ------
-        ParameterError, ParameterTypeError
-            For arguments that make no sense, and where there is no divergent equilibrium.
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense, and where there is no divergent equilibrium.
 
-        Notes
-        -----
-        A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
+    Notes
+    -----
+    A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
     left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the manifold,
     and on the boundary of a basin where ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and
     far folds of it are not followed. Where folds lie closer than ``step``, the walk may pass from one to the next: a smaller
     step tells.
 
     Examples
-        --------
-        >>> import numpy as np
-    from numpy.typing import NDArray
-        >>> import spragsym as ss
-        >>> p = ss.Parameters.article(theta0=np.radians(40))
-        >>> found = ss.basin_boundary(p, V=0.5, d=10.0, step=0.1, points=1)
-        >>> found.points.round(3).tolist()
-        [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
-        >>> found.boundary.tolist(), found.sides[0].tolist()
-        ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(40))
+    >>> found = ss.basin_boundary(p, V=0.5, d=10.0, step=0.1, points=1)
+    >>> found.points.round(3).tolist()
+    [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
+    >>> found.boundary.tolist(), found.sides[0].tolist()
+    ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
-    values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
+    values = p.given(V=V, d=d).scalars(*p.ranges)
     state = np.array([as_number("start", value, FINITE) for value in start])
     return boundary_of(
         SPRAG, values, _divergent(p, values), COMPONENTS, plane, state, to, step=step, points=points, backend=backend

@@ -9,15 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from ..dynamics.criteria import along_and_across
 from ..dynamics.field import Field
 from ..dynamics.passage import Fly
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .orbit import Cycle
 
-#: Of a matrix of the motion about an equilibrium, and of one round of a cycle at least: relative error, with a margin.
-ROUNDING, ROUND = 1e-13, 1e-11
+#: Of a matrix of the motion about an equilibrium: relative error, with a margin.
+ROUNDING = 1e-13
 
 
 @dataclass(frozen=True)
@@ -103,15 +102,8 @@ def sensitivities(vectors: Any) -> FloatArray:
 
 
 def growth_of_cycle(cycle: Cycle) -> float | None:
-    """ln μ / T of the one multiplier beyond the unit circle; None unless it is proved that there is one, and one only.
-
-    The error of the multipliers is that of the trivial one and of its eigenvector, the flow, times what they are more sensitive.
-    """
-    seen = along_and_across(cycle.loop)
-    lost = float(np.abs(seen[:, 0] - np.eye(len(seen))[0]).max())
-    values, vectors = np.linalg.eig(seen[1:, 1:])
-    error = 10 * max(lost, ROUND * float(np.abs(seen).max())) * sensitivities(vectors)
-    sizes = np.abs(values)
+    """ln μ / T of the one multiplier beyond the unit circle; None unless it is proved that there is one, and one only."""
+    sizes, error = np.abs(cycle.multipliers[1:]), cycle.multiplier_errors
     which = int(np.argmax(sizes))
     if not sizes[which] - error[which] > 1 or not (np.delete(sizes + error, which) < 1).all():
         return None

@@ -444,7 +444,7 @@ TOLERANCES: dict[str, Any] = {
 
 def estimated(function: sampling.Function, variables: int, n: int, seed: int, indicator: bool) -> sampling.Estimate:
     tasks = sampling.chunks(n, 16, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
-    records = [sampling.sums(function, variables, not indicator, task) for task in tasks]
+    records = [sampling.sums(function, [(j,) for j in range(variables)], not indicator, task) for task in tasks]
     return sampling.estimate(records, [task.replicate for task in tasks], 0.95, indicator)
 
 
@@ -468,8 +468,8 @@ def test_chunks_are_the_parts_of_one_sequence() -> None:
     def function(u: Any) -> Any:
         return np.cos(3 * u[:, 0]) * u[:, 1]
 
-    whole = sampling.sums(function, 2, True, sampling.Chunk(0, 77, 0, 1024))
-    parts = [sampling.sums(function, 2, True, sampling.Chunk(0, 77, begin, 256)) for begin in range(0, 1024, 256)]
+    whole = sampling.sums(function, [(0,), (1,)], True, sampling.Chunk(0, 77, 0, 1024))
+    parts = [sampling.sums(function, [(0,), (1,)], True, sampling.Chunk(0, 77, begin, 256)) for begin in range(0, 1024, 256)]
     np.testing.assert_allclose(np.sum(parts, axis=0), whole, rtol=1e-12)
     tasks = sampling.chunks(1 << 20, 4, [1, 2, 3, 4])
     assert sum(task.size for task in tasks) == 1 << 20

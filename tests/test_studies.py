@@ -218,7 +218,7 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
     speed = np.linspace(0.02, 1.5, 30)
     noise = np.random.default_rng(3).normal(0, 0.004, speed.size)
     rows = [f"{v},{mu}" for v, mu in zip(speed, 0.42 * (1 - np.exp(-8.0 * speed)) + noise, strict=True)]
-    (tmp_path / "measured.csv").write_text("\n".join(["speed,friction", *rows]), encoding="utf-8")
+    (tmp_path / "measured.csv").write_text("\n".join(["speed [m/s],friction", *rows]), encoding="utf-8")
     lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
     (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
     found = ss.Study.from_file(tmp_path / "brake.toml")
@@ -231,7 +231,7 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
 def test_friction_that_falls_with_speed_is_called_another_law(tmp_path: Path) -> None:
     speed = np.linspace(0.05, 3.0, 20)
     rows = [f"{v},{0.2 + 0.4 * math.exp(-v)}" for v in speed]
-    (tmp_path / "measured.csv").write_text("\n".join(rows), encoding="utf-8")
+    (tmp_path / "measured.csv").write_text("\n".join(["v [m/s],mu", *rows]), encoding="utf-8")
     lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
     (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
     study = ss.Study.from_file(tmp_path / "brake.toml")

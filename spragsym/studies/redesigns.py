@@ -1,4 +1,4 @@
-"""What to change, so that the jump lies beyond a target: single quantities, and the least joint change; each with its certificate.
+"""What to change, so that the jump lies beyond a target: single quantities, and the least joint change, with certificates.
 
 A value is rounded to what stands in the report, away from the old one, and verified as it stands there. A change that a brake
 within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing.

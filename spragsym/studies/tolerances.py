@@ -78,7 +78,7 @@ def quantile(one: Measured, share: Any) -> FloatArray:
 
 
 def brakes(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
-    """Brakes at shares of the distributions of :func:`varied`, of shape (n, varied), in SI; the friction is the one that works."""
+    """Brakes at shares of what is :func:`varied`, of shape (n, varied), in SI; the friction is the one that works."""
     size = len(shares)
     values = {name: np.full(size, study.values[name]) for name in names_of(study)}
     for j, name in enumerate(varied(study)):

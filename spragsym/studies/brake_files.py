@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from ..design.dependence import Correlation, dependence
-from ..dynamics.problem import BELT_SPEED
 from ..errors import ParameterError, SpragsymError
 from ..files.text import decoded
 from ..generated.quantities import QUANTITIES
@@ -186,8 +185,6 @@ def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:
 
 def allowed_range(name: str) -> Range:
     """Where a quantity must lie, in SI, and why."""
-    if name == "V":
-        return BELT_SPEED
     allowed = physical_ranges().get(name, FINITE)
     group = {"k": "sigma", "F_L": "kappa"}.get(name)
     return replace(allowed, remedy=RANGES[group].remedy) if group else allowed

@@ -32,12 +32,12 @@ _SHARE, _ANGLE = 0.1, math.radians(1.0)
 #: A single quantity is changed by up to this factor either way, at this many values, then between the two that decide.
 _FACTOR, _VALUES, _BETWEEN, _ROUNDS = 20.0, 160, 32, 2
 #: By how much of what is left it goes further, and by how much of the least joint change, until it is proved.
-_FURTHER = (0.0, 0.003, 0.01, 0.03, 0.1, 0.3, 1.0)
-_STRETCHES = (1.0, 1.02, 1.05, 1.1, 1.25, 1.5, 2.0, 3.0)
+_FURTHER = (0.0, 0.01, 0.05, 0.2, 1.0)
+_STRETCHES = (1.0, 1.05, 1.2, 1.5, 2.0, 3.0)
 #: Digits of a new value.
 _DIGITS = 3
 #: Slices of a certificate, and boxes of each: where few do not decide, a design a little further off is proved sooner.
-_SLICES, _BOXES = (1, 4, 16), 250
+_SLICES, _BOXES = (1, 4, 16), 120
 #: Points about a design, for the share that jumps, and where there is no proof.
 _POINTS, _MANY = 1 << 10, 1 << 17
 
@@ -125,7 +125,7 @@ def _kept(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np
 
 def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:
     """The nearest value of one quantity, on either side, that keeps the target."""
-    best: Change | None = None
+    starts = []
     for side in (-1, 1):
         values = ladder = _ladder(study, name, side)
         for _ in range(_ROUNDS):
@@ -136,11 +136,16 @@ def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) 
             values = np.linspace(values[max(k - 1, 0)], values[k], _BETWEEN)
         else:
             kept = np.flatnonzero(_kept(study, {name: values}, target))
-            start = float(values[kept[0]]) if kept.size else study.values[name]
-            further = (start + share * (ladder[-1] - start) for share in _FURTHER)
-            change = _first_proved(study, ({name: float(value)} for value in further), target, scale) if kept.size else None
-            if change is not None and (best is None or _order(change) < _order(best)):
-                best = change
+            if kept.size:
+                starts.append((float(values[kept[0]]), float(ladder[-1])))
+    best: Change | None = None
+    for start, end in sorted(starts, key=lambda one: abs(one[0] - study.values[name])):
+        designs = ({name: start + share * (end - start)} for share in _FURTHER)
+        change = _first_proved(study, designs, target, scale)
+        if change is not None and (best is None or _order(change) < _order(best)):
+            best = change
+        if best is not None and best.outcome == "proved":
+            break
     return best
 
 

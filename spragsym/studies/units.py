@@ -291,7 +291,7 @@ def _allowed(one: Measured, si: str, allowed: Range) -> Measured:
         words = f"{limits} {low}" if math.isinf(allowed.high) else f"between {low} and {high}, without these two"
         what = f"is not {words}" if end == one.value else f"reaches {_shown(end, one.unit, si)}, which is not {words}"
         ends = [_inside(given, one.value, allowed) for given in reach]
-        inside = _range(*(_number(given, one.unit, si) for given in ends), one.unit)
+        inside = _range(_number(ends[0], one.unit, si), _number(ends[1], one.unit, si), one.unit)
         middle = f"{shown(_number(one.value, one.unit, si))} {one.unit}".strip()
         sd = f"{middle} sd {shown(_number(one.sd, one.unit, si))} {one.unit} in {inside}"
         why = f": {allowed.remedy}" if allowed.remedy and (end == allowed.low or end == one.value) and si != "rad" else ""

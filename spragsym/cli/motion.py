@@ -34,7 +34,7 @@ PLOT = click.option(
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
-def _start(function: Any) -> Any:
+def start(function: Any) -> Any:
     """``--x0 --y0 --vx0 --vy0``."""
     for name, meaning in (
         ("vy0", "speed across it"),
@@ -51,7 +51,7 @@ def _start(function: Any) -> Any:
 @theta0
 @parameters
 @belt
-@_start
+@start
 @window
 @RTOL
 @BACKEND
@@ -150,7 +150,7 @@ def _draw(tr: Trajectory, transient: float, path: Path) -> None:
         motion_figure(tr, transient, units).savefig(path, format=kind, metadata=FORMATS[kind])
 
 
-def _axes(function: Any) -> Any:
+def axes(function: Any) -> Any:
     """Every parameter as an axis of the grid."""
     axes: list[tuple[tuple[str, ...], float | None, Range, str]] = [
         (("--theta0", "theta0_deg"), None, DEGREES, "Inclination, degrees.")
@@ -165,8 +165,8 @@ def _axes(function: Any) -> Any:
 
 @command(cls=ForModels)
 @model_option
-@_axes
-@_start
+@axes
+@start
 @window
 @RTOL
 @BACKEND

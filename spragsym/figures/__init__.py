@@ -31,7 +31,7 @@ from .files import FORMATS, write
 from .models import draw_bifurcation_set_of, draw_equilibria_of, draw_onsets_of, model_figure, model_motion_figure
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
-from .oscillation import branch_figure, figure_cycles, figure_cycles_plane
+from .oscillation import branch_figure, fate_map_figure, figure_cycles, figure_cycles_plane
 from .style import Sheet
 from .trajectories import figure_6, figure_13
 
@@ -64,6 +64,7 @@ __all__ = [
     "Sheet",
     "bifurcation_figure",
     "branch_figure",
+    "fate_map_figure",
     "branches",
     "draw_bifurcation_set_of",
     "draw_branches",

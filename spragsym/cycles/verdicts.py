@@ -23,7 +23,7 @@ from .sprag import SPRAG
 #: What a motion is called by its attractor.
 KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
 
-#: Exponents are looked at over this share of ``t_end``, and where that is not enough over the rest as well.
+#: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
 SHARES = (0.2, 0.8)
 
 #: Motions beside an irregular one that are followed as well, and how far off they begin: one that settles tells of a transient.
@@ -86,8 +86,8 @@ def fate(
     start : array_like of 4 numbers
         x, y, x', y'.
     t_end : float
-        How long to follow the motion. Exponents are looked at after that, for a fifth of it, and as long as it where that is not
-        enough.
+        How long to follow the motion. Exponents are looked at after that, for a fifth of it, and for as long as it where one may
+        be positive.
     backend : {"heyoka", "scipy"}, optional
 
     Returns
@@ -137,7 +137,7 @@ def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: f
             return Fate("undecided", why, verdict.t, Outcome(), none, none, scale, "", verdict.end)
     rates = rates_along(field, fly, values, verdict.end, SHARES[0] * t_end)
     why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
-    if why:
+    if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
         more = rates_along(field, fly, values, end, SHARES[1] * t_end)
         rates = rates.joined(more)
         why, end, t = rates.undecided(t_end), more.end, t + more.span

@@ -171,7 +171,9 @@ def characteristic(at: State) -> list[Any]:
     """Coefficients of det(λ² M + λ C + K), the lowest first."""
     K, C, M = at.stiffness(), at.damping(), at.mass()
     n = len(K)
-    return determinant([[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]).padded(2 * n + 1)
+    rows = [[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
+    coefficients: list[Any] = determinant(rows).padded(2 * n + 1)
+    return coefficients
 
 
 def hurwitz(coefficients: Sequence[Any]) -> Any:

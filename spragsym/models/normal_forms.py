@@ -78,7 +78,12 @@ class NormalForm:
 
 
 def normal_form(
-    model: Model, given: FloatArray, state: FloatArray, vary: str | Sequence[str], radii: FloatArray, law: str = "friction_at_rest"
+    model: Model,
+    given: FloatArray,
+    state: FloatArray,
+    vary: str | Sequence[str],
+    radii: FloatArray,
+    law: str = "friction_at_rest",
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
@@ -23,6 +24,7 @@ from .columns import Columns
 from .conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
 from .fold_curves import FoldCurves
 from .normal_forms import NormalForm, normal_form
+from .onsets import criticality
 from .points import ModelPoints, arranged, given_column, picked, ranges, search
 
 if TYPE_CHECKING:
@@ -36,20 +38,18 @@ KINDS: Mapping[str, type[Condition]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "H
 
 @dataclass(frozen=True, eq=False)
 class OnsetCurve(Columns, held_in="values"):
-    """Hopf points in order along a curve; parameters that vary, coordinates and ``omega`` are attributes.
+    """Hopf points in order along a curve, their columns attributes under their names.
 
-    Attributes
-    ----------
-    criticality : ndarray of str
-        As of :class:`spragsym.models.onsets.Onsets`, of every point; computed with the curve.
-    lyapunov, lyapunov_error : ndarray
-        The first Lyapunov coefficients and bounds that are proved; NaN and inf where there are none.
+    Those are the parameters that vary, the coordinates, ``omega``, and ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf
+    where there is no coefficient.
     """
 
     values: Mapping[str, FloatArray] = field(repr=False)
-    criticality: NDArray[np.str_]
-    lyapunov: FloatArray
-    lyapunov_error: FloatArray
+
+    @property
+    def criticality(self) -> NDArray[np.str_]:
+        """As of :class:`spragsym.models.onsets.Onsets`, of every point."""
+        return criticality(self.lyapunov, self.lyapunov_error)
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,8 +66,8 @@ class OnsetCurves(Result):
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"`` (zero–Hopf: it meets a fold) and
         ``"HH"`` (double Hopf: two curves meet; sought with two coordinates), proved.
     changes : mapping
-        ``"GH"`` points, where l₁ changes its sign along a curve: a row each of the two parameters, the coordinates, and ``error``,
-        the distance of the two proved points with opposite signs between which it lies.
+        Generalized Hopf points (GH), where l₁ changes its sign along a curve: columns of the two parameters, of the coordinates,
+        and ``error``, the distance of the two proved points with opposite signs between which it lies.
     lines : mapping
         For each parameter the values at which all Hopf points along the other one are known.
     complete : bool
@@ -154,7 +154,7 @@ def _points(balance: Balance, vary: Sequence[str], given: FloatArray, spans: Flo
     """All points of all kinds."""
     kinds, parts = [], []
     for kind, condition in KINDS.items():
-        if kind == "HH" and balance.n != 2 or kind == "ZH" and balance.n < 2:
+        if (kind == "HH" and balance.n != 2) or (kind == "ZH" and balance.n < 2):
             continue
         found = search(balance, vary, condition(), given, spans)
         middle = found.roots.middle
@@ -229,15 +229,15 @@ class _Lines:
         n = self.balance.n
         values = dict(zip((*self.vary, *self.balance.coordinates), [*states[n:], *states[:n]], strict=True))
         values["omega"] = np.array([self.omega(state) for state in states.T])
-        lyapunov = np.array([np.nan if form is None else form.lyapunov for form in forms])
-        error = np.array([np.inf if form is None else form.lyapunov_error for form in forms])
-        return OnsetCurve(values, np.array([told(form) for form in forms]), lyapunov, error)
+        values["lyapunov"] = np.array([np.nan if form is None else form.lyapunov for form in forms])
+        values["lyapunov_error"] = np.array([np.inf if form is None else form.lyapunov_error for form in forms])
+        return OnsetCurve(values)
 
     def changes(self, states: FloatArray, forms: Sequence[NormalForm | None]) -> list[list[float]]:
         """Points between neighbours whose coefficients have opposite signs, halved down; a row each."""
         known = [k for k, form in enumerate(forms) if told(form) != "undecided"]
         rows = []
-        for one, two in zip(known, known[1:], strict=False):
+        for one, two in itertools.pairwise(known):
             # At a zero–Hopf point, where det K changes its sign, l₁ has a pole.
             if told(forms[one]) != told(forms[two]) and self._side(states[:, one]) == self._side(states[:, two]):
                 rows.append(self._between(states[:, one], states[:, two], told(forms[one])))
@@ -261,6 +261,4 @@ class _Lines:
 
 def told(form: NormalForm | None) -> str:
     """gentle, dangerous or undecided."""
-    if form is None or not abs(form.lyapunov) > form.lyapunov_error:
-        return "undecided"
-    return "gentle" if form.lyapunov < 0 else "dangerous"
+    return "undecided" if form is None else str(criticality(form.lyapunov, form.lyapunov_error))

@@ -40,8 +40,8 @@ KINDS: Mapping[str, type[Condition]] = {"BT": BogdanovTakens, "ZH": ZeroHopf, "H
 class OnsetCurve(Columns, held_in="values"):
     """Hopf points in order along a curve, their columns attributes under their names.
 
-    Those are the parameters that vary, the coordinates, ``omega``, and ``lyapunov`` with its bound ``lyapunov_error``, NaN and inf
-    where there is no coefficient.
+    Those are the parameters that vary, the coordinates, ``omega``, and ``lyapunov`` with its bound ``lyapunov_error``, NaN and
+    inf where there is no coefficient.
     """
 
     values: Mapping[str, FloatArray] = field(repr=False)

@@ -18,7 +18,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import bench_auto, validate_cycles, validate_fates
+from benchmarks import bench_auto, validate_cycles, validate_fates, validate_verdicts
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import finding, growth_rates, saddles
@@ -481,6 +481,47 @@ def test_chaos_is_proved_by_exponents() -> None:
     short = ss.fate(ss.Parameters.article(theta0=0.7237), V=0.25, d=20.0, t_end=4000.0)
     assert short.kind == "undecided"
     assert "not told from 0" in short.why
+
+
+def test_a_map_of_fates_goes_on_where_it_was(tmp_path: Any) -> None:
+    p, store, asked = ss.Parameters.article(theta0=np.radians([30.0, 35.0, 42.0]), mu0=0.5), tmp_path / "map.csv", []
+
+    def first(function: Any, tasks: Any) -> Any:
+        return map(function, list(tasks)[:1])
+
+    def counted(function: Any, tasks: Any) -> Any:
+        asked.extend(tasks)
+        return map(function, asked)
+
+    with pytest.raises(ss.SpragsymError, match="1 of 3 points are kept"):
+        ss.fate_map(p, **BELT, t_end=10_000.0, store=store, workers=first)
+    found = ss.fate_map(p, **BELT, t_end=10_000.0, store=store, workers=counted)
+    assert len(asked) == 2
+    assert found.kind.tolist() == [1, 1, 2]
+    assert found.period[2] == pytest.approx(34.26737, abs=1e-5)
+    again = ss.fate_map(p, **BELT, t_end=10_000.0, store=store)
+    assert again.exponent.tolist() == found.exponent.tolist()
+    with pytest.raises(ss.ParameterError, match="holds something else"):
+        ss.fate_map(p, **BELT, t_end=9000.0, store=store)
+
+
+def test_the_map_is_drawn_by_one_command(tmp_path: Any) -> None:
+    out, picture = tmp_path / "map.csv", tmp_path / "map.svg"
+    given = ["fates", "--theta0", "30,35", "--mu0", "0.4,0.5", "--t-end", "2000", "-q", "-o", str(out), "--plot", str(picture)]
+    told = CliRunner().invoke(cli, given)
+    assert told.exit_code == 0, told.output
+    assert "4 rest" in told.output
+    assert "rest" in picture.read_text()
+    refused = CliRunner().invoke(cli, [*given[:4], "0.4", *given[5:]])
+    assert "a map over --theta0 and --mu0" in str(refused.exception)
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("number", [0, 1, 3])
+def test_random_verdicts_are_confirmed_by_another_driver(number: int) -> None:
+    line = validate_verdicts.examined(number)
+    assert line["confirmed"], line
+    assert line["kind"] != "undecided"
 
 
 def test_the_time_scale_is_that_of_the_friction_law() -> None:

@@ -272,13 +272,17 @@ def fate_map_figure(found: FateMap) -> Sheet:
         raise ParameterError(f"a map of the shape {shape} is not one over theta0 and mu0 alone")
     along = np.broadcast_to(found.inputs["theta0"], shape).ravel(), np.broadcast_to(found.inputs["mu0"], shape).ravel()
     order = np.lexsort(along)  # friction by friction
-    kind, period = (values.ravel()[order].reshape(frictions.size, angles.size) for values in (found.kind, found.period))
+    kind, period, positive = (
+        values.ravel()[order].reshape(frictions.size, angles.size)
+        for values in (found.kind, found.period, found.exponent > found.exponent_error)
+    )
     figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
     for code, (colour, _) in PLAIN.items():
         ax.pcolormesh(angles, frictions, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
     image = ax.pcolormesh(angles, frictions, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
-    rows, columns = np.nonzero(kind == Kind.UNDECIDED)
-    ax.plot(angles[columns], frictions[rows], "x", color=GREY, markersize=3, linestyle="none")
+    for marker, colour, irregular in (("x", GREY, False), ("+", VERMILION, True)):
+        rows, columns = np.nonzero((kind == Kind.UNDECIDED) & (positive == irregular))
+        ax.plot(angles[columns], frictions[rows], marker, color=colour, markersize=3 + 2 * irregular, linestyle="none")
     if (kind == Kind.CYCLE).any():
         figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
     shown = [code for code in PLAIN if (kind == code).any()]
@@ -290,7 +294,8 @@ def fate_map_figure(found: FateMap) -> Sheet:
     return figure.describe(
         f"""What the motion comes to by τ = {found.t_end:g}, over inclination and friction: {counts}. Cycles, by their colour the
         period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is proved by Lyapunov
-        exponents, as far as the motion was followed; crosses are undecided.""",
+        exponents, as far as the motion was followed; crosses are undecided, upright
+        ones in colour with an exponent above its 95 % interval: irregular so far.""",
         a={"theta0_deg": np.tile(angles, frictions.size), "mu0": np.repeat(frictions, angles.size), "kind": kind.ravel(),
            "period": period.ravel()},
     )  # fmt: skip

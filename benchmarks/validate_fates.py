@@ -89,17 +89,20 @@ def confirmed(given: dict[str, Any], found: ss.FateBoundary) -> tuple[bool, str]
     return off > 3 * within and off > 1e-3, f"averages differ by {off:.2g}, change by {within:.1g}, at ± {aside:.1g}"
 
 
-def carried(given: dict[str, Any]) -> tuple[bool, str]:
+def carried(given: dict[str, Any], lasting: float = SHORT) -> tuple[bool, str]:
     """Whether a motion carried from one end to the other ends on the attractor of the other end's motion."""
     values, vary, (low, high) = given["values"], given["vary"], given["bracket"]
-    there, _ = averages(values | {vary: high}, given["start"], SHORT)
-    _, state = averages(values | {vary: low}, given["start"], SHORT)
+    there, _ = averages(values | {vary: high}, given["start"], lasting)
+    _, state = averages(values | {vary: low}, given["start"], lasting)
     for share in np.linspace(0, 1, STEPS + 1)[1:-1]:
         numbers = tuple((values | {vary: low + share * (high - low)}).values())
         state = SPRAG.simulate(numbers, state, STEP_LASTS, backend="compiled", rtol=1e-11).state[:, -1]
-    here, _ = averages(values | {vary: high}, state, SHORT)
+    here, _ = averages(values | {vary: high}, state, lasting)
     off, within = apart(here, there)
-    return off < max(3 * within, 5e-3), f"carried over, averages differ by {off:.2g}, change by {within:.1g}"
+    right = off < max(3 * within, 5e-3)
+    if not right and lasting < LONG:  # it may not have settled
+        return carried(given, LONG)
+    return right, f"carried over, averages differ by {off:.2g}, change by {within:.1g}"
 
 
 def undecided(given: dict[str, Any]) -> tuple[bool, str]:

@@ -64,7 +64,7 @@ def _at_the_door(value: _Any) -> _Any:
     if not _inspect.isfunction(value):
         return value
     door = _importlib.import_module(".door", __name__)
-    return door.asked(value) if value.__name__ in door.INTERFACE else value
+    return door.public(value) if value.__name__ in door.INTERFACE else value
 
 
 def __dir__() -> list[str]:

@@ -85,8 +85,8 @@ def public(closed: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(closed)
     def ask(*args: Any, **options: Any) -> Any:
-        p = next(sets_among((*args, *options.values())), None)
-        return getattr(model_of(p) if p is not None else model_of(Parameters()), name)(*args, **options)
+        first = args[0] if args and isinstance(args[0], ParameterSet) else next(sets_among((*args, *options.values())), None)
+        return getattr(model_of(first if first is not None else Parameters()), name)(*args, **options)
 
     return ask
 
@@ -107,6 +107,8 @@ def sets_among(things: Iterable[Any]) -> Iterator[ParameterSet]:
 
 def _check(model: Any, args: tuple[Any, ...], options: Mapping[str, Any]) -> None:
     """Raise unless all sets of parameters are the model's: another's would be taken for what they are not."""
+    if len(args) == 1 and not options and isinstance(args[0], model.Parameters):
+        return
     sets = list(sets_among((*args, *options.values())))
     first = args[0] if args else options.get("p", ())
     if not sets and not isinstance(first, PhysicalParameters | Mapping | tuple):

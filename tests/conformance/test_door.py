@@ -172,3 +172,14 @@ def test_the_friction_that_works_is_the_models_own_law(tmp_path: Path) -> None:
     brake.write_text("\n".join(["[brake]", *(f"{name} = {value}" for name, value in rows.items())]), encoding="utf-8")
     report = ss.Study.from_file(brake).model_report(oscillation=False, certificate=False)
     assert report.mu_effective == pytest.approx(0.5 * math.tanh(0.5), rel=1e-14)
+
+
+def test_figures_of_closed_forms_are_not_drawn_for_another_model() -> None:
+    figures, p = pytest.importorskip("spragsym.figures"), a_set("two_springs")
+    drawn = {
+        "bifurcation_figure": (), "branches": (), "plot_equilibria": ("x",), "draw_rising_friction": ((0.0, 1.0),),
+        "draw_operating_point": ((0.5, 1.0), (0.0, 1.0), 0.5),
+    }  # fmt: skip
+    for name, more in drawn.items():
+        with pytest.raises(ss.ModelError, match=f"{name} is not there yet for the model two_springs; "):
+            getattr(figures, name)(p, *more)

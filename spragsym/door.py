@@ -35,7 +35,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 #: Public functions that are asked of a model.
 INTERFACE = frozenset((
     "equilibria", "count", "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface",
-    "quasi_static_path", "critical_friction", "critical_value", "linear_sprag", "linear_critical_friction",
+    "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign",
     "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate_boundary", "basin_boundary",
 ))  # fmt: skip

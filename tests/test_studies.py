@@ -29,8 +29,9 @@ d = "10 s/m"
 model = "kang_nam"
 """
 KEYS = [
-    "mu_jump", "theta0_jump_deg", "mu_cusp", "mu_effective", "margin_percent", "states", "frequencies_hz", "spring_force_N",
-    "contact_force_N", "displacement_mm", "oscillation", "certificate", "probability", "sobol", "redesign", "warnings",
+    "mu_jump", "theta0_jump_deg", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective", "margin_percent",
+    "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation", "certificate",
+    "probability", "sobol", "redesign", "warnings",
 ]  # fmt: skip
 
 
@@ -59,7 +60,11 @@ def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) 
     assert report.mu_effective == pytest.approx(working, rel=1e-12)
     at = p.replace(mu0=working)
     assert report.theta0_jump_deg == pytest.approx(math.degrees(ss.jump_value(at, "theta0")), rel=1e-12)
-    assert report.mu_cusp == pytest.approx(ss.critical_friction(p), rel=1e-12)
+    assert report.mu_cusp == pytest.approx(ss.cusp_friction(p), rel=1e-12)
+    lowest = ss.critical_friction(p)
+    assert report.mu_lowest == pytest.approx(float(lowest), rel=1e-12)
+    assert report.theta0_lowest_deg == pytest.approx(math.degrees(lowest.theta0), rel=1e-12)
+    assert report.kind_lowest == lowest.kind
     eq = ss.equilibria(at)
     assert len(report.states) == eq.count
     for i, state in enumerate(report.states):
@@ -320,7 +325,8 @@ def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.
     p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
     set_ = json.loads(printed("bifurcation", "--data", str(path), "--json"))
     assert [row["x_mm"] for row in set_["folds"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
-    assert set_["mu_cusp"] == pytest.approx(ss.critical_friction(p), rel=1e-12)
+    assert set_["mu_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
+    assert set_["mu_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
     arguments = ("--data", str(path), "--json", "--vary", "k_x", "--from", "5", "--to", "20", "--points", "2")
     points = json.loads(printed("equilibria", *arguments))["points"]
     for point, k_x in zip(points, (5.0, 20.0), strict=True):

@@ -10,7 +10,7 @@ _ROOMS = {
     "statics": ("equilibria", "count"),
     "catastrophe": (
         "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface", "quasi_static_path",
-        "critical_friction", "critical_value", "linear_sprag", "linear_critical_friction",
+        "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
     "dynamics": ("simulate",),
     "cycles": ("cycle", "lyapunov", "fate_boundary", "basin_boundary"),

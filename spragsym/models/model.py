@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
     from .equilibria import ModelEquilibria
+    from .onsets import Onsets
     from .paths import ModelPath
     from .points import ModelPoints
     from .trajectory import ModelTrajectory
@@ -191,11 +192,19 @@ class Model:
         return quasi_static_path(self, p, vary, values, **options)
 
     @question
-    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> Onsets:
         """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
-        :func:`spragsym.models.flutter.flutter_onsets`.
+        :func:`spragsym.models.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation begins gently.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> onsets = model.flutter_onsets(model.Parameters(), vary="V")
+        >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
+        ([0.101, 1.4035], ['gentle', 'dangerous'])
         """
         from .flutter import flutter_onsets
 
@@ -203,11 +212,16 @@ class Model:
 
     @question
     def cycle(
-        self, p: ParameterSet, near: Any = None, *, V: float | None = None, d: float | None = None, **options: Any
+        self, p: ParameterSet | None = None, near: Any = None, *, V: float | None = None, d: float | None = None, **options: Any
     ) -> Cycle:
-        """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
+        """The cycle near a state, or that a motion approaches, or, with ``onset=``, that is born: see :func:`spragsym.cycle`."""
+        from ..cycles.finding import at_onset
         from .oscillation import cycle
 
+        born = at_onset(p, near, options)
+        if born is not None:
+            return born
+        assert p is not None
         return cycle(self, p.given(V=V, d=d), near, **options)
 
     def cycle_branch(self, cycle: Cycle, vary: str, to: tuple[float, float], **options: Any) -> CycleBranch:
@@ -319,6 +333,7 @@ class Model:
     certify = unanswered("count(p) and equilibria(p) answer for points")
     redesign = unanswered("folds(p, vary) says how far a parameter has to go")
     critical_friction = unanswered("cusps(p) has all cusps in a range of friction")
+    cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
     critical_value = unanswered("cusps(p) has all cusps at each value of a parameter")
     flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")
     surface = unanswered("equilibria(p) has all states over a grid of parameters")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,7 +16,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, aligned, angle, between, corrected, cut_finer, fixed, point_of, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer
-from .inspection import Finding, Seen, findings
+from .inspection import Finding, NotLocated, Seen, findings
 from .orbit import Cycle, Cycles, amplitude_of, cycle_of, is_stable, moments
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
@@ -248,7 +249,12 @@ class _Trace:
                     length = arc / 3
                     continue
             after = Seen(setting, ahead)
-            for found in findings(seen, after, arc, before):
+            try:
+                happened = list(findings(seen, after, arc, before))
+            except NotLocated:
+                length = arc / 3
+                continue
+            for found in happened:
                 if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
                     yield self._shrunk(before, seen)
                     return
@@ -278,7 +284,8 @@ class _Trace:
             if near is None:
                 break
             last = Seen(self.setting, near)
-            yield from findings(seen, last, between(self.setting, seen.point, near), before)
+            with suppress(NotLocated):
+                yield from findings(seen, last, between(self.setting, seen.point, near), before)
             yield near
             before, seen = None, last
         yield End("end", loop, error, how=MERGES)

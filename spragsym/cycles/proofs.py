@@ -171,8 +171,8 @@ def _touched(cycle: Cycle) -> str:
             level = border.level(turn.state.tolist(), constants, field.initial_mode(turn.state, constants))
             if abs(float(level)) < TOUCHING:
                 return (
-                    f"the orbit touches {border.name} near t = {turn.t:.6g}, to {abs(float(level)):.1e}: at a grazing the return has "
-                    "no derivative that could be enclosed; move a parameter"
+                    f"the orbit touches {border.name} near t = {turn.t:.6g}, to {abs(float(level)):.1e}: at a grazing the return "
+                    "has no derivative that could be enclosed; move a parameter"
                 )
     return ""
 

@@ -1,6 +1,7 @@
 """Any model on one page: what was generated from it, loaded, with its parameters."""
 
+from .diagram import Diagram, diagram
 from .load import load
 from .model import Model
 
-__all__ = ["Model", "load"]
+__all__ = ["Diagram", "Model", "diagram", "load"]

@@ -68,6 +68,7 @@ from .models import Diagram as Diagram
 from .models import Model as Model
 from .models import diagram as diagram
 from .models import load as load
+from .models import onset_curves as onset_curves
 from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales

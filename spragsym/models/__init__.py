@@ -3,5 +3,6 @@
 from .diagram import Diagram, diagram
 from .load import load
 from .model import Model
+from .planes import onset_curves
 
-__all__ = ["Diagram", "Model", "diagram", "load"]
+__all__ = ["Diagram", "Model", "diagram", "load", "onset_curves"]

@@ -43,7 +43,8 @@ for _name in ("derive", "generated"):
 _LIST = _pathlib.Path(__file__).with_suffix(".pyi")
 #: Public name → where it is, read from the list that type checkers read. The name of a module stands for the module.
 _HOMES = {
-    name: home for home, name in _re.findall(r"^from (\.\w*) import (\w+) as", _LIST.read_text(encoding="utf-8"), _re.MULTILINE)
+    name: home
+    for home, name in _re.findall(r"^from (\.[\w.]*) import (\w+) as", _LIST.read_text(encoding="utf-8"), _re.MULTILINE)
 }
 
 __all__ = sorted(_HOMES)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, FateBoundary, Lyapunov
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
+    from .diagram import Diagram
     from .equilibria import ModelEquilibria
     from .hopf_curves import OnsetCurves
     from .onsets import Onsets
@@ -210,6 +211,13 @@ class Model:
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, p, vary, **options)
+
+    @question
+    def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
+        """Equilibria and cycles over one parameter, labelled: see :func:`spragsym.models.diagram.diagram`."""
+        from .diagram import diagram_of
+
+        return diagram_of(self, p, vary, to, **options)
 
     @question
     def onset_curves(

@@ -20,6 +20,7 @@ from .cusps import cusps
 from .fold_curves import FoldCurves
 from .forces import Model
 from .points import ModelPoints, given_column, ranges, search
+from .regions import by_hand
 
 #: Rounds in which points are joined to those next to them.
 ROUNDS = 4
@@ -52,7 +53,7 @@ class ModelBifurcationSet(Result):
     lines : mapping
         For each parameter the values at which all folds along the other one are known.
     complete : bool
-        Whether all folds on all lines, and all cusps, are decided.
+        Whether these are all folds on all lines, and all cusps; ``cusps.remarks`` says what was not searched.
     undecided : ndarray
         Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2): coordinates, then parameters.
     """
@@ -75,6 +76,7 @@ def bifurcation_set(
     n: int = 60,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
 ) -> ModelBifurcationSet:
     """Where the number of equilibria in contact changes, in the plane of two parameters.
 
@@ -89,6 +91,8 @@ def bifurcation_set(
         Lines in each direction. On each all folds are found and proved.
     between : mapping, optional
         Ranges of the two, as for :func:`spragsym.models.folds.folds`.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.models.equilibria.equilibria`.
 
     Returns
     -------
@@ -102,18 +106,20 @@ def bifurcation_set(
     """
     if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
         raise ParameterError(f"n = {n!r} is not a number of lines; give an integer of 2 or more")
-    found_cusps = cusps(model, p, vary, between=between)
+    found_cusps = cusps(model, p, vary, between=between, within=within)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
-    rows, left, lines, decided = [], [], {}, {}
+    rows, left, lines, decided, whole = [], [], {}, {}, found_cusps.whole
+    asked = by_hand(balance.coordinates, within)
     for along, across in ((0, 1), (1, 0)):
         # Inside of the range: its ends are often degenerate.
         values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
         lines[vary[across]] = values
         column = np.repeat(given, n, axis=1)
         column[balance.parameters.index(vary[across])] = values
-        found = search(balance, (vary[along],), Fold(), column, spans[along : along + 1], budget=BUDGET)
+        found = search(balance, (vary[along],), Fold(), column, spans[along : along + 1], budget=BUDGET, asked=asked)
+        whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
         rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
         ends = np.stack([-found.roots.left[0], found.roots.left[1]])
@@ -128,7 +134,7 @@ def bifurcation_set(
         ModelCurve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True)))
         for chain in (folds.smooth(states[:, rows]) for rows in _chains(folds, states, near))
     ]
-    complete = found_cusps.complete and not undecided.shape[0]
+    complete = found_cusps.complete and whole and not undecided.shape[0]
     return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, lines, complete, undecided)
 
 

@@ -28,7 +28,7 @@ def test_a_trolley_that_nothing_pulls_along_the_belt_has_no_folds_along_its_stif
     for found in (model.folds(p, vary), model.flutter_onsets(p, vary)):
         assert found.decided
         assert len(found) == 0
-        assert found.remarks == ()
+        assert not any("undecided" in text for text in found.remarks)
 
 
 @pytest.mark.thorough

@@ -17,7 +17,8 @@ from . import stability
 from .augmented import Condition
 from .balance import NOTHING, Balance, matrix
 from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
-from .forces import Model
+from .model import Model
+from .onsets import Onsets, onsets_of
 from .points import Found, ModelPoints, arranged, endless, given_column, nothing, picked, ranges, search
 from .regions import by_hand
 
@@ -35,7 +36,7 @@ def flutter_onsets(
     damping: bool | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
-) -> ModelPoints:
+) -> Onsets:
     """All onsets of flutter in contact along one parameter, the others fixed.
 
     Parameters
@@ -55,10 +56,10 @@ def flutter_onsets(
 
     Returns
     -------
-    ModelPoints
+    Onsets
         Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
-        ``omega`` is the frequency. Where nothing damps at all and the slope of the friction law changes its sign, every pair of a
-        state crosses, and each has a row.
+        ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where nothing damps at all and the slope
+        of the friction law changes its sign, every pair of a state crosses, and each has a row.
 
     Notes
     -----
@@ -97,7 +98,7 @@ def flutter_onsets(
             ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
             parts.append(_part(balance, vary, given, ends_left_out, "hopf", _every))
             flat = True
-    return _joined(balance, vary, given, parts, flat, endless(model, (vary,), between or {}))
+    return onsets_of(model, _joined(balance, vary, given, parts, flat, endless(model, (vary,), between or {})))
 
 
 # ------------------------------------------------------------------------------------------------------- what damps

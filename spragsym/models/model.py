@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, FateBoundary, Lyapunov
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
+    from .diagram import Diagram
     from .equilibria import ModelEquilibria
     from .hopf_curves import OnsetCurves
     from .onsets import Onsets
@@ -183,6 +184,12 @@ class Model:
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, _parameters.own(self, p), vary, **options)
+
+    def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
+        """Equilibria and cycles over one parameter, labelled: see :func:`spragsym.models.diagram.diagram`."""
+        from .diagram import diagram_of
+
+        return diagram_of(self, _parameters.own(self, p), vary, to, **options)
 
     def onset_curves(
         self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 30, **options: Any

@@ -37,7 +37,8 @@ INTERFACE = frozenset((
     "equilibria", "count", "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface",
     "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign",
-    "onset_curves", "diagram", "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate_boundary", "basin_boundary",
+    "onset_curves", "diagram",
+    "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")

@@ -136,7 +136,7 @@ def _tell_diagram(
     plot: Path | None, json_output: bool,
 ) -> None:  # fmt: skip
     """Equilibria and cycles over a parameter: the labelled points, and the figure."""
-    from ..models import diagram
+    from ..models.diagram import diagram
 
     found = diagram(p, name, to, starts=starts, points=points)
     if plot is not None:

@@ -126,14 +126,16 @@ class Model:
         return tuple(values)
 
     @question
-    def equilibria(self, p: ParameterSet, contact: bool = True) -> ModelEquilibria:
-        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape.
+    def equilibria(
+        self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
+    ) -> ModelEquilibria:
+        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape, ``within={"x": (-5, 5)}`` a box by hand.
 
         Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
         """
         from .equilibria import equilibria
 
-        return equilibria(self, p, contact)
+        return equilibria(self, p, contact, within)
 
     @question
     def count(self, p: ParameterSet) -> NDArray[np.int64]:

@@ -140,7 +140,9 @@ def _tell_diagram(
 
     found = diagram(p, name, to, starts=starts, points=points)
     if plot is not None:
-        _drawn(found.plot, plot)
+        from ..figures import diagram_figure
+
+        _drawn(lambda: diagram_figure(found), plot)
     labels = [
         {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
         for label in found.labels

@@ -110,12 +110,6 @@ class Diagram(Result):
     remarks: tuple[str, ...] = ()
     name: str = field(default="x", repr=False)
 
-    def plot(self) -> Any:
-        """The figure: :func:`spragsym.figures.diagram_figure`."""
-        from ..figures import diagram_figure
-
-        return diagram_figure(self)
-
 
 def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
     """Equilibria and cycles of one parameter over a range.

@@ -138,7 +138,7 @@ def test_two_ways_to_one_answer() -> None:
     closed, search = (ss.folds(one.replace(theta0=0.7), "mu0", method=method) for method in ("closed", "search"))
     assert closed.mu0 == pytest.approx(search.mu0, abs=1e-12)
     # Where there are no closed forms for what is asked, or not at all, the general way answers.
-    assert ss.folds(one.replace(theta0=0.7), "d").complete
+    assert ss.folds(one.replace(theta0=0.7), "d").kind.size == 0
     assert ss.folds(one, between={"theta0": (0.5, 1.5)}).theta0.size == 1
     assert ss.cusps(one.replace(theta0=1.2), vary=("kappa", "mu0"), between={"kappa": (0.006, 0.008)}).vary == ("kappa", "mu0")
     for function, p in ((ss.equilibria, a_set("damped")), (ss.jump_value, a_set("damped"))):

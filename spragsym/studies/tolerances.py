@@ -97,14 +97,27 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
 
 
 def corners(study: Study) -> FloatArray:
-    """Shares of all corners of the tolerances that may occur; of friction and belt the ends with most of it, if independent."""
+    """Shares of the brake as drawn with most friction, and of all corners of the tolerances that may occur.
+
+    Of friction and belt the ends with most of it are enough, if independent.
+    """
     names = varied(study)
     together = study.together(names)
     found = together.corners()
     for group in together.groups:
         if len(group) == 1 and names[group[0]] in ("mu0", *BELT):
             found = found[found[:, group[0]] == 1.0]
-    return found
+    quantities = [study.quantities[name] for name in names]
+    drawn = [[1.0 if name in ("mu0", *BELT) else share_of(one) for name, one in zip(names, quantities, strict=True)]]
+    return np.concatenate([np.array(drawn).reshape(1, -1), found])
+
+
+def share_of(one: Measured) -> float:
+    """The share of a distribution within its ends that lies below its value."""
+    if one.sd:
+        least, middle, most = (float(ndtr((end - one.value) / one.sd)) for end in (one.low, one.value, one.high))
+        return (middle - least) / (most - least)
+    return (one.value - one.low) / (one.high - one.low)
 
 
 def samples(study: Study, number: int) -> FloatArray:

@@ -29,9 +29,9 @@ class Oscillation(Result):
 
     ``kind`` is ``"cycle"``, one that attracts it; ``"motion"``, if it goes on and has not repeated itself in the time it was
     followed; ``"rest"``, if it decays to rest; ``"falls"``, if it was not followed to its end and became smaller and smaller; or
-    ``"lift-off"``, for good. Only the first two have an amplitude, half of the range along the belt, and forces, least and largest;
-    ``frequency_hz`` has a cycle. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives although a small
-    disturbance of steady sliding dies out, None where that is up to what the model leaves out.
+    ``"lift-off"``, for good. Only the first two have an amplitude, half of the range along the belt, and forces, least and
+    largest; only a cycle has a frequency. ``start`` is ``"rest"`` or ``"far out"``; ``coexists`` says whether it lives although a
+    small disturbance of steady sliding dies out, None where that is up to what the model leaves out.
     """
 
     kind: str

@@ -13,11 +13,12 @@ from ..dynamics import simulate
 from ..dynamics.regimes import Regime
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
+from ..statics import kernel
 from .facts import jump_speed
 from .study import Study
 
 #: Share of the way from the fold to the state that is left, at which the motion is let go.
-_AWAY = 1e-3
+_AWAY = 1e-2
 #: Times, in units of sqrt(m/k_c), over which it is followed until it is half way, and instants at which forces are looked at.
 _T_END, _INSTANTS = (1500.0, 24_000.0), 60_000
 _SETTLES = {
@@ -52,8 +53,9 @@ def jump_peak(study: Study, jump: float) -> JumpPeak | None:
     Notes
     -----
     Source: (8)–(11) at the belt's speed, with the μ₀ at which the friction that works is that of the jump; where no μ₀ within the
-    tolerances is enough, at the largest and the speed at which it is. The motion begins at rest a thousandth of the way from the
-    fold to the state that is left; forces are looked at over equal steps of time.
+    tolerances is enough, at the largest and the speed at which it is. The motion begins at rest, balanced across the belt, where
+    the direction of the spring is a hundredth of the way from the fold to the state that is left; forces are looked at over equal
+    steps of time.
     """
     if not study.moves or not jump < study.quantities["mu0"].high:
         return None
@@ -67,7 +69,9 @@ def jump_peak(study: Study, jump: float) -> JumpPeak | None:
     if jump > study.friction[2]:
         belt["V"] = jump_speed(study, jump) * scales.time / scales.length
         at = p.replace(mu0=jump / float(sliding_friction(1.0, **belt)))
-    x, y = ((1 - _AWAY) * a + _AWAY * b for a, b in zip(start, end, strict=True))
+    theta = (1 - _AWAY) * turn.theta_before + _AWAY * turn.theta_after
+    given = p.scalars("theta0", "kappa", "sigma", "beta")
+    _, x, y = kernel.state(math.cos(theta), math.sin(theta), math.cos(given[0]), math.sin(given[0]), *given[1:], 1)
     for t_end in _T_END:
         try:
             motion = simulate(at, **belt, x0=x, y0=y, t_end=t_end)

@@ -35,8 +35,8 @@ def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     if so.reach == "faster":
         speed = study.shown("V", study.values["V"], 3)
         return (
-            f"It sprags above V = {study.shown('V', so.speed, 3)}: at {angle} the state of small deformation jumps at a friction of "
-            f"{jump:.4g}; at {speed} only {high:.3g} of your {full:.3g} works, and it does not jump{_within(study, parts)}."
+            f"It sprags above V = {study.shown('V', so.speed, 3)}: at {angle} the state of small deformation jumps at a friction "
+            f"of {jump:.4g}; at {speed} only {high:.3g} of your {full:.3g} works, and it does not jump{_within(study, parts)}."
         )
     friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
     where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
@@ -51,6 +51,8 @@ def _within(study: Study, parts: Mapping[str, Any]) -> str:
     so: Facts = parts["facts"]
     odds: Chance | None = parts["probability"]
     speed = " at this speed" if so.reach == "faster" else ""
+    if so.within == "proved" and not study.tolerances:
+        return f"; proved{speed}"
     if so.within == "proved":
         return f"; proved{speed} for everything within {_box(so)}"
     if odds is None:
@@ -101,7 +103,8 @@ def as_text(report: Report) -> str:
 def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     for title, rows in (
-        ("Jump", _jump(report)), ("The jump as a motion", _peak(report)), ("State", _state(report)), ("Folds", _folds(report)), ("Tolerances", _tolerances(report)),
+        ("Jump", _jump(report)), ("The jump as a motion", _peak(report)), ("State", _state(report)), ("Folds", _folds(report)),
+        ("Tolerances", _tolerances(report)),
         ("Oscillation", _oscillation(report)), (_aim(report), _changes(report)),
     ):  # fmt: skip
         yield title, list(rows)
@@ -165,10 +168,8 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     found = report.peak
     if found is None:
         return
-    yield (
-        "it begins and would end",
-        f"at friction {found.friction:.4g}, from x = {found.from_mm:.4g} mm to {found.to_mm:.4g} mm",
-    )
+    places = f"from x = {found.from_mm:.4g} mm to {found.to_mm:.4g} mm"
+    yield ("the states before and after", f"at friction {found.friction:.4g}, {places}")
     yield ("displacement along the belt", f"{found.x_mm[0]:.4g} mm to {found.x_mm[1]:.4g} mm")
     yield ("displacement across the belt", f"{found.y_mm[0]:.4g} mm to {found.y_mm[1]:.4g} mm")
     for name, ends in (("force of the spring", found.spring_force_N), ("force of the contact", found.contact_force_N)):
@@ -272,11 +273,10 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
             for name in one.after
         )
         then = "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
-        proof = f"proved for everything within {_box(report.facts)}"
-        yield (
-            values,
-            f"{then}; {proof if one.outcome == 'proved' else 'no brake within the tolerances was found that jumps, undecided'}",
-        )
+        known = "undecided within the tolerances: of the brakes that were tried none jumps"
+        if one.outcome == "proved":
+            known = f"proved for everything within {_box(report.facts)}"
+        yield values, f"{then}; {known}"
 
 
 # ------------------------------------------------------------------------------------------------------------------ JSON
@@ -316,13 +316,15 @@ def as_json(report: Report) -> dict[str, Any]:
         },
         "redesign": [_change_json(report, one) for one in report.redesign],
         "warnings": list(report.warnings),
-        "reach": report.facts.reach, "speed_jump": _speed_json(report), "jump": None if report.peak is None else asdict(report.peak),
+        "reach": report.facts.reach, "speed_jump": _speed_json(report),
+        "jump": None if report.peak is None else asdict(report.peak),
     }  # fmt: skip
 
 
 def _state_json(state: State) -> dict[str, Any]:
     return {
-        "current": state.current, "stable": state.stable, "settles": state.settles, "statics": state.statics, "direction_deg": state.direction_deg,
+        "current": state.current, "stable": state.stable, "settles": state.settles, "statics": state.statics,
+        "direction_deg": state.direction_deg,
         "x_mm": state.x_mm, "y_mm": state.y_mm, "spring_length_mm": state.spring_length_mm,
         "spring_force_N": state.spring_force_N,
         "contact_force_N": state.contact_force_N, "frequencies_hz": list(state.frequencies_hz),

@@ -90,10 +90,12 @@ def path(
     check_theta0(theta0_deg, vary)
     name, unit, title = varied(vary)
     allowed = DEGREES if name == "theta0" else RANGES[name]
-    for flag, end in (("--from", low), ("--to", high)):
-        value = end if name == "theta0" else end / unit
+    for flag, given in (("--from", low), ("--to", high)):
+        value = given if name == "theta0" else given / unit
         if not allowed.contains(value):
-            what = f"{title} = {end:g}" if name == "theta0" or unit == 1 else f"{title} = {end:g} is {name} = {value:g}, which"
+            what = (
+                f"{title} = {given:g}" if name == "theta0" or unit == 1 else f"{title} = {given:g} is {name} = {value:g}, which"
+            )
             raise ParameterError(f"{flag}: {what} is not in {allowed}{f'; {allowed.remedy}' if allowed.remedy else ''}")
     found = quasi_static_path(build(theta0_deg, **values), name, np.linspace(low, high, points) / unit)
     size, end = length()

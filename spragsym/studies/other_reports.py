@@ -89,7 +89,7 @@ class ModelReport(Result):
                 "oscillation_amplitude": self.oscillation["amplitude_mm"] if self.oscillation else None,
             },
             "oscillation": self.oscillation, "certificate": self.certificate, "probability": None, "sobol": None, "redesign": [],
-            "warnings": list(self.warnings),
+            "warnings": list(self.warnings), "reach": None, "speed_jump": None, "jump": None,
         }  # fmt: skip
 
     def text(self) -> str:
@@ -124,6 +124,8 @@ class ModelReport(Result):
 def _shown(value: Any) -> str:
     if isinstance(value, float):
         return "never" if math.isnan(value) else f"{value:.5g}"
+    if isinstance(value, dict):
+        return ", ".join(f"{name}: {_shown(one)}" for name, one in value.items())
     return "[" + ", ".join(_shown(one) for one in value) + "]" if isinstance(value, list) else str(value)
 
 
@@ -257,7 +259,10 @@ def _forces(model: Any, p: Any, motion: Any, unit: float) -> tuple[list[float] |
     for force in (spring_force, contact_force):
         values = [force(model, p, place, unit) for place in places]
         known = [value for value in values if value is not None]
-        found.append([min(known), max(known)] if known else None)
+        if known and isinstance(known[0], dict):  # of several springs
+            found.append({name: [min(one[name] for one in known), max(one[name] for one in known)] for name in known[0]})
+        else:
+            found.append([min(known), max(known)] if known else None)
     return found[0], found[1]
 
 

@@ -763,7 +763,7 @@ def test_a_value_that_a_model_has_no_base_for_is_asked_for_by_its_option(command
 
 ASKED = {
     "path --vary theta0 --from 10 --to 60 --points 2": (0, "44.5593177026"),
-    "folds --vary theta0": (0, "44.5593177026"),
+    "folds --vary theta0": (0, "44.55932"),
     "critical --vary theta0 --mu0 0.7": (0, "35.354"),
     "path": (2, "Missing option '--theta0'"),
     "path --vary theta0 --from 0 --to 60": (2, "--from: theta0_deg = 0 is not in (0, 180)"),

@@ -569,7 +569,8 @@ CONTRADICTIONS = [
      "Oscillation\n  lives beside sliding that settles\n                                  yes"),
     ("Oscillation\n  from rest                       none: it decays to rest",
      "Oscillation\n  amplitude along the belt        5.509 mm"),
-    ("Tolerances\n  no jump within all of them      proved", "Tolerances\n  probability of a jump           0.3 %, 0.1 % to 0.5 %"),
+    ("Tolerances\n  no jump within all of them      proved",
+     "Tolerances\n  probability of a jump           0.3 %, 0.1 % to 0.5 %"),
     ("Jump\n  jump at this angle              never", "Jump\n  tolerances to the nearest jump  0, it has jumped already"),
 ]  # fmt: skip
 

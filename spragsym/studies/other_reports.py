@@ -250,20 +250,21 @@ def _oscillation(model: Any, p: Any, scales: Mapping[str, float], warnings: list
     return None
 
 
-def _forces(model: Any, p: Any, motion: Any, unit: float) -> tuple[list[float] | None, list[float] | None]:
-    """Least and largest force of the spring and of the contact over the samples of a motion."""
+def _forces(model: Any, p: Any, motion: Any, unit: float) -> tuple[Any, list[float] | None]:
+    """Least and largest force of the spring, or of several by their names, and of the contact over the samples of a motion."""
     places = [
         dict(zip(model.coordinates, column, strict=True)) for column in zip(*motion.state[: len(model.coordinates)], strict=True)
     ]
-    found = []
-    for force in (spring_force, contact_force):
-        values = [force(model, p, place, unit) for place in places]
-        known = [value for value in values if value is not None]
-        if known and isinstance(known[0], dict):  # of several springs
-            found.append({name: [min(one[name] for one in known), max(one[name] for one in known)] for name in known[0]})
-        else:
-            found.append([min(known), max(known)] if known else None)
-    return found[0], found[1]
+    springs: list[Any] = [spring_force(model, p, place, unit) for place in places]
+    contact = [contact_force(model, p, place, unit) for place in places]
+    if springs and isinstance(springs[0], dict):
+        return {name: _ends_of([one[name] for one in springs]) for name in springs[0]}, _ends_of(contact)
+    return _ends_of(springs), _ends_of(contact)
+
+
+def _ends_of(values: list[Any]) -> list[float] | None:
+    known = [value for value in values if value is not None]
+    return [min(known), max(known)] if known else None
 
 
 def _folds(model: Any, p: Any) -> tuple[tuple[float, ...], bool]:

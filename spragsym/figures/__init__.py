@@ -19,6 +19,7 @@ from collections.abc import Callable
 from .bifurcation_sets import figure_11, figure_12, figure_14
 from .brakes import draw_operating_point, draw_rising_friction, draw_shares
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
+from .diagrams import diagram_figure
 from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
 from .extras import (  # fmt: skip
     bifurcation_figure,
@@ -28,7 +29,14 @@ from .extras import (  # fmt: skip
     figure_sensitivity,
 )
 from .files import FORMATS, write
-from .models import draw_bifurcation_set_of, draw_equilibria_of, draw_onsets_of, model_figure, model_motion_figure
+from .models import (
+    draw_bifurcation_set_of,
+    draw_equilibria_of,
+    draw_onset_curves_of,
+    draw_onsets_of,
+    model_figure,
+    model_motion_figure,
+)
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
 from .oscillation import branch_figure, figure_cycles, figure_cycles_plane
@@ -65,10 +73,12 @@ __all__ = [
     "bifurcation_figure",
     "branch_figure",
     "branches",
+    "diagram_figure",
     "draw_bifurcation_set_of",
     "draw_branches",
     "draw_equilibria_of",
     "draw_motion",
+    "draw_onset_curves_of",
     "draw_onsets_of",
     "draw_operating_point",
     "draw_path",

@@ -93,9 +93,8 @@ def path(
     for flag, given in (("--from", low), ("--to", high)):
         value = given if name == "theta0" else given / unit
         if not allowed.contains(value):
-            what = (
-                f"{title} = {given:g}" if name == "theta0" or unit == 1 else f"{title} = {given:g} is {name} = {value:g}, which"
-            )
+            own = "" if name == "theta0" or unit == 1 else f" is {name} = {value:g}, which"
+            what = f"{title} = {given:g}{own}"
             raise ParameterError(f"{flag}: {what} is not in {allowed}{f'; {allowed.remedy}' if allowed.remedy else ''}")
     found = quasi_static_path(build(theta0_deg, **values), name, np.linspace(low, high, points) / unit)
     size, end = length()

@@ -103,14 +103,16 @@ class Model:
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
 
-    def equilibria(self, p: ParameterSet, contact: bool = True) -> ModelEquilibria:
-        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape.
+    def equilibria(
+        self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
+    ) -> ModelEquilibria:
+        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape, ``within={"x": (-5, 5)}`` a box by hand.
 
         Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
         """
         from .equilibria import equilibria
 
-        return equilibria(self, _parameters.own(self, p), contact)
+        return equilibria(self, _parameters.own(self, p), contact, within)
 
     def count(self, p: ParameterSet) -> NDArray[np.int64]:
         """The number of equilibria in contact, in the shape of ``p``.

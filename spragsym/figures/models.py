@@ -146,7 +146,7 @@ def draw_equilibria_of(
     between: Between | None = None,
     n: int = 300,
 ) -> list[Any]:
-    """All equilibria in contact along a parameter, one dot each, coloured by stability; returns the artists.
+    """All equilibria in contact along a parameter, one dot each, coloured by what grows, dampers included; returns the artists.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def draw_equilibria_of(
     across = np.broadcast_to(_shown(model, vary, values)[:, None], eq.stability.shape)
     artists: list[Any] = []
     for kind, colour in COLOURS.items():
-        chosen = eq.stability == kind
+        chosen = eq.kind == kind.name.lower()
         if chosen.any():
             up = _shown(model, of, getattr(eq, of)[chosen])
             artists += ax.plot(across[chosen], up, ".", color=colour, markersize=1.8, label=kind.name.lower())

@@ -44,7 +44,7 @@ def drawn(model: Any, rng: np.random.Generator, decades: float) -> dict[str, flo
 
 def attacked(name: str, sets: int, seed: int, decades: float) -> None:
     """One line of results, and one line for each point with something to be said."""
-    model = ss.load(name)
+    model = ss.load(name).search
     rng = np.random.default_rng(seed)
     worst, spent, open_, slow, far, silent, calls = 0.0, 0.0, 0, 0, 0, 0, 0
     for _ in range(sets):
@@ -59,7 +59,7 @@ def attacked(name: str, sets: int, seed: int, decades: float) -> None:
             seconds = time.process_time() - begin
             calls, spent, slow = calls + 1, spent + seconds, slow + (seconds > SLOW)
             error = float(np.nanmax(eq.error, initial=0.0))
-            worst, open_, far = max(worst, error), open_ + (not eq.complete), far + (not eq.whole)
+            worst, open_, far = max(worst, error), open_ + (not eq.complete), far + (not eq.whole.all())
             unsaid = not eq.complete and not getattr(eq, "remarks", ())
             silent += unsaid
             if not eq.complete or seconds > SLOW or error > 1e-12:

@@ -4,7 +4,7 @@
 in FILE, one a line, and the same command goes on from there. Each verdict is held against SciPy's DOP853 with its own events, on
 the generated algebra alone, begun where the library's motion ended:
 
-- rest: 500 time units later the motion comes no farther from the equilibrium than before, or stays within 1e-6 of it;
+- rest: 3000 time units later the motion comes no farther from the equilibrium than before, or stays within 1e-6 of it;
 - cycle: once round from its state leads back to it within 1e-6, and the multipliers by differences of this driver, all but the
   one nearest to 1, are in the unit circle, as far as they are known, to 1e-3;
 - chaos: two motions 1e-8 apart part at a rate that agrees with the largest exponent within a factor of two, over four stretches;
@@ -92,7 +92,7 @@ def parting(values: tuple[float, ...], state: Any, stretches: int = 4, span: flo
     return total / (stretches * span)
 
 
-def reach_of(values: tuple[float, ...], state: Any, place: Any, pieces: int = 60, span: float = 1.5) -> tuple[float, Any]:
+def reach_of(values: tuple[float, ...], state: Any, place: Any, pieces: int = 200, span: float = 2.0) -> tuple[float, Any]:
     """How far a motion comes from a place in a while, and where it then is."""
     off = 0.0
     for _ in range(pieces):
@@ -106,8 +106,8 @@ def holds(values: tuple[float, ...], found: ss.Fate) -> tuple[bool, str]:
     if found.kind == "rest":
         place = np.array([found.outcome.rest_x, found.outcome.rest_y, 0.0, 0.0])
         before, state = reach_of(values, found.end, place)
-        after, _ = reach_of(values, carried(values, state, 500.0)[0], place)
-        return after < max(1.02 * before, 1e-6), f"up to {before:.3g} off, 500 later {after:.3g}"
+        after, _ = reach_of(values, carried(values, state, 3000.0)[0], place)
+        return after < max(1.02 * before, 1e-6), f"up to {before:.3g} off, 3000 later {after:.3g}"
     if found.kind == "cycle":
         told = found.outcome
         state = np.array([told.cycle_x, told.cycle_y, 0.0, told.cycle_vy])

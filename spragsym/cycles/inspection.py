@@ -28,6 +28,14 @@ FLAT = 1e-6
 LOCATED = 1e-11
 
 
+#: A step longer than this is made shorter where an event in it is not located.
+FINEST = 1e-5
+
+
+class NotLocated(ConvergenceError):
+    """A test function changes its sign in a step, but its zero is not found."""
+
+
 @dataclass(frozen=True)
 class Seen:
     """A point with its test functions and turns."""
@@ -106,7 +114,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
             yield from findings(middle, other, rest, one, depth + 1)
             return
     for touch, after in through:
-        yield from _grazing(one, other, touch, after)
+        yield from _grazing(one, other, touch, after, length)
     for kind in changed:
         yield from _located(kind, one, other, length)
 
@@ -123,7 +131,7 @@ def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:
     return lowest * b < 0.05 * b * b
 
 
-def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch) -> Iterator[Finding]:
+def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
     near, turn = (one, touch) if abs(touch.level) <= abs(after.level) else (other, after)
     for point, begun in ((near, turn), (one, touch), (other, after)):
         try:
@@ -136,6 +144,10 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch) -> Iterator[Fin
         if ends[0] - width - 1e-12 <= loop.guess.values[index] <= ends[1] + width + 1e-12:
             yield Finding("grazing", loop, 10 * loop.missed + 1e-12, touch.turn.border)
             return
+    if length > FINEST:
+        raise NotLocated("grazing")
+    if signature(one.point) == signature(other.point):
+        return  # two different turns were taken for one: the orbit crosses as often as before
     yield Finding(
         "grazing", near.point.loop, abs(other.point.loop.guess.values[one.setting.free[0]] - _value(one)), touch.turn.border
     )
@@ -158,11 +170,12 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
 
     try:
         root = float(brentq(value, 0.0, length, xtol=LOCATED, rtol=8.9e-16))
-    except (ConvergenceError, ValueError):
-        yield Finding(
-            _of_multipliers(kind), other.point.loop, abs(_value(one) - _value(other)),
-            crossed=other.point.tangent if kind == "crossing" else None,
-        )  # fmt: skip
+    except (ConvergenceError, ValueError) as error:
+        if length > FINEST:
+            raise NotLocated(kind) from error  # the two points may lie on different branches: shorter steps tell
+        if kind == "crossing":
+            return
+        yield Finding(kind, other.point.loop, abs(_value(one) - _value(other)))
         return
     point = known[root] if root in known else corrected(setting, one.point, root)
     if kind != "fold" and is_lost(point.loop, _of_multipliers(kind)):

@@ -2,6 +2,5 @@
 
 from .load import load
 from .model import Model
-from .planes import onset_curves
 
-__all__ = ["Model", "load", "onset_curves"]
+__all__ = ["Model", "load"]

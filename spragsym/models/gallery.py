@@ -83,15 +83,15 @@ def _points(model: Model) -> list[str]:
     known = model.parameters
     if not {"theta0", "mu0"} <= set(known):
         return []
-    folds = model.folds(model.Parameters(), "theta0")
-    cusps = model.cusps(model.Parameters(mu0=None), ("theta0", "mu0"))
+    folds = model.search.folds(model.Parameters(), "theta0")
+    cusps = model.search.cusps(model.Parameters(mu0=None), ("theta0", "mu0"))
     found = []
     for what, points in (("Folds at the base values", folds), ("Cusps", cusps)):
         listed = ", ".join(
             f"θ₀ = {np.degrees(points.theta0[row]):.4f}°" + (f", μ₀ = {points.mu0[row]:.6f}" if what == "Cusps" else "")
             for row in range(len(points))
         )
-        more = "" if points.complete else f"; {len(points.undecided)} boxes are undecided"
+        more = "" if points.complete else f" ({'; '.join(points.remarks)})"
         found += [f"{what}: {listed or 'none'}{more}.", ""]
     return found
 

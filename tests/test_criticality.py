@@ -77,6 +77,18 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
             assert bound < 1e-5 * max(abs(found), 1e-3)
 
 
+def test_a_torsion_spring_against_equations_written_by_hand(tmp_path: Path) -> None:
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder
+
+    folder.write_page(Path(__file__).parent / "soft_brake.py", tmp_path / "soft_brake")
+    model = ss.load(tmp_path / "soft_brake")
+    onsets = model.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
+    exact = validate_criticality.reference_of(onsets, 0)
+    assert abs(mpmath.mpf(float(onsets.lyapunov[0])) - exact.lyapunov) <= onsets.lyapunov_error[0] < 1e-9
+    assert onsets.criticality.tolist() == ["gentle"]
+
+
 def test_the_bound_covers_a_wider_box() -> None:
     """A box around another middle that holds the point holds the coefficient too."""
     onsets = onsets_of("damped", "mu0", theta0=0.7)

@@ -174,10 +174,11 @@ def test_the_table_of_equilibria_has_their_numbers() -> None:
 def test_results_of_models_have_the_rows_of_the_article_s() -> None:
     """The article's model, through its page, in the tables of the article's own results: same states, folds and motion."""
     own, page = (Tables(result._repr_html_()).rows for result in (ss.equilibria(P), RESULTS["ModelEquilibria"]()))
-    at = {name: (own[0].index(name), page[0].index(name)) for name in ("point", "theta0_deg", "stability", "x", "y")}
+    pairs = {"point": "point", "theta0_deg": "theta0_deg", "stability": "undamped", "x": "x", "y": "y"}
+    at = {name: (own[0].index(name), page[0].index(other)) for name, other in pairs.items()}
     assert len(own) == len(page)
     for name in ("point", "theta0_deg", "stability"):
-        assert [row[at[name][0]] for row in own] == [row[at[name][1]] for row in page]
+        assert [row[at[name][0]] for row in own[1:]] == [row[at[name][1]] for row in page[1:]]
     for name in ("x", "y"):
         numbers = [[float(row[place]) for row in rows[1:]] for rows, place in zip((own, page), at[name], strict=True)]
         np.testing.assert_allclose(*numbers, rtol=1e-9)
@@ -185,8 +186,8 @@ def test_results_of_models_have_the_rows_of_the_article_s() -> None:
     assert found[0] == ["theta0_deg", "x", "y", "kind", "error"]
     np.testing.assert_allclose([float(row[0]) for row in found[1:]], np.degrees(folds.theta0), rtol=1e-9)
     assert "undecided" not in str(_folds_of_a_model())
-    open_box = dataclasses.replace(_folds_of_a_model(), complete=False, undecided=np.zeros((3, 3, 2)))
-    assert "2 points along theta0; not complete: 3 boxes are undecided" in str(open_box)
+    open_box = dataclasses.replace(_folds_of_a_model(), undecided=np.zeros((3, 3, 2)), remarks=("3 boxes are too wide",))
+    assert "2 points along theta0_deg from 0 to 180; not complete: 3 boxes are too wide" in str(open_box)
 
 
 def test_the_jump_of_a_path_is_in_its_table() -> None:

@@ -146,7 +146,7 @@ def draw_equilibria_of(
     between: Between | None = None,
     n: int = 300,
 ) -> list[Any]:
-    """All equilibria in contact along a parameter, one dot each, coloured by stability; returns the artists.
+    """All equilibria in contact along a parameter, one dot each, coloured by what grows, dampers included; returns the artists.
 
     Parameters
     ----------
@@ -172,7 +172,7 @@ def draw_equilibria_of(
     across = np.broadcast_to(_shown(model, vary, values)[:, None], eq.stability.shape)
     artists: list[Any] = []
     for kind, colour in COLOURS.items():
-        chosen = eq.stability == kind
+        chosen = eq.kind == kind.name.lower()
         if chosen.any():
             up = _shown(model, of, getattr(eq, of)[chosen])
             artists += ax.plot(across[chosen], up, ".", color=colour, markersize=1.8, label=kind.name.lower())
@@ -241,7 +241,7 @@ def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between 
     names = (*found.vary, *model.coordinates)
     columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
     number = np.concatenate([np.full(getattr(curve, vary[0]).size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
-    open_boxes = "" if found.complete else f" {len(found.undecided)} boxes on its lines are undecided."
+    open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     return figure.describe(
         f"""Bifurcation set of {model.name}: two equilibria in contact meet on the lines; dots are cusps.{open_boxes}""",
         a={"curve": number, **columns},

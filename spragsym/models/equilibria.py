@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -35,13 +35,16 @@ from .precise import (
     unsettled,
 )
 from .refined import refined
-from .regions import region
-from .remarks import remarks
+from .regions import by_hand, region
+from .remarks import of_boxes, of_region
 from .turns import once_around
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
 STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
+
+#: Imaginary part of a λ that is real to floats, over its size.
+REAL = 1e-9
 
 
 @dataclass(frozen=True)
@@ -71,19 +74,25 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     eigenvalues : ndarray of complex
         The λ of it, on one more axis.
     growth : ndarray
-        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law.
+        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law. Made when it is asked
+        for, as are the next two.
+    stable : ndarray of bool
+        Where it is proved that nothing grows by that linearization.
+    kind : ndarray of str
+        ``"stable"`` where nothing grows; where something does ``"divergent"`` or ``"flutter"``, by the λ that grows fastest; or
+        ``"marginal"`` where 256 bits do not tell whether something grows. Empty beyond ``count``.
     error : ndarray
         Bound on |error| / max(1, |value|) of the coordinates.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (…, coordinates, 2).
-    whole : bool
-        Whether the region is proved to hold all equilibria. If not, there may be others beyond it.
+    whole : ndarray of bool
+        Points whose region is proved to hold all equilibria. Of others there may be some beyond it.
     decided : ndarray of bool
         Points of which every box is decided.
     undecided : tuple of Undecided
         The other points' boxes.
     remarks : tuple of str
-        What is known of these boxes.
+        What is known of these boxes, and what was searched where that is not everything: why the result is not complete.
     """
 
     parameters: Any
@@ -92,22 +101,65 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     stability: NDArray[np.int8]
     marginal: NDArray[np.bool_]
     eigenvalues: NDArray[np.complex128]
-    growth: FloatArray
     error: FloatArray
     region: FloatArray
-    whole: bool
+    whole: NDArray[np.bool_]
     decided: NDArray[np.bool_]
     undecided: tuple[Undecided, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
+    _damped: _stability.Damped = field(repr=False)
+    _slots: tuple[NDArray[np.int64], NDArray[np.int64]] = field(repr=False)
     remarks: tuple[str, ...] = ()
+
+    @cached_property
+    def growth(self) -> FloatArray:
+        """Largest real part of all λ."""
+        return self._placed(self._fastest.real, np.nan)
+
+    @cached_property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where nothing grows."""
+        return self._placed(self._decay > 0, False)
+
+    @cached_property
+    def kind(self) -> NDArray[np.str_]:
+        """What grows, in a word."""
+        fastest, decay = self._fastest, self._decay
+        real = fastest.imag <= REAL * np.abs(fastest)
+        return self._placed(
+            np.where(decay > 0, "stable", np.where(decay == 0, "marginal", np.where(real, "divergent", "flutter"))), ""
+        )
+
+    @cached_property
+    def _fastest(self) -> NDArray[np.complex128]:
+        return self._damped.fastest()
+
+    @cached_property
+    def _decay(self) -> NDArray[np.int8]:
+        return self._damped.decay()
+
+    def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
+        """Values of all states by point and slot."""
+        return in_slots(values, empty, self._slots, self.error.shape)
 
     @property
     def complete(self) -> bool:
-        """Whether every box of every point is decided: then there is no other equilibrium in the region."""
-        return bool(self.decided.all())
+        """Whether these are all equilibria of every point: each box is decided, and nothing is beyond the region."""
+        return bool((self.decided & self.whole).all())
 
 
-def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
+def in_slots(
+    values: NDArray[Any], empty: Any, where: tuple[NDArray[np.int64], NDArray[np.int64]], shape: tuple[int, ...]
+) -> NDArray[Any]:
+    """Values of states by point and slot in arrays of the shape of points and slots, and of one value."""
+    out = np.full((*shape, *values.shape[1:]), empty, dtype=values.dtype)
+    out.reshape(-1, shape[-1], *values.shape[1:])[where] = values
+    return out
+
+
+def equilibria(
+    model: Model, p: Any, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
+) -> ModelEquilibria:
     """All equilibria of a model: steady sliding in contact, or at rest in lift-off.
 
     Parameters
@@ -117,6 +169,9 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
         Of the model, of any shape.
     contact : bool
         True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force.
+    within : mapping, optional
+        Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is proved to hold all of them;
+        where there is no such proof, ten times the largest length that the model has at these parameters.
 
     Returns
     -------
@@ -135,8 +190,8 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     if not contact and not balance.opens:
         raise ParameterError("contact = False: the contact of this model never opens, so it has no lift-off; use contact=True")
     given = columns(p, balance.parameters)
-    found, around, whole = solved(balance, given)
-    return _arranged(model, balance, p, found, around, whole)
+    found, around, whole = solved(balance, given, by_hand(balance.coordinates, within))
+    return _arranged(balance, p, found, around, whole)
 
 
 def index_of(model: Model, given: FloatArray, states: FloatArray, near: float) -> NDArray[np.int64]:
@@ -169,9 +224,9 @@ def columns(p: Any, names: list[str]) -> FloatArray:
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
 
 
-def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool]:
-    """The roots of all points, the region of each and whether it holds all."""
-    around, whole = region(balance, Intervals.point(given))
+def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
+    """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
+    around, whole = region(balance, Intervals.point(given), asked)
     if not given.shape[1]:
         none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
         return Roots(none, none, nowhere, none, nowhere), around, whole
@@ -216,7 +271,7 @@ def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: f
     return settled(balance, given, around, found, levels)
 
 
-def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:
+def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> ModelEquilibria:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
@@ -226,12 +281,12 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
     slots = max(1, int(count.max(initial=0)))
     slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
     boxes_around = (ends[:, :, order] for ends in (found.ends, found.alone))
-    types = _stability.classified(balance, states, columns(p, balance.parameters)[:, point], *boxes_around)
+    ends, alone = boxes_around
+    here = columns(p, balance.parameters)[:, point]
+    types = _stability.classified(balance, states, here, ends, alone)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
-        out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
-        out[point, slot] = values
-        return out.reshape(*shape, slots, *values.shape[1:])
+        return in_slots(values, empty, (point, slot), (*shape, slots))
 
     decided = np.ones(size, dtype=np.bool_)
     decided[found.left_point] = False
@@ -243,12 +298,14 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
         )
         for box, number in enumerate(found.left_point)
     )
+    remarks = of_boxes(balance, columns(p, balance.parameters)[:, found.left_point], found.left)
+    remarks += of_region(balance.coordinates, around, whole)
     searched = np.stack([-around[0], around[1]], axis=-1)
     searched = np.moveaxis(searched, 0, 1).reshape(*shape, balance.n, 2)
     return ModelEquilibria(
         p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(~types.proved, False),
-        placed(types.eigenvalues, np.nan), placed(types.growth, np.nan), placed(errors, np.nan),
-        searched, whole, decided.reshape(shape), undecided,
+        placed(types.eigenvalues, np.nan), placed(errors, np.nan),
+        searched, whole.reshape(shape), decided.reshape(shape), undecided,
         {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
-        remarks(balance, columns(p, balance.parameters), found.left, found.left_point),
+        _stability.Damped(balance, states, here, ends, alone, types), (point, slot), remarks,
     )  # fmt: skip

@@ -27,7 +27,7 @@ def model_states(model: Any, p: Any, scales: Mapping[str, float], current: Mappi
         upper = sorted((rate for rate in rates if rate.imag > 1e-9 * np.abs(rates).max()), key=lambda rate: float(rate.imag))
         growth = float(eq.growth[slot]) / scales["time"]
         found.append({
-            "current": here, "stable": kind == Stability.STABLE and growth <= 0, "statics": kind.name.lower(),
+            "current": here, "stable": bool(eq.stable[slot]), "statics": kind.name.lower(),
             **{f"{name}_{'mm' if unit == 'm' else 'deg'}": value * (1e3 * scales["length"] if unit == "m" else math.degrees(1.0))
                for (name, unit), value in zip(units.items(), place.values(), strict=True)},
             "spring_force_N": spring_force(model, p, place, scales["force"]),

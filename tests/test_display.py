@@ -53,7 +53,7 @@ def _study() -> ss.Study:
     return ss.Study(ss.PhysicalParameters(m=0.35, k=180e3, L_0=0.038, theta0=0.9, k_x=9e3, k_y=0, k_c=1.5e6, F_L=420, mu0=0.45))
 
 
-MODEL = ss.load("kang_nam")
+MODEL = ss.load("kang_nam").search
 
 
 @functools.cache
@@ -71,8 +71,8 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Folds": lambda: ss.folds(ONE),
     "Cusps": lambda: ss.cusps(ONE),
     "CriticalFriction": lambda: ss.critical_friction(ONE.replace(beta=[0.0, 1.0])),
-    "BifurcationSet": lambda: ss.bifurcation_set(ONE, 600),
-    "FoldCurve": lambda: ss.bifurcation_set(ONE, 600).curves[0],
+    "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=600),
+    "FoldCurve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
     "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 50),
     "FlutterOnsets": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7)),
     "LinearSprag": lambda: ss.linear_sprag(P),

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import ParameterError
+from ..models.parameters import options_of
 from .page import asset, escaped, filled, motion_part, page, parameter_part, points
 from .presets import Preset
 from .units import Units
@@ -127,7 +128,6 @@ def _words(text: str) -> str:
 def _described(model: Model, ties: Sequence[Sequence[str]]) -> dict[str, Any]:
     """What the page's script is told of the model."""
     about = model.about
-    flags = {"V": "--speed", "d": "--creep"}
     return {
         "name": model.name,
         "where": model.where,
@@ -138,7 +138,7 @@ def _described(model: Model, ties: Sequence[Sequence[str]]) -> dict[str, Any]:
                 "meaning": entry["meaning"],
                 "role": entry["role"],
                 "angle": entry["name"] in about["angles"],
-                "flag": flags.get(entry["name"], f"--{entry['name']}"),
+                "flag": options_of(about, entry["name"])[0],
                 "range": {key: entry[key] for key in ("low", "high", "low_open", "high_open") if entry[key] is not None},
                 **_slider(entry, entry["name"] in about["angles"]),
             }

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described
@@ -81,6 +82,13 @@ class Model:
         """Base values; a parameter without one, as the article's θ₀, is not among them."""
         return _parameters.base(self.about)
 
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """What varies unless told otherwise: θ₀ and μ₀ where the model has them, else its first parameter of the balance."""
+        known = [name for name in ("theta0", "mu0") if name in self.parameters]
+        balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
+        return tuple(known or balanced[:1] or self.parameters[:1])
+
     def describe(self) -> str:
         """The drawing, the coordinates and the parameters, as text."""
         return described(self.about)
@@ -107,26 +115,28 @@ class Model:
 
         return equilibria(self, _parameters.own(self, p), contact)
 
-    def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
         """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
+
+        Without ``vary`` it is the first of ``model.axes``.
 
         Source: det K = 0 at an equilibrium; see :func:`spragsym.models.folds.folds`.
         """
         from .folds import folds
 
-        return folds(self, _parameters.own(self, p), vary, **options)
+        return folds(self, _parameters.own(self, p), self._one(vary), **options)
 
-    def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
-        """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
+    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
+        """All cusps in the plane of two parameters, ``model.axes`` if there are two, proved; ``between`` as for :meth:`folds`.
 
         See :func:`spragsym.models.cusps.cusps`.
         """
         from .cusps import cusps
 
-        return cusps(self, _parameters.own(self, p), vary, **options)
+        return cusps(self, _parameters.own(self, p), self._two(vary), **options)
 
     def bifurcation_set(
-        self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 60, **options: Any
+        self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any
     ) -> ModelBifurcationSet:
         """Folds on ``n`` lines of either parameter, joined to curves, and all cusps, in the plane of both.
 
@@ -134,7 +144,7 @@ class Model:
         """
         from .bifurcation import bifurcation_set
 
-        return bifurcation_set(self, _parameters.own(self, p), vary, n, **options)
+        return bifurcation_set(self, _parameters.own(self, p), self._two(vary), n, **options)
 
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
         """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
@@ -145,15 +155,15 @@ class Model:
 
         return quasi_static_path(self, _parameters.own(self, p), vary, values, **options)
 
-    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
-        """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
+    def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
+        """All onsets of flutter along one parameter, proved; ``vary`` and ``between`` as for :meth:`folds`.
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
         :func:`spragsym.models.flutter.flutter_onsets`.
         """
         from .flutter import flutter_onsets
 
-        return flutter_onsets(self, _parameters.own(self, p), vary, **options)
+        return flutter_onsets(self, _parameters.own(self, p), self._one(vary), **options)
 
     def cycle(self, p: ParameterSet, near: Any = None, **options: Any) -> Cycle:
         """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
@@ -253,6 +263,16 @@ class Model:
         from .sweep import rms_sweep
 
         return rms_sweep(self, p, **options)
+
+    def _one(self, vary: str | None) -> str:
+        if not self.parameters:
+            raise ParameterError(f"{self.name} has no parameters, so that nothing can vary")
+        return self.axes[0] if vary is None else vary
+
+    def _two(self, vary: Sequence[str] | None) -> Sequence[str]:
+        if vary is None and len(self.axes) < 2:
+            raise ParameterError(f"{self.name} has not both theta0 and mu0; give vary, two of {', '.join(self.parameters)}")
+        return self.axes if vary is None else vary
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

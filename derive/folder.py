@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import math
-import textwrap
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -42,7 +40,7 @@ def render(model: Model, header: str, shared: Shared | None = None) -> dict[str,
         files["_broadcast.py"] = runtime(python_target.__file__, "_broadcast.py").replace("@header@", header)
     digests = {name: hashlib.sha256(text.encode()).hexdigest() for name, text in files.items()}
     entries = {**description(model), "files": digests}
-    return {**files, "model.json": json.dumps(entries, indent=1, ensure_ascii=False, sort_keys=True) + "\n"}
+    return {**files, "model.json": write.as_json(dict(sorted(entries.items())))}
 
 
 def write_page(page: Path, out: Path) -> int:
@@ -63,25 +61,16 @@ def _module(model: Model, module: Module, header: str, shared: Shared | None) ->
     own: list[str] = []
     borrowed: dict[tuple[str, str], list[str]] = {}
     for function in module.functions:
-        text = algebra.definition(function, {})
+        text = algebra.definition(function)
         home = (model.name, module.name) if shared is None else shared.setdefault(text, (model.name, module.name))
         if home == (model.name, module.name):
             own.append(text)
         else:
             borrowed.setdefault(home, []).append(function.name)
-    symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
-    known = meanings(model.mechanics)
-    table = "\n".join(textwrap.fill(f"{name} : {known[name]}", 110, subsequent_indent="    ") for name in symbols)
     imports = ["from types import ModuleType\n\nimport numpy\n"] if own else []
     local = [f"from {'._broadcast' if shared is None else '..._broadcast'} import Number, broadcasting"] if own else []
     local += [f"from ..{home}.{part} import {', '.join(sorted(names))}" for (home, part), names in sorted(borrowed.items())]
-    names = ",\n".join(f'    "{function.name}"' for function in module.functions)
-    head = "\n\n".join([
-        f'"""{module.summary}\n\n{table}\n\n{textwrap.fill(header, 110)}\n"""',
-        "from __future__ import annotations",
-        "\n".join([*imports, *local]),
-        f"__all__ = [\n{names},\n]",
-    ])  # fmt: skip
+    head = algebra.head(module, meanings(model.mechanics), header, "\n".join([*imports, *local]))
     return "\n\n\n".join([head, *own]) + "\n"
 
 

@@ -14,7 +14,6 @@ from dataclasses import dataclass, field
 
 from .function import SPELLED, Function
 from .language import FLAG, REAL, KernelError, Source, parse, passes
-from .quantities import Quantity
 from .targets.python.algebra import definition
 
 WIDE = "Wide"
@@ -27,7 +26,6 @@ def widened(
     kernel: Source,
     arithmetic: Source,
     algebra: Mapping[str, Function],
-    quantities: Mapping[str, Quantity],
     called: Iterable[tuple[str, tuple[str, ...]]],
 ) -> Source:
     """The functions that ``called`` names with the kinds of their arguments, and all that they need.
@@ -35,7 +33,7 @@ def widened(
     Where one of these kinds is a record of the kernel, its version on double-doubles is meant; a function that is named earlier
     returns it.
     """
-    program = _Program(kernel, arithmetic, algebra, quantities)
+    program = _Program(kernel, arithmetic, algebra)
     for name, kinds in called:
         program.call(name, tuple(program.widest(kind) for kind in kinds))
     return parse("\n\n".join(program.texts))
@@ -48,7 +46,6 @@ class _Program:
     kernel: Source
     arithmetic: Source
     algebra: Mapping[str, Function]
-    quantities: Mapping[str, Quantity]
     texts: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
@@ -108,7 +105,7 @@ class _Program:
         """The function of generated algebra on double-doubles, and the kind of its result."""
         if name not in self.functions:
             function = self.algebra[name]
-            text = definition(function, self.quantities)
+            text = definition(function)
             (tree,) = ast.parse(text).body
             assert isinstance(tree, ast.FunctionDef)
             for node in ast.walk(tree):

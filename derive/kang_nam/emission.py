@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 
 from ..emit import language, targets, wide, write
@@ -34,7 +33,7 @@ def render(outcome: ledger.Ledger) -> dict[str, str]:
     given = material(digest)
     return {
         **targets.render(given),
-        "ledger.json": json.dumps(ledger.as_dict(outcome, digest), indent=1, ensure_ascii=False) + "\n",
+        "ledger.json": write.as_json(ledger.as_dict(outcome, digest)),
         "LEDGER.md": ledger.markdown(outcome, given.header),
     }
 
@@ -59,7 +58,7 @@ def material(digest: str) -> targets.Material:
         summary=SUMMARY,
         runtime=own_files(),
         arithmetic=arithmetic,
-        widened=wide.widened(solver, arithmetic, functions, nm.quantities(), WIDELY),
+        widened=wide.widened(solver, arithmetic, functions, WIDELY),
     )
 
 

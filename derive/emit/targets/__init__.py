@@ -14,7 +14,6 @@ What only one model has in a language stands with that model, and comes with the
 from __future__ import annotations
 
 import importlib
-import json
 import pkgutil
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -24,6 +23,7 @@ from pathlib import Path
 from ..function import Function, Module
 from ..language import NOTHING, Source, joined
 from ..quantities import Quantity
+from ..write import as_json
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def files(target: Target, material: Material) -> dict[str, str]:
         patterns = [pattern.format(library=material.library) for pattern in target.exported]
         names = [name for pattern in patterns for name in rendered if fnmatchcase(name, pattern)]
         entry = {"language": target.language, "title": target.title, "files": names}
-        rendered["target.json"] = json.dumps(entry, indent=1) + "\n"
+        rendered["target.json"] = as_json(entry)
     prefix = f"{target.folder}/" if target.folder else ""
     return {f"{prefix}{name}": text for name, text in rendered.items()}
 

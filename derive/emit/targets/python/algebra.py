@@ -22,7 +22,7 @@ BY_NAME: Mapping[type[sp.Basic], str] = {
 #: All that a language has a name for.
 NAMES = ("sqrt", "pi", *BY_NAME.values())
 
-_WIDTH = 112
+_WIDTH = 126
 _TIED = "\N{NO-BREAK SPACE}"
 
 
@@ -110,53 +110,68 @@ _PRINTER = AlgebraPrinter({"order": None})
 
 
 def render(module: Module, quantities: Mapping[str, Quantity], header: str) -> str:
-    """Source text of one generated module."""
-    needs_namespace = any(function.transcendental for function in module.functions)
+    """Source text of one generated module: its symbols with meanings and units once, then its functions."""
     imports = ["from ._broadcast import Number, broadcasting"]
-    if needs_namespace:
+    if any(function.transcendental for function in module.functions):
         imports = ["from types import ModuleType", "", "import numpy", "", *imports]
-    names = ",\n".join(f'    "{function.name}"' for function in module.functions)
-    parts = [
-        f'"""{module.summary}\n\n{textwrap.fill(header, 110)}\n"""',
+    return "\n\n\n".join([
+        head(module, {name: _meaning(quantity) for name, quantity in quantities.items()}, header, "\n".join(imports)),
+        *(definition(function) for function in module.functions),
+    ]) + "\n"  # fmt: skip
+
+
+def head(module: Module, meanings: Mapping[str, str], header: str, imports: str) -> str:
+    """All above the functions: what the module is, what its symbols are, imports and names."""
+    symbols = dict.fromkeys(str(symbol) for function in module.functions for symbol in function.accepted)
+    table = "\n".join(textwrap.fill(f"{name} : {meanings[name]}", _WIDTH - 2, subsequent_indent="    ") for name in symbols)
+    names = textwrap.fill(
+        ", ".join(f'"{function.name}"' for function in module.functions),
+        _WIDTH - 2,
+        initial_indent="    ",
+        subsequent_indent="    ",
+    )
+    return "\n\n".join([
+        f'"""{module.summary}\n\n{table}\n\n{textwrap.fill(header, _WIDTH - 2)}\n"""',
         "from __future__ import annotations",
-        "\n".join(imports),
+        imports,
         f"__all__ = [\n{names},\n]",
-        *(definition(function, quantities) for function in module.functions),
-    ]
-    return "\n\n".join(parts[:4]) + "\n\n\n" + "\n\n\n".join(parts[4:]) + "\n"
+    ])  # fmt: skip
 
 
-def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
-    """One function, from its decorator to its return statement; without quantities, in few lines."""
+def _meaning(quantity: Quantity) -> str:
+    return quantity.meaning + (f" [{quantity.unit}]" if quantity.unit != "1" else "")
+
+
+def definition(function: Function) -> str:
+    """One function: its signature, what it is with its equations and operations, and its body."""
     body = straight_line(function)
     arguments = [f"{symbol}: Number" for symbol in function.arguments]
     arguments += [f"{symbol}: Number = 0" for symbol in function.further]
     if function.transcendental:
         arguments += ["*", "xp: ModuleType = numpy"]
+    returned = "tuple[Number, ...]" if isinstance(function.results, tuple) else "Number"
     signature = f"def {function.name}({', '.join(arguments)}) -> {_annotation(function.results)}:"
-    if len(signature) > _WIDTH and not quantities:
+    if len(signature) > _WIDTH:
+        signature = f"def {function.name}({', '.join(arguments)}) -> {returned}:"
+    if len(signature) > _WIDTH:
         tied = [argument.replace(" ", _TIED) for argument in arguments]  # a type stays on the line of its name
         listed = textwrap.fill(", ".join(tied), _WIDTH - 4, initial_indent="    ", subsequent_indent="    ").replace(_TIED, " ")
-        returned = "tuple[Number, ...]" if isinstance(function.results, tuple) else "Number"
         signature = f"def {function.name}(\n{listed},\n) -> {returned}:"
-    elif len(signature) > _WIDTH:
-        listed = "".join(f"    {argument},\n" for argument in arguments)
-        signature = f"def {function.name}(\n{listed}) -> {_annotation(function.results)}:"
     lines = [
         "@broadcasting",
         signature,
-        textwrap.indent(_docstring(function, quantities, body.operations), "    "),
-        *_statements(function, body, bool(quantities)),
+        textwrap.indent(_docstring(function, body.operations), "    "),
+        *_statements(function, body),
     ]
     return "\n".join(lines)
 
 
-def _statements(function: Function, body: Body, shared: bool) -> list[str]:
+def _statements(function: Function, body: Body) -> list[str]:
     """Assignments and the return statement; where a fraction stands by itself, after a 1 of the arguments' number type."""
     try:
         return _printed(body, _PRINTER)
     except RoundedError:
-        if shared or not function.accepted:
+        if not function.accepted:
             raise
     printer = AlgebraPrinter({"order": None})
     printer.one = "one"
@@ -212,23 +227,8 @@ def _wrap(line: str) -> str:
     return f"{indent}{head}{separator}(\n" + "\n".join(f"{indent}    {piece}" for piece in pieces) + f"\n{indent})"
 
 
-def _docstring(function: Function, quantities: Mapping[str, Quantity], operations: int) -> str:
-    if not quantities:
-        return f'"""{textwrap.fill(function.summary, _WIDTH - 8)}\n\nReturns {function.returns}. Operations: {operations}.\n"""'
-    described = []
-    for symbol in function.accepted:
-        entry = quantities[str(symbol)]
-        optional = ", optional" if symbol in function.further else ""
-        described.append(
-            f"{symbol} : number or array{optional}\n    {entry.meaning}" + (f" [{entry.unit}]" if entry.unit != "1" else "")
-        )
-    if function.transcendental:
-        described.append("xp : module\n    Namespace with ``sqrt``, ``exp`` and ``sign`` for the number type: numpy, mpmath.")
-    returned = "number or array" if not isinstance(function.results, tuple) else "tuple"
-    return (
-        f'"""{textwrap.fill(function.summary, _WIDTH - 8)}\n\n'
-        "Parameters\n----------\n" + "\n".join(described) + "\n\n"
-        f"Returns\n-------\n{returned}\n    {function.returns}, of the shape of all arguments together.\n\n"
-        f"Notes\n-----\nSource: {function.equations}. Operations: {operations}.\n"
-        '"""'
-    )
+def _docstring(function: Function, operations: int) -> str:
+    """What it is, its results, equations and operations; what its arguments are stands at the head of the module."""
+    source = f" Source: {function.equations}." if function.equations else ""
+    text = f'"""{function.summary} Returns {function.returns}.{source} Operations: {operations}."""'
+    return textwrap.fill(text, _WIDTH - 4, break_long_words=False, break_on_hyphens=False)

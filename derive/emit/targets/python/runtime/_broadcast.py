@@ -38,7 +38,19 @@ def broadcasting(function: Callable[_P, _R]) -> Callable[_P, _R]:
         shared: _R = result
         return shared
 
+    shaped.__doc__ = _documentation(function)
     return shaped
+
+
+def _documentation(function: Callable[..., Any]) -> str:
+    """What ``help`` shows: the function's own text, and its arguments by the table at the head of its module."""
+    table = dict(line.split(" : ", 1) for line in (function.__globals__["__doc__"] or "").splitlines() if " : " in line)
+    code = function.__code__
+    names = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
+    described = "".join(f"{name} : number or array\n    {table[name]}\n" for name in names if name in table)
+    if "xp" in names:
+        described += "xp : module\n    namespace of the functions for the number type: numpy, mpmath\n"
+    return f"{' '.join((function.__doc__ or '').split())}\n\nParameters\n----------\n{described}"
 
 
 def _fill(result: Any, shape: tuple[int, ...], dtype: Any) -> Any:

@@ -298,7 +298,7 @@ def test_what_varies_by_itself_is_a_parameter_of_the_model(tmp_path: Path) -> No
     with pytest.raises(ss.ParameterError, match="give vary, two of"):
         model.cusps(model.Parameters())
     assert ss.load("two_springs").axes == ("theta0", "mu0")
-    assert ss.load("stick_slip").axes == ("mu0",)
+    assert ss.load("mode_coupling").axes == ("mu0",)
 
 
 @pytest.mark.parametrize("name", ["two_springs", "mode_coupling"])

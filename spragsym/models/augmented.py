@@ -100,6 +100,7 @@ class Augmented(Plain):
     def __init__(self, balance: Balance, vary: Sequence[str], condition: Condition) -> None:
         self.balance, self.vary, self.condition = balance, list(vary), condition
         self.n = balance.n + len(self.vary)
+        self.opens, self.sides = balance.opens, balance.sides
 
     def prepared(self, bounds: Intervals) -> Intervals:
         """As for the balance; what is an unknown is replaced at each evaluation."""
@@ -112,6 +113,11 @@ class Augmented(Plain):
         n = self.balance.n
         changed = dict(zip(self.vary, unknowns[n:], strict=True))
         return State(self.balance, unknowns[:n], self.balance.arguments(parameters, changed), shape, sides=sides)
+
+    def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """The gap of the contact over boxes, shape (N,)."""
+        shape = unknowns.shape[1:]
+        return stacked([self.state(list(unknowns), parameters, shape).gap()], shape)[0]
 
     def residuals(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
         """Forces and condition over boxes."""

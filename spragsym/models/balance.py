@@ -109,8 +109,18 @@ class Balance(Forces):
         """Boxes that lie on the other side of the contact's border."""
         if not self.opens:
             return np.zeros(shape, dtype=np.bool_)
-        gap = stacked([self.gap(q, values)], shape)[0]
-        return gap.low > 0 if self.contact else gap.high < 0
+        return self.sides(stacked([self.gap(q, values)], shape)[0])[1]
+
+    def sides(self, gap: Intervals) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+        """Gaps on this side of the contact's border or on it, and gaps beyond it."""
+        if self.contact:
+            return gap.high <= self.room, gap.low > self.room
+        return gap.low >= -self.room, gap.high < -self.room
+
+    def gap_over(self, unknowns: Intervals, parameters: Intervals) -> Intervals:
+        """The gap of the contact over boxes, shape (N,)."""
+        q, values, shape = self._taken(unknowns, parameters)
+        return stacked([self.gap(q, values)], shape)[0]
 
     def _no_direction(
         self, q: Sequence[Intervals], values: Mapping[str, Any], shape: tuple[int, ...], spring: int

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,9 +18,11 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
 from .balance import Balance
+from .border import BITS, on_its_side
 from .columns import Columns
 from .forces import Model
 from .precise import (
+    PreciseBalance,
     assembled,
     at,
     boxes_of,
@@ -185,8 +188,9 @@ def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool
 
 
 def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
-    """The same roots, those that are known to few digits in narrower boxes; angles that come around once each."""
+    """The same roots, those known to few digits in narrower boxes, on their side of the border; angles that come around once."""
     found = replace(found, ends=refined(balance, given, found.ends, found.point, precise_forces(balance)))
+    found = on_its_side(balance, given, found, partial(PreciseBalance, balance, bits=BITS))
     return once_around(balance, found)
 
 

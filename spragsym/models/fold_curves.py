@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from ..exact import contractors
 from ..exact.interval_arrays import FloatArray, Intervals
 from .augmented import Augmented
+from .border import on_side
 
 #: How far a curve may be from the straight line between two neighbours, over the ranges of the parameters.
 SMOOTH = 2e-4
@@ -109,7 +110,7 @@ class FoldCurves:
         return states, good
 
     def _proved(self, states: FloatArray, normal: FloatArray) -> NDArray[np.bool_]:
-        """Whether there is a fold next to each state with the same value of the unknown that the normal points along most."""
+        """Whether a fold in contact is next to each state, with the same value of what the normal points along most."""
         count, columns = len(self.scale), np.arange(states.shape[1])
         fixed = np.abs(normal).argmax(axis=0)
         free = np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64).reshape(-1, count - 1).T
@@ -119,7 +120,8 @@ class FoldCurves:
         slopes = self._slopes(Intervals(wide)).ends[:, :, free, columns]
         reach = contractors.distance(wide, states)[free, columns]
         step = contractors.newton(self._values(states), Intervals(slopes), states[free, columns], reach)
-        return contractors.inside(step.ends, wide[:, free, columns])
+        closed = on_side(self.system, self._fixed(states.shape[1]), wide)[0]
+        return closed & contractors.inside(step.ends, wide[:, free, columns])
 
     def _values(self, states: FloatArray) -> Intervals:
         return self.system.residuals(Intervals.point(states), self._fixed(states.shape[1]))

@@ -39,8 +39,10 @@ class Forces:
     generated functions, once for each node of the tree of points.
     """
 
-    def __init__(self, model: Model, contact: bool, law: str = "friction_at_rest") -> None:
+    def __init__(self, model: Model, contact: bool, law: str = "friction_at_rest", room: float = 0.0) -> None:
         about = model.about
+        #: How far beyond the contact's border states count, too: 0 but where those on it are looked for.
+        self.room = room
         #: The generated function that gives μ; ``"friction_at_speed"`` is for a motion that has come to rest.
         self.law = law
         self.model, self.contact = model, contact
@@ -72,13 +74,14 @@ class Forces:
         #: Numbers of coordinates that are angles after a turn of which all is as before: one turn of each is searched.
         self.around = [place for place, entry in enumerate(about["coordinates"]) if entry.get("comes_around")]
         self.border[:, self.around] = TURN
+        #: Beyond them the forces are not asked for.
+        self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border.copy()
+        self.border += room
         #: Sums of rows without forces between coordinates, where there are such: they vanish together with the forces, and what
         #: cancels in them is not lost in boxes.
         self.sums = {"forces": "balance", "forces_jacobian": "balance_jacobian"} if hasattr(model.statics, "balance") else {}
         #: Whether the sign of the slope of the friction law can be told where that is too small for floats.
         self.slope_is_a_sum = hasattr(model.linearization, "friction_slope_by_sizes")
-        #: Beyond them the forces are not asked for.
-        self.limits = np.full((2, self.n), np.inf) if about["contact"].get("polynomial") else self.border
 
     # ------------------------------------------------------------------------------------------- arguments
 

@@ -181,8 +181,7 @@ class _Way:
         """Where an equilibrium gets into contact or out of it."""
         if not self.balance.opens:
             return []
-        beyond = Balance(self.model, contact=True)
-        beyond.border = beyond.border + OVER_BORDER
+        beyond = Balance(self.model, contact=True, room=OVER_BORDER)
         given = given_column(self.p, beyond.parameters, (self.vary,))
         found = search(beyond, (self.vary,), Touch(), given, np.array([span]))
         points = arranged(beyond, (self.vary,), given, found, np.full(found.roots.point.size, "border"))

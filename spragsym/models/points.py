@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,10 +18,11 @@ from ..parameters import as_numbers
 from . import near_zero
 from .augmented import Augmented, Condition
 from .balance import Balance
+from .border import BITS, on_its_side
 from .columns import Columns
 from .ends import shared
 from .forces import Model
-from .precise_points import settled
+from .precise_points import PreciseAugmented, settled
 from .regions import region
 from .turns import once_around
 
@@ -148,6 +150,7 @@ def search(
         around = np.concatenate([around[:, :-1], [[[-near_zero.LEAST]], around[1:, -1]]], axis=1)
     if alone:
         roots = settled(system, fixed, around, roots)
+    roots = on_its_side(system, fixed, roots, partial(PreciseAugmented, system, bits=BITS))
     roots = once_around(balance, roots)
     if alone:
         dropped = shared(system, given, spans[0], roots.left)

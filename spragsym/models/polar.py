@@ -46,11 +46,12 @@ from ..exact import ball_functions, boxes, jets
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from ..exact.interval_functions import cos, sin
 from ..exact.interval_functions import length as interval_length
+from ..exact.krawczyk import ball
 from ..exact.reduction import Evaluate
 from .balance import Balance, matrix
 from .directions import direction
 from .laws import XP
-from .precise import PreciseBalance, ball
+from .precise import PreciseBalance
 
 #: Bound, in units of 2⁻⁵² relative, on the error of NumPy's arctangent.
 ARCTAN_ULPS = 8.0
@@ -237,7 +238,7 @@ class Polar(boxes.Plain):
 
     def precise(self, given: FloatArray, bits: int) -> Evaluate:
         """The equations of balls."""
-        values, scale = PreciseBalance(self.balance, given[:-1], bits).values, ball(float(given[-1]), bits)
+        values, scale = PreciseBalance(self.balance, given[:-1], bits).arguments, ball(float(given[-1]), bits)
         return lambda unknowns: self.rows(unknowns, values, scale, _BALLS)
 
 

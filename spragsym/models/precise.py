@@ -18,7 +18,8 @@ from ..exact.ball_functions import XP
 from ..exact.boxes import POLE, System
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
-from ..exact.intervals import Ball, Balls
+from ..exact.intervals import Balls
+from ..exact.krawczyk import ball
 from ..exact.polynomials import Undecided
 from ..exact.reduction import Evaluate, Reduced, reduced_roots
 from .balance import Balance
@@ -44,8 +45,8 @@ class PreciseBalance:
     """Forces of a balance at one point, of balls or jets of balls; ``spans`` are parameters that lie in a range."""
 
     def __init__(self, balance: Balance, given: FloatArray, bits: int, spans: Spans = MappingProxyType({})) -> None:
-        self.balance = balance
-        self.values: dict[str, Any] = {}
+        self.balance, self.bits = balance, bits
+        self.arguments: dict[str, Any] = {}
         for name, number in zip(balance.parameters, given, strict=True):
             if name in spans:
                 with Balls().precision(bits):
@@ -53,20 +54,25 @@ class PreciseBalance:
             else:
                 value = ball(float(number), bits)
             if name in balance.angles:
-                self.values |= zip(balance.angles[name], Balls().cos_sin(value), strict=True)
-            self.values[name] = value
+                self.arguments |= zip(balance.angles[name], Balls().cos_sin(value), strict=True)
+            self.arguments[name] = value
 
-    def forces(self, q: Sequence[Any]) -> Sequence[Any]:
-        """The balance."""
-        directions = self.balance.plain_directions(q, self.values, XP)
-        rows: Sequence[Any] = self.balance.call("forces", q, directions, self.values, XP)
+    def values(self, unknowns: Sequence[Any]) -> Sequence[Any]:
+        """Forces at coordinates."""
+        return self._called("forces", unknowns)
+
+    def slopes(self, unknowns: Sequence[Any]) -> Sequence[Sequence[Any]]:
+        """Stiffness at coordinates."""
+        return self._called("forces_jacobian", unknowns)
+
+    def gap(self, unknowns: Sequence[Any]) -> Any:
+        """Gap of the contact at coordinates."""
+        return self.balance.gap(unknowns, self.arguments, XP)
+
+    def _called(self, name: str, q: Sequence[Any]) -> Sequence[Any]:
+        directions = self.balance.plain_directions(q, self.arguments, XP)
+        rows: Sequence[Any] = self.balance.call(name, q, directions, self.arguments, XP)
         return rows
-
-
-def ball(value: float, bits: int) -> Ball:
-    """A float, exactly."""
-    numerator, denominator = value.as_integer_ratio()
-    return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
 
 
 def unsettled(found: Roots) -> NDArray[np.int64]:
@@ -107,7 +113,7 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
 
 def precise_forces(balance: Balance) -> Precise:
     """The balance at a point of parameters with a number of bits."""
-    return lambda given, bits: PreciseBalance(balance, given, bits).forces
+    return lambda given, bits: PreciseBalance(balance, given, bits).values
 
 
 def settled_by_digits(system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise) -> Roots:

@@ -8,7 +8,6 @@ brings them down to one unknown.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,6 +16,7 @@ from ..exact import contractors
 from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
+from ..exact.jets import constant, gradient, variables
 from .augmented import Augmented, State
 from .precise import PreciseBalance, assembled, boxes_of, clusters, reduced, replaced, unsettled, widened, with_digits
 
@@ -48,7 +48,7 @@ def settled(system: Augmented, given: FloatArray, region: FloatArray, found: Roo
         return found
 
     def precise(bits: int) -> Any:
-        return partial(_values, system, PreciseBalance(system.balance, given[:, 0], bits))
+        return PreciseAugmented(system, given[:, 0], bits).rows
 
     n = region.shape[1]
     parts = [with_digits(0, n, reduced(system, given[:, 0], widened(hulls[:, :, k]), precise)) for k in range(owner.size)]
@@ -65,13 +65,36 @@ def _or_known(found: Roots, hull: FloatArray, part: Roots) -> Roots:
     return Roots(found.ends[:, :, inside], found.alone[:, :, inside], found.point[inside], *none)
 
 
-def _values(system: Augmented, base: PreciseBalance, unknowns: Sequence[Any]) -> Sequence[Any]:
-    """Forces and condition, of balls or jets of balls."""
-    n = system.balance.n
-    values = dict(base.values)
-    for name, value in zip(system.vary, unknowns[n:], strict=True):
-        if name in system.balance.angles:
-            values |= zip(system.balance.angles[name], cosine_and_sine(value), strict=True)
-        values[name] = value
-    at = State(system.balance, unknowns[:n], values, (), xp=XP)
-    return [*at.forces(), *system.condition.equations(at)]
+class PreciseAugmented:
+    """Balance and condition of balls at one point of the parameters that do not vary; ``order`` of a cusp included."""
+
+    def __init__(self, system: Augmented, given: FloatArray, bits: int) -> None:
+        self.system, self.bits = system, bits
+        self.base = PreciseBalance(system.balance, np.nan_to_num(given), bits)
+
+    def rows(self, unknowns: Sequence[Any]) -> list[Any]:
+        """Forces and condition, of balls or jets of balls."""
+        at = self._state(unknowns)
+        return [*at.forces(), *self.system.condition.equations(at)]
+
+    def values(self, unknowns: Sequence[Any]) -> list[Any]:
+        """The same at balls."""
+        order = self.system.condition.order
+        return [constant(row) for row in self.rows(variables(unknowns, order) if order else unknowns)]
+
+    def slopes(self, unknowns: Sequence[Any]) -> list[list[Any]]:
+        """Their slopes."""
+        return [gradient(row, self.system.n) for row in self.rows(variables(unknowns, self.system.condition.order + 1))]
+
+    def gap(self, unknowns: Sequence[Any]) -> Any:
+        """Gap of the contact."""
+        return self._state(unknowns).gap()
+
+    def _state(self, unknowns: Sequence[Any]) -> State:
+        n, balance = self.system.balance.n, self.system.balance
+        values = dict(self.base.arguments)
+        for name, value in zip(self.system.vary, unknowns[n:], strict=True):
+            if name in balance.angles:
+                values |= zip(balance.angles[name], cosine_and_sine(value), strict=True)
+            values[name] = value
+        return State(balance, unknowns[:n], values, (), xp=XP)

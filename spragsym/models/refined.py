@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,9 +9,9 @@ from ..exact import contractors
 from ..exact.boxes import System
 from ..exact.certified_roots import relative_error
 from ..exact.interval_arrays import FloatArray, Intervals
-from ..exact.intervals import Ball, Balls
+from ..exact.krawczyk import as_intervals, ball
 from ..exact.polynomials import Undecided
-from .precise import BITS, TOLERANCE, Precise, ball
+from .precise import BITS, TOLERANCE, Precise
 
 #: Steps of interval Newton, of which each doubles the number of digits.
 STEPS = 8
@@ -72,10 +70,3 @@ def _narrowed(system: System, given: FloatArray, ends: FloatArray, precise: Prec
             break
         ends = new
     return ends
-
-
-def as_intervals(values: Sequence[Ball]) -> Intervals:
-    """Balls as intervals of floats, shape (numbers, 1)."""
-    bounds = [Balls().ends(value) for value in values]
-    ends = np.array([[-float(low) for low, _ in bounds], [float(high) for _, high in bounds]])
-    return Intervals(np.nextafter(ends, np.inf)[:, :, None])  # a float is the nearest to its end, or the next one

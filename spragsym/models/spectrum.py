@@ -8,26 +8,23 @@ their elementary symmetric functions is. Signs come from intervals around the st
 from __future__ import annotations
 
 from collections.abc import Sequence
-from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..exact import contractors
 from ..exact.ball_functions import XP as BALLS
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
-from ..exact.intervals import Ball, Balls
+from ..exact.intervals import Balls
+from ..exact.krawczyk import as_balls, narrowed
 from ..exact.polynomials import Undecided
 from ..statics.solver import Stability
 from .balance import NOTHING, Balance, matrix
 from .conditions import Polynomial, determinant
-from .precise import PreciseBalance, ball
+from .precise import PreciseBalance
 
-#: Bits of the numbers where intervals of floats do not tell a sign, and steps of Newton's method.
-BITS, STEPS = 256, 40
-#: Step of Newton's method after which there is no further one.
-ENOUGH = Fraction(1, 2**160)
+#: Bits of the numbers where intervals of floats do not tell a sign.
+BITS = 256
 
 
 def classified(
@@ -104,74 +101,13 @@ def _with_digits(
     """The signs at one state with many digits; None where the box around it can't be made smaller."""
     precise = PreciseBalance(balance, given, BITS)
     try:
-        q = _narrowed(precise, box, alone)
+        q = narrowed(precise, box, alone)
         if q is None:
             return None
-        directions = balance.plain_directions(q, precise.values, BALLS)
-        K = balance.by_coordinate("forces_jacobian", q, directions, precise.values, BALLS)
-        parts = invariants(_as_balls(K), _as_balls(balance.mass(q, precise.values, BALLS)))
+        directions = balance.plain_directions(q, precise.arguments, BALLS)
+        K = balance.by_coordinate("forces_jacobian", q, directions, precise.arguments, BALLS)
+        parts = invariants(as_balls(K, BITS), as_balls(balance.mass(q, precise.arguments, BALLS), BITS))
     except (Undecided, ZeroDivisionError):
         return None
     elementary, minors = (np.array([[Balls().sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts)
     return elementary, minors
-
-
-def _narrowed(precise: PreciseBalance, box: FloatArray, alone: FloatArray) -> list[Ball] | None:
-    """A box of balls around the root in a box of floats; both of shape (2, n).
-
-    Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r around z, and r not less than
-    2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so it holds a root, the only one of ``alone``.
-    """
-    z = [ball(float(value), BITS) for value in Intervals(box).middle]
-    for _ in range(STEPS):
-        Y = _inverse(_slopes(precise, z))
-        step = [_dot(row, precise.forces(z)) for row in Y]
-        size = _norm(step)
-        if size <= ENOUGH:
-            return _proved(precise, z, 2 * size, Y, alone)
-        z = [Balls().middle(part - change) for part, change in zip(z, step, strict=True)]
-    return None
-
-
-def _proved(
-    precise: PreciseBalance, z: Sequence[Ball], r: Fraction, Y: Sequence[Sequence[Ball]], alone: FloatArray
-) -> list[Ball] | None:
-    """The box of half-width r around z if it is shown to hold the root."""
-    with Balls().precision(BITS):
-        around = [part + Balls().between(-r, r) for part in z]
-    columns = list(zip(*_slopes(precise, around), strict=True))
-    off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
-    within = all(
-        Fraction(-float(low)) <= Balls().ends(part)[0] and Balls().ends(part)[1] <= Fraction(float(high))
-        for part, (low, high) in zip(around, alone.T, strict=True)
-    )
-    return around if within and max(map(_norm, off)) <= Fraction(1, 2) else None
-
-
-def _slopes(precise: PreciseBalance, q: Sequence[Ball]) -> list[list[Ball]]:
-    """Slopes of the forces in a box."""
-    balance = precise.balance
-    return _as_balls(
-        balance.call("forces_jacobian", q, balance.plain_directions(q, precise.values, BALLS), precise.values, BALLS)
-    )
-
-
-def _inverse(rows: Sequence[Sequence[Ball]]) -> list[list[Ball]]:
-    """The inverse of the matrix of middles, roughly, of balls without width."""
-    middles = np.array([[float(sum(Balls().ends(entry)) / 2) for entry in row] for row in rows])
-    with np.errstate(all="ignore"):
-        return [[ball(float(entry), BITS) for entry in row] for row in contractors.inverse(middles[:, :, None])[:, :, 0]]
-
-
-def _dot(row: Sequence[Ball], column: Sequence[Ball]) -> Ball:
-    return sum((a * b for a, b in zip(row, column, strict=True)), Ball(0, 0, 0, BITS))
-
-
-def _norm(values: Sequence[Ball]) -> Fraction:
-    """Bound on the sum of |x|."""
-    return sum((max(map(abs, Balls().ends(value))) for value in values), Fraction(0))
-
-
-def _as_balls(rows: Sequence[Sequence[Any]]) -> list[list[Ball]]:
-    """Entries that are numbers as balls, too."""
-    return [[entry if isinstance(entry, Ball) else ball(float(entry), BITS) for entry in row] for row in rows]

@@ -28,9 +28,10 @@ from ..exact.intervals import Balls
 from ..exact.jets import constant, gradient, variables
 from ..exact.polynomials import Undecided
 from ..exact.reduction import third_derivative
-from .augmented import State
+from .augmented import Augmented, State
 from .balance import NOTHING, Balance, matrix
-from .conditions import determinant
+from .border import on_side
+from .conditions import Fold, determinant
 from .points import Found
 from .precise import PreciseBalance, clusters
 from .regions import region
@@ -144,14 +145,16 @@ def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatA
     if not odd:
         return found, 0
     known = pitchforks(balance, vary, given, span, odd)
+    inside, beyond = _on_side(balance, vary, given, known.ends)
     left = found.roots.left
     open_boxes = np.ones(left.shape[2], dtype=np.bool_)
     decided = []
     for hull in np.moveaxis(clusters(left, found.roots.left_point)[0], 2, 0):
         here = np.flatnonzero(contractors.within(known.ends, hull[:, :, None]))
         alone = contractors.apart(known.left, hull[:, :, None]).all()
-        if alone and here.size == 1 and only_fold(balance, vary, given, hull, odd):
-            decided.append(int(here[0]))
+        sure = alone and here.size == 1 and (inside | beyond)[here[0]]
+        if sure and only_fold(balance, vary, given, hull, odd):
+            decided += [int(here[0])] if inside[here[0]] else []
             open_boxes &= ~contractors.within(left, hull[:, :, None])
     roots, point = found.roots, np.zeros(len(decided), dtype=np.int64)
     every = Roots(
@@ -162,6 +165,12 @@ def with_pitchforks(balance: Balance, vary: str, given: FloatArray, span: FloatA
         roots.left_point[open_boxes],
     )
     return replace(found, roots=every), len(decided)
+
+
+def _on_side(balance: Balance, vary: str, given: FloatArray, ends: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Pitchforks in contact, and such beyond its border."""
+    system = Augmented(balance, (vary,), Fold())
+    return on_side(system, system.prepared(Intervals.point(np.repeat(np.nan_to_num(given), ends.shape[2], axis=1))), ends)
 
 
 def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, odd: Sequence[int]) -> bool:
@@ -181,6 +190,6 @@ def only_fold(balance: Balance, vary: str, given: FloatArray, box: FloatArray, o
     precise = PreciseBalance(balance, given[:, 0], BITS, {vary: (Fraction(-float(box[0, -1])), Fraction(float(box[1, -1])))})
     whole = [(Fraction(-float(wide[0, i])), Fraction(float(wide[1, i]))) for i in range(n)]
     try:
-        return bool(Balls().sign(third_derivative(precise.forces, whole, slopes, BITS, odd)))
+        return bool(Balls().sign(third_derivative(precise.values, whole, slopes, BITS, odd)))
     except Undecided:
         return False

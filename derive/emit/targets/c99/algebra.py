@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -132,15 +132,15 @@ def wrapper(function: Function, library: str) -> str:
     )
 
 
-def prototype(function: Function, quantities: Mapping[str, Quantity], library: str) -> str:
-    """The declaration of the public function, with what its arguments mean."""
-    meanings = {_name(symbol): plain(quantities[str(symbol)].meaning) for symbol in function.arguments}
-    described = "".join(f" * @param {name} {text}\n" for name, text in meanings.items())
+def prototype(function: Function, library: str) -> str:
+    """The declaration of the public function."""
     operations = straight_line(function).operations
-    summary = textwrap.fill(plain(f"{function.summary} Source: {function.equations}."), 118, subsequent_indent=" * ")
-    return (
-        f"\n/**\n * {summary}\n{described}"
-        f" * @param result {plain(function.returns)}\n * Operations: {operations}.\n */\n"
-        + _signature(f"{library}_status {library}_{function.name}", function, _result(function))
-        + ";\n"
-    )
+    text = f"{function.summary} Result: {function.returns}. Source: {function.equations}. Operations: {operations}."
+    said = textwrap.fill(plain(text), 114, initial_indent="/** ", subsequent_indent=" * ")
+    return f"\n{said} */\n" + _signature(f"{library}_status {library}_{function.name}", function, _result(function)) + ";\n"
+
+
+def symbols(functions: Iterable[Function], quantities: Mapping[str, Quantity]) -> str:
+    """What every argument of the public functions is, as lines of a comment."""
+    names = dict.fromkeys(symbol for function in functions for symbol in function.arguments)
+    return "\n * ".join(f"{_name(symbol)}: {plain(quantities[str(symbol)].meaning)}" for symbol in names)

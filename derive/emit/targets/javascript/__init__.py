@@ -44,7 +44,8 @@ def _words(material: Material) -> dict[str, str]:
         "base": json.dumps(dict(material.base_values)),
         "typed_base": " ".join(f"{name}: number;" for name in material.base_values),
         "ranges": _ranges(material),
-        "algebra": "\n".join(algebra.definition(it, material.quantities, f"algebra_{name}") for name, it in functions.items()),
+        "symbols": algebra.symbols(functions.values(), material.quantities),
+        "algebra": "\n".join(algebra.definition(it, f"algebra_{name}") for name, it in functions.items()),
         "table": "".join(f"  {name}: algebra_{name},\n" for name in functions),
         "members": "".join(algebra.declaration(it) for it in functions.values()),
     }

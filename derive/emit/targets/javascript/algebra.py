@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import ClassVar
 
 from ...function import Function, Results
@@ -23,12 +23,12 @@ class JavaScriptPrinter(DividingPrinter):
 _PRINTER = JavaScriptPrinter({"order": None})
 
 
-def definition(function: Function, quantities: Mapping[str, Quantity], name: str) -> str:
-    """One function with its documentation: one result is returned as a number, several as an array, nested as in Python."""
+def definition(function: Function, name: str) -> str:
+    """One function: one result is returned as a number, several as an array, nested as in Python."""
     body = straight_line(function)
     given = [f"{symbol} = 0" if symbol in function.further else str(symbol) for symbol in function.accepted]
     return "\n".join([
-        documentation(function, quantities, body.operations),
+        _comment(f"{function.summary} Source: {function.equations}. Operations: {body.operations}."),
         _wrapped(f"function {name}({', '.join(given)}) {{"),
         *(_wrapped(f"  const {symbol} = {_PRINTER.doprint(expression)};") for symbol, expression in body.assignments),
         _wrapped(f"  return {_nested(body.results)};"),
@@ -36,12 +36,14 @@ def definition(function: Function, quantities: Mapping[str, Quantity], name: str
     ])  # fmt: skip
 
 
-def documentation(function: Function, quantities: Mapping[str, Quantity], operations: int) -> str:
-    """The comment above a function, as TypeScript and editors read it."""
-    said = textwrap.wrap(f"{function.summary} Source: {function.equations}. Operations: {operations}.", _WIDTH - 4)
-    said += [f"@param {{number}} {symbol} {quantities[str(symbol)].meaning}" for symbol in function.accepted]
-    said.append(f"@returns {{{_type(function.results)}}} {function.returns}")
-    return "/**\n" + "".join(f" * {line}\n" for line in said) + " */"
+def symbols(functions: Iterable[Function], quantities: Mapping[str, Quantity]) -> str:
+    """What every argument of the algebra is, as a comment."""
+    names = dict.fromkeys(str(symbol) for function in functions for symbol in function.accepted)
+    return "".join(f"{_comment(f'{name}: {quantities[name].meaning}')}\n" for name in names)
+
+
+def _comment(text: str) -> str:
+    return textwrap.fill(text, _WIDTH, initial_indent="// ", subsequent_indent="// ")
 
 
 def declaration(function: Function) -> str:

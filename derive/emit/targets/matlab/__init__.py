@@ -23,7 +23,7 @@ def render(material: Material) -> dict[str, str]:
     """The files of the package, and examples."""
     package = f"+{material.library}"
     own = {name: text for name, text in material.runtime.get("matlab", {}).items() if name.endswith(".m")}
-    texts = {f"{package}/+algebra/{name}.m": algebra.definition(it, material.quantities) for name, it in material.algebra.items()}
+    texts = {f"{package}/+algebra/{name}.m": algebra.definition(it) for name, it in material.algebra.items()}
     if material.kernel.routines:
         texts |= {f"{package}/+kernel/{name}": text for name, text in kernel.render(material).items()}
         texts |= {f"{package}/+kernel/{name}": runtime(__file__, name) for name in _PRIMITIVES}
@@ -61,6 +61,9 @@ def _contents(material: Material, own: dict[str, str]) -> str:
     lines += ["", f"  {material.library}.algebra holds the generated algebra:"]
     for module in material.modules:
         lines += _listed(", ".join(it.name for it in module.functions), 4)
+    lines += ["", "  Their arguments:"]
+    for symbol in dict.fromkeys(str(symbol) for it in material.algebra.values() for symbol in it.accepted):
+        lines += _listed(f"{symbol:10} - {material.quantities[symbol].meaning}", 4)
     if material.kernel.routines:
         said = (ast.get_docstring(ast.parse(material.kernel.text)) or "").partition("\n")[0]
         lines += ["", *_listed(f"{material.library}.kernel: {said}", 2)]

@@ -9,11 +9,10 @@ from typing import ClassVar
 import sympy as sp
 
 from ...function import Function
-from ...quantities import Quantity
 from ...statements import flatten, straight_line
 from ..python.algebra import NAMES, DividingPrinter
 
-WIDTH = 110
+WIDTH = 124
 
 
 class MatlabPrinter(DividingPrinter):
@@ -30,7 +29,7 @@ def elementwise(expression: sp.Expr) -> str:
     return str(_PRINTER.doprint(expression)).replace("*", ".*").replace("/", "./")
 
 
-def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
+def definition(function: Function) -> str:
     """The file of one function."""
     body = straight_line(function)
     results = list(flatten(body.results))
@@ -39,13 +38,11 @@ def definition(function: Function, quantities: Mapping[str, Quantity]) -> str:
     returned = names[0] if len(names) == 1 else f"[{', '.join(names)}]"
     lines = [
         *wrapped(f"function {returned} = {function.name}({given})"),
-        *comment(f"{function.name.upper()}  {function.summary}", ""),
-        *comment(f"Returns {function.returns}, elements one after the other.", "  "),
-        "%",
-        *(line for symbol in function.accepted for line in comment(f"{symbol}: {quantities[str(symbol)].meaning}", "  ")),
-        "%",
-        *comment(f"Source: {function.equations}. Operations: {body.operations}.", "  "),
-    ]
+        *comment(
+            f"{function.name.upper()}  {function.summary} Returns {function.returns}, elements one after the other. "
+            f"Source: {function.equations}. Operations: {body.operations}.", ""
+        ),
+    ]  # fmt: skip
     if function.further:
         missing = len(function.arguments)
         for place, symbol in enumerate(function.further):

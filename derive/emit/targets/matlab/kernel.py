@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from ...expressions import Expressions, Syntax, number, places, printed
 from ...language import KernelError, Routine, Source, passes
 from .. import Material
-from .algebra import comment, wrapped
+from .algebra import WIDTH, comment, wrapped
 
 
 #: Names of functions that MATLAB and Octave have: Octave warns of others by that name, even in a package.
@@ -68,8 +68,9 @@ class _Printer:
         """Named numbers that this routine uses."""
         for name, (value, said) in self.numbers.items():
             if name in self.used:
-                yield from (f"  {line}" for line in comment(said, " ")) if said else ()
-                yield f"  {name} = {'Inf' if math.isinf(value) else number(value)};"
+                line = f"  {name} = {'Inf' if math.isinf(value) else number(value)};"
+                beside = f"{line}  % {said}" if said else line
+                yield from [beside] if len(beside) <= WIDTH else [*(f"  {above}" for above in comment(said, " ")), line]
 
     def explained(self, node: ast.stmt, indent: str) -> Iterator[str]:
         """A statement, below the comment that stands above it in the kernel."""

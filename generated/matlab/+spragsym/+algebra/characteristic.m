@@ -1,14 +1,6 @@
 function [result1, result2, result3, result4, result5] = characteristic(K11, K12, K21, K22, C11)
-%CHARACTERISTIC  Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27).
-%  Returns e4, e3, e2, e1, e0, elements one after the other.
-%
-%  K11: entry 1, 1 of the stiffness matrix
-%  K12: entry 1, 2 of the stiffness matrix
-%  K21: entry 2, 1 of the stiffness matrix
-%  K22: entry 2, 2 of the stiffness matrix
-%  C11: damping ∂F_x/∂x'
-%
-%  Source: (27) with damping. Operations: 5.
+%CHARACTERISTIC  Coefficients of det(λ² I + λ C + K), highest power first; C11 = 0 is (27). Returns e4, e3, e2, e1, e0,
+%  elements one after the other. Source: (27) with damping. Operations: 5.
   result1 = 1;
   result2 = C11;
   result3 = K11 + K22;

@@ -1,14 +1,6 @@
 function [result1, result2, result3, result4] = contact_matrix(L, mu0, alpha, sigma, beta)
-%CONTACT_MATRIX  D of the balance in contact.
-%  Returns ((D11, D12), (D21, D22)), elements one after the other.
-%
-%  L: spring length over L_0
-%  mu0: friction coefficient at full slip
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (17), (18). Operations: 12.
+%CONTACT_MATRIX  D of the balance in contact. Returns ((D11, D12), (D21, D22)), elements one after the other. Source: (17),
+%  (18). Operations: 12.
   p = alpha + sigma;
   M = mu0;
   B = beta + 1;

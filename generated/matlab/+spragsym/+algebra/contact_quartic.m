@@ -1,17 +1,6 @@
-function [result1, result2, result3, result4, result5] = contact_quartic(cos0, sin0, mu0, kappa, alpha, sigma, ...
-    beta)
-%CONTACT_QUARTIC  Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact.
-%  Returns c0, c1, c2, c3, c4, elements one after the other.
-%
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (21), (A1)–(A5). Operations: 45.
+function [result1, result2, result3, result4, result5] = contact_quartic(cos0, sin0, mu0, kappa, alpha, sigma, beta)
+%CONTACT_QUARTIC  Coefficients of c0 + c1 L + c2 L² + c3 L³ + c4 L⁴ = 0 in contact. Returns c0, c1, c2, c3, c4, elements one
+%  after the other. Source: (21), (A1)–(A5). Operations: 45.
   M = mu0;
   b1 = -M.*sin0 - alpha.*cos0;
   B = beta + 1;

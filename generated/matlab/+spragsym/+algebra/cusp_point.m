@@ -1,14 +1,6 @@
 function [result1, result2, result3] = cusp_point(sin, kappa, alpha, sigma, beta)
-%CUSP_POINT  sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second.
-%  Returns sin0, cos0/cos, mu0/cos, elements one after the other.
-%
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = f″ = 0. Operations: 45.
+%CUSP_POINT  sin θ₀, and cos θ₀ and μ₀ over cos θ, on a cusp. Needs α > 0 for the second. Returns sin0, cos0/cos, mu0/cos,
+%  elements one after the other. Source: f = f′ = f″ = 0. Operations: 45.
   B = beta + 1;
   p = alpha + sigma;
   q = B + sigma;

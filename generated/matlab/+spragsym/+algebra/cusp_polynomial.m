@@ -1,15 +1,7 @@
 function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10] = ...
     cusp_polynomial(kappa, alpha, sigma, beta)
-%CUSP_POLYNOMIAL  Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. Needs α
-%  > 0 and α ≠ 1 + β.
-%  Returns e0, …, e9, elements one after the other.
-%
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = f″ = 0. Operations: 103.
+%CUSP_POLYNOMIAL  Coefficients of e0 + … + e9 s⁹, whose real roots s = sin θ in (−1, 1) are all cusps. Needs α > 0 and α ≠ 1
+%  + β. Returns e0, …, e9, elements one after the other. Source: f = f′ = f″ = 0. Operations: 103.
   B = beta + 1;
   p = alpha + sigma;
   g0 = -4.*B.*p.*sigma;

@@ -1,13 +1,5 @@
 function [result1, result2] = cusp_sine(sin, kappa, alpha, sigma, beta)
-%CUSP_SINE  sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.
-%  Returns sin0, mu0/cos, elements one after the other.
-%
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
+%CUSP_SINE  sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0. Returns sin0, mu0/cos, elements one after the other.
 %  Source: f = f′ = f″ = 0. Operations: 19.
   B = beta + 1;
   p = alpha + sigma;

@@ -1,19 +1,7 @@
-function [result1, result2, result3, result4, result5, result6] = dimensionless_groups(m, k_c, L_0, F_L, k_x, ...
-    k, k_y, V_dim, d_dim)
-%DIMENSIONLESS_GROUPS  The dimensionless parameters of dimensional data.
-%  Returns kappa, alpha, sigma, beta, V, d, elements one after the other.
-%
-%  m: mass
-%  k_c: contact stiffness
-%  L_0: undeformed length of the inclined spring
-%  F_L: preload that presses the mass on the belt
-%  k_x: stiffness to ground along the belt
-%  k: stiffness of the inclined spring
-%  k_y: stiffness to ground across the belt
-%  V_dim: belt speed
-%  d_dim: steepness of the friction law in creep
-%
-%  Source: text after (9). Operations: 19.
+function [result1, result2, result3, result4, result5, result6] = dimensionless_groups(m, k_c, L_0, F_L, k_x, k, k_y, V_dim, ...
+    d_dim)
+%DIMENSIONLESS_GROUPS  The dimensionless parameters of dimensional data. Returns kappa, alpha, sigma, beta, V, d, elements
+%  one after the other. Source: text after (9). Operations: 19.
   result1 = F_L./(L_0.*k_c);
   result2 = k_x./k_c;
   result3 = k./k_c;

@@ -1,15 +1,5 @@
 function [result1, result2] = displacement(cos0, sin0, mu0, kappa, alpha, sigma, beta)
-%DISPLACEMENT  x and y at steady sliding with the spring's angle held at θ₀.
-%  Returns x, y, elements one after the other.
-%
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
+%DISPLACEMENT  x and y at steady sliding with the spring's angle held at θ₀. Returns x, y, elements one after the other.
 %  Source: (12), (13) linearized. Operations: 20.
   sin0_2 = sin0.*sin0;
   cos0_2 = cos0.*cos0;

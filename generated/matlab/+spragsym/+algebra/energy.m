@@ -1,19 +1,5 @@
 function result1 = energy(x, y, vx, vy, cos0, sin0, kappa, alpha, sigma, beta, nbar)
-%ENERGY  Kinetic and stored energy, the preload's included, over k_c L_0².
-%  Returns energy, elements one after the other.
-%
-%  x: displacement along the belt over L_0
-%  y: displacement across the belt over L_0, negative into the belt
-%  vx: dx/dτ
-%  vy: dy/dτ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%  nbar: 1 in contact, 0 in lift-off
-%
+%ENERGY  Kinetic and stored energy, the preload's included, over k_c L_0². Returns energy, elements one after the other.
 %  Source: (1), (2). Operations: 29.
   base0 = cos0 - x;
   base0_2 = base0.*base0;

@@ -1,18 +1,8 @@
-function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, ...
-    result12, result13, result14, result15, result16, result17, result18, result19, result20, result21, ...
-    result22, result23, result24] = f_changes(cos0, sin0, mu0, kappa, alpha, sigma, beta)
-%F_CHANGES  Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn.
-%  Returns ((a_θ₀, b_θ₀, d_θ₀, m_θ₀), …, (a_β, b_β, d_β, m_β)), elements one after the other.
-%
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (12), (13) eliminated. Operations: 26.
+function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, result12, ...
+    result13, result14, result15, result16, result17, result18, result19, result20, result21, result22, result23, result24] ...
+    = f_changes(cos0, sin0, mu0, kappa, alpha, sigma, beta)
+%F_CHANGES  Derivatives of a, b, d, m of f in contact by v = θ₀, μ₀, κ, α, σ, β in turn. Returns ((a_θ₀, b_θ₀, d_θ₀, m_θ₀),
+%  …, (a_β, b_β, d_β, m_β)), elements one after the other. Source: (12), (13) eliminated. Operations: 26.
   w0 = alpha + sigma;
   w1 = beta + 1;
   w2 = sigma + w1;

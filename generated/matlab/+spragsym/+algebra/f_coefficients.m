@@ -1,18 +1,6 @@
-function [result1, result2, result3, result4] = f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, ...
-    nbar)
-%F_COEFFICIENTS  a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)).
-%  Returns a, b, d, m, elements one after the other.
-%
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%  nbar: 1 in contact, 0 in lift-off
-%
-%  Source: (12), (13) eliminated. Operations: 17.
+function [result1, result2, result3, result4] = f_coefficients(cos0, sin0, mu0, kappa, alpha, sigma, beta, nbar)
+%F_COEFFICIENTS  a, b, d, m of f(θ) = a sin θ cos θ + b cos θ + d sin θ − m sin² θ = q sin θ F_x(θ, L(θ)). Returns a, b, d,
+%  m, elements one after the other. Source: (12), (13) eliminated. Operations: 17.
   B = beta + nbar;
   a_f = sigma.*(B - alpha);
   p = alpha + sigma;

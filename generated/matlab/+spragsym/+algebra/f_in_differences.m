@@ -1,19 +1,6 @@
-function [result1, result2, result3, result4] = f_in_differences(cos, sin, cos0, sin0, mu0, kappa, alpha, ...
-    sigma, beta)
-%F_IN_DIFFERENCES  f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept
-%  together: over a box of parameters, or near small deformation, little is lost.
-%  Returns f, f′, f_μ₀, f′_μ₀, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
+function [result1, result2, result3, result4] = f_in_differences(cos, sin, cos0, sin0, mu0, kappa, alpha, sigma, beta)
+%F_IN_DIFFERENCES  f, f′ and their derivatives by μ₀ in contact, with sin θ − sin θ₀ and cos θ₀ − cos θ kept together: over
+%  a box of parameters, or near small deformation, little is lost. Returns f, f′, f_μ₀, f′_μ₀, elements one after the other.
 %  Source: (12), (13) eliminated. Operations: 47.
   B = beta + 1;
   w0 = sin - sin0;
@@ -26,8 +13,8 @@ function [result1, result2, result3, result4] = f_in_differences(cos, sin, cos0,
   sin_2 = sin.*sin;
   w6 = cos.*(-w2 - w5);
   result1 = alpha.*(B.*(-cos.*sin0 + cos0.*sin) - cos.*kappa + w4.*w5) + cos.*sigma.*w1 + mu0.*w3;
-  result2 = alpha.*(B.*(cos.*cos0 + sin.*sin0) + kappa.*sin + sigma.*(cos.*w4 + sin_2)) + mu0.*w6 + ...
-      sigma.*(B.*cos_2 - sin.*w1);
+  result2 = alpha.*(B.*(cos.*cos0 + sin.*sin0) + kappa.*sin + sigma.*(cos.*w4 + sin_2)) + mu0.*w6 + sigma.*(B.*cos_2 - ...
+      sin.*w1);
   result3 = w3;
   result4 = w6;
 end

@@ -1,15 +1,5 @@
 function result1 = f_third(cos, sin, a_f, b_f, d_f, m_f)
-%F_THIRD  d³f/dθ³.
-%  Returns f‴, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  a_f: coefficient of sin θ cos θ in f
-%  b_f: coefficient of cos θ in f
-%  d_f: coefficient of sin θ in f
-%  m_f: coefficient of −sin² θ in f
-%
-%  Source: (12), (13) eliminated. Operations: 14.
+%F_THIRD  d³f/dθ³. Returns f‴, elements one after the other. Source: (12), (13) eliminated. Operations: 14.
   cos_2 = cos.*cos;
   sin_2 = sin.*sin;
   w0 = 4.*a_f;

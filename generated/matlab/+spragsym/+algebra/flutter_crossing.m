@@ -1,18 +1,6 @@
 function [result1, result2] = flutter_crossing(cos, sin, L, cos0, sin0, mu0, alpha, sigma, beta)
-%FLUTTER_CROSSING  N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact.
-%  Returns N, J, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  L: spring length over L_0
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (27), (14), (15). Operations: 60.
+%FLUTTER_CROSSING  N, J: L² times the discriminant changes by N/J per unit of θ₀, along equilibria in contact. Returns N, J,
+%  elements one after the other. Source: (27), (14), (15). Operations: 60.
   M = mu0;
   p = alpha + sigma;
   w0 = M.*sin;

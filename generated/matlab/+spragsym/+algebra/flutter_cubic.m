@@ -1,17 +1,6 @@
-function [result1, result2, result3, result4, result5, result6] = flutter_cubic(cos, sin, kappa, alpha, sigma, ...
-    beta)
-%FLUTTER_CUBIC  Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³
-%  θ₀.
-%  Returns g0, g1, k0, k1, k2, k3, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (27), (14), (15). Operations: 59.
+function [result1, result2, result3, result4, result5, result6] = flutter_cubic(cos, sin, kappa, alpha, sigma, beta)
+%FLUTTER_CUBIC  Flutter onsets in contact at a given θ: cos θ₀ (g0 + g1 sin θ₀) = k0 + k1 sin θ₀ + … + k3 sin³ θ₀. Returns
+%  g0, g1, k0, k1, k2, k3, elements one after the other. Source: (27), (14), (15). Operations: 59.
   B = beta + 1;
   q = B + sigma;
   w0 = sigma.*sin;

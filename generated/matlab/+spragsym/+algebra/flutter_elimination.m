@@ -1,16 +1,6 @@
 function [result1, result2, result3] = flutter_elimination(cos, sin, mu0, kappa, alpha, sigma, beta)
-%FLUTTER_ELIMINATION  X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length.
-%  Returns X, Y, Z, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (27), (14), (15). Operations: 56.
+%FLUTTER_ELIMINATION  X, Y, Z: X² = Y Z at the θ of every flutter onset in contact, and L = X/Y is its length. Returns X, Y,
+%  Z, elements one after the other. Source: (27), (14), (15). Operations: 56.
   sigma_2 = sigma.*sigma;
   e0 = sigma_2;
   B = beta + 1;

@@ -1,15 +1,6 @@
 function result1 = flutter_friction(cos, sin, L, alpha, sigma, beta)
-%FLUTTER_FRICTION  μ₀ at a flutter onset with spring length L in direction θ, in contact.
-%  Returns mu0, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  L: spring length over L_0
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (27). Operations: 21.
+%FLUTTER_FRICTION  μ₀ at a flutter onset with spring length L in direction θ, in contact. Returns mu0, elements one after
+%  the other. Source: (27). Operations: 21.
   B = beta + 1;
   L_2 = L.*L;
   w0 = -B + alpha;

@@ -1,15 +1,6 @@
 function [result1, result2, result3] = flutter_quadratic(cos, sin, mu0, alpha, sigma, beta)
-%FLUTTER_QUADRATIC  Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact.
-%  Returns e0, e1, e2, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  mu0: friction coefficient at full slip
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (27). Operations: 14.
+%FLUTTER_QUADRATIC  Coefficients of e0 + e1 L + e2 L², which is L² times the discriminant of (27), in contact. Returns e0,
+%  e1, e2, elements one after the other. Source: (27). Operations: 14.
   B = beta + 1;
   M = mu0;
   sigma_2 = sigma.*sigma;

@@ -1,15 +1,6 @@
 function result1 = flutter_without_alpha(cos, sin, mu0, kappa, sigma, beta)
-%FLUTTER_WITHOUT_ALPHA  The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2.
-%  Returns condition, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (27), (14), (15). Operations: 32.
+%FLUTTER_WITHOUT_ALPHA  The same for α = 0: zero at the θ of every flutter onset, where L = −u2/w2. Returns condition,
+%  elements one after the other. Source: (27), (14), (15). Operations: 32.
   sigma_2 = sigma.*sigma;
   e0 = sigma_2;
   B = beta + 1;

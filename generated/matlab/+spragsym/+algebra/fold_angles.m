@@ -1,16 +1,6 @@
 function [result1, result2] = fold_angles(cos, sin, mu0, kappa, alpha, sigma, beta)
-%FOLD_ANGLES  sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0.
-%  Returns sin0, cos0, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 34.
+%FOLD_ANGLES  sin θ₀ and cos θ₀ of the fold through θ at friction μ₀. Needs α > 0. Returns sin0, cos0, elements one after
+%  the other. Source: f = f′ = 0. Operations: 34.
   B = beta + 1;
   p = alpha + sigma;
   q = B + sigma;

@@ -1,16 +1,6 @@
 function [result1, result2, result3, result4] = fold_conic(cos, sin, kappa, alpha, sigma, beta)
-%FOLD_CONIC  All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any
-%  α ≥ 0.
-%  Returns E0, E1, E2, Ec, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 32.
+%FOLD_CONIC  All folds at a given θ, friction eliminated: E0 + E1 sin θ₀ + E2 sin² θ₀ + Ec cos θ₀ = 0, for any α ≥ 0.
+%  Returns E0, E1, E2, Ec, elements one after the other. Source: f = f′ = 0. Operations: 32.
   B = beta + 1;
   a_f = sigma.*(B - alpha);
   p = alpha + sigma;

@@ -1,16 +1,7 @@
-function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, ...
-    result12, result13, result14] = fold_cubics(mu0, kappa, alpha, sigma, beta)
-%FOLD_CUBICS  Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold
-%  through θ at friction μ₀.
-%  Returns (S0, …, S6), (C0, …, C6), elements one after the other.
-%
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 35.
+function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, result12, ...
+    result13, result14] = fold_cubics(mu0, kappa, alpha, sigma, beta)
+%FOLD_CUBICS  Coefficients in t = tan(θ/2) of (1 + t²)³ times p B sin θ₀ and p B q α cos θ₀, on the fold through θ at
+%  friction μ₀. Returns (S0, …, S6), (C0, …, C6), elements one after the other. Source: f = f′ = 0. Operations: 35.
   p = alpha + sigma;
   M = mu0;
   m_f = M.*sigma;

@@ -1,15 +1,7 @@
 function [result1, result2, result3] = fold_events(sin, kappa, alpha, sigma, beta)
-%FOLD_EVENTS  Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or
-%  π, and where one has μ₀ = 0. Needs α > 0.
-%  Returns meeting, border, frictionless, elements one after the other.
-%
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 76.
+%FOLD_EVENTS  Polynomials in s = sin θ that are 0 at a θ < π/2 where two folds meet, where one has θ₀ = 0 or π, and where
+%  one has μ₀ = 0. Needs α > 0. Returns meeting, border, frictionless, elements one after the other. Source: f = f′ = 0.
+%  Operations: 76.
   B = beta + 1;
   a_f = sigma.*(B - alpha);
   p = alpha + sigma;

@@ -1,14 +1,6 @@
 function [result1, result2, result3] = fold_events_without_alpha(sin, kappa, sigma, beta)
-%FOLD_EVENTS_WITHOUT_ALPHA  The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where
-%  they meet at π/2.
-%  Returns meeting, border, middle, elements one after the other.
-%
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 45.
+%FOLD_EVENTS_WITHOUT_ALPHA  The same for α = 0: 0 where two folds meet, where two have θ₀ = 0 and π, and where they meet at
+%  π/2. Returns meeting, border, middle, elements one after the other. Source: f = f′ = 0. Operations: 45.
   B = beta + 1;
   w0 = B.*sigma;
   a_f = w0;

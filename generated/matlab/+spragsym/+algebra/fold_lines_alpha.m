@@ -1,18 +1,6 @@
-function [result1, result2, result3, result4] = fold_lines_alpha(cos, sin, cos0, sin0, mu0, kappa, sigma, ...
-    beta)
-%FOLD_LINES_ALPHA  The two fold relations as lines in alpha: u1 + w1 alpha = 0 and u2 + w2 alpha = 0.
-%  Returns u1, w1, u2, w2, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 34.
+function [result1, result2, result3, result4] = fold_lines_alpha(cos, sin, cos0, sin0, mu0, kappa, sigma, beta)
+%FOLD_LINES_ALPHA  The two fold relations as lines in alpha: u1 + w1 alpha = 0 and u2 + w2 alpha = 0. Returns u1, w1, u2,
+%  w2, elements one after the other. Source: f = f′ = 0. Operations: 34.
   sin_2 = sin.*sin;
   sin_3 = sin.*sin_2;
   w0 = beta.*sin0 + kappa + sin0;

@@ -1,18 +1,6 @@
-function [result1, result2, result3, result4] = fold_lines_beta(cos, sin, cos0, sin0, mu0, kappa, alpha, ...
-    sigma)
-%FOLD_LINES_BETA  The two fold relations as lines in beta: u1 + w1 beta = 0 and u2 + w2 beta = 0.
-%  Returns u1, w1, u2, w2, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%
-%  Source: f = f′ = 0. Operations: 37.
+function [result1, result2, result3, result4] = fold_lines_beta(cos, sin, cos0, sin0, mu0, kappa, alpha, sigma)
+%FOLD_LINES_BETA  The two fold relations as lines in beta: u1 + w1 beta = 0 and u2 + w2 beta = 0. Returns u1, w1, u2, w2,
+%  elements one after the other. Source: f = f′ = 0. Operations: 37.
   sin_2 = sin.*sin;
   sin_3 = sin.*sin_2;
   w0 = sigma.*sin0;

@@ -1,18 +1,6 @@
-function [result1, result2, result3, result4] = fold_lines_sigma(cos, sin, cos0, sin0, mu0, kappa, alpha, ...
-    beta)
-%FOLD_LINES_SIGMA  The two fold relations as lines in sigma: u1 + w1 sigma = 0 and u2 + w2 sigma = 0.
-%  Returns u1, w1, u2, w2, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 33.
+function [result1, result2, result3, result4] = fold_lines_sigma(cos, sin, cos0, sin0, mu0, kappa, alpha, beta)
+%FOLD_LINES_SIGMA  The two fold relations as lines in sigma: u1 + w1 sigma = 0 and u2 + w2 sigma = 0. Returns u1, w1, u2,
+%  w2, elements one after the other. Source: f = f′ = 0. Operations: 33.
   w0 = beta.*sin0 + kappa + sin0;
   sin_2 = sin.*sin;
   sin_3 = sin.*sin_2;

@@ -1,14 +1,6 @@
 function [result1, result2, result3] = fold_quadratic(cos, sin, kappa, sigma, beta)
-%FOLD_QUADRATIC  The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0.
-%  Returns e0, e1, e2, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 23.
+%FOLD_QUADRATIC  The same for α = 0: e0 + e1 μ₀ + e2 μ₀², and sin θ₀ as for α > 0. Returns e0, e1, e2, elements one after
+%  the other. Source: f = f′ = 0. Operations: 23.
   B = beta + 1;
   B_2 = B.*B;
   cos_2 = cos.*cos;

@@ -1,15 +1,6 @@
 function [result1, result2, result3, result4, result5] = fold_quartic(cos, sin, kappa, alpha, sigma, beta)
-%FOLD_QUARTIC  Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0.
-%  Returns e0, e1, e2, e3, e4, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 52.
+%FOLD_QUARTIC  Coefficients of e0 + … + e4 μ₀⁴, whose real roots are all folds at a given θ. Needs α > 0. Returns e0, e1,
+%  e2, e3, e4, elements one after the other. Source: f = f′ = 0. Operations: 52.
   B = beta + 1;
   q = B + sigma;
   cos_2 = cos.*cos;

@@ -1,14 +1,5 @@
 function [result1, result2] = fold_residuals(cos, sin, a_f, b_f, d_f, m_f)
-%FOLD_RESIDUALS  Both are zero exactly where f = f′ = 0.
-%  Returns b − b(fold), d − d(fold), elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  a_f: coefficient of sin θ cos θ in f
-%  b_f: coefficient of cos θ in f
-%  d_f: coefficient of sin θ in f
-%  m_f: coefficient of −sin² θ in f
-%
+%FOLD_RESIDUALS  Both are zero exactly where f = f′ = 0. Returns b − b(fold), d − d(fold), elements one after the other.
 %  Source: f = f′ = 0. Operations: 14.
   sin_2 = sin.*sin;
   cos_2 = cos.*cos;

@@ -1,19 +1,8 @@
-function [result1, result2, result3, result4, result5, result6, result7] = fold_sextic(a_f, b_f, d_f, m_f, ...
-    a_v, b_v, d_v, m_v)
-%FOLD_SEXTIC  Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are
-%  all folds along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface.
-%  Returns e0, …, e6, elements one after the other.
-%
-%  a_f: coefficient of sin θ cos θ in f
-%  b_f: coefficient of cos θ in f
-%  d_f: coefficient of sin θ in f
-%  m_f: coefficient of −sin² θ in f
-%  a_v: derivative of a of f by the parameter that varies
-%  b_v: derivative of b of f by the parameter that varies
-%  d_v: derivative of d of f by the parameter that varies
-%  m_v: derivative of m of f by the parameter that varies
-%
-%  Source: f = f′ = 0. Operations: 34.
+function [result1, result2, result3, result4, result5, result6, result7] = fold_sextic(a_f, b_f, d_f, m_f, a_v, b_v, d_v, ...
+    m_v)
+%FOLD_SEXTIC  Coefficients of e0 + … + e6 t⁶ = (1 + t²)³ (f′ f_v − f f_v′) with t = tan(θ/2), whose roots are all folds
+%  along a parameter v but θ₀; minus its sign is that of dv/dθ on the surface. Returns e0, …, e6, elements one after the
+%  other. Source: f = f′ = 0. Operations: 34.
   ab = a_f.*b_v - a_v.*b_f;
   bd = b_f.*d_v - b_v.*d_f;
   bm = b_f.*m_v - b_v.*m_f;

@@ -1,13 +1,6 @@
 function [result1, result2, result3] = invariants(K11, K12, K21, K22)
-%INVARIANTS  Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K.
-%  Returns trace, determinant, discriminant, elements one after the other.
-%
-%  K11: entry 1, 1 of the stiffness matrix
-%  K12: entry 1, 2 of the stiffness matrix
-%  K21: entry 2, 1 of the stiffness matrix
-%  K22: entry 2, 2 of the stiffness matrix
-%
-%  Source: (27). Operations: 8.
+%INVARIANTS  Trace, determinant (negative: divergence) and discriminant in λ² (negative: flutter) of K. Returns trace,
+%  determinant, discriminant, elements one after the other. Source: (27). Operations: 8.
   w0 = K12.*K21;
   base0 = K11 - K22;
   base0_2 = base0.*base0;

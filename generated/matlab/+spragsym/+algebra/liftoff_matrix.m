@@ -1,13 +1,6 @@
 function [result1, result2, result3, result4] = liftoff_matrix(L, alpha, sigma, beta)
-%LIFTOFF_MATRIX  D of the balance in lift-off.
-%  Returns ((D11, D12), (D21, D22)), elements one after the other.
-%
-%  L: spring length over L_0
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (24). Operations: 9.
+%LIFTOFF_MATRIX  D of the balance in lift-off. Returns ((D11, D12), (D21, D22)), elements one after the other. Source: (24).
+%  Operations: 9.
   p = alpha + sigma;
   B = beta;
   q = B + sigma;

@@ -1,16 +1,6 @@
-function [result1, result2, result3, result4, result5] = liftoff_quartic(cos0, sin0, kappa, alpha, sigma, ...
-    beta)
-%LIFTOFF_QUARTIC  Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived.
-%  Returns d0, d1, d2, d3, d4, elements one after the other.
-%
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (26), (A1) corrected, (A6)–(A9). Operations: 37.
+function [result1, result2, result3, result4, result5] = liftoff_quartic(cos0, sin0, kappa, alpha, sigma, beta)
+%LIFTOFF_QUARTIC  Coefficients of d0 + d1 L + d2 L² + d3 L³ + d4 L⁴ = 0 in lift-off, d0 as derived. Returns d0, d1, d2, d3,
+%  d4, elements one after the other. Source: (26), (A1) corrected, (A6)–(A9). Operations: 37.
   b1 = -alpha.*cos0;
   B = beta;
   b2 = -B.*sin0 - kappa;

@@ -1,16 +1,6 @@
 function [result1, result2, result3, result4] = reference_lines(cos, sin, mu0, kappa, alpha, sigma, beta)
-%REFERENCE_LINES  u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀.
-%  Returns u1, w1, u2, w2, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: (14), (15). Operations: 18.
+%REFERENCE_LINES  u1, w1, u2, w2 of sin θ₀ = u1 + w1 L and α cos θ₀ = u2 + w2 L, in contact at given θ and μ₀. Returns u1,
+%  w1, u2, w2, elements one after the other. Source: (14), (15). Operations: 18.
   B = beta + 1;
   q = B + sigma;
   M = mu0;

@@ -1,26 +1,8 @@
-function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, ...
-    result12, result13, result14, result15, result16] = regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, ...
-    kappa, alpha, sigma, beta, V, d, nbar, side)
-%REGIME_BY_PARAMETERS  Derivatives of regime_rhs with respect to θ₀ (in radians), μ₀, κ, α, σ, β, V, d.
-%  Returns ((∂x″/∂θ₀, …), (∂y″/∂θ₀, …)), elements one after the other.
-%
-%  x: displacement along the belt over L_0
-%  y: displacement across the belt over L_0, negative into the belt
-%  vx: dx/dτ
-%  vy: dy/dτ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%  V: belt speed over L_0 sqrt(k_c/m)
-%  d: steepness of the friction law in creep, times L_0 sqrt(k_c/m)
-%  nbar: 1 in contact, 0 in lift-off
-%  side: sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead
-%
-%  Source: (8)–(10). Operations: 60.
+function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, result12, ...
+    result13, result14, result15, result16] = regime_by_parameters(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, ...
+    V, d, nbar, side)
+%REGIME_BY_PARAMETERS  Derivatives of regime_rhs with respect to θ₀ (in radians), μ₀, κ, α, σ, β, V, d. Returns ((∂x″/∂θ₀,
+%  …), (∂y″/∂θ₀, …)), elements one after the other. Source: (8)–(10). Operations: 60.
   w0 = -x;
   w1 = cos0 + w0;
   base0 = w1;

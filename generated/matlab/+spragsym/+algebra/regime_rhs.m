@@ -1,26 +1,6 @@
-function [result1, result2] = regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, ...
-    side)
-%REGIME_RHS  x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind
-%  (−1).
-%  Returns x″, y″, elements one after the other.
-%
-%  x: displacement along the belt over L_0
-%  y: displacement across the belt over L_0, negative into the belt
-%  vx: dx/dτ
-%  vy: dy/dτ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%  V: belt speed over L_0 sqrt(k_c/m)
-%  d: steepness of the friction law in creep, times L_0 sqrt(k_c/m)
-%  nbar: 1 in contact, 0 in lift-off
-%  side: sign of V − x': 1 where the belt is ahead of the mass, −1 where the mass is ahead
-%
-%  Source: (8)–(10). Operations: 32.
+function [result1, result2] = regime_rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d, nbar, side)
+%REGIME_RHS  x″ and y″ in a smooth regime: contact (nbar = 1) or not (0), belt ahead (side = 1) or behind (−1). Returns x″,
+%  y″, elements one after the other. Source: (8)–(10). Operations: 32.
   w0 = cos0 - x;
   base0 = w0;
   base0_2 = base0.*base0;

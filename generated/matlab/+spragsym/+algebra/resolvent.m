@@ -1,13 +1,6 @@
 function [result1, result2, result3] = resolvent(a_f, b_f, d_f, m_f)
-%RESOLVENT  Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t.
-%  Returns r0, r1, r2, elements one after the other.
-%
-%  a_f: coefficient of sin θ cos θ in f
-%  b_f: coefficient of cos θ in f
-%  d_f: coefficient of sin θ in f
-%  m_f: coefficient of −sin² θ in f
-%
-%  Source: (12), (13) eliminated. Operations: 15.
+%RESOLVENT  Coefficients of the cubic r0 + r1 ℓ + r2 ℓ² + ℓ³ with the discriminant of the quartic in t. Returns r0, r1, r2,
+%  elements one after the other. Source: (12), (13) eliminated. Operations: 15.
   a_f_2 = a_f.*a_f;
   b_f_2 = b_f.*b_f;
   d_f_2 = d_f.*d_f;

@@ -1,22 +1,6 @@
 function [result1, result2] = rhs(x, y, vx, vy, cos0, sin0, mu0, kappa, alpha, sigma, beta, V, d)
-%RHS  x″ and y″, kinked where y = 0 and where x' = V.
-%  Returns x″, y″, elements one after the other.
-%
-%  x: displacement along the belt over L_0
-%  y: displacement across the belt over L_0, negative into the belt
-%  vx: dx/dτ
-%  vy: dy/dτ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%  V: belt speed over L_0 sqrt(k_c/m)
-%  d: steepness of the friction law in creep, times L_0 sqrt(k_c/m)
-%
-%  Source: (8)–(11). Operations: 36.
+%RHS  x″ and y″, kinked where y = 0 and where x' = V. Returns x″, y″, elements one after the other. Source: (8)–(11).
+%  Operations: 36.
   w0 = cos0 - x;
   base0 = w0;
   base0_2 = base0.*base0;

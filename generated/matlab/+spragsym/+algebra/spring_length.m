@@ -1,13 +1,6 @@
 function result1 = spring_length(x, y, cos0, sin0)
-%SPRING_LENGTH  Length of the inclined spring.
-%  Returns L, elements one after the other.
-%
-%  x: displacement along the belt over L_0
-%  y: displacement across the belt over L_0, negative into the belt
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%
-%  Source: (6) corrected. Operations: 7.
+%SPRING_LENGTH  Length of the inclined spring. Returns L, elements one after the other. Source: (6) corrected. Operations:
+%  7.
   base0 = cos0 - x;
   base0_2 = base0.*base0;
   base2 = sin0 - y;

@@ -1,16 +1,5 @@
 function [result1, result2, result3] = state(cos, sin, cos0, sin0, kappa, sigma, beta, nbar)
-%STATE  Spring length and displacement at an equilibrium with direction θ.
-%  Returns L, x, y, elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  kappa: preload F_L / (k_c L_0)
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%  nbar: 1 in contact, 0 in lift-off
-%
+%STATE  Spring length and displacement at an equilibrium with direction θ. Returns L, x, y, elements one after the other.
 %  Source: (4), (5), (13) or (15). Operations: 15.
   B = beta + nbar;
   q = B + sigma;

@@ -1,17 +1,6 @@
 function [result1, result2, result3, result4] = stiffness(cos, sin, L, mu0, alpha, sigma, beta, nbar)
-%STIFFNESS  K, the Jacobian of (F_x, F_y).
-%  Returns ((K11, K12), (K21, K22)), elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  L: spring length over L_0
-%  mu0: friction coefficient at full slip
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%  nbar: 1 in contact, 0 in lift-off
-%
-%  Source: (28). Operations: 14.
+%STIFFNESS  K, the Jacobian of (F_x, F_y). Returns ((K11, K12), (K21, K22)), elements one after the other. Source: (28).
+%  Operations: 14.
   p = alpha + sigma;
   M = mu0.*nbar;
   B = beta + nbar;

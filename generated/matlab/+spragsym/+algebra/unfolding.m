@@ -1,19 +1,7 @@
-function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, ...
-    result12] = unfolding(cos, sin, cos0, sin0, mu0, kappa, alpha, sigma, beta)
-%UNFOLDING  ∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn.
-%  Returns ((f_θ₀, f′_θ₀), …, (f_β, f′_β)), elements one after the other.
-%
-%  cos: cos θ
-%  sin: sin θ
-%  cos0: cos θ₀
-%  sin0: sin θ₀
-%  mu0: friction coefficient at full slip
-%  kappa: preload F_L / (k_c L_0)
-%  alpha: stiffness ratio k_x / k_c
-%  sigma: stiffness ratio k / k_c
-%  beta: stiffness ratio k_y / k_c
-%
-%  Source: f = f′ = 0. Operations: 90.
+function [result1, result2, result3, result4, result5, result6, result7, result8, result9, result10, result11, result12] = ...
+    unfolding(cos, sin, cos0, sin0, mu0, kappa, alpha, sigma, beta)
+%UNFOLDING  ∂f/∂v and ∂f′/∂v for v = θ₀, μ₀, κ, α, σ, β in turn. Returns ((f_θ₀, f′_θ₀), …, (f_β, f′_β)), elements one after
+%  the other. Source: f = f′ = 0. Operations: 90.
   w0 = alpha + sigma;
   w1 = cos0.*(alpha.*beta + beta.*sigma + w0);
   w2 = alpha.*sin0;

@@ -1,11 +1,10 @@
 function result = cosine_and_sine(x)
-%COSINE_AND_SINE  cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which
-%  not every library's are.
+%COSINE_AND_SINE  cos x and sin x for 0 < x < π in double precision, within one unit in the last place, which not every
+%  library's are.
 %
-%  x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round;
-%  then the polynomials of fdlibm's k_sin.c and k_cos.c.
-  k = spragsym.kernel.where(x > 0.7853981633974483, 1.0, 0.0) + spragsym.kernel.where(x > 2.356194490192345, ...
-      1.0, 0.0);
+%  x = k π/2 + (r + tail) with r at most π/4, by π/2 in two parts, of which the first leaves nothing to round; then the
+%  polynomials of fdlibm's k_sin.c and k_cos.c.
+  k = spragsym.kernel.where(x > 0.7853981633974483, 1.0, 0.0) + spragsym.kernel.where(x > 2.356194490192345, 1.0, 0.0);
   near = x - k .* 1.5707963267948966;
   rest = k .* 6.123233995736766e-17;
   r = near - rest;

@@ -1,10 +1,9 @@
 function result = dd_cosine_and_sine(x)
 %DD_COSINE_AND_SINE  cos x and sin x of a double 0 < x < π, within 2^-101 of themselves.
 %
-%  x = k π/2 + r with |r| ≤ π/4 by π/2 in three parts, of which the first leaves nothing to round; then
-%  Taylor's series, whose terms from the tenth on need a double only.
-  k = spragsym.kernel.where(x > 0.7853981633974483, 1.0, 0.0) + spragsym.kernel.where(x > 2.356194490192345, ...
-      1.0, 0.0);
+%  x = k π/2 + r with |r| ≤ π/4 by π/2 in three parts, of which the first leaves nothing to round; then Taylor's series,
+%  whose terms from the tenth on need a double only.
+  k = spragsym.kernel.where(x > 0.7853981633974483, 1.0, 0.0) + spragsym.kernel.where(x > 2.356194490192345, 1.0, 0.0);
   near = x - k .* 1.5707963267948966;
   r = spragsym.kernel.dd_add_double(spragsym.kernel.two_sum(near, -k .* 6.123233995736766e-17), k .* ...
       1.4973849048591698e-33);
@@ -40,8 +39,8 @@ function result = dd_cosine_and_sine(x)
   c = spragsym.kernel.paired(even, 0.0);
   c = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(z, c), spragsym.kernel.paired(4.779477332387385e-14, ...
       4.399205485834081e-31));
-  c = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(z, c), ...
-      spragsym.kernel.paired(-1.1470745597729725e-11, -2.0655512752830745e-28));
+  c = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(z, c), spragsym.kernel.paired(-1.1470745597729725e-11, ...
+      -2.0655512752830745e-28));
   c = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(z, c), spragsym.kernel.paired(2.08767569878681e-09, ...
       -1.20734505911326e-25));
   c = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(z, c), spragsym.kernel.paired(-2.755731922398589e-07, ...
@@ -54,10 +53,9 @@ function result = dd_cosine_and_sine(x)
       2.3129646346357427e-18));
   c = spragsym.kernel.dd_add(spragsym.kernel.dd_multiply(z, c), spragsym.kernel.paired(-0.5, 0.0));
   c = spragsym.kernel.dd_add_double(spragsym.kernel.dd_multiply(z, c), 1.0);
-  sine = spragsym.kernel.dd_where(k == 1.0, c, spragsym.kernel.dd_where(k > 1.0, ...
-      spragsym.kernel.dd_negative(s), s));
-  cosine = spragsym.kernel.dd_where(k == 1.0, spragsym.kernel.dd_negative(s), spragsym.kernel.dd_where(k > ...
-      1.0, spragsym.kernel.dd_negative(c), c));
+  sine = spragsym.kernel.dd_where(k == 1.0, c, spragsym.kernel.dd_where(k > 1.0, spragsym.kernel.dd_negative(s), s));
+  cosine = spragsym.kernel.dd_where(k == 1.0, spragsym.kernel.dd_negative(s), spragsym.kernel.dd_where(k > 1.0, ...
+      spragsym.kernel.dd_negative(c), c));
   result.cosine_high = cosine.high;
   result.cosine_low = cosine.low;
   result.sine_high = sine.high;

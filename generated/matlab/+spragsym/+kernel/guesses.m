@@ -1,8 +1,8 @@
 function result = guesses(point, line, u)
 %GUESSES  The roots that may be equilibria.
 %
-%  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor
-%  has a root of either sign; those of the second are complex, or both negative, or both positive.
+%  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root of
+%  either sign; those of the second are complex, or both negative, or both positive.
   INFINITY = Inf;
   e = spragsym.kernel.quartic(line.a, line.b, line.d, line.m);
   resolved = spragsym.kernel.cubic(line.a, line.b, line.d, line.m);

@@ -8,8 +8,7 @@ function result = outermost(P, Q)
   w = spragsym.kernel.cube_root(size + sqrt(spragsym.kernel.larger(inside, 0.0)) + SMALLEST_NORMAL);
   v = P ./ w;
   alone = spragsym.kernel.where(P > 0.0, 2.0 .* size ./ (w .* w + P + v .* v), w - v);
-  % Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 z³ − 3 z = cos φ on [√3/2, 1], where Newton converges
-  %  at once.
+  % Three: 2 √−P cos(φ/3) with cos φ = |Q| / √−P³, from 4 z³ − 3 z = cos φ on [√3/2, 1], where Newton converges at once.
   root = sqrt(spragsym.kernel.larger(-P, SMALLEST_NORMAL));
   cosine = spragsym.kernel.smaller(size ./ (root .* root .* root), 1.0);
   z = 0.8660254037844386 + cosine .* (0.16306 - 0.02908 .* cosine);

@@ -1,8 +1,8 @@
 function result = polish(A1, A2, A3, p1, q1, p2, q2)
 %POLISH  One Newton step on both factors of t⁴ + A3 t³ + A2 t² + A1 t − 1 at once.
 %
-%  The change of the second factor is the remainder over the first, modulo the second. q1 q2 = −1 is kept by
-%  setting the smaller from the larger.
+%  The change of the second factor is the remainder over the first, modulo the second. q1 q2 = −1 is kept by setting the
+%  smaller from the larger.
   INFINITY = Inf;
   r3 = A3 - (p1 + p2);
   r2 = A2 - (q1 + q2) - p1 .* p2;

@@ -1,6 +1,5 @@
 function result = simple_root(it)
-%SIMPLE_ROOT  The real root of the resolvent cubic farthest from the mean of the three, to full relative
-%  accuracy.
+%SIMPLE_ROOT  The real root of the resolvent cubic farthest from the mean of the three, to full relative accuracy.
   % Newton's step squares the error, so that more than a double would be lost on the start.
   z = spragsym.kernel.outermost(it.P, it.Q);
   x = z - it.r2 ./ 3.0;

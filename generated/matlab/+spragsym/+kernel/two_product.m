@@ -1,7 +1,6 @@
 function result = two_product(a, b)
 %TWO_PRODUCT  a b, exactly (Dekker, Veltkamp).
-  % 2^27 + 1 splits a double into two halves of 26 bits.
-  SPLITTER = 134217729.0;
+  SPLITTER = 134217729.0;  % 2^27 + 1 splits a double into two halves of 26 bits.
   p = a .* b;
   big_a = SPLITTER .* a;
   high_a = big_a - (big_a - a);

@@ -4,8 +4,7 @@ function result = wide_factors(e, resolved)
   A1 = spragsym.kernel.dd_multiply(e.e1, over);
   A2 = spragsym.kernel.dd_multiply(e.e2, over);
   A3 = spragsym.kernel.dd_multiply(e.e3, over);
-  y = spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(over, -4.0), ...
-      spragsym.kernel.wide_simple_root(resolved));
+  y = spragsym.kernel.dd_multiply(spragsym.kernel.dd_scaled(over, -4.0), spragsym.kernel.wide_simple_root(resolved));
   width = spragsym.kernel.dd_sqrt(spragsym.kernel.dd_add_double(spragsym.kernel.dd_multiply(y, y), 4.0));
   large = spragsym.kernel.dd_scaled(spragsym.kernel.dd_add(spragsym.kernel.dd_absolute(y), width), 0.5);
   small = spragsym.kernel.dd_divide(spragsym.kernel.paired(1.0, 0.0), large);

@@ -1,8 +1,8 @@
 function result = wide_guesses(point, line, u)
 %WIDE_GUESSES  The roots that may be equilibria.
 %
-%  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor
-%  has a root of either sign; those of the second are complex, or both negative, or both positive.
+%  In contact only positive ones: with sin θ < 0 < L, y = sin θ₀ − L sin θ would be positive. The first factor has a root of
+%  either sign; those of the second are complex, or both negative, or both positive.
   INFINITY = Inf;
   e = spragsym.kernel.wide_quartic(line.a, line.b, line.d, line.m);
   resolved = spragsym.kernel.wide_cubic(line.a, line.b, line.d, line.m);
@@ -15,8 +15,8 @@ function result = wide_guesses(point, line, u)
   real = second.discriminant.high >= 0.0;
   more = real & (~spared);
   % A sorting network; places without a root go to the end.
-  low = spragsym.kernel.dd_where(contact, spragsym.kernel.paired(INFINITY, 0.0), ...
-      spragsym.kernel.dd_smaller(first.large, first.small));
+  low = spragsym.kernel.dd_where(contact, spragsym.kernel.paired(INFINITY, 0.0), spragsym.kernel.dd_smaller(first.large, ...
+      first.small));
   high = spragsym.kernel.dd_larger(first.large, first.small);
   third = spragsym.kernel.dd_where(more, second.large, spragsym.kernel.paired(INFINITY, 0.0));
   fourth = spragsym.kernel.dd_where(more, second.small, spragsym.kernel.paired(INFINITY, 0.0));

@@ -33,7 +33,9 @@ typedef enum {
 /* @declarations@ */
 /*
  * Algebra: each function is generated from the derivation and agrees with the Python function of that name, operation for
- * operation. Matrices are row by row.
+ * operation. Matrices are row by row. Arguments:
+ *
+ * @symbols@
  */
 /* @prototypes@ */
 #ifdef __cplusplus

@@ -27,6 +27,7 @@ export const RANGES = Object.freeze(@ranges@);
 
 // ------------------------------------------------------------------------------------------------ generated algebra
 
+// @symbols@
 // @algebra@
 
 /** The generated algebra, by the names that it has in Python. */

@@ -1,0 +1,101 @@
+"""A root that floats know, in a box of balls of many digits: Krawczyk's operator around the end of Newton's method."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, Protocol
+
+import numpy as np
+
+from . import contractors
+from .interval_arrays import FloatArray, Intervals
+from .intervals import Ball, Balls
+
+#: Steps of Newton's method.
+STEPS = 40
+#: Step of it after which there is no further one.
+ENOUGH = Fraction(1, 2**160)
+
+
+class Digits(Protocol):
+    """n equations in n unknowns, of balls."""
+
+    #: Of the balls.
+    bits: int
+
+    def values(self, unknowns: Sequence[Ball]) -> Sequence[Any]:
+        """F."""
+
+    def slopes(self, unknowns: Sequence[Ball]) -> Sequence[Sequence[Any]]:
+        """∂F/∂x over a box."""
+
+
+def narrowed(system: Digits, box: FloatArray, alone: FloatArray) -> list[Ball] | None:
+    """A box of balls around the root in a box of floats, None where it can't be made smaller; both boxes of shape (2, n).
+
+    Newton's method leads to a point z. Where |1 − Y J| is at most 1/2 in a box of half-width r around z, and r not less than
+    2 |Y F(z)|, the operator x − Y F(x) maps that box into itself: so it holds a root, the only one of ``alone``.
+
+    Raises
+    ------
+    Undecided, ZeroDivisionError
+        Where a function has no value.
+    """
+    z = [ball(float(value), system.bits) for value in Intervals(box).middle]
+    for _ in range(STEPS):
+        Y = _inverse(as_balls(system.slopes(z), system.bits), system.bits)
+        values = as_balls([system.values(z)], system.bits)[0]
+        step = [_dot(row, values) for row in Y]
+        size = _norm(step)
+        if size <= ENOUGH:
+            return _proved(system, z, 2 * size, Y, alone)
+        z = [Balls().middle(part - change) for part, change in zip(z, step, strict=True)]
+    return None
+
+
+def _proved(system: Digits, z: Sequence[Ball], r: Fraction, Y: Sequence[Sequence[Ball]], alone: FloatArray) -> list[Ball] | None:
+    """The box of half-width r around z if it is shown to hold the root."""
+    with Balls().precision(system.bits):
+        around = [part + Balls().between(-r, r) for part in z]
+    columns = list(zip(*as_balls(system.slopes(around), system.bits), strict=True))
+    off = [[_dot(row, column) - int(i == j) for j, column in enumerate(columns)] for i, row in enumerate(Y)]
+    within = all(
+        Fraction(-float(low)) <= Balls().ends(part)[0] and Balls().ends(part)[1] <= Fraction(float(high))
+        for part, (low, high) in zip(around, alone.T, strict=True)
+    )
+    return around if within and max(map(_norm, off)) <= Fraction(1, 2) else None
+
+
+def ball(value: float, bits: int) -> Ball:
+    """A float, exactly."""
+    numerator, denominator = value.as_integer_ratio()
+    return Ball(numerator, 0, 1 - denominator.bit_length(), bits)
+
+
+def as_balls(rows: Sequence[Sequence[Any]], bits: int) -> list[list[Ball]]:
+    """Entries that are numbers as balls, too."""
+    return [[entry if isinstance(entry, Ball) else ball(float(entry), bits) for entry in row] for row in rows]
+
+
+def _inverse(rows: Sequence[Sequence[Ball]], bits: int) -> list[list[Ball]]:
+    """The inverse of the matrix of middles, roughly, of balls without width."""
+    middles = np.array([[float(sum(Balls().ends(entry)) / 2) for entry in row] for row in rows])
+    with np.errstate(all="ignore"):
+        return [[ball(float(entry), bits) for entry in row] for row in contractors.inverse(middles[:, :, None])[:, :, 0]]
+
+
+def _dot(row: Sequence[Ball], column: Sequence[Ball]) -> Ball:
+    return sum((a * b for a, b in zip(row, column, strict=True)), Ball(0, 0, 0, row[0].bits))
+
+
+def _norm(values: Sequence[Ball]) -> Fraction:
+    """Bound on the sum of |x|."""
+    return sum((max(map(abs, Balls().ends(value))) for value in values), Fraction(0))
+
+
+def as_intervals(values: Sequence[Ball]) -> Intervals:
+    """Balls as intervals of floats, shape (numbers, 1)."""
+    bounds = [Balls().ends(value) for value in values]
+    ends = np.array([[-float(low) for low, _ in bounds], [float(high) for _, high in bounds]])
+    return Intervals(np.nextafter(ends, np.inf)[:, :, None])  # a float is the nearest to its end, or the next one

@@ -1,0 +1,108 @@
+"""Pages whose gap is an expression: nothing on the other side of the contact's border is listed, whatever it is.
+
+The campaign is benchmarks/validate_gaps.py; here a few of its sets, and what becomes of a state that lies on the border itself.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+
+import spragsym as ss
+from benchmarks import validate_gaps
+from benchmarks.gap_pages import HANDS
+from spragsym.models.paths import first_end
+from tests.conftest import Once
+from tests.support import few
+
+pytest.importorskip("sympy")
+
+
+@pytest.fixture(scope="module")
+def models(once: Once, tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    def derived() -> str:
+        out = tmp_path_factory.mktemp("gaps")
+        for name in HANDS:
+            validate_gaps.load(out, name)
+        return str(out)
+
+    out = Path(once("gaps", derived))
+    return {name: ss.load(out / name) for name in HANDS}
+
+
+@pytest.mark.parametrize("seed", few(range(4), 1))
+@pytest.mark.parametrize("name", HANDS)
+def test_all_and_only_what_is_in_contact_is_listed(models: dict[str, Any], name: str, seed: int) -> None:
+    found = validate_gaps.compared(models[name], HANDS[name], seed, starts=12)
+    assert not [(what, counts) for what, counts in found.items() if counts["wrong"] or counts["missed"]]
+
+
+def closed(hand: Any, found: Any, model: Any, p: Any, vary: tuple[str, ...]) -> bool:
+    """Whether all gaps are."""
+    q = [getattr(found, name) for name in model.coordinates]
+    at = {**{name: getattr(p, name) for name in model.parameters}, **{name: getattr(found, name) for name in vary}}
+    return bool((np.asarray(hand.gap(q, at)) <= 0).all())
+
+
+def test_states_of_a_rod_are_in_contact(models: dict[str, Any]) -> None:
+    """Where the rod rests with an open gap, the forces of a law that goes on beyond the border vanish there or beside."""
+    model, hand = models["rod"], HANDS["rod"]
+    for psi in np.linspace(-1.5, 1.5, 31):
+        p = model.Parameters(psi=psi, tau=0.3)
+        eq = model.equilibria(p)
+        phi = np.linspace(-np.arccos(0.9), np.arccos(0.9), 4001)
+        values = hand.forces([phi], {**model.base, "psi": psi, "tau": 0.3}, 1)[0]
+        assert int(eq.count) == (np.diff(np.sign(values)) != 0).sum()
+        assert eq.complete
+
+
+def test_curves_of_folds_end_with_the_contact(models: dict[str, Any]) -> None:
+    model, hand = models["rail"], HANDS["rail"]
+    vary = ("mu0", "kappa")
+    p = model.Parameters()
+    found = model.bifurcation_set(p, vary, 12, between={"mu0": (0.0, 1.0), "kappa": (-0.3, 0.5)})
+    assert found.curves
+    assert all(closed(hand, curve, model, p, vary) for curve in found.curves)
+    assert closed(hand, found.cusps, model, p, vary)
+
+
+def test_a_path_leaves_the_contact_where_its_gap_opens(models: dict[str, Any]) -> None:
+    """tau (psi − phi) = 0 on the border: the rod at rest just touches the wall at eta = cos psi."""
+    model = models["rod"]
+    end = first_end(model, model.Parameters(tau=0.5), "eta", (0.1, 1.1))
+    assert end is not None
+    assert end.kind == "border"
+    assert end.value == pytest.approx(np.cos(0.3), abs=1e-12)
+
+
+def test_a_state_on_the_border_says_so(models: dict[str, Any]) -> None:
+    """Without preload the mass of the rail rests at 0, where it just touches: neither in contact nor out of it, and no ghost."""
+    model = models["rail"]
+    p = model.Parameters(kappa=0.0, mu0=0.0)
+    for contact in (True, False):
+        eq = model.equilibria(p, contact=contact)
+        at_zero = [box for box in eq.undecided if all(low <= 0 <= high for low, high in zip(box.low, box.high, strict=True))]
+        assert at_zero
+        assert not eq.complete
+        assert any("just touches" in text for text in eq.remarks)
+
+
+def test_a_gap_smaller_than_floats_tell_has_a_sign(models: dict[str, Any]) -> None:
+    """A rod at rest within 1e-16 of where it touches: digits tell on which side, not the rounded state."""
+    model, sides = models["rod"], []
+    for psi in np.linspace(0.3, 0.9, 12):
+        eta = float(np.cos(psi))
+        p = model.Parameters(psi=psi, eta=eta, tau=0.5)
+        with mpmath.workdps(50):
+            open_ = mpmath.mpf(eta) - mpmath.cos(mpmath.mpf(float(psi))) > 0
+        for contact in (True, False):
+            eq = model.equilibria(p, contact=contact)
+            here = np.abs(eq.phi[: int(eq.count)] - psi) < 1e-9
+            assert eq.complete
+            assert here.sum() == (open_ != contact)
+        sides.append(bool(open_))
+    assert len(set(sides)) == 2

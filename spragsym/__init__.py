@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import importlib as _importlib
 import importlib.util as _util
+import inspect as _inspect
 import pathlib as _pathlib
 import re as _re
 import sys as _sys
@@ -53,9 +54,17 @@ def __getattr__(name: str) -> _Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     home = _HOMES[name]
     module = _importlib.import_module(f".{name}" if home == "." else home, __name__)
-    value = module if home == "." else getattr(module, name)
+    value = module if home == "." else _at_the_door(getattr(module, name))
     globals()[name] = value
     return value
+
+
+def _at_the_door(value: _Any) -> _Any:
+    """A public function that is asked of the model of its parameters; whatever else as it is."""
+    if not _inspect.isfunction(value):
+        return value
+    door = _importlib.import_module(".door", __name__)
+    return door.asked(value) if value.__name__ in door.INTERFACE else value
 
 
 def __dir__() -> list[str]:

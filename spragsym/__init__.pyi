@@ -58,6 +58,7 @@ from .dynamics import simulate as simulate
 from .errors import BackendError as BackendError
 from .errors import ConvergenceError as ConvergenceError
 from .errors import MissingExtraError as MissingExtraError
+from .errors import ModelError as ModelError
 from .errors import ParameterError as ParameterError
 from .errors import ParameterTypeError as ParameterTypeError
 from .errors import SpragsymError as SpragsymError

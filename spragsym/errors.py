@@ -15,6 +15,10 @@ class ParameterTypeError(SpragsymError, TypeError):
     """An argument is not a number, or not numbers of the kind that is needed."""
 
 
+class ModelError(ParameterTypeError):
+    """A model is asked what is not there for it yet; the error says what can be asked instead."""
+
+
 class NotDimensionlessError(ParameterTypeError, AttributeError):
     """Parameters in newtons and metres stand where dimensionless ones are needed.
 

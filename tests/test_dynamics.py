@@ -180,7 +180,7 @@ def test_short_flights_are_found_within_a_step() -> None:
 
 
 def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
-    problem = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
+    problem = prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
 
     def dense(t: np.ndarray) -> np.ndarray:  # leaves the belt twice, and is back on it, rising, at both ends
         phase = 4 * np.pi * t
@@ -193,7 +193,7 @@ def test_the_first_of_several_crossings_within_a_step_is_found() -> None:
 
 
 def test_a_flight_between_two_points_of_the_search_is_found() -> None:
-    problem = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
+    problem = prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-9)
 
     def dense(t: np.ndarray) -> np.ndarray:  # above the belt for 0.02, a sixth of the distance of the points
         return np.array([0 * t, 1e-4 - (t - 0.56) ** 2, 0 * t, -2 * (t - 0.56)])
@@ -277,7 +277,7 @@ def test_ctrl_c_is_heard_within_a_motion_that_meets_no_event() -> None:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0.0)
         signal.signal(signal.SIGPROF, former)
-    problem = prepare(p, **BELT, start=(0.0, 0.0, 0.0, 0.0), t_end=1.0, rtol=1e-10)
+    problem = prepare(p.replace(**BELT), start=(0.0, 0.0, 0.0, 0.0), t_end=1.0, rtol=1e-10)
     assert 0 < with_heyoka.compiled_for(problem).solver.time < 1e6
 
 
@@ -308,7 +308,7 @@ def _wave(omega: float, centre: float, steps: int = 120, step: float = 0.9) -> T
     t = np.append((np.arange(steps)[:, None] + unit[:-1]).ravel(), steps) * step
     zero = np.zeros_like(t)
     x, vx = centre + np.cos(omega * t), -omega * np.sin(omega * t)
-    return Trajectory(t, x, zero, vx, zero, None, BASE, 0.5, 10.0, 1e-10, "none")
+    return Trajectory(t, x, zero, vx, zero, None, BASE, 1e-10, "none")
 
 
 @pytest.mark.parametrize("omega", [0.3, 1.1])
@@ -422,7 +422,7 @@ def test_a_cycle_that_scipy_closes_closes_in_all_digits(monkeypatch: pytest.Monk
         theta0=2.7812867375530876, mu0=0.4634621203921272, kappa=0.01839, alpha=0.0076022, sigma=0.2678068, beta=0.0
     )
     belt = {"V": 0.15216712083347134, "d": 5.41751330401023}
-    problem = prepare(p, **belt, start=(0, 0, 0, 0), t_end=60.0, rtol=1e-10)
+    problem = prepare(p.replace(**belt), start=(0, 0, 0, 0), t_end=60.0, rtol=1e-10)
     near = np.array([0.0294, 0.7032, 0.0, 0.0])
     found = flows.onward(problem, "scipy").closed(near, 20.673, 0.1)
     run = {"rtol": 1e-13, "backend": "scipy"}
@@ -449,7 +449,7 @@ def _highest_near(tr: Trajectory, t: float) -> np.ndarray:
 def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
     """Or cycles near a state at rest along the belt are found by one integrator and not by the other."""
     none = np.zeros((2, 8))
-    constants = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
+    constants = prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
     for name in set(_installed()) & set(integrators.OF_ANY_MODEL):
         passage = flows.flow(SPRAG, name, derivatives=False).fly(np.array([1.7, 0.34, 0.0, 0.06]), constants, 30.0, none)
         turns = [turn for turn in passage.turns if turn.border == -1]
@@ -460,7 +460,7 @@ def test_a_motion_that_starts_where_x_is_largest_turns_there() -> None:
 
 def test_derivatives_that_nobody_asks_for_are_left_out() -> None:
     field, none, unit = sprag.field(42.0), np.zeros((2, 8)), np.eye(2, 8)
-    constants = prepare(BASE, **BELT, start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
+    constants = prepare(BASE.replace(**BELT), start=(0, 0, 0, 0), t_end=1.0, rtol=1e-10).constants
     few, all_of_them = (
         variations_scipy.Flight(field).fly(np.array([0.0, 0.01, 0.6, 0.0]), constants, 12.0, each) for each in (none, unit)
     )

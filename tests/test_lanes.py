@@ -30,7 +30,7 @@ def problems(count: int, t_end: float = 60.0, t_record: float = 20.0, **options:
     low, high = [0.1, 0.1, *[-0.3] * 4], [3.0, 1.0, *[0.3] * 4]
     for theta0, mu0, *start in RNG.uniform(low, high, (count, 6)).tolist():
         p = ss.Parameters.article(theta0=theta0, mu0=mu0)
-        found.append(prepare(p, **BELT, start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options))
+        found.append(prepare(p.replace(**BELT), start=tuple(start), t_end=t_end, t_record=t_record, rtol=1e-10, **options))
     return found
 
 
@@ -181,7 +181,7 @@ def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
     """What every regime asks for first is asked of all at once: it must pass over none that the classifier would tell of."""
     rest = equilibria(ss.Parameters.article(theta0=0.6, mu0=0.5 * (1 - np.exp(-5.0))))
     start = (float(rest.x[0]), float(rest.y[0]), 0.0, 0.0)
-    still = prepare(ss.Parameters.article(theta0=0.6), **BELT, start=start, t_end=60.0, t_record=20.0, rtol=1e-10)
+    still = prepare(ss.Parameters.article(theta0=0.6, **BELT), start=start, t_end=60.0, t_record=20.0, rtol=1e-10)
     high = replace(still, start=(0.0, 0.4, 0.0, 0.0))
     some = Motions.of([still, high, *problems(60)])
     found = lanes.watch(some)
@@ -196,7 +196,7 @@ def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
 
 def test_a_cycle_is_told_from_few_turns() -> None:
     problem = prepare(
-        ss.Parameters.article(theta0=np.radians(42)), **BELT, start=(0, 0, 0, 0), t_end=2000, t_record=1850, rtol=1e-10
+        ss.Parameters.article(theta0=np.radians(42), **BELT), start=(0, 0, 0, 0), t_end=2000, t_record=1850, rtol=1e-10
     )
     found = lanes.watch(Motions.of([problem]))
     assert found.maxima[0] < 10

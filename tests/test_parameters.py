@@ -99,8 +99,6 @@ def test_names_that_mean_nothing_get_no_suggestion() -> None:
         assert closest(name, NAMES) is None
     with pytest.raises(ss.ParameterTypeError, match="the parameters are theta0, mu0, kappa, alpha, sigma, beta"):
         ss.Parameters.article(zzz=1)
-    with pytest.raises(ss.ParameterTypeError, match="V is not a parameter; it is an argument of the functions of motion"):
-        ss.Parameters.article(V=1)
     with pytest.raises(ss.ParameterTypeError, match="did you mean k_x"):
         ss.PhysicalParameters(kx=1)  # type: ignore[call-arg]  # the mistake that is tested
 

@@ -110,7 +110,7 @@ def test_one_cycle_is_one_attractor_whatever_the_phase() -> None:
 
 @pytest.fixture(scope="session")
 def problem() -> Problem:
-    return prepare(SLOW, **BELT, start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
+    return prepare(SLOW.replace(**BELT), start=(0, 0, 0, 0), t_end=500.0, rtol=1e-10)
 
 
 PERIOD = 25.433

@@ -12,9 +12,8 @@ from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, flow
 from ..dynamics.passage import Fly
-from ..dynamics.problem import BELT_SPEED, CREEP
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from ..parameters import FINITE, FloatArray, Parameters, as_number
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 
@@ -65,7 +64,8 @@ class BasinBoundary(Result):
 
 
 def basin_boundary(
-    p: Parameters, *, V: float, d: float, plane: tuple[str, str] = ("x", "vx"), start: Any = (0.0, 0.0, 0.0, 0.0),
+    p: Parameters, *, V: float | None = None, d: float | None = None, plane: tuple[str, str] = ("x", "vx"),
+    start: Any = (0.0, 0.0, 0.0, 0.0),
     to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
     backend: str | None = None,
 ) -> BasinBoundary:  # fmt: skip
@@ -75,8 +75,8 @@ def basin_boundary(
     ----------
     p : Parameters
         Scalars, where there are three equilibria.
-    V, d : float
-        As for :func:`~spragsym.simulate`.
+    V, d : float, optional
+        In place of those of ``p``.
     plane : tuple of str
         Two of x, y, vx, vy; the other two are those of ``start``.
     start : array_like of 4 numbers
@@ -113,7 +113,7 @@ def basin_boundary(
     >>> found.points.round(3).tolist()
     [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
     """
-    values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
+    values = p.given(V=V, d=d).scalars(*p.ranges)
     state = np.array([as_number("start", value, FINITE) for value in start])
     return boundary_of(
         SPRAG, values, _divergent(p, values), COMPONENTS, plane, state, to, step=step, points=points, backend=backend

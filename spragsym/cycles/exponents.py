@@ -11,10 +11,9 @@ import numpy as np
 from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
-from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.shooting import rate
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, as_number
+from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
 from .sprag import SPRAG
 
 #: Time between two orthonormalizations.
@@ -68,7 +67,8 @@ class Lyapunov(Result):
 
 
 def lyapunov(
-    p: Parameters, *, V: float, d: float, start: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 4000.0, backend: str | None = None
+    p: Parameters, *, V: float | None = None, d: float | None = None, start: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 4000.0,
+    backend: str | None = None,
 ) -> Lyapunov:  # fmt: skip
     """The Lyapunov exponents of a motion, with their convergence.
 
@@ -79,8 +79,8 @@ def lyapunov(
     ----------
     p : Parameters
         Scalars.
-    V, d : float
-        As for :func:`~spragsym.simulate`.
+    V, d : float, optional
+        In place of those of ``p``.
     start : array_like of 4 numbers
         x, y, x', y'.
     t_end : float
@@ -108,7 +108,7 @@ def lyapunov(
     >>> bool(abs(found.exponents.sum() - found.trace) < 1e-9)
     True
     """
-    values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
+    values = p.given(V=V, d=d).scalars(*p.ranges)
     state = np.array([as_number("start", value, FINITE) for value in start])
     return exponents_of(SPRAG, values, state, as_number("t_end", t_end, POSITIVE), backend)
 

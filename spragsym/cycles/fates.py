@@ -11,10 +11,9 @@ from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
 from ..dynamics.passage import Fly
-from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from ..parameters import FINITE, FloatArray, Parameters, as_number
 from .finding import cycle_near
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
@@ -64,8 +63,8 @@ class FateBoundary(Result):
 
 
 def fate_boundary(
-    p: Parameters, *, vary: str, bracket: tuple[float, float], V: float, d: float, start: Any = (0.0, 0.0, 0.0, 0.0),
-    backend: str | None = None,
+    p: Parameters, *, vary: str, bracket: tuple[float, float], V: float | None = None, d: float | None = None,
+    start: Any = (0.0, 0.0, 0.0, 0.0), backend: str | None = None,
 ) -> FateBoundary:  # fmt: skip
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers at.
 
@@ -80,8 +79,8 @@ def fate_boundary(
         theta0, mu0, kappa, alpha, sigma, beta, V or d.
     bracket : tuple of float
         Two values with different fates. Where there are several changes between them, one is found.
-    V, d : float
-        As for :func:`~spragsym.simulate`.
+    V, d : float, optional
+        In place of those of ``p``.
     start : array_like of 4 numbers
         x, y, x', y'.
 
@@ -109,9 +108,7 @@ def fate_boundary(
     """
     if vary not in SPRAG.parameters:
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(SPRAG.parameters)}")
-    given = p.replace(**{vary: bracket[0]}) if vary in NAMES else p
-    belt = {"V": V, "d": d} | ({vary: bracket[0]} if vary in ("V", "d") else {})
-    values = (*given.scalars(*NAMES), as_number("V", belt["V"], BELT_SPEED), as_number("d", belt["d"], CREEP))
+    values = p.given(V=V, d=d).replace(**{vary: bracket[0]}).scalars(*p.ranges)
     state = np.array([as_number("start", value, FINITE) for value in start])
     low, high = (as_number("bracket", value, FINITE) for value in bracket)
     return boundary_of(SPRAG, values, vary, (low, high), state, backend)

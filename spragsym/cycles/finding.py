@@ -12,11 +12,10 @@ from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
 from ..dynamics.flows import NEAR, carrier, follower, scout
 from ..dynamics.passage import Fly, Turn
-from ..dynamics.problem import BELT_SPEED, CREEP
 from ..dynamics.regimes import Regime
 from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError
-from ..parameters import FINITE, NAMES, FloatArray, Parameters, as_number
+from ..parameters import FINITE, FloatArray, Parameters, as_number
 from .orbit import Cycle, cycle_of
 from .sprag import SPRAG
 
@@ -40,7 +39,8 @@ COMES_TO = {
 
 
 def cycle(
-    p: Parameters, *, V: float, d: float, near: Any = None, backend: str | None = None, patient: bool = True
+    p: Parameters, *, V: float | None = None, d: float | None = None, near: Any = None, backend: str | None = None,
+    patient: bool = True,
 ) -> Cycle:  # fmt: skip
     """The cycle near a state, or the one that a motion approaches.
 
@@ -51,8 +51,8 @@ def cycle(
     ----------
     p : Parameters
         Scalars.
-    V, d : float
-        As for :func:`~spragsym.simulate`.
+    V, d : float, optional
+        In place of those of ``p``.
     near : array_like of 4 numbers, Trajectory or Cycle, optional
         A state x, y, x', y' near the cycle, stable or not; or a motion whose end approaches it; or a cycle for other values
         of the parameters. Rest at x = y = 0 where left out.
@@ -82,7 +82,7 @@ def cycle(
     >>> round(found.period, 6), found.stable
     (34.26737, True)
     """
-    values = (*p.scalars(*NAMES), as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
+    values = p.given(V=V, d=d).scalars(*p.ranges)
     return cycle_near(SPRAG, values, near, backend, patient=patient)
 
 

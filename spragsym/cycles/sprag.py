@@ -8,26 +8,23 @@ from typing import Any
 
 from ..dynamics import forces, simulate, sprag
 from ..dynamics.field import Field
-from ..dynamics.problem import BELT_SPEED, CREEP, constants_of
-from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_number
-
-_RANGES = {**RANGES, "V": BELT_SPEED, "d": CREEP}
+from ..dynamics.problem import constants_of
+from ..parameters import FloatArray, Parameters, as_number
 
 
 def _constants(values: Sequence[Any], xp: Any = None) -> tuple[Any, ...]:
     if xp is None:
-        return constants_of(tuple(values[:-2]), values[-2], values[-1])
+        return constants_of(values)
     return (xp.cos(values[0]), xp.sin(values[0]), *values[1:])
 
 
 def _check(name: str, value: float) -> None:
-    as_number(name, value, _RANGES[name])
+    as_number(name, value, Parameters.ranges[name])
 
 
 def _simulate(values: Sequence[float], state: Sequence[float], t_end: float, **options: Any) -> Any:
-    p = Parameters(**dict(zip(NAMES, values[:-2], strict=True)))
     x0, y0, vx0, vy0 = map(float, state)
-    return simulate(p, V=values[-2], d=values[-1], t_end=t_end, x0=x0, y0=y0, vx0=vx0, vy0=vy0, **options)
+    return simulate(Parameters(*values), t_end=t_end, x0=x0, y0=y0, vx0=vx0, vy0=vy0, **options)
 
 
 def _spring_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:

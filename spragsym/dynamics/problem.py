@@ -13,7 +13,7 @@ that the integrator stops at.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -22,15 +22,13 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
-from ..parameters import FINITE, NAMES, POSITIVE, FloatArray, Parameters, Range, as_number
+from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, Range, as_number
 from . import sprag
 from .field import GAP, Border, Field, Mode
 from .sprag import WIDTH, acceleration, jacobian
 
 __all__ = ["GAP", "WIDTH", "Mode", "acceleration", "jacobian"]
 
-BELT_SPEED = Range(0.0, remedy="a belt that runs the other way is the mirror image: theta0 -> pi - theta0, x -> -x")
-CREEP = Range(0.0, open_low=True, remedy="d is the steepness of the friction law (10); without it there is no friction")
 RELATIVE_TOLERANCE = Range(
     1e-13, 1e-2, remedy="float64 carries no more, and less than that follows no oscillation; 1e-10 suits most"
 )
@@ -107,22 +105,20 @@ def reach_of(rtol: float) -> float:
 
 
 def prepare(
-    p: Parameters, *, V: float, d: float, start: tuple[Any, ...], t_end: float, rtol: float, t_record: float = 0.0,
-    max_steps: int = MAX_STEPS,
+    p: Parameters, *, start: tuple[Any, ...], t_end: float, rtol: float, t_record: float = 0.0, max_steps: int = MAX_STEPS
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
-    values = p.scalars(*NAMES)
+    values = p.scalars(*p.ranges)
     x0, y0, vx0, vy0 = (as_number(name, value, FINITE) for name, value in zip(("x0", "y0", "vx0", "vy0"), start, strict=True))
     check_start(values[0], x0, y0)
-    constants = constants_of(values, as_number("V", V, BELT_SPEED), as_number("d", d, CREEP))
     t_end, rtol = as_number("t_end", t_end, POSITIVE), as_number("rtol", rtol, RELATIVE_TOLERANCE)
-    return Problem(constants, (x0, y0, vx0, vy0), t_end, t_record, rtol, as_steps(max_steps))
+    return Problem(constants_of(values), (x0, y0, vx0, vy0), t_end, t_record, rtol, as_steps(max_steps))
 
 
-def constants_of(values: tuple[float, ...], V: float, d: float) -> Constants:
-    """The constants for parameters in the order of NAMES, θ₀ first."""
+def constants_of(values: Sequence[float]) -> Constants:
+    """The constants for parameters in their order, θ₀ first."""
     theta0, *rest = values
-    return Constants._make((float(np.cos(theta0)), float(np.sin(theta0)), *rest, V, d))
+    return Constants._make((float(np.cos(theta0)), float(np.sin(theta0)), *rest))
 
 
 def constants_of_many(values: FloatArray) -> tuple[Any, ...]:

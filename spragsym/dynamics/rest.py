@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated import motion
-from ..parameters import NAMES, FloatArray, Parameters
+from ..parameters import FloatArray, Parameters
 from .course import Course
 from .problem import Event, Problem
 from .regimes import SETTLED, Outcome, Regime
@@ -75,7 +75,7 @@ def _solved(matrix: list[Any], pull: Any) -> list[float] | None:
     return solved
 
 
-def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+def index_of(p: Parameters, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
     """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y; −1 where there is none."""
     from ..statics.solver import equilibria
 
@@ -83,9 +83,9 @@ def index_of(p: Parameters, V: Any, d: Any, x: FloatArray, y: FloatArray) -> NDA
     index = np.full(x.shape, -1, dtype=np.int8)
     rows = np.isfinite(x)
     if rows.any():
-        given = {name: np.broadcast_to(getattr(p, name), x.shape)[rows] for name in NAMES}
-        V, d = (np.broadcast_to(value, x.shape)[rows] for value in (V, d))
-        found = equilibria(Parameters(**{**given, "mu0": motion.friction(np.zeros_like(V), given["mu0"], V, d)}))
+        given = {name: np.broadcast_to(getattr(p, name), x.shape)[rows] for name in p.ranges}
+        given["mu0"] = motion.friction(np.zeros_like(given["V"]), given["mu0"], given["V"], given["d"])
+        found = equilibria(Parameters(**given))
         away = np.hypot(found.x - x[rows][:, None], found.y - y[rows][:, None])
         away = np.where(np.isnan(away), np.inf, away)  # empty slots: all of them where the equilibria are undecided
         there = away.min(axis=-1) <= SETTLED * (1 + np.hypot(x[rows], y[rows]))

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ..errors import ParameterError
 from ..files import storage
 from ..generated import motion
-from ..parameters import NAMES, FloatArray, Parameters, degrees
+from ..parameters import FloatArray, Parameters, degrees
 from . import forces, integrators, pictures, spectra
 from .course import event_counts
 from .events import Events
@@ -48,8 +48,8 @@ class Trajectory(Recorded):
         Contact lost and regained (y = 0), slip reversed (x' = V); None when not asked for.
     p : Parameters
         The parameters, scalars.
-    V, d, rtol : float
-        Belt speed, steepness of the friction law, tolerance.
+    rtol : float
+        The tolerance.
     backend : str
         Which integrator ran.
     error : ndarray, shape (n,), or None
@@ -63,8 +63,6 @@ class Trajectory(Recorded):
     vy: FloatArray
     events: Events | None
     p: Parameters
-    V: float
-    d: float
     rtol: float
     backend: str
     error: FloatArray | None = None
@@ -72,6 +70,16 @@ class Trajectory(Recorded):
     @property
     def components(self) -> tuple[str, ...]:
         return COMPONENTS
+
+    @property
+    def V(self) -> float:
+        """Belt speed."""
+        return float(self.p.V)
+
+    @property
+    def d(self) -> float:
+        """Steepness of the friction law."""
+        return float(self.p.d)
 
     @cached_property
     def state(self) -> FloatArray:
@@ -154,29 +162,27 @@ class Trajectory(Recorded):
     # -------------------------------------------------------------------------------------------- inner parts
 
     def _attributes(self) -> dict[str, Any]:
-        values = dict(zip(NAMES, self.p.scalars(*NAMES), strict=True))
+        values = dict(zip(self.p.ranges, self.p.scalars(*self.p.ranges), strict=True))
         return {
             **storage.provenance(),
             **values,
             "theta0_deg": degrees(values["theta0"]),
-            "V": self.V,
-            "d": self.d,
             "rtol": self.rtol,
             "backend": self.backend,
         }
 
     def _constants(self) -> Constants:
-        return constants_of(self.p.scalars(*NAMES), self.V, self.d)
+        return constants_of(self.p.scalars(*self.p.ranges))
 
     def _with(self, t: FloatArray, state: FloatArray, events: Events | None, error: FloatArray | None) -> Trajectory:
         return replace(self, t=t, x=state[0], y=state[1], vx=state[2], vy=state[3], events=events, error=error)
 
     def _problem(self, start: tuple[float, ...], length: float) -> Problem:
-        return prepare(self.p, V=self.V, d=self.d, start=start, t_end=length, rtol=self.rtol)
+        return prepare(self.p, start=start, t_end=length, rtol=self.rtol)
 
     def _identified(self, found: Outcome) -> Outcome:
         where = np.array(found.rest_x), np.array(found.rest_y)
-        return replace(found, equilibrium=int(index_of(self.p, self.V, self.d, *where)))
+        return replace(found, equilibrium=int(index_of(self.p, *where)))
 
     def _event_counts(self) -> NDArray[np.intp]:
         return event_counts(self.samples, self.V)
@@ -185,8 +191,8 @@ class Trajectory(Recorded):
 def simulate(
     p: Parameters,
     *,
-    V: float,
-    d: float,
+    V: float | None = None,
+    d: float | None = None,
     x0: float = 0.0,
     y0: float = 0.0,
     vx0: float = 0.0,
@@ -207,11 +213,9 @@ def simulate(
     ----------
     p : Parameters
         Scalars.
-    V : float
-        Belt speed over L_0 sqrt(k_c/m), V ≥ 0. The article states none; 0.5 is this package's assumption for
-        its Figure 7.
-    d : float
-        Steepness of the friction law (10), times L_0 sqrt(k_c/m), d > 0. Likewise; 10 is the assumption.
+    V, d : float, optional
+        In place of those of ``p``, which are this package's assumption, 0.5 and 10, unless they were given: the article
+        states neither.
     x0, y0, vx0, vy0 : float
         Initial state; rest at x = y = 0 by default, which lies on a kink.
     t_end : float
@@ -257,7 +261,8 @@ def simulate(
     (1.8052, 259)
     """
     start = (x0, y0, vx0, vy0)
-    problem = prepare(p, V=V, d=d, start=start, t_end=t_end, rtol=rtol, max_steps=max_steps)
+    p = p.given(V=V, d=d)
+    problem = prepare(p, start=start, t_end=t_end, rtol=rtol, max_steps=max_steps)
     chosen = integrators.choose(backend)
     trajectory = _run(p, problem, chosen)
     if estimate_error:
@@ -270,6 +275,5 @@ def simulate(
 def _run(p: Parameters, problem: Problem, backend: str) -> Trajectory:
     solution = integrators.integrate(problem, backend)
     events = Events(solution.event_t, solution.event_states, solution.event_kinds)
-    V, d = problem.constants[-2:]
     x, y, vx, vy = solution.samples.states
-    return Trajectory(solution.samples.t, x, y, vx, vy, events, p, V, d, problem.rtol, backend)
+    return Trajectory(solution.samples.t, x, y, vx, vy, events, p, problem.rtol, backend)

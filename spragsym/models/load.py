@@ -17,6 +17,7 @@ from typing import Any
 
 from ..errors import ParameterError, ParameterTypeError, StoreError
 from ..names import hint
+from ..parameters import Parameters
 from .model import PARTS, Model
 from .parameters import parameter_class
 
@@ -115,7 +116,10 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
             f"{folder} was derived when the torque of a torsion spring was k φ up to 41 degrees only; derive the page again"
         )
     modules = {part: _module(folder, where, part) for part in PARTS if f"{part}.py" in about["files"]}
-    return Model(where, about, modules, parameter_class(about, where))
+    ours = Parameters if where == Parameters.where else parameter_class(about, where)
+    model = Model(where, about, modules, ours)
+    ours._model = model
+    return model
 
 
 def _module(folder: Path, where: str, part: str) -> ModuleType:

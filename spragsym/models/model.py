@@ -7,8 +7,9 @@ from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..errors import ParameterError
+from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described
@@ -114,6 +115,21 @@ class Model:
         from .equilibria import equilibria
 
         return equilibria(self, _parameters.own(self, p), contact)
+
+    def count(self, p: ParameterSet) -> NDArray[np.int64]:
+        """The number of equilibria in contact, in the shape of ``p``.
+
+        Raises
+        ------
+        ConvergenceError
+            Where a point is not decided.
+        """
+        found = self.equilibria(p)
+        if not found.complete:
+            raise ConvergenceError(
+                f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them"
+            )
+        return found.count
 
     def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
         """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.

@@ -57,6 +57,7 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
             "ranges": ranges(about),
             "spanned": frozenset(names),
             "origin": "model.Parameters(...)",
+            "where": where,
         },
     )
     return named(made)

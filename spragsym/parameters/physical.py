@@ -11,7 +11,7 @@ from .. import names
 from ..display import Shown
 from ..errors import NotDimensionlessError, ParameterError
 from ..generated import scales as _scales
-from .dimensionless import NAMES, RANGES, Parameters
+from .dimensionless import BELT_SPEED, NAMES, RANGES, Parameters
 from .ranges import Range, as_numbers, range_of
 from .sets import ParameterSet, Values, named
 
@@ -57,8 +57,8 @@ class PhysicalParameters(Values):
     --------
     >>> from math import radians
     >>> brake = PhysicalParameters(m=0.4, k=1e5, k_x=7e3, k_y=0, k_c=1e6, F_L=350, L_0=0.05, theta0=radians(49), mu0=0.5, V=20)
-    >>> brake.dimensionless()
-    Parameters(theta0=0.8552113334772214, mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0.0)
+    >>> brake.dimensionless().replace(theta0=None)
+    Parameters(mu0=0.5, kappa=0.007, alpha=0.007, sigma=0.1, beta=0.0, V=0.2529822128134704)
     >>> brake.scales.force
     50000.0
     """
@@ -97,9 +97,10 @@ class PhysicalParameters(Values):
         return Scales(*(_as_given(value) for value in _scales.scales(self.m, self.k_c, self.L_0)))
 
     def dimensionless(self) -> Parameters:
-        """The same system as :class:`Parameters`."""
-        kappa, alpha, sigma, beta, *_ = self._groups()
-        return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta)
+        """The same system as :class:`Parameters`; without V and d if these were not given."""
+        kappa, alpha, sigma, beta, V, d = self._groups()
+        belt = {name: None if getattr(self, name) is None else value for name, value in (("V", V), ("d", d))}
+        return Parameters(self.theta0, self.mu0, kappa, alpha, sigma, beta, **belt)
 
     def belt(self) -> dict[str, Any]:
         """Dimensionless ``V`` and ``d``, as :func:`spragsym.simulate` takes them; an error if one was not given."""
@@ -120,7 +121,7 @@ class PhysicalParameters(Values):
 def physical_ranges() -> dict[str, Range]:
     """Allowed values of the quantities of :class:`PhysicalParameters`."""
     own = {name: range_of(name) for name in ("m", "k", "k_x", "k_y", "k_c", "F_L", "L_0")}
-    return own | {name: RANGES[name] for name in ("theta0", "mu0")} | {name: range_of(f"{name}_dim") for name in ("V", "d")}
+    return own | {name: RANGES[name] for name in ("theta0", "mu0")} | {"V": BELT_SPEED, "d": range_of("d_dim")}
 
 
 def _as_given(value: Any) -> Any:

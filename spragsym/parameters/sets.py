@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import importlib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields, replace
 from typing import Any, ClassVar, Self, TypeVar
@@ -37,8 +38,7 @@ def check_names(given: Iterable[str], known: Iterable[str]) -> None:
     known = list(known)
     for name in given:
         if name not in known:
-            elsewhere = "; it is an argument of the functions of motion, such as simulate" if name in ("V", "d") else ""
-            remark = elsewhere or names.hint(name, known) or f"; the parameters are {', '.join(known)}"
+            remark = names.hint(name, known) or f"; the parameters are {', '.join(known)}"
             raise ParameterTypeError(f"{name} is not a parameter{remark}")
 
 
@@ -79,6 +79,9 @@ class ParameterSet(Values):
     spanned: ClassVar[frozenset[str]] = frozenset()
     #: Where a set with values for all of them comes from.
     origin: ClassVar[str] = ""
+    #: What :func:`spragsym.load` takes for the model.
+    where: ClassVar[str] = ""
+    _model: ClassVar[Any] = None
 
     def __post_init__(self) -> None:
         for name, allowed in self.ranges.items():
@@ -90,9 +93,22 @@ class ParameterSet(Values):
             object.__setattr__(self, name, as_numbers(name, value, allowed))
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
+    @property
+    def model(self) -> Any:
+        """The :class:`spragsym.Model` that they are parameters of: ``ss.f(p)`` is ``p.model.f(p)``."""
+        cls = type(self)
+        if cls._model is None:  # a model is loaded when it is asked for, by a room that stands above this one
+            cls._model = importlib.import_module("spragsym.models").load(cls.where)
+        return cls._model
+
     def replace(self, **changes: ArrayLike | None) -> Self:
         """A copy with other values."""
         return replace(self, **changes)
+
+    def given(self, **changes: ArrayLike | None) -> Self:
+        """A copy with those values that are not None; itself if there are none."""
+        known = {name: value for name, value in changes.items() if value is not None}
+        return replace(self, **known) if known else self
 
     def require(self, *names: str) -> None:
         """Raise unless the named parameters are given."""

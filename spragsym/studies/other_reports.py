@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from ..catastrophe import sliding_friction
 from ..display import Result
 from ..errors import ConvergenceError, SpragsymError
 from ..models.load import load
@@ -132,17 +131,18 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
     model = load(study.model)
     p, scales = other_models.dimensionless(study.model, study.values)
     warnings: list[str] = []
-    full = float(model.statics.friction_at_rest(*model.arguments(p, "motion")))
-    fraction = float(sliding_friction(1.0, float(p.V), float(p.d))) if {"mu0", "V", "d"} <= _known(study) else 1.0
+    law = "friction_at_speed" if "V" in _known(study) else "friction_at_rest"
+    full, works = _friction(model, p, "friction_at_rest"), _friction(model, p, law)
+    fraction = works / full if full else 1.0
     if "V" not in _known(study):
         warnings.append("V is not given: friction is taken at full slip, and no oscillation is looked for")
     elif fraction < 0.95:
         warnings.append(f"the belt is so slow that friction works at {100 * fraction:.3g} % of {full:.4g}; check d and V")
-    at = p.replace(mu0=fraction * full) if "mu0" in model.parameters else p
+    at = p.replace(mu0=fraction * p.mu0) if "mu0" in model.parameters else p
     turns, complete = _folds(model, p)
     jump = _jump(model, p, "mu0", (0.0, 1.1 * max(turns, default=1.0)), warnings)
     angle = _jump(model, at, "theta0", tuple(map(math.radians, _ANGLES)), warnings)
-    high = study.quantities["mu0"].high * fraction if "mu0" in study.quantities else math.nan
+    high = _friction(model, p.replace(mu0=study.quantities["mu0"].high), law) if "mu0" in study.quantities else math.nan
     current = _current(model, at, warnings)
     states = tuple(model_states(model, at, scales, current))
     cycle = _oscillation(model, p, scales, warnings) if oscillation and {"V", "d"} <= _known(study) else None
@@ -151,11 +151,16 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
     reached = certificate_of(study) if certificate and "mu0" in model.parameters else None
     warnings.append(_LEFT_OUT)
     return ModelReport(
-        jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), fraction * full,
+        jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,
         100 * (jump / high - 1) if jump is not None and high > 0 else None,
         states, turns, cycle, reached, complete, tuple(warnings),
         _verdict(study, jump, high, states),
     )  # fmt: skip
+
+
+def _friction(model: Any, p: Any, law: str) -> float:
+    """μ by the model's own law: ``"friction_at_rest"`` as its statics takes it, ``"friction_at_speed"`` at that of the belt."""
+    return float(getattr(model.statics, law)(*model.arguments(p, "motion")))
 
 
 def _known(study: Study) -> set[str]:

@@ -12,7 +12,7 @@ from ..display import Result
 from ..dynamics.cycles import same_orbit
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ParameterTypeError
-from ..parameters import NAMES, FloatArray, Parameters, as_numbers
+from ..parameters import FloatArray, Parameters, as_numbers
 from .many import rms_sweep
 from .measure import LIMITS
 from .result import Sweep
@@ -44,8 +44,8 @@ class Basin(Result):
 
 def basin(
     p: Parameters,
-    V: float,
-    d: float,
+    V: float | None = None,
+    d: float | None = None,
     *,
     x: ArrayLike,
     vx: ArrayLike,
@@ -59,8 +59,8 @@ def basin(
     ----------
     p : Parameters
         Scalars.
-    V, d : float
-        As for :func:`~spragsym.simulate`.
+    V, d : float, optional
+        In place of those of ``p``.
     x, vx : array_like, one axis each
         Initial states: every x with every vx.
     y0, vy0 : float
@@ -90,12 +90,13 @@ def basin(
     >>> found.attractor[:, 0]
     array([0, 0, 1])
     """
-    p.scalars(*NAMES)
+    p = p.given(V=V, d=d)
+    p.scalars(*p.ranges)
     starts = [np.atleast_1d(as_numbers(name, values)) for name, values in (("x", x), ("vx", vx))]
     for name, values in zip(("x", "vx"), starts, strict=True):
         if values.ndim != 1:
             raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
-    sweep = rms_sweep(p, V, d, x0=starts[0][:, None], vx0=starts[1], y0=y0, vy0=vy0, **options)
+    sweep = rms_sweep(p, x0=starts[0][:, None], vx0=starts[1], y0=y0, vy0=vy0, **options)
     labels, attractors = _attractors(sweep)
     return Basin(starts[0], starts[1], labels, attractors, sweep)
 

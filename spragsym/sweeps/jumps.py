@@ -42,15 +42,17 @@ class Sensitivity(Result):
     sweep: Sweep
 
 
-def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, **options: Any) -> Sensitivity:
+def sensitivity(
+    p: Parameters, V: ArrayLike | None = None, d: ArrayLike | None = None, *, refine: int = 6, **options: Any
+) -> Sensitivity:
     """What V and d, which the article does not state, do to the jump of its Figure 7b.
 
     Parameters
     ----------
     p : Parameters
-        With ``theta0`` an ascending axis of at least two angles, and the rest scalars.
-    V, d : array_like, one axis each
-        Every V with every d.
+        With ``theta0`` an ascending axis of at least two angles, and the rest scalars, but V and d.
+    V, d : array_like, one axis each, optional
+        Every V with every d; those of ``p`` where left out.
     refine : int
         How often to halve the interval that holds the jump.
     **options
@@ -84,16 +86,17 @@ def sensitivity(p: Parameters, V: ArrayLike, d: ArrayLike, *, refine: int = 6, *
     angles = p.theta0
     if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
         raise ParameterError("theta0 must be an ascending axis of two angles or more; use p.replace(theta0=numpy.linspace(...))")
-    speeds, creeps = (np.atleast_1d(as_numbers(name, value)) for name, value in (("V", V), ("d", d)))
-    belt = (speeds[:, None, None], creeps[None, :, None])
-    sweep = rms_sweep(p, *belt, **options)
+    p.require(*(name for name, value in (("V", V), ("d", d)) if value is None))
+    speeds, creeps = np.atleast_1d(p.V if V is None else as_numbers("V", V), p.d if d is None else as_numbers("d", d))
+    p = p.replace(V=speeds[:, None, None], d=creeps[None, :, None])
+    sweep = rms_sweep(p, **options)
     ratio = sweep.rms[..., 1:] / sweep.rms[..., :-1]
     at = np.argmax(np.where(np.isnan(ratio), 0.0, ratio), axis=-1)[..., None]
     low, high = angles[at], angles[at + 1]
     before, after = (np.take_along_axis(sweep.rms, at + k, axis=-1) for k in (0, 1))
     for _ in range(refine):
         middle = (low + high) / 2
-        between = rms_sweep(p.replace(theta0=middle), *belt, **options).rms
+        between = rms_sweep(p.replace(theta0=middle), **options).rms
         upper = after * before > between**2
         low, before = np.where(upper, middle, low), np.where(upper, between, before)
         high, after = np.where(upper, high, middle), np.where(upper, after, between)

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics import integrators, lanes
-from ..dynamics.problem import BELT_SPEED, CREEP, MAX_STEPS, RELATIVE_TOLERANCE, as_steps
+from ..dynamics.problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record, clear, journal
-from ..parameters import NAMES, NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, common_shape
+from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, common_shape
 from . import workers as processes
 from .measure import INPUTS, MotionsOf, Settings, article_motions, measured
 from .result import Results, Sweep
@@ -31,8 +31,8 @@ PARTS = 16
 
 def rms_sweep(
     p: Parameters,
-    V: ArrayLike,
-    d: ArrayLike,
+    V: ArrayLike | None = None,
+    d: ArrayLike | None = None,
     *,
     x0: ArrayLike = 0.0,
     y0: ArrayLike = 0.0,
@@ -53,8 +53,10 @@ def rms_sweep(
     ----------
     p : Parameters
         Any shape.
-    V, d, x0, y0, vx0, vy0 : array_like
-        As for :func:`~spragsym.simulate`; they broadcast with ``p``. The article states neither V nor d.
+    V, d : array_like, optional
+        In place of those of ``p``. The article states neither.
+    x0, y0, vx0, vy0 : array_like
+        As for :func:`~spragsym.simulate`; they broadcast with ``p``.
     t_end, transient : float
         Until when to integrate, and what to leave out of every result, by default three quarters of it.
     rtol : float
@@ -104,9 +106,9 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
-    p.require(*NAMES)
-    given = {name: getattr(p, name) for name in NAMES}
-    given |= {"V": as_numbers("V", V, BELT_SPEED), "d": as_numbers("d", d, CREEP)}
+    p = p.given(V=V, d=d)
+    p.require(*p.ranges)
+    given = {name: getattr(p, name) for name in p.ranges}
     given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
     inputs = {name: given[name] for name in INPUTS}
     settings = settings_of(t_end, transient, rtol, backend, max_steps)

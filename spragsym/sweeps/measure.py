@@ -15,7 +15,7 @@ from ..dynamics.problem import MAX_STEPS, Constants, check_start, constants_of_m
 from ..dynamics.regimes import Regime
 from ..errors import ParameterError
 from ..files.journal import Record
-from ..parameters import NAMES, FloatArray
+from ..parameters import FloatArray, Parameters
 
 #: What is measured of every motion after its transient.
 AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
@@ -29,7 +29,7 @@ REPORTED = (*AVERAGES, *LIMITS)
 #: A record holds these numbers, then the code of the regime and the place of the equilibrium.
 MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
 
-INPUTS = (*NAMES, "V", "d", "x0", "y0", "vx0", "vy0")
+INPUTS = (*Parameters.ranges, "x0", "y0", "vx0", "vy0")
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from ..dynamics.rest import index_of
 from ..errors import TargetError
 from ..files import storage
 from ..files.journal import Record
-from ..parameters import NAMES, FloatArray, Parameters, degrees
+from ..parameters import FloatArray, Parameters, degrees
 from . import code
 from .measure import MEASURED, REPORTED, Settings
 
@@ -178,8 +178,7 @@ class Results:
 
     def equilibrium(self, inputs: dict[str, FloatArray], x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
         """Indices of the equilibria that stand at x, y."""
-        p = Parameters(**{name: inputs[name] for name in NAMES})
-        return index_of(p, inputs["V"], inputs["d"], x, y)
+        return index_of(Parameters(**{name: inputs[name] for name in Parameters.ranges}), x, y)
 
     def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:
         """The sweep itself."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib
 import random
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -419,3 +420,22 @@ def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
     row = check_with("eq-9", PRINTED["eq-9"].expression)
     assert row.status == check.FAILED
     assert "virtual work" in row.note
+
+
+def test_a_row_names_the_function_that_derives_it_and_that_function_names_the_row(rows: dict[str, Row]) -> None:
+    """Equation (26), say, is found by its number from either side."""
+    for row in rows.values():
+        module, _, name = row.derived_by.partition(".")
+        function = getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)
+        number = {"eq": "({})", "def": "after (9)"}.get(row.id.partition("-")[0], "(A{})")
+        asked = number.format(row.id.partition("-")[2] if row.id.startswith("eq") else row.id.removeprefix("A").partition("-")[0])
+        assert _names(function.__doc__, asked), (row.id, row.derived_by, function.__doc__)
+
+
+def _names(text: str, asked: str) -> bool:
+    """Whether a number, ``(26)`` or ``(A3)`` or ``after (9)``, stands in a text, by itself or inside a range such as (1)–(11)."""
+    if asked in text:
+        return True
+    letter, number = re.fullmatch(r"(?:after )?\((A?)(\d+)\)", asked).groups()  # type: ignore[union-attr]
+    ranges = re.findall(rf"\({letter}(\d+)\)–\({letter}(\d+)\)", text)
+    return not asked.startswith("after") and any(int(low) <= int(number) <= int(high) for low, high in ranges)

@@ -10,7 +10,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -32,11 +32,13 @@ class Row:
 
     ``derivation`` is the form at which the derivation itself arrives. ``derived`` equals it, as exact algebra has shown, and has the
     arrangement of ``printed``, so that the two can be compared by eye. In a failed row ``derived`` is the same as ``derivation``.
+    ``derived_by`` names the function of this folder that derives it.
     """
 
     id: str
     where: str
     status: str
+    derived_by: str
     printed: str
     derived: str
     derivation: str
@@ -57,6 +59,8 @@ class Derived:
     """What the derivation gives where something is printed: its components, and what a printed relation is about."""
 
     components: tuple[sp.Expr, ...]
+    #: The function that derives it.
+    by: Callable[..., Any]
     about: tuple[Any, ...] = ()
     #: Substitutions that bring the printed form into the derivation's terms; one comparison for each tuple of them.
     terms: tuple[tuple[tuple[sp.Expr, sp.Expr], ...], ...] = ((),)
@@ -79,6 +83,7 @@ def check(entry: Printed, derived: Derived) -> Row:
     base = {
         "id": entry.id,
         "where": entry.where,
+        "derived_by": f"{derived.by.__module__.rpartition('.')[2]}.{derived.by.__name__}",
         "printed": entry.latex,
         "derived": _latex(derived.components),
         "derivation": _latex(derived.components),
@@ -177,30 +182,30 @@ def _motion_forms() -> dict[str, Derived]:
     below_on_above = (((nm.y, -u),), ((nm.y, sp.S.Zero),), ((nm.y, u),))
     (pushing, _), (apart, _) = mechanics.contact_force(nm.y, nm.k_c).args
     return {
-        "eq-1": Derived((with_units.x,), terms=(geometry,)),
-        "eq-2": Derived((with_units.y,), terms=(geometry,)),
-        "eq-3": Derived((nm.L_0 - nm.L,)),
-        "eq-4": Derived((sp.S.Zero,), terms=(polar,)),
-        "eq-5": Derived((sp.S.Zero,), terms=(polar,)),
-        "eq-6": Derived((length,)),
-        "eq-7": Derived((pushing, apart)),
-        "eq-8": Derived((scaled.x,)),
-        "eq-9": Derived((scaled.y,)),
-        "eq-10": Derived((mechanics.friction(),)),
-        "eq-11": Derived((mechanics.contact_law(),), terms=below_on_above),
+        "eq-1": Derived((with_units.x,), mechanics.dimensional_motion, terms=(geometry,)),
+        "eq-2": Derived((with_units.y,), mechanics.dimensional_motion, terms=(geometry,)),
+        "eq-3": Derived((nm.L_0 - nm.L,), mechanics.potential_energy),
+        "eq-4": Derived((sp.S.Zero,), equilibrium.displacement, terms=(polar,)),
+        "eq-5": Derived((sp.S.Zero,), equilibrium.displacement, terms=(polar,)),
+        "eq-6": Derived((length,), mechanics.spring_length),
+        "eq-7": Derived((pushing, apart), mechanics.contact_force),
+        "eq-8": Derived((scaled.x,), mechanics.motion),
+        "eq-9": Derived((scaled.y,), mechanics.motion),
+        "eq-10": Derived((mechanics.friction(),), mechanics.friction),
+        "eq-11": Derived((mechanics.contact_law(),), mechanics.contact_law, terms=below_on_above),
     }
 
 
 def _scale_forms() -> dict[str, Derived]:
     scales, groups = mechanics.scales(), mechanics.groups()
     forms = {
-        "def-tau": Derived((1 / scales["time"],)),
-        "def-prime": Derived((sp.S.One,)),
-        **{f"def-{name}": Derived((1 / scales["length"],)) for name in ("x", "y", "L")},
+        "def-tau": Derived((1 / scales["time"],), mechanics.scales),
+        "def-prime": Derived((sp.S.One,), mechanics.scales),
+        **{f"def-{name}": Derived((1 / scales["length"],), mechanics.scales) for name in ("x", "y", "L")},
     }
     for symbol in (nm.sigma, nm.alpha, nm.beta, nm.kappa, nm.n):
         dimensional, scale = groups[symbol]
-        forms[f"def-{symbol}"] = Derived((dimensional / scale,))
+        forms[f"def-{symbol}"] = Derived((dimensional / scale,), mechanics.groups)
     return forms
 
 
@@ -213,17 +218,17 @@ def _balance_forms() -> dict[str, Derived]:
     rest = {at_rest.ax: 0, at_rest.ay: 0, nm.vx: 0, nm.vy: 0}
     lifted = tuple(force.subs(liftoff) for force in equilibrium.balance())
     return {
-        "eq-12": Derived((at_rest.x.subs(rest).subs(nm.mu, mechanics.steady_friction()),)),
-        "eq-13": Derived((at_rest.y.subs(rest),)),
-        "eq-14": Derived((along,)),
-        "eq-15": Derived((across,)),
-        "eq-16": Derived((along, across), about=(D.subs(contact), b.subs(contact))),
-        "eq-17": Derived(tuple(D.subs(contact)), about=(equilibrium.matrix_A().subs(contact),)),
-        "eq-18": Derived(tuple(equilibrium.matrix_A().subs(contact)), terms=(friction,)),
-        "eq-19": Derived(tuple(b.subs(contact)), terms=(friction,)),
-        "eq-22": Derived(lifted, about=(D.subs(liftoff), b.subs(liftoff))),
-        "eq-24": Derived(tuple(D.subs(liftoff))),
-        "eq-25": Derived(tuple(b.subs(liftoff))),
+        "eq-12": Derived((at_rest.x.subs(rest).subs(nm.mu, mechanics.steady_friction()),), mechanics.motion),
+        "eq-13": Derived((at_rest.y.subs(rest),), mechanics.motion),
+        "eq-14": Derived((along,), equilibrium.balance),
+        "eq-15": Derived((across,), equilibrium.balance),
+        "eq-16": Derived((along, across), equilibrium.matrix_form, about=(D.subs(contact), b.subs(contact))),
+        "eq-17": Derived(tuple(D.subs(contact)), equilibrium.matrix_form, about=(equilibrium.matrix_A().subs(contact),)),
+        "eq-18": Derived(tuple(equilibrium.matrix_A().subs(contact)), equilibrium.matrix_A, terms=(friction,)),
+        "eq-19": Derived(tuple(b.subs(contact)), equilibrium.matrix_form, terms=(friction,)),
+        "eq-22": Derived(lifted, equilibrium.matrix_form, about=(D.subs(liftoff), b.subs(liftoff))),
+        "eq-24": Derived(tuple(D.subs(liftoff)), equilibrium.matrix_form),
+        "eq-25": Derived(tuple(b.subs(liftoff)), equilibrium.matrix_form),
     }
 
 
@@ -243,7 +248,9 @@ def _quartic_forms() -> dict[str, Derived]:
             zip((nm.b3, nm.b4), equilibrium.matrix_form()[1].subs(equilibrium.LIFTOFF), strict=True)
         )
         forms[f"eq-{equation[0]}"] = _unit_norm_form()
-        forms[f"eq-{equation[1]}"] = Derived((sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), about=coefficients)
+        forms[f"eq-{equation[1]}"] = Derived(
+            (sp.expand(scaled.dot(scaled) - matrix.det() ** 2),), elimination.quartic_in_L, coefficients
+        )
         shorthand = elimination.quartic_in_L_shorthand()
         in_names = {
             nm.b1: vector_names[0],
@@ -255,16 +262,16 @@ def _quartic_forms() -> dict[str, Derived]:
             arranged = value.subs(in_names, simultaneous=True).subs(spelled)
             if not circles.equal(arranged.subs(right_sides), full):
                 raise ArithmeticError(f"{id}: the quartic in shorthand is not the quartic")
-            forms[id] = Derived((arranged,), terms=(right_sides,))
+            forms[id] = Derived((arranged,), elimination.quartic_in_L_shorthand, terms=(right_sides,))
         for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):
-            forms[id] = Derived((value,))
+            forms[id] = Derived((value,), equilibrium.matrix_form)
     return forms
 
 
 def _unit_norm_form() -> Derived:
     """(20) and (23) for any invertible D and any b, so that the printed form is checked as an identity."""
     D, b = sp.Matrix(2, 2, sp.symbols("D11 D12 D21 D22")), sp.Matrix(sp.symbols("B1 B2"))
-    return Derived((elimination.unit_norm(D, b),), about=(D, b))
+    return Derived((elimination.unit_norm(D, b),), elimination.unit_norm, (D, b))
 
 
 def _stability_forms() -> dict[str, Derived]:
@@ -273,7 +280,7 @@ def _stability_forms() -> dict[str, Derived]:
     law = mechanics.contact_law()
     slopes = tuple(-sp.diff(value, nm.y) for value, _ in law.args)
     return {
-        "eq-27": Derived((stability.characteristic(K, C).subs(stability.lam, article.lam),), about=(K,)),
-        "eq-28": Derived(tuple(K)),
-        "eq-29": Derived(slopes),
+        "eq-27": Derived((stability.characteristic(K, C).subs(stability.lam, article.lam),), stability.characteristic, (K,)),
+        "eq-28": Derived(tuple(K), stability.stiffness),
+        "eq-29": Derived(slopes, mechanics.contact_law),
     }

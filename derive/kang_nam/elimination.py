@@ -26,7 +26,7 @@ def unit_norm(D: sp.Matrix, b: sp.Matrix) -> sp.Expr:
 
 @cache
 def quartic_in_L() -> tuple[sp.Expr, ...]:
-    """Coefficients, lowest power first, of |adj(D) b|² − det(D)² for the family in n̄, in c0, s0 and the parameters.
+    """Coefficients of (21) and (26), lowest power first: of |adj(D) b|² − det(D)² for the family in n̄, in c0, s0 and the parameters.
 
     This is (20) times det(D)²: adj(D) = det(D) D⁻¹, and |D⁻¹ b|² = bᵀ D⁻ᵀ D⁻¹ b = bᵀ (D Dᵀ)⁻¹ b.
     """

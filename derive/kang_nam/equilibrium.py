@@ -56,7 +56,7 @@ def balance() -> tuple[sp.Expr, sp.Expr]:
 
 @cache
 def matrix_form() -> tuple[sp.Matrix, sp.Matrix]:
-    """D and b of D (cos θ, sin θ)ᵀ = b: (16)–(19) and (22), (24), (25)."""
+    """D and b of D (cos θ, sin θ)ᵀ = b: (16)–(19), (A10), (A11) and (22), (24), (25), (A12), (A13)."""
     direction = sp.Matrix([nm.c, nm.s])
     forces = sp.Matrix(balance())
     D = forces.jacobian(direction)

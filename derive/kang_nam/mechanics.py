@@ -27,7 +27,7 @@ def spring_length(x: sp.Expr, y: sp.Expr, L_0: sp.Expr) -> sp.Expr:
 
 
 def potential_energy(x: sp.Expr, y: sp.Expr) -> sp.Expr:
-    """Energy stored in the springs to ground and in the inclined spring, whose angle follows the mass."""
+    """Energy stored in the springs to ground and in the inclined spring, compressed by Δ of (3), whose angle follows the mass."""
     stretch = spring_length(x, y, nm.L_0) - nm.L_0
     return (nm.k_x * x**2 + nm.k_y * y**2 + nm.k * stretch**2) / 2
 
@@ -92,7 +92,7 @@ def dimensional_motion() -> Motion:
 
 @cache
 def scales() -> dict[str, sp.Expr]:
-    """Scales of length, time and force, found by asking that L_0, the inertia and the contact become 1."""
+    """Scales of length, time and force of the text after (9), found by asking that L_0, the inertia and the contact become 1."""
     length, time, force = sp.symbols("length time_scale force", positive=True)
     (solution,) = sp.solve(
         [
@@ -108,7 +108,7 @@ def scales() -> dict[str, sp.Expr]:
 
 @cache
 def groups() -> dict[sp.Symbol, tuple[sp.Symbol, sp.Expr]]:
-    """Each dimensionless quantity with the dimensional one behind it and the scale between the two."""
+    """Each dimensionless quantity of the text after (9) with the dimensional one behind it and the scale between the two."""
     length, time, force = (scales()[name] for name in ("length", "time", "force"))
     stiffness, speed = force / length, length / time
     return {
@@ -130,7 +130,7 @@ def further_parameters() -> tuple[sp.Symbol, ...]:
 
 @cache
 def motion() -> Motion:
-    """The dimensionless equations of motion, (8) and (9), in x, y and the spring length L."""
+    """The dimensionless equations of motion, (8) and (9), at rest (12) and (13), in x, y and the spring length L."""
     with_units = dimensional_motion()
     length, time, force = (scales()[name] for name in ("length", "time", "force"))
     scaled = {
@@ -159,7 +159,7 @@ def replace_length(expression: sp.Expr) -> sp.Expr:
 
 @cache
 def contact_law() -> sp.Expr:
-    """n(y), (11): the contact law over the force scale."""
+    """n(y), (11): the contact law over the force scale; less its slope is n̄, (29)."""
     force, length = scales()["force"], scales()["length"]
     (pushing, _), (apart, _) = contact_force(nm.y * length, nm.k_c).args
     return sp.Piecewise((sp.simplify(pushing / force), nm.y < 0), (sp.simplify(apart / force), True))

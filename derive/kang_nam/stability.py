@@ -37,7 +37,7 @@ def damping() -> sp.Matrix:
 
 
 def characteristic(K: sp.Matrix, C: sp.Matrix) -> sp.Expr:
-    """det(λ² I + λ C + K)."""
+    """det(λ² I + λ C + K): (27) where C = 0."""
     return sp.expand((lam**2 * sp.eye(2) + lam * C + K).det())
 
 

@@ -19,7 +19,7 @@ from .units import Dimension, UnitsError, spelled
 #: Raises unless an expression has a dimension, or any where that is None: what it is in words, and its line. Gives the dimension.
 Expect: TypeAlias = Callable[[object, Dimension | None, str, int], Dimension]
 
-_SPEED = sp.Dummy("v", positive=True)
+_SPEED = laws.SLIP
 
 #: Penetrations and speeds at which a law that can't be decided by its form is looked at.
 _PLACES = tuple(sp.Rational(10) ** power for power in range(-6, 3))
@@ -259,7 +259,7 @@ def _negative(model: Mechanics, law: sp.Expr, variable: sp.Symbol) -> str:
     for place in _PLACES:
         value = law.subs(values).subs(variable, place)
         if value.is_number and value.is_negative:
-            return f"at {variable.name} = {sp.N(place, 3)} it is {sp.N(value, 3)} times its scale, at the base values"
+            return f"at {variable} = {sp.N(place, 3)} it is {sp.N(value, 3)} times its scale, at the base values"
     return ""
 
 

@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+from .exact.decimals import upward
+
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
 
@@ -104,14 +106,15 @@ def _points_of_a_model(found: Any) -> Table:
     """A row for each point: the parameters that vary, the coordinates, and what else is known of it."""
     more = len(found.region) - len(found.vary) + ("omega" in found.values)  # what stands behind the parameters
     names = (*found.vary, *list(found.values)[-more:])
+    words = ("kind", *(["criticality"] if hasattr(found, "criticality") else []))
     rows = [
-        (*(_cell(name, getattr(found, name)[row]) for name in names), str(found.kind[row]), _cell("error", found.error[row]))
+        (*(_cell(name, getattr(found, name)[row]) for name in (*names, *words)), _cell("error", found.error[row]))
         for row in range(len(found))
     ]
     open_boxes = "" if found.complete else f"; not complete: {len(found.undecided)} boxes are undecided"
     shown, cut = _shown(len(rows))
     title = f"{len(found)} points along {', '.join(found.vary)}{open_boxes}"
-    return _with_cut(title, (*map(_heading, names), "kind", "error"), [rows[i] for i in shown], cut)
+    return _with_cut(title, (*map(_heading, names), *words, "error"), [rows[i] for i in shown], cut)
 
 
 def _states(eq: Any, names: tuple[str, ...]) -> Table:
@@ -149,6 +152,7 @@ _KINDS = {
     "Equilibria": _equilibria,
     "ModelEquilibria": _equilibria_of_a_model,
     "ModelPoints": _points_of_a_model,
+    "Onsets": _points_of_a_model,
     "ModelTrajectory": _trajectory,
     "Trajectory": _trajectory,
 }
@@ -287,7 +291,7 @@ def _cell(key: str, value: Any) -> str:
     if not isinstance(value, float):
         return str(value)
     if key == "error":
-        return f"{value:.1e}"
+        return upward(value)
     return f"{math.degrees(value) if _is_angle(key) else value:.10g}"
 
 

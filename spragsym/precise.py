@@ -13,15 +13,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
-from typing import Any, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
 import mpmath
 
 from .catastrophe import cusp_proofs
 from .catastrophe.enclosures import Point
 from .errors import ParameterError, ParameterTypeError
+from .exact.decimals import Decimal, around, exactly
 from .exact.escalation import with_enough_bits
 from .exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
 from .exact.polynomials import Undecided
@@ -37,11 +38,38 @@ MOST_DIGITS = 1000
 _NUMBER = re.compile(r"\s*[+-]?(\d{1,400}(/\d{1,400})?|(\d{1,400}\.?\d{0,400}|\.\d{1,400})([eE][+-]?\d{1,3})?)\s*")
 
 
-@dataclass(frozen=True)
-class PreciseEquilibrium:
+class _Written:
+    """Gives a dataclass its numbers in decimals, and a ``repr`` that is made of these."""
+
+    #: Names of the numbers.
+    NUMBERS: ClassVar[tuple[str, ...]]
+
+    def _bound(self, value: mpmath.mpf) -> Fraction:
+        raise NotImplementedError
+
+    def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
+        """The numbers in decimals, each with a bound on its error that covers the rounding to these digits too.
+
+        ``digits`` are significant ones; by default as many as are proved.
+        """
+        return {name: around(getattr(self, name), self._bound(getattr(self, name)), digits) for name in self.NUMBERS}
+
+    def __repr__(self) -> str:
+        numbers = [f"{name}={decimal}" for name, decimal in self.decimals().items()]
+        others = [
+            f"{field.name}={getattr(self, field.name)!r}"
+            for field in fields(self)  # type: ignore[arg-type]
+            if field.name not in (*self.NUMBERS, "error", "radius")
+        ]
+        return f"{type(self).__name__}({', '.join([*numbers, *others])})"
+
+
+@dataclass(frozen=True, repr=False)
+class PreciseEquilibrium(_Written):
     """One equilibrium; ``theta`` in radians, ``error`` a proved bound on |error| / max(1, |value|) of the four as they stand.
 
-    ``fold`` says that it is a fold to the last digit that could be tried; only then may ``error`` be above 10^−dps.
+    ``print`` writes decimals with bounds that hold for these digits, and so does :meth:`decimals`. ``fold`` says that it is a
+    fold to the last digit that could be tried; only then may ``error`` be above 10^−dps.
     """
 
     theta: mpmath.mpf
@@ -51,6 +79,11 @@ class PreciseEquilibrium:
     stability: Stability
     error: mpmath.mpf
     fold: bool
+
+    NUMBERS = ("theta", "L", "x", "y")
+
+    def _bound(self, value: mpmath.mpf) -> Fraction:
+        return exactly(self.error) * max(Fraction(1), abs(exactly(value)))
 
 
 @dataclass(frozen=True)
@@ -79,17 +112,12 @@ def as_exact(name: str, value: Exact, allowed: Range) -> Fraction:
             raise ParameterError(f"{name} = {value[:40]!r} divides by zero")
     elif isinstance(value, mpmath.mpf | float) and not mpmath.isfinite(value):
         raise ParameterError(f"{name} = {value} is not a finite number in {allowed}")
-    exact = _from_mpf(value) if isinstance(value, mpmath.mpf) else Fraction(value)
+    exact = exactly(value)
     below = exact <= Fraction(allowed.low) if allowed.open_low else exact < Fraction(allowed.low)
     # π is irrational and its float lies below it: a rational beyond the float but below π is not worth a doubt.
     if below or (allowed.high != float("inf") and exact >= Fraction(allowed.high)):
         raise ParameterError(f"{name} = {value} is not in {allowed}" + (f": {allowed.remedy}" if allowed.remedy else ""))
     return exact
-
-
-def _from_mpf(value: mpmath.mpf) -> Fraction:
-    negative, mantissa, exponent, _ = value._mpf_
-    return Fraction(-int(mantissa) if negative else int(mantissa)) * Fraction(2) ** int(exponent)
 
 
 def as_digits(dps: int) -> int:
@@ -140,8 +168,8 @@ def equilibria(
     --------
     >>> from spragsym import precise
     >>> state, = precise.equilibria(theta0_deg="49", dps=30)
-    >>> import mpmath; mpmath.nstr(state.x, 30)
-    '1.21742364817816844590957746961'
+    >>> str(state.decimals()["x"]), str(state.decimals(digits=6)["x"])
+    ('1.21742364817816844590957746961466093475851094892 ± 2.9e-45', '1.21742 ± 3.7e-06')
     """
     digits = as_digits(dps)
     if (theta0 is None) == (theta0_deg is None):
@@ -164,8 +192,8 @@ def equilibria(
 # ------------------------------------------------------------------------------------------------------- cusps
 
 
-@dataclass(frozen=True)
-class PreciseCusp:
+@dataclass(frozen=True, repr=False)
+class PreciseCusp(_Written):
     """One cusp; ``radius`` bounds |error| of each of the six numbers as they stand, angles in radians.
 
     ``versal`` says that it is one in the sense of catastrophe theory: f‴ ≠ 0 and θ₀, μ₀ unfold f, both proved.
@@ -179,6 +207,11 @@ class PreciseCusp:
     y: mpmath.mpf
     radius: mpmath.mpf
     versal: bool
+
+    NUMBERS = ("theta0", "mu0", "theta", "L", "x", "y")
+
+    def _bound(self, _: mpmath.mpf) -> Fraction:
+        return exactly(self.radius)
 
 
 @dataclass(frozen=True)
@@ -237,10 +270,9 @@ def cusps(
     Examples
     --------
     >>> from spragsym import precise
-    >>> import mpmath
     >>> found = precise.cusps(dps=30)
-    >>> len(found), found.count, mpmath.nstr(found[2].mu0, 25), found[2].versal
-    (4, 2, '0.2009317818050900185134401', True)
+    >>> len(found), found.count, str(found[2].decimals(25)["mu0"]), found[2].versal
+    (4, 2, '0.2009317818050900185134401 ± 4.8e-26', True)
     """
     digits = as_digits(dps)
     given = {"kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}

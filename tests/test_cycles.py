@@ -8,6 +8,8 @@ import importlib.util
 import itertools
 import json
 import math
+import types
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -22,9 +24,10 @@ from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import exponents, finding
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
-from spragsym.dynamics import criteria, shooting
+from spragsym.dynamics import criteria, multipliers, shooting
 from spragsym.dynamics.field import Border, Field
 from spragsym.dynamics.flows import carrier
+from spragsym.exact.decimals import exactly
 from spragsym.generated import motion
 
 pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
@@ -382,9 +385,48 @@ def test_a_doubling_in_two_parameters(branch: ss.CycleBranch) -> None:
 
 def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
     a, b, c = slow.multipliers[1:]
-    assert criteria.at_one(slow.loop) == pytest.approx(((1 - a) * (1 - b) * (1 - c)).real, abs=1e-12)
-    assert criteria.at_minus_one(slow.loop) == pytest.approx(((1 + a) * (1 + b) * (1 + c)).real, abs=1e-12)
-    assert criteria.on_circle(slow.loop) == pytest.approx(((1 - a * b) * (1 - a * c) * (1 - b * c)).real, abs=1e-12)
+
+    def product(*values: complex) -> float:
+        """Of factors 1 − μ, each over its size."""
+        return math.prod(((1 - value) / (1 + abs(value))).real for value in values)
+
+    assert criteria.at_one(slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
+    assert criteria.at_minus_one(slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
+    assert criteria.on_circle(slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
+
+
+@pytest.mark.parametrize("large", [1e3, 1e8, 1e10])
+def test_small_multipliers_keep_their_digits_beside_large_ones(large: float) -> None:
+    """Of a product of stretches in a known triangular form, turned: the product alone has lost them."""
+    rng = np.random.default_rng(5)
+    wanted, count = np.array([large, -1.5, 0.9, 1e-3]), 8
+    roots = np.abs(wanted) ** (1 / count)
+    turns = [np.linalg.qr(rng.normal(size=(5, 5)))[0] for _ in range(count)]
+    parts = []
+    for i in range(count):
+        shares = [1.0, *(roots * ([1, -1, 1, 1] if i == 0 else 1))]
+        triangular = np.diag(shares) + np.triu(rng.uniform(-0.5, 0.5, (5, 5)), 1)
+        parts.append(turns[(i + 1) % count] @ triangular @ turns[i].T)
+    found = multipliers.multipliers_of(parts, [turn[:, 0] for turn in turns])  # the first direction is the flow's
+    assert found.trivial == pytest.approx(1, abs=1e-12)
+    assert np.abs(found.others / wanted - 1).max() < 1e-9
+    assert (np.abs(found.others - wanted) <= found.errors).all()
+    assert (found.errors < 1e-7 * np.abs(wanted)).all()
+    if large > 1e9:
+        plain = np.linalg.eigvals(np.linalg.multi_dot(parts[::-1]))
+        assert min(abs(plain - 1e-3)) > 1e-7
+
+
+def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
+    """A stretch that errs along the flow by 1e-6 of its size leaves a multiplier of 1.1 beside one of 1e8 untold."""
+    parts = [np.diag([1.0, 1e8, 1.1]) + np.array([[0, 0, 0], [1e2, 0, 0], [0, 0, 0]])]
+    found = multipliers.multipliers_of(parts, [np.array([1.0, 0.0, 0.0])])
+    loop: Any = types.SimpleNamespace(multipliers=found)
+    assert found.errors[1] > 0.1
+    assert criteria.is_lost(loop, "fold")
+    assert criteria.is_lost(loop, "torus") or not criteria.is_complex_pair(loop)
+    good = multipliers.multipliers_of([np.diag([1.0, 1e2, 1.1])], [np.array([1.0, 0.0, 0.0])])
+    assert not criteria.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
 
 
 # --------------------------------------------------------------------------------------------- fates and exponents
@@ -577,15 +619,46 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
         with pytest.raises(ball_proof.NotProved):
             ball_proof.proved(CIRCLE, claim)
     assert "again" in proofs.prove_cycle(found).reason  # no other process knows a field of this file
-    with mpmath.workdps(40):
-        assert abs(mpmath.mpf(proved["period"]) - 2 * mpmath.pi) <= proved["error"]
-        assert abs(mpmath.mpf(proved["state"][0]) - mpmath.mpf(1) / 2) <= proved["error"]
-        trivial, other = proved["multipliers"]
-        assert abs(mpmath.mpf(trivial[0]) - 1) <= trivial[2]
-        assert abs(mpmath.mpf(other[0]) - mpmath.exp(-mpmath.pi / 2)) <= other[2]
-    assert proved["error"] < 1e-12
-    assert other[2] < 1e-6
     assert proved["stable"] is True
+
+
+@pytest.mark.parametrize("digits", [10, 25, *(pytest.param(many, marks=pytest.mark.thorough) for many in (60, 200))])
+def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int) -> None:
+    """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
+    pytest.importorskip("flint")
+    from spragsym.cycles import ball_proof, proofs
+
+    found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
+    told = proofs.proof_of(found, ball_proof.shown(CIRCLE, proofs.claim_of(found, digits)))
+    with mpmath.workdps(digits + 40):
+        truth = {
+            "state_1": Fraction(1, 2), "state_2": Fraction(0), "period": exactly(2 * mpmath.pi), "multiplier_1": Fraction(1),
+            "multiplier_2": exactly(mpmath.exp(-mpmath.pi / 2)),
+        }  # fmt: skip
+    beyond = Fraction(1, 10 ** (digits + 35))  # of π
+    for many in (None, 1, 3, digits, digits + 9):
+        for name, (text, error) in told.decimals(many).items():
+            if name in truth:
+                assert abs(Fraction(text) - truth[name]) <= Fraction(error) + beyond, (name, many)
+    balls = {"state_1": (told.state[0], told.error), "period": (told.period, told.error)}
+    balls |= {f"multiplier_{i}": (value.real, radius) for i, (value, radius) in enumerate(told.multipliers, 1)}
+    for name, (value, radius) in balls.items():  # all of the proved ball, not only what is known to be true
+        text, error = told.decimals()[name]
+        assert abs(Fraction(text) - exactly(value)) + exactly(radius) <= Fraction(error)
+    assert told.error < 10.0**-digits
+    assert told.state[1] == 0  # the section is x' = 0, exactly
+    assert told.decimals()["period"].text in str(told)
+
+
+def test_balls_are_carried_onward_only() -> None:
+    flint = pytest.importorskip("flint")
+    from spragsym.cycles import ball_flow
+
+    unit = flint.arb_mat(2, 2, [1, 0, 0, 1])
+    for duration in (-0.25, math.nan):
+        balls = ball_flow.Balls(CIRCLE, [flint.arb(0.25)], 20, [flint.arb(0.5), flint.arb(0)], unit, [flint.arb(0)] * 2, (0,))
+        with pytest.raises(ss.ParameterError, match="onward"):
+            balls.carry(flint.arb(duration))
 
 
 def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any) -> None:
@@ -749,6 +822,23 @@ def test_a_proof_that_takes_too_long_is_given_up(slow: ss.Cycle) -> None:
     assert "given up" in found.reason
     with pytest.raises(ss.ParameterError, match="digits"):
         ss.precise.prove_cycle(slow, digits=3)
+
+
+@pytest.mark.parametrize("low", [0.06, 0.085, pytest.param(0.05, marks=pytest.mark.thorough)])
+def test_a_branch_of_doubled_cycles_ends_where_its_period_halves(low: float) -> None:
+    """Whatever the range: at 0.085 it went on over its end, at 0.06 it turned onto the shorter cycle through a fold of none."""
+    p = ss.Parameters(
+        theta0=0.9779229808598093, mu0=0.6404879967616784, kappa=0.0039780190650670795, alpha=0.009517221488082478,
+        sigma=0.2154345917301352, beta=0.0,
+    )  # fmt: skip
+    doubled = ss.cycle(p, V=0.16784, d=7.910813740502483)
+    branch = ss.cycle_branch(doubled, "V", (low, 0.25), points=200)
+    assert {event.kind for event in branch.events} <= {"end", "grazing"}
+    assert [event.value for event in branch.of("end")] == pytest.approx([0.0860932668, 0.1973199041], abs=1e-9)
+    for end in branch.of("end"):
+        assert "half" in end.how
+        assert end.cycle.period == pytest.approx(20.245 if end.value < 0.1 else 19.249, abs=1e-3)
+        assert min(abs(end.cycle.multipliers + 1)) < 1e-7
 
 
 @pytest.mark.thorough

@@ -97,6 +97,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Report": lambda: _study().report(probability=False, redesign=False, oscillation=False),
     "ModelEquilibria": lambda: MODEL.equilibria(MODEL.Parameters(theta0=np.radians([30.0, 49.0]))),
     "ModelPoints": lambda: _folds_of_a_model(),
+    "Onsets": lambda: ss.load("stick_slip").flutter_onsets(ss.load("stick_slip").Parameters(), vary="V"),
     "ModelPath": lambda: MODEL.quasi_static_path(MODEL.Parameters(), "theta0", [0.5, 0.6]),
     "ModelTrajectory": lambda: MODEL.simulate(MODEL.Parameters(theta0=0.5), t_end=20.0, backend="scipy"),
     "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),

@@ -123,8 +123,10 @@ def _proof(found: Cycle) -> dict[str, Any]:
     from .. import precise
 
     proof = precise.prove_cycle(found)
-    told = {"error_proved": proof.error, "stable_proved": proof.stable} if proof.proved else {"reason": proof.reason}
-    return {"proved": proof.proved, **told}
+    if not proof.proved:
+        return {"proved": False, "reason": proof.reason}
+    decimals = {f"{name}_proved": str(decimal) for name, decimal in proof.decimals().items()}
+    return {"proved": True, **decimals, "stable_proved": proof.stable}
 
 
 def _state(text: str | None, size: int) -> list[float] | None:

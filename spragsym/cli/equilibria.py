@@ -10,6 +10,7 @@ from typing import Any
 import click
 
 from ..errors import ParameterError
+from ..exact.decimals import upward
 from ..parameters import NAMES, RANGES, FloatArray
 from .commands import command
 from .data import PHYSICAL, data, length, varied
@@ -67,7 +68,7 @@ def equilibria(
     columns = ("theta_deg", *(name + end for name in ("L", "x", "y")))
     print_table("", (*names, "state", "stability", *columns, "error"), [
         (*(point["parameters"][name] for name in names), row["state"], row["stability"], *(row[name] for name in columns),
-         f"{row['error']:.1e}")
+         upward(row["error"]))
         for point in found for row in point["equilibria"]
     ])  # fmt: skip
     for one in found:

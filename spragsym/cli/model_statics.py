@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from ..errors import ParameterError
+from ..exact.decimals import upward
 from .options import Number
 from .tables import busy, print_json, print_table
 from .targets import refuse
@@ -48,7 +49,7 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
             return
         print_table("", ("state", "stability", *model.coordinates, "growth", "error"), [
             (row["state"], row["stability"], *(row[name] for name in model.coordinates),
-             *(f"{row[name]:.1e}" for name in ("growth", "error")))
+             f"{row['growth']:.1e}", upward(row["error"]))
             for row in rows
         ])  # fmt: skip
         for place in ("contact", "lift-off"):
@@ -217,6 +218,7 @@ def points_of(model: Model, points: Any) -> dict[str, Any]:
             **{name: float(getattr(points, name)[row]) for name in names},
             "kind": str(points.kind[row]),
             "error": float(points.error[row]),
+            **_danger(points, row),
         }
         for row in range(len(points))
     ]
@@ -230,6 +232,15 @@ def points_of(model: Model, points: Any) -> dict[str, Any]:
     }
 
 
+def _danger(points: Any, row: int) -> dict[str, Any]:
+    """How dangerous an onset is, where a pair crosses: None for numbers that there are not."""
+    if points.kind[row] != "hopf":
+        return {}
+    numbers = {name: float(getattr(points, name)[row]) for name in ("lyapunov", "lyapunov_error", "crossing")}
+    known = {name: value if math.isfinite(value) else None for name, value in numbers.items()}
+    return {"criticality": str(points.criticality[row]), **known, "why": points.why[row]}
+
+
 def print_points(model: Model, title: str, points: Any) -> None:
     """A table of points, angles in degrees, and where it is not known whether there are more."""
     import numpy as np
@@ -237,8 +248,10 @@ def print_points(model: Model, title: str, points: Any) -> None:
     units = {name: math.degrees(1.0) for name in model.about["angles"]}
     names = (*points.vary, *model.coordinates)
     columns = [*(units.get(name, 1.0) * getattr(points, name) for name in names), points.kind]
+    hopf = "hopf" in points.kind
+    columns += [points.criticality] if hopf else []
     rows = [tuple(column[row].item() for column in columns) for row in range(len(points))]
-    header = (*(f"{name}_deg" if name in units else name for name in names), "kind")
+    header = (*(f"{name}_deg" if name in units else name for name in names), "kind", *(["criticality"] if hopf else []))
     print_table(title.capitalize(), header, rows)
     if not points.complete:
         unknowns = (*model.coordinates, *points.vary)

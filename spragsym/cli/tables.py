@@ -9,6 +9,8 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+from ..exact.decimals import upward
+
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
@@ -70,7 +72,13 @@ def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> list[lis
     console = Console()
     room = max(WIDTH, console.width if console.is_terminal else 0)
     for digits in range(MOST_DIGITS, LEAST_DIGITS - 1, -1):
-        written = [[f"{cell:.{digits}g}" if isinstance(cell, float) else cell for cell in row] for row in rows]
+        written = [
+            [
+                cell if not isinstance(cell, float) else upward(cell) if name == "error" else f"{cell:.{digits}g}"
+                for name, cell in zip(header, row, strict=True)
+            ]
+            for row in rows
+        ]
         widths = [max(cell_len(str(cell)) for cell in column) for column in zip(header, *written, strict=True)]
         if sum(widths) + 2 * (len(widths) - 1) <= room:
             break

@@ -8,20 +8,36 @@ import numpy as np
 
 from ..dynamics.field import Field
 from ..dynamics.passage import Fly
-from ..dynamics.shooting import LARGEST_GROWTH, MOST_STRETCHES, Guess, Loop, growth, looped, rate, recut, solved
+from ..dynamics.shooting import (
+    LARGEST_GROWTH,
+    MOST_STRETCHES,
+    Guess,
+    Loop,
+    chorded,
+    growth,
+    looped,
+    rate,
+    recut,
+    rounding,
+    solved,
+)
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length."""
+    """What all points of a branch share: the model, its integrator, which parameter is free, and units of the arc's length.
+
+    ``plain`` is the integrator without derivatives, where that is much cheaper.
+    """
 
     field: Field
     fly: Fly
     free: tuple[int, ...]
     period: float
     spans: tuple[float, ...]
+    plain: Fly | None = None
 
     def weights(self, stretches: int) -> FloatArray:
         """Weights of states, period and parameters in the length of the arc."""
@@ -76,6 +92,8 @@ def corrected(setting: Setting, point: Point, length: float, *, reach: float = n
     def conditions(loop: Loop) -> tuple[FloatArray, FloatArray]:
         return rows @ (loop.guess.coordinates(setting.free) - target), rows
 
+    if setting.plain is not None:
+        guess = chorded(setting.field, setting.fly, setting.plain, guess, conditions, setting.free)
     loop = solved(setting.field, setting.fly, guess, conditions, setting.free, reach=reach, iterations=7)
     return point_of(setting, loop, point.tangent)
 
@@ -103,6 +121,14 @@ def cut_finer(setting: Setting, point: Point) -> Point:
     size = setting.field.size
     along[:size], along[finer.guess.states.size :] = point.tangent[:size], point.tangent[loop.guess.states.size :]
     return point_of(setting, finer, along)
+
+
+def uncertainty(setting: Setting, point: Point) -> float:
+    """Error of the parameter: what does not close, with what rounding adds, times the sensitivity along the branch."""
+    weights = setting.weights(len(point.loop.guess.states))
+    rows = np.vstack([point.loop.slopes(len(setting.free)), phase_row(setting, point.loop), (point.tangent * weights**2)[None]])
+    inverse = np.linalg.pinv(rows, rcond=1e-14)
+    return float(np.abs(inverse[-1]).sum()) * max(point.loop.missed, rounding(point.loop))
 
 
 def angle(setting: Setting, one: Point, other: Point) -> float:

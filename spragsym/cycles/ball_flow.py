@@ -16,6 +16,7 @@ from typing import Any
 from flint import acb, arb, arb_mat
 
 from ..dynamics.field import Field, Mode
+from ..errors import ParameterError
 from ..exact.jets import gradient, variables
 from .jets import XP, Jet
 
@@ -28,12 +29,22 @@ SHARE = 1 / 7
 #: Growth of small deviations, as an exponent, that is allowed over a radius of convergence: it multiplies what is left out.
 STEEPEST = 20
 
+#: A window within which something happens, in units of how long it takes by itself.
+APART = 2
+
+#: The least window of one orbit, in those of the set.
+NARROWER = 1e-3
+
 #: Halvings of a step in which a border might be met.
 DEEPEST = 12
 
 
 class NotProved(Exception):
     """What could not be shown."""
+
+
+class TooWide(NotProved):
+    """What a smaller set of starts, carried with more digits, may show."""
 
 
 @dataclass
@@ -57,7 +68,9 @@ class Balls:
     # ------------------------------------------------------------------------------------------ smooth steps
 
     def carry(self, duration: Any) -> None:
-        """Carry all states on within the mode, which none may leave."""
+        """Carry all states on within the mode, which none may leave; only onward."""
+        if not duration >= 0:
+            raise ParameterError(f"duration = {duration} is not certainly 0 or more; a set of states is carried onward only")
         left = duration
         while left > 0:
             box = self.box
@@ -67,7 +80,7 @@ class Balls:
             self._step(box, step, radius, bounds, slope)
             left = left - step
             if not left.is_exact():
-                raise NotProved("time could not be kept exactly; more bits would do it")
+                raise NotProved("time could not be kept exactly: the steps have become as short as its last bit")
 
     def _step(self, box: list[Any], step: Any, radius: Any, bounds: list[Any], slope: Any) -> None:
         ratio = (step / radius).abs_upper()
@@ -87,20 +100,20 @@ class Balls:
         ]
         self.matrix = derivative * self.matrix
 
-    def _disc(self, box: list[Any]) -> tuple[Any, list[Any], Any]:
+    def _disc(self, box: list[Any], mode: Mode | None = None) -> tuple[Any, list[Any], Any]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
-        n = len(self.field.coordinates)
+        n, mode = len(self.field.coordinates), mode or self.mode
 
         def disc(radii: list[Any]) -> list[Any]:
             return [acb(_widened(value, r), _around(r)) for value, r in zip(box, radii, strict=True)]
 
         def sizes(radii: list[Any]) -> list[Any]:
             about = disc(radii)
-            rates = [*about[n:], *self.field.acceleration(about, self.constants, self.mode, XP)]
+            rates = [*about[n:], *self.field.acceleration(about, self.constants, mode, XP)]
             return [abs(acb(rate)).abs_upper() for rate in rates]
 
         if not all(value.rad() < 1e-2 for value in box):
-            raise NotProved("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
+            raise TooWide("the enclosure of the states has grown too wide: more digits would do it, or the orbit is too stiff")
         # The square root in L is analytic there: a disc about a positive number that meets its cut holds 0, and 1/L is infinite.
         still = sizes([arb(1e-3)] * len(box))
         for length in TIMES:
@@ -110,7 +123,7 @@ class Balls:
                 if not all(size.is_finite() for size in found):
                     break
                 if all(length * size <= radius for size, radius in zip(found, radii, strict=True)):
-                    rows = slopes_at(self.field, disc(radii), self.constants, self.mode)
+                    rows = slopes_at(self.field, disc(radii), self.constants, mode)
                     slope = _most([arb(1), *(sum((abs(acb(v)).abs_upper() for v in row), arb(0)) for row in rows)])
                     if length * slope < STEEPEST:
                         return arb(length), radii, slope
@@ -152,13 +165,23 @@ class Balls:
             if border.kink and i != but and not border.sign(self.mode) * border.level(states, self.constants, self.mode) > 0:
                 raise NotProved(f"{border.name} is too near to be told from what happens beside it")
 
+    def apart(self, index: int) -> Any:
+        """How far apart in time the states come to a border, about; not rigorous."""
+        border = self.field.borders[index]
+        middle = [value.mid() for value in self.point]
+        accelerations = self.field.acceleration(middle, self.constants, self.mode, XP)
+        speed = abs(arb(border.rate(middle, accelerations, self.constants, self.mode))).lower()
+        return arb(arb(border.level(self.box, self.constants, self.mode)).rad()) / speed
+
     def cross(self, index: int, window: Any) -> None:
         """Carry all states over a border, which each of them crosses once within the window."""
+        if not window > 0:
+            raise ParameterError(f"window = {window} is not positive; a set of states is carried onward only")
         border, after = self.field.borders[index], self.field.borders[index].beyond(self.mode)
         sign = border.sign(self.mode)
         box, n = self.box, len(self.field.coordinates)
         if not sign * border.level(box, self.constants, self.mode) > 0:
-            raise NotProved(f"that no state has met {border.name} yet could not be shown")
+            raise TooWide(f"that no state has met {border.name} yet could not be shown")
         hull = [_widened(value, arb(1e-6)) for value in box]
         self.keeps_clear(hull, but=index)
         speeds, slopes, rates = [], [arb(1)], []
@@ -170,18 +193,56 @@ class Balls:
             slopes += [sum((abs(arb(v)).abs_upper() for v in row), arb(0)) for row in rows]
         speed, slope = _most(speeds), _most(slopes)
         if not window * speed < arb(1e-6):
-            raise NotProved("the window of a crossing is too wide")
+            raise TooWide(
+                f"the states meet {border.name} too far apart in time; more digits would do it, unless it is only touched there"
+            )
         if not all(sign * rate < 0 for rate in rates):
             raise NotProved(f"that {border.name} is crossed, not only touched, could not be shown")
-        mixed = window * slope * window * speed
-        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
-        self.point = [value + window * rate + _around(mixed) for value, rate in zip(self.point, fields, strict=True)]
+        self._cross_center(border, after, window, slope, speed)
         m, spread = self.field.size, _around((window * slope).exp() - 1)
         near_one = arb_mat(m, m, [(1 if i == j else 0) + spread for i in range(m) for j in range(m)])
         self.matrix = near_one * self.matrix
         if not sign * border.level(self.box, self.constants, self.mode) < 0:
-            raise NotProved(f"that every state has crossed {border.name} could not be shown")
+            raise TooWide(f"that every state has crossed {border.name} could not be shown")
         self.mode = after
+
+    def _cross_center(self, border: Any, after: Mode, window: Any, slope: Any, speed: Any) -> None:
+        """The point alone, which crosses within the window: within a narrower one of its own.
+
+        Its level falls all the while, so before that one it is in the one mode, and after it in the other.
+        """
+        sign, n = border.sign(self.mode), len(self.field.coordinates)
+        level = arb(border.level(self.point, self.constants, self.mode))
+        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
+        due = level / arb(border.rate(self.point, fields[n:], self.constants, self.mode))
+        half = arb(float((window * NARROWER + APART * due.rad()).upper()))
+        lead = arb(float(abs(due).mid())) - half
+        if not (lead > 0 and lead + 2 * half < window):
+            raise TooWide(unknown(border))
+        self.point = self._alone(self.mode, lead)
+        if not sign * border.level(self.point, self.constants, self.mode) > 0:
+            raise TooWide(unknown(border))
+        mixed = 2 * half * slope * 2 * half * speed
+        fields = [*self.point[n:], *self.field.acceleration(self.point, self.constants, self.mode, XP)]
+        self.point = [value + 2 * half * rate + _around(mixed) for value, rate in zip(self.point, fields, strict=True)]
+        if not sign * border.level(self.point, self.constants, self.mode) < 0:
+            raise TooWide(unknown(border))
+        self.point = self._alone(after, window - lead - 2 * half)
+
+    def _alone(self, mode: Mode, duration: Any) -> list[Any]:
+        """The point after a short while in a mode."""
+        radius, bounds, _ = self._disc(self.point, mode)
+        ratio = (duration / radius).abs_upper()
+        if not ratio < SHARE:
+            raise NotProved("the window of a crossing is longer than a step")
+        tail = arb(ratio) ** (self.order + 1) / (1 - arb(ratio))
+        jets = solution(self.field, self.point, self.constants, mode, self.order)
+        return [polynomial(jet, self.order, duration) + _around(bound * tail) for jet, bound in zip(jets, bounds, strict=True)]
+
+
+def unknown(border: Any) -> str:
+    """Why a crossing is not shown."""
+    return f"that {border.name} is crossed within a window could not be shown; more digits would do it, unless it is only touched"
 
 
 def slopes_along(field: Field, within: list[Jet], constants: list[Any], mode: Mode) -> list[list[Any]]:

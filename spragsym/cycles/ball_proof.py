@@ -11,6 +11,7 @@ import math
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -18,38 +19,77 @@ from flint import acb_mat, arb, arb_mat, ctx
 
 from ..dynamics.field import Field, Mode
 from ..errors import ParameterError
-from .ball_flow import Balls, NotProved, polynomial, slopes_at, solution
+from .ball_flow import APART, Balls, NotProved, TooWide, polynomial, slopes_at, solution
 from .jets import XP
 
 #: Rounds of Newton's method with the slopes of double precision.
 ROUNDS = 14
 
-#: Half of the window in which a border is crossed, in units of the radius of the starts.
-WINDOW = 1e5
+#: Half of the window in which a border is crossed, before the states tell: in units of the radius of the starts, and at most.
+WINDOW, WIDEST = 1e5, 1e-6
+
+#: Digits up to which more of them are tried than were asked for.
+ENOUGH = 25
+
+#: A derivative of the return that is as nearly singular as this is that of a fold: Newton's method has nothing to stand on.
+SINGULAR = 1e-14
+
+#: A border that is crossed at less than this speed is touched.
+SLOWEST = 1e-7
+
+
+def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
+    """What is shown of a claim: where its digits leave the box of starts too wide, with more of them, up to :data:`ENOUGH`."""
+    digits = int(claim["digits"])
+    while True:
+        try:
+            with bits(bits_for(digits)):
+                return {"digits": digits, **proved(field, claim | {"digits": digits})}
+        except TooWide as reason:
+            if digits >= ENOUGH:
+                raise NotProved(f"{reason} (of half width 1e-{digits}); give more digits") from reason
+            digits = min(math.ceil(1.5 * digits), ENOUGH)
 
 
 def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """What is shown of a claim, all numbers as decimal strings; within :func:`bits` of :func:`bits_for` its digits."""
+    """What is shown of a claim, all numbers exactly, as :func:`spoken`; within :func:`bits` of :func:`bits_for` its digits."""
     digits = int(claim["digits"])
-    radius, order = arb(10) ** -digits, math.ceil(1.9 * digits)
-    radius = arb(float(radius.mid()))
+    radius, order = arb(10.0**-digits), math.ceil(1.7 * digits) + 12
     constants = list(field.constants([arb(value) for value in claim["values"]], XP))
     state, period = [arb(value) for value in claim["state"]], arb(claim["period"])
     n = len(field.coordinates)
-    moved = [i for i in range(field.size) if i != n]  # the first speed is 0 where the first coordinate is largest
+    moved = [i for i in range(field.size) if i != n]
+    state[n] = arb(0)  # exactly: the section is where the first coordinate is largest
     mode = field.exact(field.initial_mode(claim["state"], field.constants(claim["values"])))
     slopes = np.array(claim["slopes"])
+    if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
+        raise NotProved("a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone")
     inverse = [[arb(value) for value in row] for row in np.linalg.inv(slopes).tolist()]
     state, period, times = _refined(field, constants, state, period, mode, claim["crossings"], inverse, moved, order, digits)
 
     start = [arb(0, radius) if i in moved else arb(0) for i in range(field.size)]
     balls = Balls(field, constants, order, [value.mid() for value in state], _unit(field.size), start, mode)
-    clock, half = arb(0), arb(float((radius * WINDOW).mid()))
+    clock = arb(0)
     for index, time in times:
-        before = arb(time - half).mid()
-        balls.carry(_exactly(before - clock))
-        balls.cross(index, 2 * half)
-        clock = _exactly(before + 2 * half)
+        half = arb(min(float((radius * WINDOW).mid()), WIDEST))
+        for _ in range(2):  # the states tell how wide the window need be once they are near
+            before = arb(time - half).mid()
+            if before > clock:
+                balls.carry(_exactly(before - clock))
+                clock = before
+            if not time > clock:
+                raise NotProved(
+                    f"two borders are crossed so soon after each other that their windows of {2 * float(half.mid()):.1e} meet"
+                )
+            near = balls.apart(index)
+            if not APART * near < half:
+                break
+            half = arb(float(APART * near.mid()))
+        window = _exactly((2 * (time - clock)).mid())
+        balls.cross(index, window)
+        clock = _exactly(clock + window)
+    if not period > clock:
+        raise NotProved("a border is crossed where the orbit begins and ends; begin it elsewhere")
     balls.carry(_exactly(period - clock))
     if balls.mode != mode:
         raise NotProved("the motion does not come back in the smooth piece in which it began")
@@ -74,7 +114,7 @@ def bits(count: int) -> Iterator[None]:
 
 def _exactly(value: Any) -> Any:
     if not value.is_exact():
-        raise NotProved("time could not be kept exactly; more bits would do it")
+        raise NotProved("time could not be kept exactly: it is not a number")
     return value
 
 
@@ -91,7 +131,7 @@ def _refined(
 ) -> tuple[list[Any], Any, list[tuple[int, Any]]]:  # fmt: skip
     """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope."""
     goal = arb(10) ** -(1.4 * digits)
-    missed = arb(1)
+    missed, slow = arb(1), 0
     for _ in range(ROUNDS):
         end, times = _traced(field, constants, state, period, mode, crossings, order, digits)
         gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]
@@ -99,10 +139,21 @@ def _refined(
         for i, column in enumerate(moved):
             state[column] = (state[column] - steps[i]).mid()
         period = (period - steps[-1]).mid()
-        before, missed = missed, max((abs(gap) for gap in gaps), key=float)
+        before, missed = missed, max((abs(gap) for gap in gaps), key=_size)
         if missed < goal or (missed > before and before < arb(10) ** -(1.15 * digits)):
             return state, period, times
-    raise NotProved("Newton's method in many digits does not converge from the cycle as it is given")
+        slow = slow + 1 if not missed < before / 3 else 0
+        if slow > 1 or not missed < 1:
+            break
+    raise NotProved(
+        f"Newton's method in many digits does not converge from the cycle as given: it stays open by {_size(missed):.1e}"
+    )
+
+
+def _size(value: Any) -> float:
+    """A ball's middle in size; what is no number counts as infinite."""
+    size = abs(float(value.mid()))
+    return size if math.isfinite(size) else math.inf
 
 
 def _traced(
@@ -113,6 +164,8 @@ def _traced(
     clock, now, times = arb(0), list(state), []
     for about, border in [*((float(t), int(i)) for t, i in crossings), (None, -1)]:
         target = period if about is None else arb(about)
+        if not target > clock:
+            raise NotProved("two crossings can't be told apart in time")
         while True:
             jets = solution(field, now, constants, mode, order)
             size = max(float(abs(jet[order]).mid()) for jet in jets)
@@ -124,18 +177,30 @@ def _traced(
             clock = (clock + arb(reach)).mid()
         left = left.mid()
         if about is not None:
-            that = field.borders[border]
+            that, begun = field.borders[border], left
             for _ in range(10):
                 there = [polynomial(jet, order, left).mid() for jet in jets]
                 accelerations = field.acceleration(there, constants, mode, XP)
                 change = that.rate(there, accelerations, constants, mode)
+                if not abs(change) > SLOWEST:
+                    raise NotProved(touched(that))
                 left = (left - that.level(there, constants, mode) / change).mid()
+                if not abs(left - begun) < 0.1:
+                    raise NotProved(touched(that))
         now = [polynomial(jet, order, left).mid() for jet in jets]
         clock = (clock + left).mid()
         if about is not None:
             times.append((border, clock))
             mode = field.borders[border].beyond(mode)
     return now, times
+
+
+def touched(border: Any) -> str:
+    """Why there is no proof next to a grazing."""
+    return (
+        f"{border.name} is touched, or crossed at hardly any speed: next to a grazing the return has no derivative to stand on; "
+        "move a parameter"
+    )
 
 
 # -------------------------------------------------------------------------------------------------- the theorem
@@ -172,7 +237,7 @@ def _krawczyk(
     inside = [abs(c).abs_upper() + w for c, w in zip(corrections, widths, strict=True)]
     if not all(value < radius for value in inside):
         worst = max(float((value / radius).mid()) for value in inside)
-        raise NotProved(f"Newton's operator does not map the box into itself: {worst:.3g} times its size")
+        raise TooWide(f"Newton's operator does not map the box into itself: {worst:.3g} times its size")
     return _told(balls, monodromy, state, period, inside)
 
 
@@ -190,29 +255,31 @@ def _told(balls: Balls, monodromy: Any, state: list[Any], period: Any, inside: l
             stable = True
         elif any(abs(value) > 1 for value in others):
             stable = False
-    error = max(inside, key=lambda ball: float(ball.mid()))
     ordered = sorted(others, key=lambda value: (-float(abs(value).mid()), -float(value.imag.mid())))
     return {
-        "state": [value.str(60, radius=False) for value in state],
-        "period": period.str(60, radius=False),
-        "error": float(error.upper()) * (1 + 1e-12),
+        "state": [spoken(value) for value in state], "period": spoken(period),
+        "error": max((spoken(value.upper()) for value in inside), key=Fraction),
         "multipliers": [
-            [value.real.mid().str(40, radius=False), value.imag.mid().str(40, radius=False),
-             float(max(value.real.rad(), value.imag.rad(), key=float)) * (1 + 1e-9)]
+            [spoken(value.real), spoken(value.imag), max(spoken(value.real, "rad"), spoken(value.imag, "rad"), key=Fraction)]
             for value in [*(eigenvalues[i] for i in trivial), *ordered]
         ],
         "stable": stable,
     }  # fmt: skip
 
 
+def spoken(value: Any, part: str = "mid") -> str:
+    """The middle (or the radius) of a ball, every bit of it, as a fraction in text."""
+    mantissa, exponent = (int(number) for number in getattr(value, part)().man_exp())
+    return str(Fraction(mantissa) * Fraction(2) ** exponent)
+
+
 def main() -> None:
     """Read a claim, write what was proved or why not."""
     claim = json.load(sys.stdin)
     try:
-        with bits(bits_for(int(claim["digits"]))):
-            module, function, *given = claim["field"]
-            field = getattr(importlib.import_module(module), function)(*given)
-            found = {"proved": True, **proved(field, claim)}
+        module, function, *given = claim["field"]
+        field = getattr(importlib.import_module(module), function)(*given)
+        found = {"proved": True, **shown(field, claim)}
     except (NotProved, ParameterError) as reason:
         found = {"proved": False, "reason": str(reason)}
     json.dump(found, sys.stdout)

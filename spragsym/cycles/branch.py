@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..dynamics.flows import carrier
+from ..dynamics.flows import carrier, flow
 from ..dynamics.shooting import Guess, Loop, extent, looped, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, aligned, angle, between, corrected, cut_finer, fixed, point_of, started
-from .inspection import Finding, Seen, findings, halved, repeats
-from .orbit import Cycle, cycle_of
+from .halving import between_halves, due, halved, in_halves, meets, nearer
+from .inspection import Finding, Seen, findings
+from .orbit import Cycle, Cycles, amplitude_of, cycle_of, is_stable, moments
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
@@ -32,6 +33,12 @@ SHRUNK = 0.1
 #: Slowest part of an orbit that is said to come to rest.
 STILL = 2e-3
 
+
+#: Steps longer than this are cut where the halves of a doubled cycle seem to meet and do not.
+COARSE = 1e-4
+
+#: The last cycles before such an end: how far apart their halves are, each in that of the one before.
+SHORT_OF = (0.5, 0.5, 0.5)
 
 CROSSES = "another branch of cycles crosses this one"
 MERGES = "it meets the cycle of half its period, which doubles there"
@@ -75,7 +82,8 @@ class CycleBranch(Result):
     values, periods, rms, amplitude : ndarray, shape (n,)
         Of the parameter and of the cycles.
     stable : ndarray of bool, shape (n,)
-    cycles : tuple of Cycle
+    cycles : sequence of Cycle
+        Each begun anew where its first coordinate is largest when it is asked for.
     events : tuple of CycleEvent
         In the order of the branch.
     """
@@ -86,7 +94,7 @@ class CycleBranch(Result):
     rms: FloatArray
     amplitude: FloatArray
     stable: NDArray[np.bool_]
-    cycles: tuple[Cycle, ...] = field(repr=False)
+    cycles: Sequence[Cycle] = field(repr=False)
     events: tuple[CycleEvent, ...]
     to: tuple[float, float] = field(repr=False)
 
@@ -153,24 +161,20 @@ def cycle_branch(
     if not low <= value <= high or low == high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range around {vary} = {value:.10g} of the cycle; give one")
     fly, backend = carrier(model, cycle.backend)
-    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,))
-    start = started(setting, cycle.loop.guess)
+    plain = flow(model, backend, derivatives=False).fly if backend == "heyoka" else None
+    setting = Setting(model, fly, (index,), cycle.period, ((high - low) / 2,), plain)
+    start = started(setting, in_halves(cycle.loop, setting).guess)
     trace = _Trace(setting, (low, high), points, longest, backend)
     back = list(trace.follow(start, -1.0))
     forth = list(trace.follow(start, 1.0))
     closed = back and isinstance(back[-1], Finding) and back[-1].kind == "closed"
     items = [*reversed(back), start, *([] if closed else forth)]
-    cycles: list[Cycle] = []
-    events: list[CycleEvent] = []
-    for item in items:
-        if isinstance(item, Point):
-            cycles.append(cycle_of(item.loop, fly, backend))
-        elif item.kind != "closed":
-            events.append(trace.event(item))
+    loops = [item.loop for item in items if isinstance(item, Point)]
+    events = [trace.event(item) for item in items if isinstance(item, Finding) and item.kind != "closed"]
     return CycleBranch(
-        vary, np.array([each.values[index] for each in cycles]), np.array([each.period for each in cycles]),
-        np.array([each.rms for each in cycles]), np.array([each.amplitude for each in cycles]),
-        np.array([each.stable for each in cycles]), tuple(cycles), tuple(events), (low, high),
+        vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
+        np.array([moments(loop, backend)[1] for loop in loops]), np.array([amplitude_of(loop) for loop in loops]),
+        np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops), fly, backend), tuple(events), (low, high),
     )  # fmt: skip
 
 
@@ -233,18 +237,18 @@ class _Trace:
                     length /= 2.5  # at the end of the range there may be other sheets: it must be reached along this one
                     continue
                 ahead = stop
-            if repeats(ahead.loop) and not repeats(point.loop):
-                # A long step has gone over the place where the branch ends, on to a shorter cycle twice round.
-                merged = halved(setting, ahead.loop) or halved(setting, point.loop)
-                if merged is not None:
-                    yield End("end", merged, 1e-11, how=MERGES)
-                    return
-            after = Seen(setting, ahead)
             arc = length if stop is None else between(setting, point, ahead)
-            for found in findings(seen, after, arc, before):
-                if found.kind == "merging":
-                    yield End("end", found.loop, found.error, how=MERGES)
+            share = meets(point, ahead)
+            if share is not None:
+                merged = halved(setting, *between_halves(point, ahead, share, setting.free[0]))
+                if merged is not None:
+                    yield from self._merging(seen, before, *merged)
                     return
+                if arc > COARSE:
+                    length = arc / 3
+                    continue
+            after = Seen(setting, ahead)
+            for found in findings(seen, after, arc, before):
                 if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
                     yield self._shrunk(before, seen)
                     return
@@ -257,11 +261,41 @@ class _Trace:
             if end is not None:
                 yield end
                 return
+            merged = self._soon(point, ahead)
+            if merged is not None:
+                yield from self._merging(after, seen, *merged)
+                return
             finer = cut_finer(setting, ahead)
             before = seen if finer is ahead else None
             point, seen = finer, after if finer is ahead else Seen(setting, finer)
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
         yield End("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
+
+    def _merging(self, seen: Seen, before: Seen | None, loop: Loop, error: float) -> Iterator[Point | Finding]:
+        """What happens on the last part of a branch of doubled cycles, a bit short of its end, and the end."""
+        for share in SHORT_OF:
+            near = nearer(self.setting, seen.point, loop, share)
+            if near is None:
+                break
+            last = Seen(self.setting, near)
+            yield from findings(seen, last, between(self.setting, seen.point, near), before)
+            yield near
+            before, seen = None, last
+        yield End("end", loop, error, how=MERGES)
+
+    def _soon(self, point: Point, ahead: Point) -> tuple[Loop, float] | None:
+        """Where a branch of doubled cycles is about to end within the range."""
+        index = self.setting.free[0]
+        value = due(point, ahead, index)
+        if value is None or not self.to[0] <= value <= self.to[1]:
+            return None
+        guess, _, reach = between_halves(point, ahead, 1.0, index)
+        found = halved(self.setting, guess, value, reach)
+        if found is None:
+            return None
+        begun, there = self.value(ahead.loop), found[0].guess.values[index]
+        onward = (there - begun) * (begun - self.value(point.loop)) > 0
+        return found if onward and self.to[0] <= there <= self.to[1] else None
 
     def _shrunk(self, before: Seen | None, last: Seen) -> End:
         """The end at an equilibrium: by Hopf's theorem the square of the extent is linear in the parameter near it."""

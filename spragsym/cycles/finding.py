@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from ..dynamics.flows import NEAR, carrier, follower, scout
 from ..dynamics.passage import Fly, Turn
 from ..dynamics.regimes import Regime
 from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
-from ..errors import ConvergenceError, ParameterError
+from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..parameters import FINITE, FloatArray, Parameters, as_number
 from .orbit import Cycle, cycle_of
 from .sprag import SPRAG
@@ -39,10 +39,10 @@ COMES_TO = {
 
 
 def cycle(
-    p: Parameters, *, V: float | None = None, d: float | None = None, near: Any = None, backend: str | None = None,
-    patient: bool = True,
+    p: Parameters | None = None, *, V: float | None = None, d: float | None = None, near: Any = None, backend: str | None = None,
+    patient: bool = True, onset: Any = None, index: int = 0, amplitude: float | None = None,
 ) -> Cycle:  # fmt: skip
-    """The cycle near a state, or the one that a motion approaches.
+    """The cycle near a state, or the one that a motion approaches, or the one that is born at an onset of flutter.
 
     Newton's method on the flow and its derivatives, by multiple shooting; the orbit may cross y = 0 and x' = V as often
     as it likes, as the field is continuous there.
@@ -60,6 +60,13 @@ def cycle(
         As for :func:`~spragsym.simulate`.
     patient : bool
         Whether to follow the motion from a state that is not near a cycle, for up to 20 000 time units.
+    onset : Onsets, optional
+        Of ``model.flutter_onsets``. They know their model and its parameters: ``p``, ``V``, ``d`` and ``near`` are left out.
+    index : int
+        The number of the onset among them.
+    amplitude : float, optional
+        Of the cycle that is born there: half of the range of the coordinate that moves most, to first order; see
+        :func:`spragsym.models.births.born`. The parameter along which the onsets were found takes the value that belongs to it.
 
     Returns
     -------
@@ -81,9 +88,32 @@ def cycle(
     >>> found = ss.cycle(ss.Parameters.article(theta0=np.radians(42)), V=0.5, d=10.0)
     >>> round(found.period, 6), found.stable
     (34.26737, True)
+    >>> model = ss.load("stick_slip")
+    >>> onsets = model.flutter_onsets(model.Parameters(), vary="V")
+    >>> born = ss.cycle(onset=onsets, index=1, amplitude=0.05)
+    >>> onsets.criticality[1], born.stable, bool(born.parameters["V"] > onsets.V[1])
+    ('dangerous', False, True)
     """
+    born = at_onset(p, near, {"onset": onset, "index": index, "amplitude": amplitude, "backend": backend})
+    if born is not None:
+        return born
+    if p is None:
+        raise ParameterTypeError("p is missing; give parameters, or the onset of a model")
     values = p.given(V=V, d=d).scalars(*p.ranges)
     return cycle_near(SPRAG, values, near, backend, patient=patient)
+
+
+def at_onset(p: Any, near: Any, options: Mapping[str, Any]) -> Cycle | None:
+    """The cycle that is born at ``onset`` of the options; None where there is none among them."""
+    onset = options.get("onset")
+    if onset is None:
+        return None
+    if p is not None or near is not None:
+        raise ParameterTypeError("an onset knows its parameters and its state; leave out p and near, or the onset")
+    if not hasattr(onset, "cycle"):
+        raise ParameterTypeError(f"onset = {onset!r:.60} is no result of model.flutter_onsets(...)")
+    born: Cycle = onset.cycle(options.get("index", 0), options.get("amplitude"), options.get("backend"))
+    return born
 
 
 def cycle_near(

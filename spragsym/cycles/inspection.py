@@ -8,11 +8,11 @@ from functools import cached_property
 
 import numpy as np
 
-from ..dynamics.criteria import CRITERIA, at_minus_one, is_complex_pair
-from ..dynamics.shooting import Guess, Loop, across, divided, solved
+from ..dynamics.criteria import CRITERIA, is_complex_pair, is_lost, unsure
+from ..dynamics.shooting import Loop
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .arclength import Point, Setting, between, corrected
+from .arclength import Point, Setting, between, corrected, uncertainty
 from .grazing import Touch, grazing, may_touch, paired, signature, touches
 
 #: What test functions tell, a grazing apart.
@@ -41,6 +41,11 @@ class Seen:
         return {kind: criterion(kind, self.point) for kind in KINDS}
 
     @cached_property
+    def lost(self) -> frozenset[str]:
+        """Kinds of event whose test functions have lost their sign: nothing is concluded from these."""
+        return frozenset(kind for kind in KINDS if kind != "fold" and is_lost(self.point.loop, _of_multipliers(kind)))
+
+    @cached_property
     def touches(self) -> list[Touch]:
         """Turns of the borders."""
         return touches(self.setting, self.point)
@@ -53,6 +58,11 @@ def criterion(kind: str, point: Point) -> float:
     if kind == "crossing":
         return CRITERIA["fold"](point.loop) * float(np.sign(point.tangent[-1]))
     return CRITERIA[kind](point.loop)
+
+
+def _of_multipliers(kind: str) -> str:
+    """The test function of multipliers that a kind of event is told by."""
+    return "fold" if kind == "crossing" else kind
 
 
 @dataclass(frozen=True)
@@ -72,7 +82,9 @@ class Finding:
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
     """All that happens between two points of a branch, in its order; halves the step where something may be hidden in it."""
     setting = one.setting
-    changed = [kind for kind in KINDS if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
+    told = [kind for kind in KINDS if kind not in one.lost | other.lost]
+    changed = [kind for kind in told if (one.criteria[kind] < 0) != (other.criteria[kind] < 0)]
+    quiet = set(told) - set(changed)
     pairs = list(paired(one.touches, other.touches)) if len(one.touches) == len(other.touches) else []
     pairs = pairs or list(paired(one.touches, other.touches))
     through = [pair for pair in pairs if (pair[0].level < 0) != (pair[1].level < 0)]
@@ -80,7 +92,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
     hidden = (
         kinks != len(through)
         or any(may_touch(*pair, length) for pair in pairs if pair not in through)
-        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind not in changed))
+        or (before is not None and any(_bends_to_zero(kind, before, one, other) for kind in CRITERIA if kind in quiet))
         or len(changed) + len(through) > 1
     )
     if hidden and depth < DEEPEST:
@@ -147,76 +159,27 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
     try:
         root = float(brentq(value, 0.0, length, xtol=LOCATED, rtol=8.9e-16))
     except (ConvergenceError, ValueError):
-        merged = None
-        if kind in ("fold", "crossing"):
-            merged = halved(setting, min((one.point, other.point), key=lambda point: abs(float(point.tangent[-1]))).loop)
-        if merged is not None:
-            yield Finding("merging", merged, 1e-11)
-        else:
-            crossed = other.point.tangent if kind == "crossing" else None
-            yield Finding(
-                "fold" if kind == "crossing" else kind, other.point.loop, abs(_value(one) - _value(other)), crossed=crossed
-            )
+        yield Finding(
+            _of_multipliers(kind), other.point.loop, abs(_value(one) - _value(other)),
+            crossed=other.point.tangent if kind == "crossing" else None,
+        )  # fmt: skip
         return
     point = known[root] if root in known else corrected(setting, one.point, root)
+    if kind != "fold" and is_lost(point.loop, _of_multipliers(kind)):
+        return
     if kind == "torus" and not is_complex_pair(point.loop):
         return
     if kind == "crossing" and abs(point.tangent[-1]) * setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
-    merged = halved(setting, point.loop) if kind == "fold" else None
-    if merged is not None:
-        yield Finding("merging", merged, 1e-11)
-        return
-    near = min((abs(arc - root), arc) for arc in known if arc != root)[1]
-    index = setting.free[0]
-    error = abs(known[near].loop.guess.values[index] - point.loop.guess.values[index])
-    if kind == "crossing":
-        yield Finding("fold", point.loop, max(error, 1e-11), crossed=point.tangent)
-        return
-    yield Finding(kind, point.loop, min(error, abs(point.tangent[-1]) * 1e-9 + 1e-11))
+    crossed = point.tangent if kind == "crossing" else None
+    yield Finding(_of_multipliers(kind), point.loop, _error(kind, one, other, length, point), crossed=crossed)
 
 
-def repeats(loop: Loop) -> bool:
-    """Whether a loop is one orbit twice round: its turns of the second half are those of the first."""
-    turns = [turn for turn in loop.turns() if turn.border == -1]
-    half = loop.guess.period / 2
-    for turn in turns:
-        later = [each for each in turns if abs(each.t - turn.t - half) < 1e-3 * half]
-        if turn.t < 0.9 * half and not any(np.abs(each.state - turn.state).max() < 1e-5 for each in later):
-            return False
-    return bool(turns)
-
-
-def halved(setting: Setting, loop: Loop) -> Loop | None:
-    """The doubling of the cycle of half the period, where a doubled cycle ends near a loop; None if it is no such end."""
-    guess, field = loop.guess, setting.field
-    index, size = setting.free[0], field.size
-    if len(guess.states) > 1:
-        middle = divided(field, setting.fly, Guess(guess.states[:1], guess.period, guess.values), 2).states[1]
-    else:
-        none = np.zeros((2, len(field.parameters)))
-        middle = setting.fly(guess.states[0], loop.constants, guess.period / 2, none).state
-    if np.abs(middle - guess.states[0]).max() > 0.05 * max(1.0, float(np.abs(guess.states).max())):
-        return None
-    begun = Guess(((middle + guess.states[0]) / 2)[None], guess.period / 2, guess.values)
-
-    def at(value: float) -> Loop:
-        values = list(guess.values)
-        values[index] = value
-        moved = Guess(begun.states, begun.period, tuple(values))
-        constants = field.constants(values)
-        return solved(field, setting.fly, moved, across(field, moved.states[0], constants, size + 1))
-
-    try:
-        low, high = guess.values[index], guess.values[index] + 1e-4 * setting.spans[0]
-        a, b = at_minus_one(at(low)), at_minus_one(at(high))
-        for _ in range(20):
-            if a == b or abs(high - low) < 1e-15 * (1 + abs(high)):
-                break
-            low, high, a = high, high - b * (high - low) / (b - a), b
-            if abs(high - guess.values[index]) > 0.1 * setting.spans[0]:
-                return None
-            b = at_minus_one(at(high))
-        return at(high) if abs(b) < 1e-8 else None
-    except ConvergenceError:
-        return None
+def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:
+    """How well the parameter is known at the zero of a test function: that of the orbit, and what the place on the arc adds."""
+    own = uncertainty(one.setting, point)
+    if kind == "fold":
+        return own  # the parameter is extremal there
+    slope = abs(one.criteria[kind] - other.criteria[kind]) / length
+    place = LOCATED + unsure(point.loop, _of_multipliers(kind)) / slope
+    return own + abs(float(point.tangent[-1])) * place

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -13,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..dynamics.criteria import multipliers
 from ..dynamics.field import Field
 from ..dynamics.flows import flow
 from ..dynamics.lobatto import PiecewisePolynomial
@@ -29,6 +30,7 @@ from ..dynamics.shooting import (
     looped,
     once_round,
     recut,
+    rounding,
     solved,
 )
 from ..dynamics.trajectory import Events
@@ -57,8 +59,10 @@ class Cycle(Result):
         Where the first coordinate is largest; for the article's model x, y, x' = 0, y'.
     multipliers : ndarray of complex, shape (m,)
         Eigenvalues of the monodromy matrix: the trivial one first, which is 1 but for rounding; then by size.
+    multiplier_errors : ndarray, shape (m − 1,)
+        Estimated errors of all but the trivial one: how far they move if the derivatives err as much as they do along the flow.
     stable : bool
-        Whether all others are inside of the unit circle.
+        Whether all others are inside of the unit circle, by more than their errors.
     error : float
         Estimated error of state and period: what does not close, with what rounding adds, times the sensitivity of the orbit.
     residual : float
@@ -76,6 +80,7 @@ class Cycle(Result):
     period: float
     state: FloatArray
     multipliers: NDArray[np.complex128]
+    multiplier_errors: FloatArray
     stable: bool
     error: float
     residual: float
@@ -157,17 +162,55 @@ class Cycle(Result):
 def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
     loop = refined(once_round(loop, fly), fly)
-    guess, found = loop.guess, multipliers(loop)
-    samples = sampled(loop, backend)
-    x, weights = samples.states[0], samples.weights() / guess.period
-    turning = [turn.state[0] for turn in loop.turns() if turn.border == -1]
+    guess, found = loop.guess, loop.multipliers
+    mean, rms = moments(loop, backend)
     return Cycle(
-        period=guess.period, state=guess.states[0].copy(), multipliers=found,
-        stable=bool((np.abs(found[1:]) < 1 - NEUTRAL).all()), error=_error(loop), residual=loop.missed,
-        events=_events(loop), rms=float(np.sqrt((weights * x**2).sum())), mean=float((weights * x).sum()),
-        amplitude=float(np.ptp([*turning, x[0]])) / 2,
-        backend=backend, loop=loop,
+        period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
+        stable=is_stable(loop), error=_error(loop), residual=loop.missed,
+        events=_events(loop), rms=rms, mean=mean, amplitude=amplitude_of(loop), backend=backend, loop=loop,
     )  # fmt: skip
+
+
+class Cycles(Sequence[Cycle]):
+    """The cycles that closed loops are, each made when it is asked for first."""
+
+    def __init__(self, loops: tuple[Loop, ...], fly: Fly, backend: str) -> None:
+        self._loops, self._fly, self._backend = loops, fly, backend
+        self._known: dict[int, Cycle] = {}
+
+    def __len__(self) -> int:
+        return len(self._loops)
+
+    def __getitem__(self, index: Any) -> Any:
+        if isinstance(index, slice):
+            return tuple(self[i] for i in range(*index.indices(len(self))))
+        place = range(len(self))[index]
+        if place not in self._known:
+            self._known[place] = cycle_of(self._loops[place], self._fly, self._backend)
+        return self._known[place]
+
+
+def is_stable(loop: Loop) -> bool:
+    """Whether all multipliers but the trivial one are inside of the unit circle, by more than their errors."""
+    found = loop.multipliers
+    return bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all())
+
+
+def amplitude_of(loop: Loop) -> float:
+    """Half of the range of the first coordinate: a turn between two stretches is in neither, but in a state."""
+    turning = [turn.state[0] for turn in loop.turns() if turn.border == -1]
+    return float(np.ptp([*turning, *loop.guess.states[:, 0]])) / 2
+
+
+def moments(loop: Loop, backend: str) -> tuple[float, float]:
+    """Mean and root mean square of the first coordinate."""
+    parts = [each.integrals for each in loop.passages if each.integrals is not None]
+    if len(parts) == len(loop.passages):
+        mean, square = (math.fsum(part[i] for part in parts) / loop.guess.period for i in (0, 1))
+        return mean, math.sqrt(square)
+    samples = sampled(loop, backend)
+    x, weights = samples.states[0], samples.weights() / loop.guess.period
+    return float((weights * x).sum()), float(np.sqrt((weights * x**2).sum()))
 
 
 def sampled(loop: Loop, backend: str) -> PiecewisePolynomial:
@@ -236,8 +279,7 @@ def _error(loop: Loop) -> float:
     _, rows = at_rest_along(loop.field, loop.guess.states.size + 1)(loop)
     inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
     wanted = np.r_[0:size, -1]
-    rounding = 4e-16 * float(np.abs(loop.guess.states).max()) * np.sqrt(loop.guess.period)
-    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding))
+    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop)))
 
 
 def _range(samples: PiecewisePolynomial, force: Any) -> tuple[float, float]:

@@ -7,14 +7,17 @@ import json
 import subprocess
 import sys
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import mpmath
 import numpy as np
 
-from ..display import Result
+from ..display import Result, Table
 from ..dynamics.shooting import rate
 from ..errors import ConvergenceError, MissingExtraError, ParameterError
+from ..exact.decimals import Decimal, around, float_above
+from ..exact.intervals import as_mpf
 from .orbit import Cycle
 
 #: Seconds after which a proof is given up, unless asked otherwise.
@@ -28,6 +31,8 @@ DIGITS = 25
 class CycleProof(Result):
     """What was proved of a cycle.
 
+    ``print`` and :meth:`decimals` write the numbers with bounds that hold for the digits as they are written.
+
     Attributes
     ----------
     proved : bool
@@ -39,6 +44,7 @@ class CycleProof(Result):
     error : float
         A proved bound on |state − its state| and |period − its period|, both as they stand.
     state : tuple of mpf
+        With x' = 0, exactly.
     period : mpf
     multipliers : tuple of (mpc, float)
         Middles and radii of balls that hold the multipliers, the trivial one first; empty where they could not be told apart.
@@ -58,6 +64,32 @@ class CycleProof(Result):
     stable: bool | None
     values: tuple[float, ...]
 
+    def decimals(self, digits: int | None = None) -> dict[str, Decimal]:
+        """State, period and multipliers in decimals, each with a bound that covers the rounding to these digits too.
+
+        ``digits`` are significant ones; by default as many as are proved. A multiplier's imaginary part has a row of its own.
+        """
+        told = {
+            f"state_{i + 1}": around(value, self.error, digits) if value else Decimal("0", "0")  # the section is exactly x' = 0
+            for i, value in enumerate(self.state)
+        }
+        if self.proved:
+            told["period"] = around(self.period, self.error, digits)
+        for i, (value, radius) in enumerate(self.multipliers, 1):
+            told[f"multiplier_{i}"] = around(value.real, radius, digits)
+            if value.imag:
+                told[f"multiplier_{i}_imaginary"] = around(value.imag, radius, digits)
+        return told
+
+    def as_table(self) -> Table:
+        """The decimals, a row each."""
+        verdict = {True: "stable", False: "unstable", None: "stability open"}[self.stable]
+        title = f"CycleProof, proved, {verdict}" if self.proved else f"CycleProof, not proved: {self.reason}"
+        return Table(title, ("", "value", "error"), tuple((name, *each) for name, each in self.decimals().items()))
+
+    def __repr__(self) -> str:
+        return str(self)
+
 
 def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENCE) -> CycleProof:
     """Prove that a cycle exists, that it is the only one near, and where its multipliers are.
@@ -70,7 +102,8 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
     cycle : Cycle
         Of :func:`~spragsym.cycle`; it need not be stable.
     digits : int
-        10 to 200. A long or unstable cycle needs more of them.
+        10 to 200: the box has a half width of 10^−digits, or less where that is too wide to show anything, down to 10^−25. A long
+        or unstable cycle needs more.
     patience : float
         Seconds after which it is given up. The proof runs in a process of its own.
 
@@ -98,11 +131,24 @@ def prove_cycle(cycle: Cycle, *, digits: int = DIGITS, patience: float = PATIENC
     found = _run(claim_of(cycle, digits), patience)
     if not found["proved"]:
         return _unproved(cycle, found["reason"])
-    with mpmath.workdps(60):
-        state = tuple(mpmath.mpf(value) for value in found["state"])
-        multipliers = tuple((mpmath.mpc(real, imaginary), radius) for real, imaginary, radius in found["multipliers"])
-        period = mpmath.mpf(found["period"])
-    return CycleProof(True, "", 10.0**-digits, found["error"], state, period, multipliers, found["stable"], cycle.values)
+    return proof_of(cycle, found)
+
+
+def proof_of(cycle: Cycle, found: dict[str, Any]) -> CycleProof:
+    """What was proved, every bit of it, from what the process says."""
+    multipliers = tuple(
+        (mpmath.mp.make_mpc((_binary(real)._mpf_, _binary(imaginary)._mpf_)), float_above(Fraction(radius)))
+        for real, imaginary, radius in found["multipliers"]
+    )
+    return CycleProof(
+        True, "", 10.0 ** -found["digits"], float_above(Fraction(found["error"])), tuple(map(_binary, found["state"])),
+        _binary(found["period"]), multipliers, found["stable"], cycle.values,
+    )  # fmt: skip
+
+
+def _binary(text: str) -> mpmath.mpf:
+    """A binary fraction, every bit of it."""
+    return as_mpf(Fraction(text))
 
 
 def _unproved(cycle: Cycle, reason: str) -> CycleProof:

@@ -1,68 +1,83 @@
-"""Test functions of a closed orbit: each passes zero where something happens to it."""
+"""Test functions of a closed orbit: each passes zero where something happens to it.
+
+They are products over multipliers, every factor divided by its size, so that one of 10¹⁰ hides nothing of the others.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..parameters import FloatArray
-from .shooting import Loop, rate
+from .shooting import Loop
 
-
-def along_and_across(loop: Loop) -> FloatArray:
-    """The monodromy matrix in orthonormal directions, that of the flow first."""
-    flow = rate(loop.field, loop.guess.states[0], loop.constants)
-    basis, _ = np.linalg.qr(np.column_stack([flow, np.eye(len(flow))]))
-    seen: FloatArray = basis.T @ loop.monodromy @ basis
-    return seen
-
-
-def across_flow(loop: Loop) -> FloatArray:
-    """The monodromy matrix across the flow, shape (m − 1, m − 1): its eigenvalues are the multipliers but the trivial one."""
-    return along_and_across(loop)[1:, 1:]
+#: Errors of a factor up to which a zero of a test function is told: what is lost concludes nothing.
+LOST = 1e-6
 
 
 def multipliers(loop: Loop) -> NDArray[np.complex128]:
-    """Eigenvalues of the monodromy matrix: the trivial one first, the others by size, largest first.
+    """Eigenvalues of the monodromy matrix: the trivial one first, which belongs to the flow's own direction; then by size."""
+    return loop.multipliers.values
 
-    The trivial one belongs to the flow's own direction, and the others to what is across it: so that they are told apart even
-    where several are 1.
-    """
-    seen = along_and_across(loop)
-    others = np.linalg.eigvals(seen[1:, 1:]).astype(complex)
-    order = np.lexsort((-others.imag, -others.real, -np.abs(others)))
-    return np.concatenate([[complex(seen[0, 0])], others[order]])
+
+def _factors(loop: Loop, kind: str) -> Iterator[tuple[complex, float]]:
+    """What is multiplied with each other, each of size 1 at most, and its error."""
+    values, errors = loop.multipliers.others, loop.multipliers.errors
+    if kind == "torus":
+        for (a, e), (b, f) in combinations(zip(values.tolist(), errors.tolist(), strict=True), 2):
+            scale = 1 + abs(a * b)
+            yield (1 - a * b) / scale, (abs(a) * f + abs(b) * e) / scale
+        return
+    sign = 1 if kind == "period_doubling" else -1
+    for value, error in zip(values.tolist(), errors.tolist(), strict=True):
+        scale = 1 + abs(value)
+        yield (1 + sign * value) / scale, error / scale
+
+
+def _product(loop: Loop, kind: str) -> float:
+    product = 1.0 + 0.0j
+    for factor, _ in _factors(loop, kind):
+        product *= factor
+    return float(product.real)
 
 
 def at_one(loop: Loop) -> float:
     """Passes zero where a multiplier is 1: a fold, in one parameter."""
-    matrix = across_flow(loop)
-    return float(np.linalg.det(np.eye(len(matrix)) - matrix))
+    return _product(loop, "fold")
 
 
 def at_minus_one(loop: Loop) -> float:
     """Passes zero where a multiplier is −1: a period doubling."""
-    matrix = across_flow(loop)
-    return float(np.linalg.det(np.eye(len(matrix)) + matrix))
+    return _product(loop, "period_doubling")
 
 
 def on_circle(loop: Loop) -> float:
     """Passes zero where the product of two multipliers is 1: a torus, if they are complex; nothing, if they are real."""
-    values = np.linalg.eigvals(across_flow(loop))
-    product = 1.0 + 0.0j
-    for i in range(len(values)):
-        for j in range(i):
-            product *= 1 - values[i] * values[j]
-    return float(product.real)
+    return _product(loop, "torus")
+
+
+def is_lost(loop: Loop, kind: str) -> bool:
+    """Whether the sign of a test function is unknown, because a factor is less than its error and that is no small one."""
+    return any(not abs(factor) > error and not error < LOST for factor, error in _factors(loop, kind))
+
+
+def unsure(loop: Loop, kind: str) -> float:
+    """Error of a test function: that of its smallest factor, times the others."""
+    factors = sorted(_factors(loop, kind), key=lambda pair: abs(pair[0]))
+    return float(factors[0][1] * np.prod([abs(factor) for factor, _ in factors[1:]])) if factors else 0.0
 
 
 def is_complex_pair(loop: Loop) -> bool:
-    """Whether the two multipliers whose product is nearest to 1 are a complex pair."""
-    values = np.linalg.eigvals(across_flow(loop))
-    pairs = [(abs(values[i] * values[j] - 1), abs(values[i].imag)) for i in range(len(values)) for j in range(i)]
-    return bool(pairs) and min(pairs)[1] > 1e-9
+    """Whether the two multipliers whose product is nearest to 1 are a complex pair, by more than their errors."""
+    values, errors = loop.multipliers.others, loop.multipliers.errors
+    pairs = [
+        (abs(1 - values[i] * values[j]) / (1 + abs(values[i] * values[j])), abs(values[i].imag), errors[i])
+        for i in range(len(values))
+        for j in range(i)
+    ]
+    return bool(pairs) and min(pairs)[1] > max(1e-9, min(pairs)[2])
 
 
 #: Kinds of event that a test function tells.

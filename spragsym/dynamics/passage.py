@@ -46,6 +46,8 @@ class Passage:
         Derivatives along two directions in the space of the parameters.
     crossings, turns : tuple
         In order of time.
+    integrals : tuple of two floats or None
+        Of the first coordinate and of its square over time, where the integrator carries them along.
     """
 
     state: FloatArray
@@ -53,6 +55,7 @@ class Passage:
     by_parameters: FloatArray
     crossings: tuple[Crossing, ...]
     turns: tuple[Turn, ...]
+    integrals: tuple[float, float] | None = None
 
 
 #: Carries a state on: ``fly(state, constants, duration, directions)``, directions of shape (2, P).

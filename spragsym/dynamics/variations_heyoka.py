@@ -52,6 +52,8 @@ class Compiled:
                     weights = [hy.par[begin + i] for i in range(parameters)]
                     rates = [rate + UNIT * _dot(row, weights) for rate, row in zip(rates, slopes, strict=True)]
                 system += zip(part, [*part[n:], *rates], strict=True)
+            sums = hy.make_vars("sum", "squares")
+            system += zip(sums, [UNIT * state[0], UNIT * state[0] * state[0]], strict=True)
         borders = [b.sign(mode) * watched(b, state, constants, mode) for b in field.borders]
         rates = [(-1, state[n])] + [
             (i, b.rate(state, accelerations, constants, mode)) for i, b in enumerate(field.borders) if b.kink
@@ -95,7 +97,7 @@ class Compiled:
         if not self.derivatives:
             return values[:m].copy(), np.empty((0, 0)), np.empty((0, 0))
         columns = np.zeros((m, m + 2))
-        columns[:, : m + self.directions] = values[m:].reshape(m + self.directions, m).T / UNIT
+        columns[:, : m + self.directions] = values[m : m * (1 + m + self.directions)].reshape(m + self.directions, m).T / UNIT
         return values[:m].copy(), columns[:, :m], columns[:, m:]
 
     def _begin(self, state: FloatArray, constants: tuple[float, ...], directions: FloatArray) -> None:
@@ -130,7 +132,8 @@ class Compiled:
             raise ConvergenceError(f"heyoka stopped at t = {solver.time:.6g} with {outcome}")
         if not self.field.is_inside(end, constants, self.mode):
             raise ConvergenceError(f"heyoka missed a kink before t = {duration:.6g}; use backend='scipy'")
-        return Passage(end, by_state, by_parameters, tuple(self.crossings), tuple(self.turns))
+        integrals = (float(solver.state[-2]) / UNIT, float(solver.state[-1]) / UNIT) if self.derivatives else None
+        return Passage(end, by_state, by_parameters, tuple(self.crossings), tuple(self.turns), integrals)
 
     def sample(self, state: FloatArray, constants: tuple[float, ...], duration: float) -> tuple[FloatArray, FloatArray]:
         """Times (n,) and states (m, n) at the Lobatto points of the steps of a stretch, ends shared."""

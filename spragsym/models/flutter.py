@@ -17,7 +17,8 @@ from . import stability
 from .augmented import Condition
 from .balance import NOTHING, Balance, matrix
 from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
-from .forces import Model
+from .model import Model
+from .onsets import Onsets, onsets_of
 from .points import Found, ModelPoints, arranged, given_column, merged, nothing, picked, ranges, search
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
@@ -33,7 +34,7 @@ def flutter_onsets(
     *,
     damping: bool | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
-) -> ModelPoints:
+) -> Onsets:
     """All onsets of flutter in contact along one parameter, the others fixed.
 
     Parameters
@@ -51,10 +52,10 @@ def flutter_onsets(
 
     Returns
     -------
-    ModelPoints
+    Onsets
         Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
-        ``omega`` is the frequency. Where nothing damps at all and the slope of the friction law changes its sign, every pair of a
-        state crosses, and each has a row.
+        ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where nothing damps at all and the slope
+        of the friction law changes its sign, every pair of a state crosses, and each has a row.
 
     Notes
     -----
@@ -93,7 +94,7 @@ def flutter_onsets(
             ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
             parts.append(_part(balance, vary, given, ends_left_out, "hopf", _every))
             flat = True
-    return _joined(balance, vary, given, parts, flat)
+    return onsets_of(model, _joined(balance, vary, given, parts, flat))
 
 
 # ------------------------------------------------------------------------------------------------------- what damps

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
     from .equilibria import ModelEquilibria
+    from .onsets import Onsets
     from .paths import ModelPath
     from .points import ModelPoints
     from .trajectory import ModelTrajectory
@@ -171,21 +172,31 @@ class Model:
 
         return quasi_static_path(self, _parameters.own(self, p), vary, values, **options)
 
-    def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
+    def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
         """All onsets of flutter along one parameter, proved; ``vary`` and ``between`` as for :meth:`folds`.
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
-        :func:`spragsym.models.flutter.flutter_onsets`.
+        :func:`spragsym.models.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation begins gently.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("stick_slip")
+        >>> onsets = model.flutter_onsets(model.Parameters(), vary="V")
+        >>> onsets.V.round(4).tolist(), onsets.criticality.tolist()
+        ([0.101, 1.4035], ['gentle', 'dangerous'])
         """
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, _parameters.own(self, p), self._one(vary), **options)
 
-    def cycle(self, p: ParameterSet, near: Any = None, **options: Any) -> Cycle:
-        """The cycle near a state, or the one that a motion approaches: see :func:`spragsym.cycle`."""
+    def cycle(self, p: ParameterSet | None = None, near: Any = None, **options: Any) -> Cycle:
+        """The cycle near a state, or that a motion approaches, or, with ``onset=``, that is born: see :func:`spragsym.cycle`."""
+        from ..cycles.finding import at_onset
         from .oscillation import cycle
 
-        return cycle(self, _parameters.own(self, p), near, **options)
+        born = at_onset(p, near, options)
+        return cycle(self, _parameters.own(self, p), near, **options) if born is None else born
 
     def cycle_branch(self, cycle: Cycle, vary: str, to: tuple[float, float], **options: Any) -> CycleBranch:
         """A cycle followed as one of the model's parameters varies: see :func:`spragsym.cycle_branch`, which is the same."""

@@ -1,0 +1,108 @@
+"""Numbers in decimal digits with bounds that hold for the digits: a rounding to decimals is part of the bound beside it."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+#: Significant digits of a bound.
+BOUND_DIGITS = 2
+
+#: Significant digits of a number that is known exactly, where fewer than all are written.
+EXACT_DIGITS = 20
+
+
+class Decimal(NamedTuple):
+    """A number in decimal digits, and a bound on how far the number that is meant is from it: both as text."""
+
+    text: str
+    error: str
+
+    def __str__(self) -> str:
+        return f"{self.text} ± {self.error}"
+
+
+def exactly(value: Any) -> Fraction:
+    """The rational number that an int, a float, a Fraction, an mpf or a decimal text is."""
+    if hasattr(value, "_mpf_"):
+        negative, mantissa, exponent, _ = value._mpf_
+        return Fraction(-int(mantissa) if negative else int(mantissa)) * Fraction(2) ** int(exponent)
+    return Fraction(value)
+
+
+def enclosing(low: Fraction, high: Fraction, digits: int | None = None) -> Decimal:
+    """All of [low, high] as its middle in decimals and a bound that covers the rounding too.
+
+    ``digits`` are significant ones; by default as many as the width of the interval leaves: one beyond its first.
+
+    Examples
+    --------
+    >>> from fractions import Fraction
+    >>> enclosing(Fraction(1, 3), Fraction(1, 3) + Fraction(1, 10**6))
+    Decimal(text='0.333333833', error='5.1e-07')
+    >>> str(enclosing(Fraction(2, 3), Fraction(2, 3), digits=4))
+    '0.6667 ± 3.4e-05'
+    """
+    middle, half = (low + high) / 2, (high - low) / 2
+    if digits is not None:
+        places = digits - 1 - _power(middle)
+    elif half:
+        places = BOUND_DIGITS - _power(half)
+    else:
+        places = EXACT_DIGITS - 1 - _power(middle)
+    text = _rounded(middle, places)
+    there = Fraction(text)
+    return Decimal(text, upward(max(high - there, there - low)))
+
+
+def around(value: Any, error: Any, digits: int | None = None) -> Decimal:
+    """A number that is known to ``error``, in decimals: see :func:`enclosing`."""
+    middle, half = exactly(value), exactly(error)
+    return enclosing(middle - half, middle + half, digits)
+
+
+def upward(bound: Any, digits: int = BOUND_DIGITS) -> str:
+    """A bound ≥ 0 in few decimals, as ``f"{bound:.1e}"`` writes it, but never less than it is.
+
+    >>> upward(1.6449e-14), upward(0.0), upward(float("inf")), upward(9.99)
+    ('1.7e-14', '0.0e+00', 'inf', '1.0e+01')
+    """
+    if isinstance(bound, float) and not math.isfinite(bound):
+        return f"{bound:g}"
+    exact = exactly(bound)
+    power = _power(exact)
+    mantissa = math.ceil(exact / Fraction(10) ** (power - digits + 1))
+    if mantissa == 10**digits:
+        mantissa, power = 10 ** (digits - 1), power + 1
+    written = f"{mantissa:0{digits}d}"
+    return f"{written[0]}.{written[1:]}e{power:+03d}"
+
+
+def float_above(bound: Fraction) -> float:
+    """A float that is not below."""
+    found = float(bound)
+    return found if Fraction(found) >= bound else math.nextafter(found, math.inf)
+
+
+def _power(value: Fraction) -> int:
+    """n with 10ⁿ ≤ |value| < 10ⁿ⁺¹; 0 of 0."""
+    if not value:
+        return 0
+    size = abs(value)
+    power = int((size.numerator.bit_length() - size.denominator.bit_length()) * math.log10(2))
+    while Fraction(10) ** power > size:
+        power -= 1
+    while Fraction(10) ** (power + 1) <= size:
+        power += 1
+    return power
+
+
+def _rounded(value: Fraction, places: int) -> str:
+    """A number to so many decimal places; negative places leave zeros in front of the point."""
+    scaled = round(abs(value) * Fraction(10) ** places)
+    sign = "-" if value < 0 and scaled else ""
+    if places <= 0:
+        return f"{sign}{scaled * 10**-places}"
+    whole, part = divmod(scaled, 10**places)
+    return f"{sign}{whole}.{part:0{places}d}"

@@ -1,0 +1,129 @@
+"""Onsets of flutter as a result: how dangerous each is, once that is asked, and the cycle that is born there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..errors import ParameterError, ParameterTypeError
+from ..exact.interval_arrays import FloatArray
+from ..exact.polynomials import Undecided
+from .normal_forms import NormalForm, normal_form
+from .points import ModelPoints
+
+if TYPE_CHECKING:
+    from ..cycles import Cycle
+    from .model import Model
+
+#: Why an onset of (27) has no coefficient.
+UNDAMPED = (
+    "without damping two frequencies meet there, and all eigenvalues stay on the imaginary axis up to it: no generic Hopf point; "
+    "ask for the onsets of the damped model, damping=True"
+)
+#: Why one has that is not told from 0.
+NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
+
+
+@dataclass(frozen=True, eq=False)
+class Onsets(ModelPoints, held_in="values"):
+    """Onsets of flutter along one parameter, of the kind ``"hopf"`` or ``"flutter"``, with their normal forms.
+
+    What follows is computed when it is first asked for; with all that :class:`ModelPoints` has, ``omega`` the frequency.
+
+    Attributes
+    ----------
+    criticality : ndarray of str
+        ``"gentle"`` where l₁ < 0 is proved (supercritical: the cycle that is born attracts within the plane of the pair, and
+        grows from nothing), ``"dangerous"`` where l₁ > 0 is (subcritical: an unstable cycle shrinks onto the state, and beyond
+        the onset motions go far), else ``"undecided"``.
+    lyapunov, lyapunov_error : ndarray
+        The first Lyapunov coefficient l₁ and a bound on its error that is proved; NaN and inf where ``why`` says that there is
+        none. The state is coordinates, then rates, in the units of the page, and ⟨q, q⟩ = ⟨p, q⟩ = 1.
+    crossing, crossing_error : ndarray
+        d Re λ / d parameter of the pair: where it is positive, the state is unstable for larger values.
+    why : tuple of str
+        Why an onset is undecided; empty for the others.
+    """
+
+    model: Model = field(repr=False, kw_only=True)
+
+    @cached_property
+    def normal_forms(self) -> tuple[NormalForm | str, ...]:
+        """The normal form of each, or why it has none."""
+        return tuple(self._normal_form(row) for row in range(len(self)))
+
+    @cached_property
+    def lyapunov(self) -> FloatArray:
+        """l₁."""
+        return self._column("lyapunov", np.nan)
+
+    @cached_property
+    def lyapunov_error(self) -> FloatArray:
+        """Bounds on its error."""
+        return self._column("lyapunov_error", np.inf)
+
+    @cached_property
+    def crossing(self) -> FloatArray:
+        """d Re λ / d parameter."""
+        return self._column("crossing", np.nan)
+
+    @cached_property
+    def crossing_error(self) -> FloatArray:
+        """Bounds on its error."""
+        return self._column("crossing_error", np.inf)
+
+    @cached_property
+    def criticality(self) -> NDArray[np.str_]:
+        """gentle, dangerous or undecided."""
+        known = np.abs(self.lyapunov) > self.lyapunov_error
+        return np.where(known, np.where(self.lyapunov < 0, "gentle", "dangerous"), "undecided")
+
+    @cached_property
+    def why(self) -> tuple[str, ...]:
+        """Why an onset is undecided."""
+        return tuple(
+            each if isinstance(each, str) else "" if abs(each.lyapunov) > each.lyapunov_error else NEAR_ZERO
+            for each in self.normal_forms
+        )
+
+    def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Cycle:
+        """The cycle that is born at one of the onsets: see :func:`spragsym.models.births.born`."""
+        from .births import born
+
+        if not isinstance(index, int | np.integer) or isinstance(index, bool):
+            raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
+        if not 0 <= index < len(self):
+            raise ParameterError(f"index = {index}: there are {len(self)} onsets; give a number from 0 to {len(self) - 1}")
+        form = self.normal_forms[int(index)]
+        if isinstance(form, str):
+            raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
+        return born(self.model, self._given(int(index)), self._state(int(index)), self.vary[0], form, amplitude, backend)
+
+    def _normal_form(self, row: int) -> NormalForm | str:
+        if self.kind[row] != "hopf":
+            return UNDAMPED
+        state, vary = self._state(row), self.vary[0]
+        # The error is relative to max(1, |value|), and its product with that is rounded.
+        radii = self.error[row] * np.maximum(1.0, np.abs([*state, self.values[vary][row]])) * (1 + 2.0**-50)
+        try:
+            return normal_form(self.model, self._given(row), state, vary, radii)
+        except Undecided as reason:
+            return str(reason)
+
+    def _given(self, row: int) -> FloatArray:
+        return np.array([self.values[name][row] for name in self.model.parameters])
+
+    def _state(self, row: int) -> FloatArray:
+        return np.array([self.values[name][row] for name in self.model.coordinates])
+
+    def _column(self, name: str, missing: float) -> FloatArray:
+        return np.array([missing if isinstance(each, str) else getattr(each, name) for each in self.normal_forms])
+
+
+def onsets_of(model: Model, found: ModelPoints) -> Onsets:
+    """Points as onsets of a model."""
+    return Onsets(**{each.name: getattr(found, each.name) for each in fields(ModelPoints)}, model=model)

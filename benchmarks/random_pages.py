@@ -24,14 +24,18 @@ class Drawn:
 
     coordinates: list[tuple[str, str]] = field(default_factory=list)
     parameters: list[tuple[str, str, str, float]] = field(default_factory=list)  #: name, unit, domain, base value
-    kinetic: list[tuple[str, list[str]]] = field(default_factory=list)  #: a mass, and displacements whose squared rates it multiplies
+    kinetic: list[tuple[str, list[str]]] = field(
+        default_factory=list
+    )  #: a mass, and displacements whose squared rates it multiplies
     springs: list[tuple[str, str, str]] = field(default_factory=list)  #: stiffness, along, length
     lines: list[tuple[str, Point, Point, str]] = field(default_factory=list)
     torsions: list[tuple[str, Point, Point, str]] = field(default_factory=list)
     dampers: list[tuple[str, str]] = field(default_factory=list)
     line_dampers: list[tuple[str, Point, Point]] = field(default_factory=list)
     potentials: list[str] = field(default_factory=list)
-    forces: list[tuple[list[str], list[str]]] = field(default_factory=list)  #: components, and the displacements that they act along
+    forces: list[tuple[list[str], list[str]]] = field(
+        default_factory=list
+    )  #: components, and the displacements that they act along
     contact: tuple[str, str, bool] | None = None  #: gap, law of ``depth``, unilateral
     normal: str = ""  #: a given normal force
     friction: tuple[str, str, str, str] | None = None  #: along, belt, law of ``v``, at_rest
@@ -46,7 +50,10 @@ class Drawn:
             'k_c = page.unit("k_c", "N/m", "stiffness")',
             'L_0 = page.unit("L_0", "m", "length")',
         ]
-        lines += [f'{n} = page.parameter("{n}", "{unit}", "a quantity", "{domain}", {base})' for n, unit, domain, base in self.parameters]
+        lines += [
+            f'{n} = page.parameter("{n}", "{unit}", "a quantity", "{domain}", {base})'
+            for n, unit, domain, base in self.parameters
+        ]
         lines += [f'{n} = page.coordinate("{n}", "{unit}", "a coordinate")' for n, unit in self.coordinates]
         squares = [f"{mass} * ({' + '.join(f'page.rate({part}) ** 2' for part in parts)}) / 2" for mass, parts in self.kinetic]
         lines += [f"page.kinetic({' + '.join(squares)})"]
@@ -102,7 +109,11 @@ class _Writer:
     def simple(self) -> str:
         """A coordinate, as a length."""
         name, unit = self.page.coordinates[int(self.rng.integers(len(self.page.coordinates)))]
-        return name if unit == "m" else self.pick(f"L_0 * sin({name})", f"L_0 * {name}", f"L_0 * (1 - cos({name}))", f"L_0*sin({name})/3")
+        return (
+            name
+            if unit == "m"
+            else self.pick(f"L_0 * sin({name})", f"L_0 * {name}", f"L_0 * (1 - cos({name}))", f"L_0*sin({name})/3")
+        )
 
     def displacement(self) -> str:
         """A length that depends on the coordinates."""
@@ -164,7 +175,9 @@ class _Writer:
     def kinetic(self) -> None:
         page = self.page
         for place, (name, unit) in enumerate(page.coordinates):
-            mass = "m" if place == 0 and unit == "m" else self.pick("m", "m/3", self.parameter(f"m_{place}", "kg", "> 0", 0.2, 3.0))
+            mass = (
+                "m" if place == 0 and unit == "m" else self.pick("m", "m/3", self.parameter(f"m_{place}", "kg", "> 0", 0.2, 3.0))
+            )
             page.kinetic.append((mass, [name if unit == "m" else f"L_0 * {name}"]))
         if self.chance(0.3):
             a, b = self.point()
@@ -190,7 +203,9 @@ class _Writer:
                 page.lines.append((self.parameter("k_l", "N/m", "> 0", 0.05, 0.8), self.point(), self.anchor(),
                                    self.pick("L_0", "L_0", "0", "L_0/3")))  # fmt: skip
             case 2:
-                page.springs.append((self.parameter("k_s", "N/m", ">= 0", 0.05, 1.0), self.displacement(), self.pick("", "L_0*a_2")))
+                page.springs.append(
+                    (self.parameter("k_s", "N/m", ">= 0", 0.05, 1.0), self.displacement(), self.pick("", "L_0*a_2"))
+                )
                 if "a_2" in page.springs[-1][2]:
                     page.springs[-1] = (*page.springs[-1][:2], f"L_0*{self.parameter('a_2', '1', '>= 0', 0.1, 0.6)}")
             case 3 | 4:
@@ -220,7 +235,9 @@ class _Writer:
         if self.chance(0.1):
             return
         if self.chance(0.12):
-            page.normal = self.parameter("F_n", "N", "> 0", 0.05, 1.0) + self.pick("", "", " * (1 + ({})**2 / L_0**2)".format(self.simple()))
+            page.normal = self.parameter("F_n", "N", "> 0", 0.05, 1.0) + self.pick(
+                "", "", f" * (1 + ({self.simple()})**2 / L_0**2)"
+            )
         else:
             page.contact = self.gap(), self.contact_law(), self.chance(0.85)
             if page.contact[0].startswith("L_0"):

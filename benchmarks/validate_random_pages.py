@@ -56,7 +56,9 @@ class Reference:
         self.page, self.exact = page, exact
         number: Callable[[float], Any] = mp.mpf if exact else float
         xp: Any = mp if exact else np
-        self.names: dict[str, Any] = {name: getattr(xp, name) for name in ("exp", "log", "sqrt", "cos", "sin", "tanh", "atan" if exact else "arctan")}
+        self.names: dict[str, Any] = {
+            name: getattr(xp, name) for name in ("exp", "log", "sqrt", "cos", "sin", "tanh", "atan" if exact else "arctan")
+        }
         self.names |= {"atan": self.names.pop("arctan", None) or mp.atan, "pi": xp.pi, "m": 1, "k_c": 1, "L_0": 1}
         self.names |= {"sgn": lambda u: np.sign(np.real(u)) if not exact else mp.sign(u), "Abs": self._abs}
         self.names |= {name: number(value) for name, value in values.items()}
@@ -189,7 +191,8 @@ class Reference:
         changes = [
             [[(a - b) / (2 * h) for a, b in zip(*rows, strict=True)] for rows in zip(*pair, strict=True)]
             for pair in (
-                [self.mass([part + sign * h * (i == place) for i, part in enumerate(q)]) for sign in (1, -1)] for place in range(self.n)
+                [self.mass([part + sign * h * (i == place) for i, part in enumerate(q)]) for sign in (1, -1)]
+                for place in range(self.n)
             )
         ]  # of every coordinate
         right = []
@@ -259,14 +262,21 @@ def accelerated(model: Any, page: Drawn, values: dict[str, float], rng: np.rando
         for _ in range(PLACES):
             q, v = rng.uniform(-0.8, 0.8, n), rng.uniform(-0.6, 0.6, n)
             got = np.array(model.motion.rhs(*q, *v, *given), dtype=float)
-            want = np.array([float(value) for value in reference.accelerations(list(map(mp.mpf, map(float, q))), list(map(mp.mpf, map(float, v))))])
+            want = np.array(
+                [
+                    float(value)
+                    for value in reference.accelerations(list(map(mp.mpf, map(float, q))), list(map(mp.mpf, map(float, v))))
+                ]
+            )
             scale = 1 + np.abs(want).max()
             if not np.abs(got - want).max() <= ACCELERATION * scale:
                 wrong.append(f"accelerations at {q.tolist()}, {v.tolist()}: {got.tolist()}, not {want.tolist()}")
     return wrong
 
 
-def states(model: Any, page: Drawn, values: dict[str, float], contact: bool, rng: np.random.Generator) -> tuple[list[str], dict[str, Any]]:
+def states(
+    model: Any, page: Drawn, values: dict[str, float], contact: bool, rng: np.random.Generator
+) -> tuple[list[str], dict[str, Any]]:
     """What is wrong with the states of one set, and what was found."""
     found = model.equilibria(model.Parameters(**values), contact=contact)
     count = int(found.count)
@@ -309,7 +319,16 @@ def _off(exact: Reference, state: Any, error: float, growth: float, contact: boo
     return wrong
 
 
-def _missed(page: Drawn, values: dict[str, float], contact: bool, touching: bool, listed: Any, boxes: Any, found: Any, rng: np.random.Generator) -> list[str]:
+def _missed(
+    page: Drawn,
+    values: dict[str, float],
+    contact: bool,
+    touching: bool,
+    listed: Any,
+    boxes: Any,
+    found: Any,
+    rng: np.random.Generator,
+) -> list[str]:
     """States that Newton's method finds from many starts, and that are not there."""
     reference = Reference(page, values)
     n, mu = reference.n, reference.at_rest()
@@ -340,7 +359,11 @@ def _missed(page: Drawn, values: dict[str, float], contact: bool, touching: bool
     wrong: list[str] = []
     seen: list[Any] = []
     angles = np.array([unit == "rad" for _, unit in page.coordinates])
-    around = np.array([bool(entry.get("comes_around")) for entry in found.model.about["coordinates"]]) if hasattr(found, "model") else angles
+    around = (
+        np.array([bool(entry.get("comes_around")) for entry in found.model.about["coordinates"]])
+        if hasattr(found, "model")
+        else angles
+    )
     region = np.array(found.region, dtype=float)
     for q in place[:, good].T:
         turned = np.where(around, (q + np.pi) % (2 * np.pi) - np.pi, q)
@@ -392,14 +415,22 @@ def judge(seed: int, number: int) -> dict[str, Any]:
                 more, one = states(model, page, values, contact, rng)
                 wrong += [f"{text} at {values}" for text in more]
                 told.append(one)
-    return {**out, "kind": "wrong" if wrong else "right", "wrong": wrong[:6], "states": told, "seconds": round(time.process_time() - begin, 1)}
+    return {
+        **out,
+        "kind": "wrong" if wrong else "right",
+        "wrong": wrong[:6],
+        "states": told,
+        "seconds": round(time.process_time() - begin, 1),
+    }
 
 
 def _judged(seed: int, number: int, sender: Any) -> None:
     try:
         sender.send(judge(seed, number))
-    except BaseException as error:  # noqa: BLE001  # an outcome of its own
-        sender.send({"page": number, "kind": "died", "said": f"{type(error).__name__}: {error}", "trace": traceback.format_exc()[-1500:]})
+    except BaseException as error:  # an outcome of its own
+        sender.send(
+            {"page": number, "kind": "died", "said": f"{type(error).__name__}: {error}", "trace": traceback.format_exc()[-1500:]}
+        )
 
 
 def in_time(seed: int, number: int) -> dict[str, Any]:
@@ -434,11 +465,16 @@ def main() -> int:
             with kept.open("a", encoding="utf-8") as file:
                 file.write(json.dumps(outcomes[number]) + "\n")
         if outcomes[number]["kind"] != "right":
-            print(json.dumps({key: value for key, value in outcomes[number].items() if key != "trace"}, ensure_ascii=False)[:600], flush=True)
+            print(
+                json.dumps({key: value for key, value in outcomes[number].items() if key != "trace"}, ensure_ascii=False)[:600],
+                flush=True,
+            )
     chosen = [outcomes[number] for number in range(count)]
     print(dict(Counter(entry["kind"] for entry in chosen)), "coordinates:", dict(Counter(entry.get("n", 0) for entry in chosen)))
     asked = [one for entry in chosen for one in entry.get("states", [])]
-    print(f"{len(asked)} searches, {sum(one['count'] for one in asked)} states, {sum(not one['complete'] for one in asked)} not complete")
+    print(
+        f"{len(asked)} searches, {sum(one['count'] for one in asked)} states, {sum(not one['complete'] for one in asked)} not complete"
+    )
     return int(any(entry["kind"] in ("wrong", "died") for entry in chosen))
 
 

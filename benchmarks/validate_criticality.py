@@ -8,6 +8,7 @@ Then the sign against motions on both sides of the cycle that is born, for so ma
 
 from __future__ import annotations
 
+import math
 import sys
 import time
 from collections.abc import Iterator, Mapping, Sequence
@@ -15,6 +16,7 @@ from typing import Any
 
 import mpmath
 import numpy as np
+from scipy import optimize
 
 import spragsym as ss
 from spragsym.errors import ConvergenceError
@@ -273,12 +275,17 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
         cycle = onsets.cycle(row)
     except ConvergenceError:
         return None
-    model = onsets.model
+    model, field, constants = onsets.model, cycle.field, cycle.loop.constants
     p = model.Parameters(**cycle.parameters)
-    eq_rest = np.array([getattr(onsets, name)[row] for name in model.coordinates])
-    near = model.equilibria(p)
-    states = np.array([getattr(near, name) for name in model.coordinates]).reshape(n, -1)
-    rest = np.append(states[:, np.nanargmin(np.abs(states - eq_rest[:, None]).max(axis=0))], np.zeros(n))
+
+    def still(q: Any) -> Any:
+        u = [*q.tolist(), *[0.0] * n]
+        return field.acceleration(u, constants, field.mode_at_rest(u, constants), math)
+
+    found = optimize.root(still, cycle.samples.states[:n].mean(axis=1), tol=1e-13)
+    if not found.success:
+        return None
+    rest = np.append(found.x, np.zeros(n))
     rate = 2 * form.omega * abs(form.lyapunov) * abs(form.p.conjugate() @ (cycle.state - rest)) ** 2
     span = 3.0 / rate
     others = np.abs(cycle.multipliers[1:])

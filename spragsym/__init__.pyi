@@ -4,6 +4,7 @@ from . import figures as figures
 from . import precise as precise
 from ._version import __version__ as __version__
 from .catastrophe import BifurcationSet as BifurcationSet
+from .catastrophe import CriticalFriction as CriticalFriction
 from .catastrophe import Cusps as Cusps
 from .catastrophe import FlutterBoundary as FlutterBoundary
 from .catastrophe import FlutterOnsets as FlutterOnsets
@@ -16,6 +17,7 @@ from .catastrophe import Surface as Surface
 from .catastrophe import bifurcation_set as bifurcation_set
 from .catastrophe import critical_friction as critical_friction
 from .catastrophe import critical_value as critical_value
+from .catastrophe import cusp_friction as cusp_friction
 from .catastrophe import cusps as cusps
 from .catastrophe import flutter_boundary as flutter_boundary
 from .catastrophe import flutter_onsets as flutter_onsets

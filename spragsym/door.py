@@ -21,6 +21,7 @@ INTERFACE = {
     "basin_boundary": "",
     "jump_value": "ss.quasi_static_path(p, vary, values) follows the state to its jump",
     "critical_friction": "ss.cusps(p) has all cusps in a range of friction",
+    "cusp_friction": "ss.cusps(p) has all cusps in a range of friction",
     "critical_value": "ss.cusps(p) has all cusps at each value of a parameter",
     "flutter_boundary": "ss.flutter_onsets(p, vary=...) has the onsets along a line",
     "surface": "ss.equilibria(p) has all states over a grid of parameters",

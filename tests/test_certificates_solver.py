@@ -439,7 +439,7 @@ def test_the_logarithm_of_such_a_length_is_right() -> None:
 
 def test_both_angle_and_friction_are_needed() -> None:
     for solve in (ss.equilibria, ss.count):
-        for given, lacking in (({"mu0": 0.5}, "theta0"), ({"theta0": 0.5}, "mu0")):
+        for given, lacking in (({"mu0": 0.5}, "theta0"), ({"theta0": 0.5, "mu0": None}, "mu0")):
             with pytest.raises(ss.ParameterError, match=lacking):
                 solve(ss.Parameters(**given, kappa=0.1, alpha=0.1, sigma=0.1, beta=0.1))
 

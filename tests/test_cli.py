@@ -90,7 +90,10 @@ def test_bifurcation_json(capsys: pytest.CaptureFixture[str]) -> None:
     turns = np.radians([row["theta0_deg"] for row in found["folds"]])
     np.testing.assert_allclose(turns, ss.folds(ss.Parameters.article()).theta0)
     assert len(found["cusps"]) == 4
-    assert found["mu_cusp"] == ss.critical_friction(ss.Parameters.article())
+    lowest = ss.critical_friction(ss.Parameters.article())
+    assert found["mu_cusp"] == ss.cusp_friction(ss.Parameters.article())
+    assert (found["mu_lowest"], found["kind_lowest"]) == (float(lowest), lowest.kind)
+    assert found["theta0_lowest_deg"] == math.degrees(lowest.theta0)
 
 
 @pytest.mark.parametrize("kind", few(["pdf", "png", "svg"], "svg"))

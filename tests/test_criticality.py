@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import doctest
 import json
 import pickle
+from pathlib import Path
 from typing import Any
 
 import mpmath
@@ -17,6 +19,7 @@ from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
 from spragsym.models.normal_forms import normal_form
 from tests.support import few, needs_a_quick_integrator
+from tests.test_documents import DOCS, OPTIONS, assert_shown, commands, fenced, run
 
 
 def onsets_of(name: str, vary: str, **values: float) -> Any:
@@ -233,6 +236,21 @@ def test_commands_say_how_dangerous_an_onset_is() -> None:
 def test_a_table_says_it_too(stick_slip: Any) -> None:
     assert "dangerous" in str(stick_slip)
     assert "criticality" in stick_slip._repr_html_()
+
+
+@needs_a_quick_integrator
+def test_the_page_on_onsets() -> None:
+    page = DOCS / "onsets.md"
+    test = doctest.DocTestParser().get_doctest("".join(fenced(page, "python")), {}, page.name, str(page), 0)
+    assert len(test.examples) > 15
+    runner = doctest.DocTestRunner(optionflags=OPTIONS)
+    runner.run(test)
+    assert runner.failures == 0
+
+
+def test_the_command_of_the_page_on_onsets(tmp_path: Path) -> None:
+    for command, output in commands(DOCS / "onsets.md"):
+        assert_shown(output, run(command, tmp_path))
 
 
 def test_what_a_cycle_at_an_onset_is_asked_with(stick_slip: Any) -> None:

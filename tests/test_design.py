@@ -444,7 +444,7 @@ TOLERANCES: dict[str, Any] = {
 
 def estimated(function: sampling.Function, variables: int, n: int, seed: int, indicator: bool) -> sampling.Estimate:
     tasks = sampling.chunks(n, 16, np.random.default_rng(seed).integers(0, 2**62, 16).tolist())
-    records = [sampling.sums(function, variables, not indicator, task) for task in tasks]
+    records = [sampling.sums(function, [(j,) for j in range(variables)], not indicator, task) for task in tasks]
     return sampling.estimate(records, [task.replicate for task in tasks], 0.95, indicator)
 
 
@@ -468,8 +468,8 @@ def test_chunks_are_the_parts_of_one_sequence() -> None:
     def function(u: Any) -> Any:
         return np.cos(3 * u[:, 0]) * u[:, 1]
 
-    whole = sampling.sums(function, 2, True, sampling.Chunk(0, 77, 0, 1024))
-    parts = [sampling.sums(function, 2, True, sampling.Chunk(0, 77, begin, 256)) for begin in range(0, 1024, 256)]
+    whole = sampling.sums(function, [(0,), (1,)], True, sampling.Chunk(0, 77, 0, 1024))
+    parts = [sampling.sums(function, [(0,), (1,)], True, sampling.Chunk(0, 77, begin, 256)) for begin in range(0, 1024, 256)]
     np.testing.assert_allclose(np.sum(parts, axis=0), whole, rtol=1e-12)
     tasks = sampling.chunks(1 << 20, 4, [1, 2, 3, 4])
     assert sum(task.size for task in tasks) == 1 << 20
@@ -618,3 +618,65 @@ def test_without_a_spring_along_the_belt_angles_are_as_exact() -> None:
     assert np.isfinite(slow).sum() >= 5
     mixed = ss.jump_value(p.replace(alpha=np.where(np.arange(40) % 2, 0.0, 0.01)), "theta0")
     np.testing.assert_array_equal(mixed[1::2], quick[1::2])
+
+
+# --------------------------------------------------------------------------------------------------- what varies together
+
+
+def test_a_probability_with_correlated_normals_is_that_of_plain_samples() -> None:
+    from scipy.stats import norm
+
+    law: dict[str, Any] = {"sigma": norm(0.1, 0.01), "alpha": norm(0.02, 0.003), "mu0": norm(0.55, 0.04)}
+    law |= {"kappa": 0.007, "beta": 0.0, "theta0": 0.7}
+    correlation = {("sigma", "alpha"): 0.95, ("mu0", "sigma"): -0.4, ("alpha", "mu0"): -0.4}
+    law = {name: truncated(one) if hasattr(one, "ppf") else one for name, one in law.items()}
+    found = ss.jump_probability(law, correlation=correlation, n=1 << 13, rng=1)
+    names, mean, sd = ("sigma", "alpha", "mu0"), np.array([0.1, 0.02, 0.55]), np.array([0.01, 0.003, 0.04])
+    matrix = np.array([[1, 0.95, -0.4], [0.95, 1, -0.4], [-0.4, -0.4, 1]])
+    sample = np.random.default_rng(2).multivariate_normal(mean, matrix * np.outer(sd, sd), 100_000, check_valid="raise")
+    p = ss.Parameters(**{"kappa": 0.007, "beta": 0.0, "theta0": 0.7} | dict(zip(names, sample.T, strict=True)))
+    plain = float((np.asarray(ss.jump_value(p)) <= p.mu0).mean())
+    off = 3 * math.sqrt(plain * (1 - plain) / 1e5)
+    assert found.low - off < plain < found.high + off
+    independent = ss.jump_probability(law, n=1 << 13, rng=1)
+    assert independent.low > found.high or independent.high < found.low
+    # All three hang together: one group, which decides all.
+    assert [set(title.split(", ")) for title in found.total] == [{"sigma", "alpha", "mu0"}]
+    assert next(iter(found.total.values())) == pytest.approx(1.0, abs=0.05)
+
+
+def truncated(one: Any) -> Any:
+    from scipy.stats import truncnorm
+
+    return truncnorm(-6, 6, loc=one.mean(), scale=one.std())
+
+
+def test_one_quantity_may_decide_another() -> None:
+    """With correlation 1 a range is the same share of both: as one variable."""
+    both: dict[str, Any] = {"sigma": (0.09, 0.11), "alpha": (0.018, 0.022), "kappa": 0.007, "beta": 0.0, "theta0": 0.7}
+    both["mu0"] = float(ss.jump_value(ss.Parameters(theta0=0.7, sigma=0.1, alpha=0.02))) + 1e-3
+    found = ss.jump_probability(both, correlation={("sigma", "alpha"): 1.0}, n=1 << 13, rng=1)
+    share = np.linspace(0, 1, 20_001)
+    p = ss.Parameters(**both | {"sigma": 0.09 + 0.02 * share, "alpha": 0.018 + 0.004 * share})
+    plain = float((np.asarray(ss.jump_value(p)) <= both["mu0"]).mean())
+    assert found.low - 1e-3 < plain < found.high + 1e-3
+    assert 0 < plain < 1
+
+
+@pytest.mark.parametrize(
+    ("correlation", "part"),
+    [
+        ({("sigma", "beta"): 0.5}, "two of the quantities that vary"),
+        ({("sigma", "mu0"): 1.5}, "is not in"),
+        ({("sigma", "mu0"): 0.5, ("mu0", "sigma"): 0.5}, "twice"),
+        ({("sigma", "mu0"): 0.9, ("mu0", "kappa"): 0.9, ("sigma", "kappa"): -0.9}, "can't all be true at once"),
+    ],
+)
+def test_correlations_that_can_not_be(correlation: Any, part: str) -> None:
+    with pytest.raises(ss.ParameterError, match=part):
+        ss.jump_probability(TOLERANCES, correlation=correlation, n=16, rng=0)
+
+
+def test_a_seed_is_not_negative() -> None:
+    with pytest.raises(ss.ParameterError, match=r"rng = -1 is no seed; give an integer of 0 or more"):
+        ss.jump_probability(TOLERANCES, n=16, rng=-1)

@@ -295,3 +295,12 @@ def test_a_commit_before_can_be_compared_with(tmp_path: Path) -> None:
     text = run(f"cd {shlex.quote(str(ROOT))} && python -m benchmarks.bench_before HEAD --points 3000 --rounds 1", tmp_path)
     assert re.search(r"^\| numpy \| [\d,]+ \| [\d,]+ \| \d", text, re.MULTILINE)
     assert re.search(r"^\| numpy \| 0 \| 0 \| 0\.0e\+00 \|", text, re.MULTILINE)
+
+
+def test_what_the_glossary_names_is_there() -> None:
+    """Each term leads to a function or class of the package."""
+    named = re.findall(r"`([a-z_]+(?:\.[a-z_]+)*\.\w+)`", (DOCS / "glossary.md").read_text(encoding="utf-8"))
+    assert len(named) > 40
+    for path in named:
+        module, _, name = path.rpartition(".")
+        assert hasattr(importlib.import_module(f"spragsym.{module}"), name), path

@@ -97,7 +97,6 @@ WRONG: dict[str, tuple[Callable[[Any, Any], Any], str]] = {
         "no set of parameters of kang",
     ),
     "no parameters": (lambda m, p: m.folds(None), "p = None is no set of parameters of kang_nam"),
-    "the article's": (lambda m, p: m.cusps(ss.Parameters.article(theta0=1.0)), "no set of parameters of kang_nam"),
     "their class": (lambda m, p: m.bifurcation_set(type(p)), "no set of parameters of kang_nam"),
     "a regime by name": (lambda m, p: m.equilibria(p, contact="lift-off"), "contact = 'lift-off' is neither True"),
     "a regime by number": (lambda m, p: m.equilibria(p, contact=2), "contact = 2 is neither True"),

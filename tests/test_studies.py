@@ -29,8 +29,9 @@ d = "10 s/m"
 model = "kang_nam"
 """
 KEYS = [
-    "mu_jump", "theta0_jump_deg", "mu_cusp", "mu_effective", "margin_percent", "states", "frequencies_hz", "spring_force_N",
-    "contact_force_N", "displacement_mm", "oscillation", "certificate", "probability", "sobol", "redesign", "warnings",
+    "mu_jump", "theta0_jump_deg", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective", "margin_percent",
+    "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation", "certificate",
+    "probability", "sobol", "redesign", "warnings",
 ]  # fmt: skip
 
 
@@ -59,7 +60,11 @@ def test_the_numbers_are_those_of_direct_calls_without_units(report: ss.Report) 
     assert report.mu_effective == pytest.approx(working, rel=1e-12)
     at = p.replace(mu0=working)
     assert report.theta0_jump_deg == pytest.approx(math.degrees(ss.jump_value(at, "theta0")), rel=1e-12)
-    assert report.mu_cusp == pytest.approx(ss.critical_friction(p), rel=1e-12)
+    assert report.mu_cusp == pytest.approx(ss.cusp_friction(p), rel=1e-12)
+    lowest = ss.critical_friction(p)
+    assert report.mu_lowest == pytest.approx(float(lowest), rel=1e-12)
+    assert report.theta0_lowest_deg == pytest.approx(math.degrees(lowest.theta0), rel=1e-12)
+    assert report.kind_lowest == lowest.kind
     eq = ss.equilibria(at)
     assert len(report.states) == eq.count
     for i, state in enumerate(report.states):
@@ -122,6 +127,64 @@ def test_changes_hold_for_all_brakes_within_the_tolerances(study: ss.Study, repo
         jump = np.asarray(ss.jump_value(ss.PhysicalParameters(**values).dimensionless()))  # type: ignore[arg-type]  # arrays
         assert not (jump < 0.6).any()
         assert change.probability == 0
+        assert change.outcome == "proved"
+
+
+@pytest.mark.thorough
+def test_a_change_that_a_brake_refutes_is_not_given() -> None:
+    """Eight quantities with tolerances, of which corners used to be sampled: at every corner of every change nothing jumps."""
+    from spragsym.studies.redesigns import changes
+    from spragsym.studies.tolerances import corners, jumping
+
+    off = dict.fromkeys(("k", "k_x", "k_c", "F_L", "L_0"), "8 %") | {"theta0": "1 deg", "mu0": (0.3, 0.36), "V": "10 %"}
+    study = ss.Study(brake(mu0=0.33), tolerance=off)
+    found = changes(study, 0.4)
+    assert found
+    for change in found:
+        new = study.changed(change.after)
+        assert len(corners(new)) == 64
+        assert not jumping(new, corners(new)).any()
+        assert change.outcome in ("proved", "undecided")
+
+
+def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off(tmp_path: Path) -> None:
+    from spragsym.studies.tolerances import certificate, chance
+
+    study = ss.Study(brake(mu0=0.36), tolerance={"k": "sd 5 %", "k_x": "sd 5 %"}, correlation={("k", "k_x"): 1.0})
+    assert certificate(study).outcome == "refuted"
+    found = chance(study, 1 << 12)
+    assert found is not None
+    assert list(found.sobol) == ["k, k_x"]
+    g = np.random.default_rng(5).normal(0, 0.05, 100_000)
+    p = ss.PhysicalParameters(**study.values | {"k": 180e3 * (1 + g), "k_x": 9e3 * (1 + g)}).dimensionless()
+    share = float((np.asarray(ss.jump_value(p)) <= study.friction[1]).mean())
+    error = 3 * math.sqrt(share * (1 - share) / 1e5)
+    assert found.low - error < share < found.high + error
+    # A brake with a soft strut and a stiff spring along the belt is no brake of one batch.
+    example = certificate(study).counterexample
+    assert example is not None
+    assert example["k"] / 180e3 == pytest.approx(example["k_x"] / 9e3)
+
+
+def test_mu0_and_d_of_one_fit_are_correlated(tmp_path: Path) -> None:
+    speed = np.linspace(0.005, 0.15, 20)
+    noise = np.random.default_rng(3).normal(0, 0.004, speed.size)
+    rows = [f"{v},{mu}" for v, mu in zip(speed, 0.42 * (1 - np.exp(-8.0 * speed)) + noise, strict=True)]
+    (tmp_path / "measured.csv").write_text("\n".join(["v [m/s],mu", *rows]), encoding="utf-8")
+    lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
+    (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
+    study = ss.Study.from_file(tmp_path / "brake.toml")
+    assert study.fit is not None
+    # A steeper law with less friction fits nearly as well where the curve does not level off.
+    assert study.correlation[("mu0", "d")] == study.fit.correlation < -0.9
+    assert study.quantities["mu0"].sd == study.fit.mu0_error
+    # The covariance against one fitted again with noise 60 times.
+    from spragsym.studies.measurements import fit_friction
+
+    rng = np.random.default_rng(4)
+    again = [fit_friction(speed, 0.42 * (1 - np.exp(-8.0 * speed)) + rng.normal(0, 0.004, speed.size)) for _ in range(60)]
+    together = np.corrcoef([one.mu0 for one in again], [one.d for one in again])[0, 1]
+    assert together == pytest.approx(study.fit.correlation, abs=0.1)
 
 
 def test_a_design_that_sprags_within_its_tolerances_only_is_called_so_and_gets_changes() -> None:
@@ -218,7 +281,7 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
     speed = np.linspace(0.02, 1.5, 30)
     noise = np.random.default_rng(3).normal(0, 0.004, speed.size)
     rows = [f"{v},{mu}" for v, mu in zip(speed, 0.42 * (1 - np.exp(-8.0 * speed)) + noise, strict=True)]
-    (tmp_path / "measured.csv").write_text("\n".join(["speed,friction", *rows]), encoding="utf-8")
+    (tmp_path / "measured.csv").write_text("\n".join(["speed [m/s],friction", *rows]), encoding="utf-8")
     lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
     (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
     found = ss.Study.from_file(tmp_path / "brake.toml")
@@ -231,7 +294,7 @@ def test_friction_that_was_measured(tmp_path: Path) -> None:
 def test_friction_that_falls_with_speed_is_called_another_law(tmp_path: Path) -> None:
     speed = np.linspace(0.05, 3.0, 20)
     rows = [f"{v},{0.2 + 0.4 * math.exp(-v)}" for v in speed]
-    (tmp_path / "measured.csv").write_text("\n".join(rows), encoding="utf-8")
+    (tmp_path / "measured.csv").write_text("\n".join(["v [m/s],mu", *rows]), encoding="utf-8")
     lines = [line for line in BRAKE.splitlines() if not line.startswith(("mu0", "d "))]
     (tmp_path / "brake.toml").write_text("\n".join([*lines, 'friction = "measured.csv"']), encoding="utf-8")
     study = ss.Study.from_file(tmp_path / "brake.toml")
@@ -320,7 +383,8 @@ def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.
     p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
     set_ = json.loads(printed("bifurcation", "--data", str(path), "--json"))
     assert [row["x_mm"] for row in set_["folds"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
-    assert set_["mu_cusp"] == pytest.approx(ss.critical_friction(p), rel=1e-12)
+    assert set_["mu_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
+    assert set_["mu_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
     arguments = ("--data", str(path), "--json", "--vary", "k_x", "--from", "5", "--to", "20", "--points", "2")
     points = json.loads(printed("equilibria", *arguments))["points"]
     for point, k_x in zip(points, (5.0, 20.0), strict=True):

@@ -14,11 +14,12 @@ from .theorem import Step
 
 @dataclass(frozen=True)
 class Ledger:
-    """Rows of the check, the identities that the elimination rests on, and the steps of the count theorem."""
+    """Rows of the check, the identities that the elimination rests on, and the steps of two theorems."""
 
     rows: tuple[Row, ...]
     identities: dict[str, bool]
     theorem: tuple[Step, ...]
+    lowest_fold: tuple[Step, ...]
 
 
 def as_dict(ledger: Ledger, digest: str) -> dict[str, Any]:
@@ -30,6 +31,7 @@ def as_dict(ledger: Ledger, digest: str) -> dict[str, Any]:
         "rows": [row.as_dict() for row in ledger.rows],
         "identities": ledger.identities,
         "one_or_three": [{"claim": step.claim, "holds": step.holds} for step in ledger.theorem],
+        "lowest_fold": [{"claim": step.claim, "holds": step.holds} for step in ledger.lowest_fold],
     }
 
 
@@ -78,6 +80,14 @@ def markdown(ledger: Ledger, header: str) -> str:
         "step decided by exact algebra:",
         "",
         *(f"{number}. {_mark(step.holds)} {step.claim}" for number, step in enumerate(ledger.theorem, 1)),
+        "",
+        "## The lowest fold",
+        "",
+        "For κ > 0, σ > 0 and α, β ≥ 0 the least friction at which, over 0 < θ₀ < π, the state of small deformation ends is the least of: "
+        "the cusps with 0 < θ₀ < π/2 and μ₀ ≥ 0; the points with 0 < θ₀ < π/2, μ₀ > 0 and f″ < 0 at which the curve of folds turns back, "
+        "f = f′ = f_θ₀ = 0; the folds at θ₀ = 0 with μ₀ > 0 and f″ < 0. Where there is none of these it never ends:",
+        "",
+        *(f"{number}. {_mark(step.holds)} {step.claim}" for number, step in enumerate(ledger.lowest_fold, 1)),
         "",
     ]
     return "\n".join(lines)

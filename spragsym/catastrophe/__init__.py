@@ -1,17 +1,19 @@
 """Where states meet, vanish and jump: the surface, folds, cusps, flutter, and paths over them, all without a guess."""
 
 from .bifurcation_sets import BifurcationSet, FoldCurve, bifurcation_set
-from .criteria import critical_friction, critical_value
+from .criteria import critical_value, cusp_friction
 from .cusp_points import Cusps, cusps
 from .equilibrium_surface import Surface, surface
 from .flutter_points import FlutterBoundary, FlutterOnsets, flutter_boundary, flutter_onsets
 from .fold_points import Folds, folds
 from .linear import LinearSprag, linear_critical_friction, linear_sprag
+from .lowest_fold import CriticalFriction, critical_friction
 from .paths import Jump, Path, quasi_static_path
 from .sliding import sliding_friction
 
 __all__ = [
     "BifurcationSet",
+    "CriticalFriction",
     "Cusps",
     "FlutterBoundary",
     "FlutterOnsets",
@@ -24,6 +26,7 @@ __all__ = [
     "bifurcation_set",
     "critical_friction",
     "critical_value",
+    "cusp_friction",
     "cusps",
     "flutter_boundary",
     "flutter_onsets",

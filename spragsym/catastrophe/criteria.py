@@ -1,4 +1,4 @@
-"""The friction above which the state of small deformation jumps, and the parameters at which that is the friction given."""
+"""The friction of the lowest cusp, and the parameters at which the lowest fold has the friction given."""
 
 from __future__ import annotations
 
@@ -12,10 +12,13 @@ from ..errors import ConvergenceError, ParameterError
 from ..parameters import RANGES, FloatArray, Parameters, as_number
 from .cusp_points import cusps
 from .fixed import FIXED
+from .lowest_fold import critical_friction
 
 
-def critical_friction(p: Parameters) -> float | FloatArray:
-    """μ_cusp, the friction of the lowest cusp with 0 < θ₀ < π: below it the state of small deformation has no jump.
+def cusp_friction(p: Parameters) -> float | FloatArray:
+    """μ_cusp, the friction of the lowest cusp with 0 < θ₀ < π: where folds are born, not the lowest of them.
+
+    What decides whether the state of small deformation can jump is :func:`critical_friction`.
 
     Parameters
     ----------
@@ -25,7 +28,7 @@ def critical_friction(p: Parameters) -> float | FloatArray:
     Returns
     -------
     float or ndarray
-        ``inf`` where there is no cusp: then no friction makes that state jump.
+        ``inf`` where there is no cusp.
 
     Raises
     ------
@@ -34,12 +37,11 @@ def critical_friction(p: Parameters) -> float | FloatArray:
 
     Notes
     -----
-    Source: the cusp polynomial. The article's Figures 8 to 10 follow from it: the curves that jump are those with μ₀ = 0.5
-    above it.
+    Source: the cusp polynomial.
 
     Examples
     --------
-    >>> print(critical_friction(Parameters.article()))
+    >>> print(cusp_friction(Parameters.article()))
     0.20093178180509003
     """
     kappa, alpha, sigma, beta = np.broadcast_arrays(*(getattr(p, name) for name in FIXED))
@@ -56,7 +58,7 @@ def _lowest_cusp(kappa: float, alpha: float, sigma: float, beta: float) -> float
 
 
 def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> float:
-    """The value of a parameter at which μ_cusp equals μ₀: the state of small deformation has a jump on one side of it only.
+    """The value of a parameter at which the lowest fold has the friction μ₀: on one side of it the small state jumps at no angle.
 
     Parameters
     ----------
@@ -65,7 +67,7 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
     vary : str
         ``"kappa"``, ``"alpha"``, ``"sigma"`` or ``"beta"``.
     bracket : (float, float)
-        Two values with μ_cusp on different sides of μ₀.
+        Two values with the critical friction on different sides of μ₀.
 
     Returns
     -------
@@ -75,11 +77,12 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
     Raises
     ------
     ParameterError, ParameterTypeError
-        For a parameter that moves no cusp, a bracket with μ_cusp on one side of μ₀, and parameters that are no scalars.
+        For a parameter that moves no fold, a bracket with the critical friction on one side of μ₀, and parameters that are no
+        scalars.
 
     Notes
     -----
-    Source: μ_cusp of :func:`critical_friction`, less μ₀.
+    Source: :func:`critical_friction`, less μ₀.
 
     Examples
     --------
@@ -87,7 +90,7 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
     1.632329272
     """
     if vary not in FIXED:
-        raise ParameterError(f"vary = {vary!r} does not change a cusp; choose one of {', '.join(FIXED)}")
+        raise ParameterError(f"vary = {vary!r} does not change the critical friction; choose one of {', '.join(FIXED)}")
     low, high = (as_number(f"bracket[{i}]", value, RANGES[vary]) for i, value in enumerate(bracket))
     if not low < high:
         raise ParameterError(f"bracket = ({low}, {high}) is empty; give two values, the smaller first")
@@ -97,19 +100,19 @@ def critical_value(p: Parameters, vary: str, bracket: tuple[float, float]) -> fl
         return float(critical_friction(p.replace(theta0=None, mu0=None, **{vary: value})))
 
     def excess(value: float) -> float:
-        return math.atan(friction_at(value)) - math.atan(mu0)  # finite where there is no cusp
+        return math.atan(friction_at(value)) - math.atan(mu0)  # finite where there is no fold
 
     ends = excess(low), excess(high)
     if ends[0] * ends[1] > 0:
         frictions = ", ".join(f"{_in_words(friction_at(value))} at {vary} = {value:g}" for value in (low, high))
-        raise ParameterError(f"bracket: mu_cusp is {frictions}, both on one side of mu0 = {mu0:g}; widen it")
+        raise ParameterError(f"bracket: the critical friction is {frictions}, both on one side of mu0 = {mu0:g}; widen it")
     low, high = _within_a_factor(excess, low, high)
     root = low if low == high else float(brentq(excess, low, high, xtol=1e-300, rtol=8.9e-16, maxiter=200))
     if abs(excess(root)) > 1e-9:
         below, above = (friction_at(max(float(np.nextafter(root, end)), RANGES[vary].low)) for end in (-math.inf, math.inf))
         raise ConvergenceError(
-            f"mu_cusp jumps across mu0 = {mu0:g} at {vary} = {root:.12g}, from {_in_words(below)} to {_in_words(above)}: "
-            "there it has no value between; try a bracket on one side"
+            f"the critical friction jumps across mu0 = {mu0:g} at {vary} = {root:.12g}, from {_in_words(below)} to "
+            f"{_in_words(above)}: there it has no value between; try a bracket on one side"
         )
     return root
 
@@ -131,4 +134,4 @@ def _within_a_factor(excess: Callable[[float], float], low: float, high: float) 
 
 
 def _in_words(friction: float) -> str:
-    return "infinite (there is no cusp)" if math.isinf(friction) else f"{friction:.6g}"
+    return "infinite (there is no fold)" if math.isinf(friction) else f"{friction:.6g}"

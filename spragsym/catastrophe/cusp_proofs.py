@@ -3,36 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
 from ..exact import polynomials
 from ..exact.charts import roots_on_the_line
-from ..exact.escalation import angle, decided, sign_or_zero
+from ..exact.escalation import angle, decided
 from ..exact.intervals import Arithmetic, Interval, sign
 from ..generated import catastrophe as _catastrophe
-from .enclosures import Angles, Point, in_contact
+from .enclosures import Angles, Point, SineRoot, in_contact
 
-
-@dataclass(frozen=True)
-class _Sine:
-    """sin θ on a cusp: an interval (low, high] around one root of an exact polynomial, or low = high."""
-
-    polynomial: polynomials.Polynomial
-    low: Fraction
-    high: Fraction
-
-    def sign_of(self, arith: Arithmetic, value: Interval, exactly: Callable[[Fraction], Fraction], what: str) -> int:
-        """The sign of an interval, 0 where a function of sin θ is 0 exactly that has no poles but those at 3 sin² θ = 2."""
-        return sign_or_zero(arith, value, what, lambda: self._is_zero(exactly))
-
-    def _is_zero(self, exactly: Callable[[Fraction], Fraction]) -> bool:
-        if self.low == self.high:
-            return exactly(self.low) == 0
-        numerator = polynomials.interpolate(lambda s: exactly(s) * (3 * s * s - 2) ** 2, 10, Fraction)
-        return polynomials.has_root(polynomials.common_divisor(self.polynomial, numerator), self.low, self.high)
+#: Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
+_DEGREE = 10
 
 
 def cusp_sines(
@@ -84,32 +67,36 @@ def cusps(arith: Arithmetic, exact: tuple[Fraction, ...], bits: int) -> Iterator
         # −1 − κ/(1 + β).
         roots.append((_ONE, _ONE))
     for low, high in roots:
-        yield from _cusps_at(arith, exact, _Sine(polynomial, low, high))
+        yield from _cusps_at(arith, exact, SineRoot(polynomial, low, high))
 
 
-def _cusps_at(arith: Arithmetic, exact: tuple[Fraction, ...], sine: _Sine) -> Iterator[Point]:
+def _cusps_at(arith: Arithmetic, exact: tuple[Fraction, ...], sine: SineRoot) -> Iterator[Point]:
     """The cusps of one sin θ. What is 0 exactly, as cos θ₀ or y may be at a coincidence of parameters, is known to be."""
     alpha = exact[1]
     values = tuple(map(arith.exact, exact))
     s, zero = arith.between(sine.low, sine.high), arith.exact(Fraction(0))
     s0, friction = _catastrophe.cusp_sine(s, *values)
     L = _cusp_length(s, *values)
+
+    def sign_of(value: Interval, exactly: Callable[[Fraction], Fraction], what: str) -> int:
+        return sine.sign_of(arith, value, lambda s: exactly(s) * (3 * s * s - 2) ** 2, _DEGREE, what)
+
     sides = (
-        sine.sign_of(arith, L, lambda s: _cusp_length(s, *exact), "L = 0 on a cusp"),
-        sine.sign_of(arith, s0 - L * s, lambda s: _cusp_y(s, *exact), "y = 0 on a cusp"),
+        sign_of(L, lambda s: _cusp_length(s, *exact), "L = 0 on a cusp"),
+        sign_of(s0 - L * s, lambda s: _cusp_y(s, *exact), "y = 0 on a cusp"),
     )
     if sides != (1, -1):
         return
     upright = sine.low == sine.high and abs(sine.low) == 1
     width = zero if upright else arith.sqrt(1 - s * s)
-    flat = sine.sign_of(arith, s, lambda s: s, "sin θ = 0 on a cusp") == 0
-    flat0 = sine.sign_of(arith, s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0
+    flat = sign_of(s, lambda s: s, "sin θ = 0 on a cusp") == 0
+    flat0 = sign_of(s0, lambda s: _catastrophe.cusp_sine(s, *exact)[0], "sin θ₀ = 0 on a cusp") == 0
     for c in (width,) if upright else (width, -width):
         if alpha:
             cosines = [_catastrophe.cusp_point(s, *values)[1] * c]
         else:
             gap = 1 - s0 * s0
-            inside = sine.sign_of(arith, gap, lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2, "cos θ₀ = 0 on a cusp")
+            inside = sign_of(gap, lambda s: 1 - _catastrophe.cusp_sine(s, *exact)[0] ** 2, "cos θ₀ = 0 on a cusp")
             cosines = [] if inside < 0 else [arith.sqrt(gap), -arith.sqrt(gap)] if inside else [zero]
         for c0 in cosines:
             angles = (_angle_or_level(arith, c0, s0, flat0), _angle_or_level(arith, c, s, flat))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import NamedTuple
 
-from ..exact.escalation import angle, as_floats, decided
+from ..exact import polynomials
+from ..exact.escalation import angle, as_floats, decided, sign_or_zero
 from ..exact.intervals import Arithmetic, Interval
 from ..statics import kernel
 
@@ -34,6 +36,28 @@ class Point:
         """Middles as floats, and the largest error, the rounding to float included."""
         values, error = as_floats(arith, (*self.parameters, self.theta, self.L, self.x, self.y))
         return (*values, error)
+
+
+@dataclass(frozen=True)
+class SineRoot:
+    """sin θ of a point: an interval (low, high] around one root of an exact polynomial, or low = high."""
+
+    polynomial: polynomials.Polynomial
+    low: Fraction
+    high: Fraction
+
+    def sign_of(
+        self, arith: Arithmetic, value: Interval, numerator: Callable[[Fraction], Fraction], degree: int, what: str
+    ) -> int:
+        """The sign of an interval; 0 where what it encloses, a function of sin θ known by its numerator, is 0 exactly."""
+
+        def vanishes() -> bool:
+            if self.low == self.high:
+                return numerator(self.low) == 0
+            other = polynomials.interpolate(numerator, degree, Fraction)
+            return polynomials.has_root(polynomials.common_divisor(self.polynomial, other), self.low, self.high)
+
+        return sign_or_zero(arith, value, what, vanishes)
 
 
 def in_contact(arith: Arithmetic, angles: Angles, mu0: Interval, values: tuple[Interval, ...]) -> Iterator[Point]:

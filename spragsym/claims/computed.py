@@ -228,9 +228,9 @@ def family_row(name: str, value: float, bracket: tuple[float, float], jumps: boo
     def compute() -> Found:
         p = _article(**{name: value})
         found = _jumps(p, "theta0", _RISING)
-        lowest = float(catastrophe.critical_friction(p))
+        lowest, cusp = float(catastrophe.critical_friction(p)), float(catastrophe.cusp_friction(p))
         critical = _critical_value(name, bracket)
-        values: dict[str, Value] = {"mu_cusp": lowest, f"critical {name}": critical}
+        values: dict[str, Value] = {"mu_lowest": lowest, "mu_cusp": cusp, f"critical {name}": critical}
         if found:
             values["jump at theta0_deg"] = float(_deg(found[0].value))
         return Found(bool(found) == jumps == (lowest < 0.5), values)

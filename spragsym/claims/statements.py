@@ -25,7 +25,7 @@ def _family(number: int, name: str, bracket: tuple[float, float], samples: Seque
             stated=f"at {name} = {value:g} the curve from small deformation "
             + ("meets the catastrophe" if jumps else "is smooth"),
             compute=computed.family_row(name, value, bracket, jumps),
-            outcome=("it jumps: mu_cusp is below" if jumps else "no jump: mu_cusp is above")
+            outcome=("it jumps: mu_lowest is below" if jumps else "no jump: mu_lowest is above")
             + f" mu0 = 0.5; the answer changes at the critical {name}",
             test="test_yes_or_no_of_figures_8_to_10",
             command=_figure("cusp-friction"),

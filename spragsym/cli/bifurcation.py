@@ -68,7 +68,8 @@ def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: flo
         print_table(title, header, [[row[column] for column in header] for row in summary[name]])
     print_table("Critical frictions", ("", "mu"), [
         ("mu_cr, linear sprag model: poles above it", _or(summary["mu_cr"], "out of range")),
-        ("mu_cusp: no jump from small deformation below it", _or(summary["mu_cusp"], "none")),
+        ("mu_lowest, the lowest fold: no jump from small deformation below it", _or(summary["mu_lowest"], "none")),
+        ("mu_cusp, the lowest cusp", _or(summary["mu_cusp"], "none")),
     ])  # fmt: skip
 
 
@@ -84,7 +85,7 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
 
     p = build(None, **values)
     found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), flutter.flutter_onsets(p)
-    lowest = catastrophe.critical_friction(p)
+    lowest, cusp = catastrophe.critical_friction(p), float(catastrophe.cusp_friction(p))
     with np.errstate(all="ignore"):  # stiffnesses of very different size
         linear = float(catastrophe.linear_critical_friction(p))
 
@@ -108,7 +109,10 @@ def _summary(values: dict[str, float]) -> dict[str, Any]:
         "folds": rows(turns, ("theta0", "theta", "L", "x", "y")),
         "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch", "side")),
         "mu_cr": linear if math.isfinite(linear) else None,
-        "mu_cusp": None if math.isinf(lowest) else lowest,
+        "mu_lowest": float(lowest) if lowest.kind else None,
+        "theta0_lowest_deg": math.degrees(lowest.theta0) if lowest.kind else None,
+        "kind_lowest": lowest.kind or None,
+        "mu_cusp": None if math.isinf(cusp) else cusp,
     }
 
 

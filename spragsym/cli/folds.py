@@ -121,22 +121,29 @@ def critical(theta0_deg: float, vary: str, json_output: bool, **values: float) -
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    from ..catastrophe import critical_friction, linear_critical_friction
+    from ..catastrophe import critical_friction, cusp_friction, linear_critical_friction
     from ..design import jump_value
 
     name, unit, title = varied(vary)
     p = build(theta0_deg, **values)
     ways = ("up",) if name in ("mu0", "theta0") else ("up", "down")
     found = {way: unit * float(jump_value(p, name, direction=way)) for way in ways}
-    solved = {"mu_jump": jump_value(p), "mu_cusp": critical_friction(p), "mu_cr": linear_critical_friction(p)}
+    lowest = critical_friction(p)
+    place = {"theta0_lowest_deg": math.degrees(lowest.theta0), "kind_lowest": lowest.kind or None}
+    solved = {
+        "mu_jump": jump_value(p), "mu_lowest": lowest, "mu_cusp": cusp_friction(p), "mu_cr": linear_critical_friction(p),
+    }  # fmt: skip
     frictions = {key: float(value) for key, value in solved.items()}
     if json_output:
-        print_json({"vary": vary, "quantity": title, "jump": found, **frictions})
+        print_json({"vary": vary, "quantity": title, "jump": found, **frictions, **place})
         return
     rows = [(f"{title} at the first jump, {way}", _or(value, "never")) for way, value in found.items()]
     meanings = {
-        "mu_jump": "friction at which it jumps at this angle", "mu_cusp": "friction below which it jumps at no angle",
-        "mu_cr": "friction of the linear sprag model",
+        "mu_jump": "friction at which it jumps at this angle",
+        "mu_lowest": "friction of the lowest fold: below it it jumps at no angle" + (
+            f" (a {lowest.kind}, at {place['theta0_lowest_deg']:.6g} deg)" if lowest.kind else ""
+        ),
+        "mu_cusp": "friction of the lowest cusp", "mu_cr": "friction of the linear sprag model",
     }  # fmt: skip
     print_table("", ("", "value"), rows + [(text, _or(frictions[key], "none")) for key, text in meanings.items()])
 

@@ -23,10 +23,11 @@ from ..sweeps import workers as processes
 from ..sweeps.many import advance
 from ..sweeps.workers import Workers
 from . import sampling
+from .dependence import Correlation, Dependence, dependence
 from .events import have_jumped
 from .spaces import PHYSICAL, dimensionless
 
-#: Independent variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
+#: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
 Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]
 
 #: Of the belt: its speed and the steepness of the friction law.
@@ -50,8 +51,9 @@ class JumpProbability(Result):
     undecided : float
         Share of the points without an answer, which the interval takes in.
     first, total : dict of str to float
-        Sobol' indices of every quantity that varies: the share of the variance of "it jumps" that goes with it alone, and with it
-        and all that it does together with others. NaN where everything jumps, or nothing, and empty if not asked for.
+        Sobol' indices of every quantity that varies, or of several that are correlated, together: the share of the variance of
+        "it jumps" that goes with it alone, and with it and all that it does together with others. NaN where everything jumps,
+        or nothing, and empty if not asked for.
     first_error, total_error : dict of str to float
         Half-widths of their intervals.
     """
@@ -80,6 +82,7 @@ class JumpProbability(Result):
 def jump_probability(
     distribution: Distribution,
     *,
+    correlation: Correlation | None = None,
     n: int = _POINTS,
     rng: int | np.random.Generator | None = None,
     confidence: float = 0.95,
@@ -95,9 +98,12 @@ def jump_probability(
     ----------
     distribution : mapping, or two corners of a box
         For each dimensionless parameter, or for each of the physical quantities k, k_x, k_y, k_c, F_L, L_0, theta0 and mu0: a
-        number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``. They are
-        independent. With V and d, both, beside the physical ones the friction is that at the speed of the belt. Two
-        :class:`~spragsym.Parameters` or :class:`~spragsym.PhysicalParameters` are the corners of a box.
+        number, a range ``(low, high)`` in which all values are as probable, or a frozen distribution of ``scipy.stats``. With V
+        and d, both, beside the physical ones the friction is that at the speed of the belt. Two :class:`~spragsym.Parameters`
+        or :class:`~spragsym.PhysicalParameters` are the corners of a box.
+    correlation : mapping of pairs of names to float, optional
+        Of the normal scores behind the distributions (a Gaussian copula), which are the quantities' own where they are normal;
+        1 where one decides the other. Those that are not named are independent.
     n : int
         Points, rounded up to a power of two for each replicate.
     rng : int or numpy.random.Generator, optional
@@ -143,16 +149,19 @@ def jump_probability(
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
     if not varied:
         raise ParameterError("no quantity of distribution varies; give a range or a distribution for one, or use jump_value")
+    together = dependence(varied, correlation)
     _check(n, replicates, confidence)
+    if isinstance(rng, int | np.integer) and (rng < 0 or isinstance(rng, bool)):
+        raise ParameterError(f"rng = {rng!r} is no seed; give an integer of 0 or more, a numpy.random.Generator, or leave it out")
     if store is not None and not isinstance(rng, int | np.integer):
         raise ParameterError("store needs rng = an integer, so that the same call has the same points")
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
     tasks = sampling.chunks(n, replicates, seeds)
-    work = partial(sampling.sums, partial(_jumps, variables), len(varied), sobol)
-    records = _records(work, tasks, workers, progress, store, _settings(variables, sobol, tasks))
+    work = partial(sampling.sums, partial(_jumps, variables, together), together.groups, sobol)
+    records = _records(work, tasks, workers, progress, store, _settings(variables, together, sobol, tasks))
     found = sampling.estimate(records, [task.replicate for task in tasks], confidence, True)
     named = (
-        dict(zip(varied, part.tolist(), strict=True)) if sobol else {}
+        dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {}
         for part in (found.first, found.total, found.first_error, found.total_error)
     )
     return JumpProbability(found.mean, found.low, found.high, confidence, found.n, found.undecided, *named)
@@ -225,8 +234,9 @@ def _check_reach(name: str, low: float, high: float, allowed: Range) -> None:
         )
 
 
-def _jumps(variables: Mapping[str, Any], points: FloatArray) -> FloatArray:
+def _jumps(variables: Mapping[str, Any], together: Dependence, points: FloatArray) -> FloatArray:
     """1 where the state jumps, 0 where it does not, NaN where that is unknown."""
+    points = together.shares(points)
     values: dict[str, Any] = {}
     column = 0
     for name, one in variables.items():
@@ -249,14 +259,23 @@ def _jumps(variables: Mapping[str, Any], points: FloatArray) -> FloatArray:
 # --------------------------------------------------------------------------------------------------------- chunks
 
 
-def _settings(variables: Mapping[str, Any], sobol: bool, tasks: list[sampling.Chunk]) -> dict[str, Any]:
+def _settings(variables: Mapping[str, Any], together: Dependence, sobol: bool, tasks: list[sampling.Chunk]) -> dict[str, Any]:
     """All that the sums depend on, in words."""
     shares = np.linspace(0.01, 0.99, 9)
     told = {
         name: one if isinstance(one, float) else [float(value) for value in np.asarray(one.ppf(shares))]
         for name, one in variables.items()
     }
-    return {"jump_probability": told, "sobol": sobol, "chunks": len(tasks), "first": list(tasks[0]), "last": list(tasks[-1])}
+    pairs = zip(together.titles, together.factors, strict=True)
+    factors = {title: factor.tolist() for title, factor in pairs if len(factor) > 1}
+    return {
+        "jump_probability": told,
+        "together": factors,
+        "sobol": sobol,
+        "chunks": len(tasks),
+        "first": list(tasks[0]),
+        "last": list(tasks[-1]),
+    }
 
 
 def _records(

@@ -1,4 +1,4 @@
-"""Mean, variance and Sobol' indices of a function of independent variables, by quasi-Monte Carlo, in chunks and with intervals.
+"""Mean, variance and Sobol' indices of a function of independent groups of variables, by quasi-Monte Carlo, with intervals.
 
 Several independent scramblings of one Sobol' sequence give as many independent means of one distribution, from whose spread the
 interval follows (Student). One more set of points, and mixtures of both, give the indices: first order by Saltelli et al. (2010),
@@ -42,8 +42,9 @@ def chunks(n: int, replicates: int, seeds: Sequence[int]) -> list[Chunk]:
     return [Chunk(i, seed, begin, size) for i, seed in enumerate(seeds) for begin in range(0, each, size)]
 
 
-def sums(function: Function, variables: int, indices: bool, chunk: Chunk) -> list[float]:
-    """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each variable two sums for its indices."""
+def sums(function: Function, groups: Sequence[Sequence[int]], indices: bool, chunk: Chunk) -> list[float]:
+    """What a chunk adds: number, undecided, Σf and Σf² over both sets; then for each group of variables two for its indices."""
+    variables = sum(map(len, groups))
     # SciPy goes forward in sequences of up to 32 bits only.
     sequence = qmc.Sobol((2 if indices else 1) * variables, rng=np.random.default_rng(chunk.seed), bits=32)
     if chunk.begin:
@@ -55,9 +56,9 @@ def sums(function: Function, variables: int, indices: bool, chunk: Chunk) -> lis
         return [float(chunk.size), unknown, float(one.sum()), float(one @ one)]
     other, more = _evaluated(function, points[:, variables:])
     result = [2.0 * chunk.size, unknown + more, float(one.sum() + other.sum()), float(one @ one + other @ other)]
-    for j in range(variables):
+    for group in groups:
         mixed = base.copy()
-        mixed[:, j] = points[:, variables + j]
+        mixed[:, group] = points[:, variables:][:, group]
         value, _ = _evaluated(function, mixed)
         result += [float(other @ (value - one)), float(((one - value) ** 2).sum())]
     return result

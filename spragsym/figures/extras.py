@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from numpy.typing import NDArray
 
 from ..assumed import MU0_RANGE, D, V
-from ..catastrophe import bifurcation_set, critical_friction, critical_value, folds
+from ..catastrophe import bifurcation_set, critical_friction, critical_value, cusp_friction, folds
 from ..catastrophe.companion import eigenvalues
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
@@ -70,17 +70,17 @@ def bifurcation_figure(p: Parameters) -> Sheet:
 
 @styled
 def figure_cusp_friction(*, n: int = 41) -> Sheet:
-    """μ_cusp over each parameter: why Figures 8 to 10 come out as they do."""
+    """The lowest fold over each parameter: why Figures 8 to 10 come out as they do."""
     figure, axes = panels(2, 2, DOUBLE, 4.6)
     tables: dict[str, Table] = {}
     for letter, ax, name in zip("abcd", axes.flat, _SAMPLES, strict=True):
         tables[letter] = _draw_cusp_friction(ax, name, n)
     return figure.describe(
-        f"""Friction at the cusp, μ_cusp, over (a) β, (b) α, (c) σ, (d) κ, the other
+        f"""Friction of the lowest fold over all inclinations, μ_lowest, over (a) β, (b) α, (c) σ, (d) κ, the other
         parameters
-        at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_cusp lies below
+        at {BASE_TEXT}. From small deformation a curve at μ₀ = 0.5 (dotted) jumps where μ_lowest lies below
         it. Dots are the article's samples, of its Figures 8 to 10 in (a) to (c); filled: jumps, open: does
-        not. The number is the critical value. Where the curve of (d) ends there is no cusp beyond.""",
+        not. The number is the critical value. Where the curve of (d) ends there is no fold beyond.""",
         **tables,
     )
 
@@ -90,6 +90,7 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
     values = np.linspace(low, high, n) if name == "beta" else np.geomspace(low, high, n)
     p, mu0 = Parameters.article(), ARTICLE["mu0"]
     frictions = np.asarray(critical_friction(p.replace(**{name: values})))
+    cusps = np.asarray(cusp_friction(p.replace(**{name: values})))
     ax.plot(values, frictions, color=BLACK)
     ax.axhline(mu0, color=GREY, linewidth=0.7, linestyle=":")
     for value in samples:
@@ -113,8 +114,8 @@ def _draw_cusp_friction(ax: Axes, name: str, n: int) -> Table:
         ax.set(xscale="log", yscale="log")
         plain_ticks(ax.yaxis, _TICKS[name])
         write_along(ax, f"{critical:.3g}", critical * 1.12, 0.06, color=VERMILION, transform=ax.get_xaxis_transform())
-    ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{cusp}}$", xlim=(low, high))
-    return {name: values, "mu_cusp": frictions}
+    ax.set(xlabel=rf"$\{name}$", ylabel=r"$\mu_{\mathrm{lowest}}$", xlim=(low, high))
+    return {name: values, "mu_lowest": frictions, "mu_cusp": cusps}
 
 
 # ---------------------------------------------------------------------------- the false double root in L

@@ -6,23 +6,24 @@ import os
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, field, fields, replace
 from pathlib import Path
 from typing import Any
 
+from ..design.dependence import Correlation, dependence
 from ..errors import ParameterError, SpragsymError
 from ..files.text import decoded
 from ..generated.quantities import QUANTITIES
 from ..names import hint
-from ..parameters import RANGES, PhysicalParameters, degrees, physical_ranges, shown
+from ..parameters import FINITE, RANGES, PhysicalParameters, Range, physical_ranges
 from . import other_models
-from .measurements import FrictionFit, fit_friction, read_friction
-from .units import EXAMPLES, Measured, factor, read
+from .measured_tables import read_friction
+from .measurements import FrictionFit, fit_friction
+from .units import ENDS, EXAMPLES, WITHIN, Measured, read, remedy
 
 #: Quantities of the article's model in the order of the file, each with its SI unit.
 QUANTITY_UNITS: Mapping[str, str] = {
-    field.name: QUANTITIES[f"{field.name}_dim" if field.name in ("V", "d") else field.name].unit
-    for field in fields(PhysicalParameters)
+    one.name: QUANTITIES[f"{one.name}_dim" if one.name in ("V", "d") else one.name].unit for one in fields(PhysicalParameters)
 }
 #: Quantities that are not of the size that others of the same unit have.
 _EXAMPLES: Mapping[str, str] = {"k_x": "9 N/mm", "k_y": "0 N/mm", "k_c": "1500 N/mm"}
@@ -32,12 +33,13 @@ _LARGEST = 1 << 20
 
 @dataclass(frozen=True)
 class BrakeFile:
-    """What stands in a file: quantities by name, the model, and the fit of the friction law if it was measured."""
+    """What stands in a file: quantities, the model, the fit of the friction law if it was measured, and what varies together."""
 
     path: str
     model: str
     quantities: Mapping[str, Measured]
     fit: FrictionFit | None = None
+    correlation: Correlation = field(default_factory=dict)
 
 
 class _Lines:
@@ -66,7 +68,8 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     Parameters
     ----------
     path : path
-        A TOML file with one table, ``[brake]``: for each quantity a text with number, unit and, if it has one, a tolerance.
+        A TOML file with one table, ``[brake]``: for each quantity a text with number, unit and, if it has one, a tolerance; and
+        ``correlation = [["k", "k_x", 0.9]]`` for quantities that vary together.
 
     Raises
     ------
@@ -79,14 +82,14 @@ def read_brake(path: str | os.PathLike[str]) -> BrakeFile:
     table = _table(text, lines)
     model = _model(table, lines)
     units = QUANTITY_UNITS if model == "kang_nam" else other_models.quantity_units(model)
-    measured = table.pop("friction", None)
+    measured, together = table.pop("friction", None), table.pop("correlation", None)
     _check_names(table, units, lines)
     found = {key: _quantity(key, table[key], units[key], lines) for key in units if key in table}
     fit = None
     if measured is not None:
         found, fit = _with_friction(measured, found, units, Path(path), lines)
     _check_complete(found, units, model, lines)
-    return BrakeFile(name, model, found, fit)
+    return BrakeFile(name, model, found, fit, _correlation(together, found, fit, lines))
 
 
 def _text(path: Path, name: str) -> str:
@@ -140,7 +143,7 @@ def _syntax(message: str, lines: _Lines) -> str:
 
 def _example(key: str, unit: str) -> str:
     """How an engineer would write a quantity."""
-    return _EXAMPLES.get(key) or EXAMPLES.get(unit, f"1 {unit}")
+    return _EXAMPLES.get(key) or EXAMPLES.get(unit, (f"1 {unit}",))[0]
 
 
 def _model(table: dict[str, Any], lines: _Lines) -> str:
@@ -155,7 +158,7 @@ def _model(table: dict[str, Any], lines: _Lines) -> str:
 
 
 def _check_names(table: Mapping[str, Any], units: Mapping[str, str], lines: _Lines) -> None:
-    known = [*units, "friction", "model"]
+    known = [*units, "friction", "correlation", "model"]
     for key, value in table.items():
         if key not in known:
             remark = hint(key, known) or f"; the keys are {', '.join(known)}"
@@ -166,58 +169,31 @@ def _quantity(key: str, given: Any, unit: str, lines: _Lines) -> Measured:
     where = lines.of(key)
     if unit == "1" and isinstance(given, list) and len(given) == 2 and all(type(end) in (int, float) for end in given):
         given = f"[{given[0]!r}, {given[1]!r}]"
+    text = given if isinstance(given, str) else repr(given)
+    allowed, example = allowed_range(key), _EXAMPLES.get(key, "")
     if isinstance(given, bool) or not isinstance(given, str | int | float):
-        raise ParameterError(f'{where}: {key} = {given!r} is neither text nor a number; write {key} = "{_example(key, unit)}"')
+        what = remedy((), unit, allowed, example)
+        raise ParameterError(f"{where}: {key} = {given!r} is neither text nor a number; write {what}")
     if not isinstance(given, str) and unit != "1":
-        example = _example(key, unit).split(" ", 1)[1]
-        raise ParameterError(f'{where}: {key} = {given!r} has no unit; write for instance {key} = "{given} {example}"')
+        what = remedy((f"{given} {unit}",), unit, allowed, example)
+        raise ParameterError(f"{where}: {key} = {given!r} has no unit; write {what}, with the unit that it has")
     try:
-        found = read(given if isinstance(given, str) else repr(given), unit)
+        return read(text, unit, allowed, example)
     except ParameterError as error:
         raise ParameterError(f"{where}: {key} = {error}") from error
-    _check_range(key, found, given, where, unit)
-    return found
 
 
-def _check_range(key: str, found: Measured, given: Any, where: str, unit: str) -> None:
-    """Both ends of the tolerance lie where the model allows it."""
-    allowed = physical_ranges().get(key)
-    if allowed is None:
-        return
-    for end in (found.value, found.low, found.high):
-        if not allowed.contains(end):
-            what = "" if end == found.value else f" reaches {_in_words(end, found.unit, unit)}, which"
-            low = "above" if allowed.open_low else "at least"
-            limits = f"{low} 0" if unit != "rad" else "between 0 deg and 180 deg, without these two"
-            word = "is not" if what else "must be"
-            text = f"{key} = {given!r}{what} {word} {limits}"
-            remedy = "" if unit == "rad" else allowed.remedy or _remedy(key)
-            if key == "V":
-                remedy = "a belt that runs the other way is the mirror image: give the supplement of theta0"
-            if what and allowed.contains(found.value) and (end < 0 or not remedy):
-                remedy = f'give the two ends, as in {key} = "{_ends(found, unit, allowed.open_low)}"'
-            raise ParameterError(f"{where}: {text}; " + (remedy or f'write for instance {key} = "{_example(key, unit)}"'))
-
-
-def _ends(found: Measured, si: str, open_low: bool) -> str:
-    """A range that a quantity may have, about the one that was given."""
-    low, high = (shown(round(end / factor(found.unit, si), 12)) for end in (found.value / 2 if open_low else 0.0, found.high))
-    return f"[{low}, {high}] {found.unit}".strip()
-
-
-def _remedy(key: str) -> str:
-    """Why the quantity can't be 0, in the words of the dimensionless parameter that it makes."""
-    return RANGES[{"k": "sigma", "F_L": "kappa"}[key]].remedy if key in ("k", "F_L") else ""
-
-
-def _in_words(value: float, unit: str, si: str) -> str:
-    return f"{degrees(value):.6g} deg" if unit == "deg" else f"{shown(round(value / factor(unit, si), 12))} {unit}".strip()
+def allowed_range(name: str) -> Range:
+    """Where a quantity must lie, in SI, and why."""
+    allowed = physical_ranges().get(name, FINITE)
+    group = {"k": "sigma", "F_L": "kappa"}.get(name)
+    return replace(allowed, remedy=RANGES[group].remedy) if group else allowed
 
 
 def _with_friction(
     given: Any, found: dict[str, Measured], units: Mapping[str, str], path: Path, lines: _Lines
 ) -> tuple[dict[str, Measured], FrictionFit]:
-    """μ₀ and d from the measured file, with twice their standard errors as tolerances."""
+    """μ₀ and d from the measured file: normal, with their standard errors."""
     where = lines.of("friction")
     if not isinstance(given, str) or not given.strip():
         raise ParameterError(f'{where}: friction = {given!r} is no file name; write friction = "measured.csv"')
@@ -232,10 +208,39 @@ def _with_friction(
         fit = fit_friction(*read_friction(path.parent / given))
     except ParameterError as error:
         raise ParameterError(f"{where}: friction = {given!r}: {error}") from error
-    off = 2 * fit.mu0_error, 2 * fit.d_error
-    friction = Measured(fit.mu0, max(fit.mu0 - off[0], 0.0), fit.mu0 + off[0], "")
-    steepness = Measured(fit.d, max(fit.d - off[1], fit.d / 100), fit.d + off[1], "s/m")
-    return found | {"mu0": friction, "d": steepness}, fit
+    return found | {"mu0": _fitted(fit.mu0, fit.mu0_error, ""), "d": _fitted(fit.d, fit.d_error, "s/m")}, fit
+
+
+def _fitted(value: float, error: float, unit: str) -> Measured:
+    """A normal distribution; cut off at three standard errors, and above 0, where it would reach 0 else."""
+    if value > WITHIN * error:
+        return Measured(value, value - ENDS * error, value + ENDS * error, unit, error, error == 0)
+    return Measured(value, max(value - ENDS * error, value / 100), value + ENDS * error, unit, error, True)
+
+
+def _correlation(given: Any, found: Mapping[str, Measured], fit: FrictionFit | None, lines: _Lines) -> Correlation:
+    """Which quantities vary together: those of the file, and μ₀ and d of one fit."""
+    fitted = {("mu0", "d"): fit.correlation} if fit is not None and fit.mu0_error and fit.d_error else {}
+    if given is None:
+        return fitted
+    where, example = lines.of("correlation"), 'write correlation = [["k", "k_x", 0.9]]'
+    rows = given if isinstance(given, list) else [given]
+    for row in rows:
+        if not (isinstance(row, list) and len(row) == 3 and all(isinstance(name, str) for name in row[:2])):
+            raise ParameterError(f"{where}: correlation = {given!r} is no list of two names and a number each; {example}")
+        for name in row[:2]:
+            if name not in found or found[name].low == found[name].high:
+                what = "has no tolerance" if name in found else "is not a quantity of this file"
+                raise ParameterError(f"{where}: correlation: {name} {what}{hint(name, found)}; leave the pair out")
+    pairs = [(row[0], row[1]) for row in rows]
+    if len({frozenset(pair) for pair in (*pairs, *fitted)}) < len(pairs) + len(fitted):
+        raise ParameterError(f"{where}: correlation = {given!r} has a pair twice, or that of the measured file; keep one of them")
+    result = dict(zip(pairs, (row[2] for row in rows), strict=True)) | fitted
+    try:
+        dependence([name for name, one in found.items() if one.low < one.high], result)
+    except ParameterError as error:
+        raise ParameterError(f"{where}: {error}") from error
+    return result
 
 
 def _check_complete(found: Mapping[str, Measured], units: Mapping[str, str], model: str, lines: _Lines) -> None:

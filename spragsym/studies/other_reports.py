@@ -41,7 +41,7 @@ class ModelReport(Result):
     mu_jump, theta0_jump_deg : float or None
         Friction and angle at which the state of small deformation jumps, followed on a path with proved folds; NaN for never.
     mu_cusp : float or None
-        Friction of the lowest cusp; that nothing jumps below it is not shown.
+        Friction of the lowest cusp; folds may lie below it.
     mu_effective : float
         The friction that works at the speed of the belt.
     margin_percent : float or None
@@ -78,7 +78,8 @@ class ModelReport(Result):
         lives = self.oscillation or {}
         here: Mapping[str, Any] = next((state for state in self.states if state["current"]), {})
         return {
-            "mu_jump": self.mu_jump, "theta0_jump_deg": self.theta0_jump_deg, "mu_cusp": self.mu_cusp,
+            "mu_jump": self.mu_jump, "theta0_jump_deg": self.theta0_jump_deg,
+            "mu_lowest": None, "theta0_lowest_deg": None, "kind_lowest": None, "mu_cusp": self.mu_cusp,
             "mu_effective": self.mu_effective, "margin_percent": self.margin_percent, "states": list(self.states),
             "frequencies_hz": here.get("frequencies_hz"),
             "spring_force_N": {"rest": here.get("spring_force_N"), "oscillation": lives.get("spring_force_N")},
@@ -223,7 +224,7 @@ def _cusp(model: Any, p: Any, warnings: list[str]) -> float | None:
     if not positive.size:
         warnings.append("no cusp was found with this model")
         return None
-    warnings.append("mu_cusp is the lowest cusp that was found; that nothing jumps below it is not proved for this model")
+    warnings.append("mu_cusp is the lowest cusp that was found; folds may lie below it")
     return float(positive.min())
 
 

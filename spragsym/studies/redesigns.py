@@ -1,19 +1,18 @@
-"""What to change, so that the jump lies beyond a target: single quantities, and the least joint change; each solved again.
+"""What to change, so that the jump lies beyond a target: single quantities, and the least joint change, with certificates.
 
-A value is rounded to what stands in the report, away from the old one, and verified as it stands there.
+A value is rounded to what stands in the report, away from the old one, and verified as it stands there. A change that a brake
+within its tolerances refutes is not given: it goes on until the proof is found, or is said to be missing.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from itertools import product
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.stats import qmc
 
 from ..design import redesign
 from ..design.events import have_jumped
@@ -23,7 +22,7 @@ from ..display import Result
 from ..errors import SpragsymError
 from ..parameters import FloatArray, Parameters, PhysicalParameters
 from .study import Study
-from .tolerances import friction_at
+from .tolerances import brakes, certificate, corners, counterexample, jumping, samples, varied
 from .units import factor
 
 #: What may be changed, one at a time.
@@ -32,19 +31,24 @@ SINGLE = ("theta0", "k", "k_x", "k_y", "k_c", "F_L", "L_0")
 _SHARE, _ANGLE = 0.1, math.radians(1.0)
 #: A single quantity is changed by up to this factor either way, at this many values, then between the two that decide.
 _FACTOR, _VALUES, _BETWEEN, _ROUNDS = 20.0, 160, 32, 2
-#: Up to this many quantities all corners of the tolerances are looked at; of more, a sample of as many corners.
-_CORNERS = 5
-#: How much further than the least joint change it may go.
-_STRETCHES = (1.0, 1.1, 1.25, 1.5, 2.0, 3.0)
+#: By how much of what is left it goes further, and by how much of the least joint change, until it is proved.
+_FURTHER = (0.0, 0.01, 0.05, 0.2, 1.0)
+_STRETCHES = (1.0, 1.05, 1.2, 1.5, 2.0, 3.0)
 #: Digits of a new value.
 _DIGITS = 3
+#: Slices of a certificate, and boxes of each: where few do not decide, a design a little further off is proved sooner.
+_SLICES, _BOXES = (1, 4, 16), 120
+#: Points about a design, for the share that jumps, and where there is no proof.
+_POINTS, _MANY = 1 << 10, 1 << 17
 
 
 @dataclass(frozen=True)
 class Change(Result):
     """A new design: the quantities that change, in SI, before and after; where it jumps; and how far it is, in tolerances.
 
-    ``probability`` is the share of brakes within the tolerances about the new design that jump; NaN where nothing has one.
+    ``outcome`` is that of the certificate that nothing jumps within the tolerances about it: ``"proved"``, or ``"undecided"`` if
+    no proof was found, and neither was a brake that jumps. ``probability`` is the share of brakes within them that jump: 0 if
+    that is proved, else what a sample gives; NaN where nothing has a tolerance.
     """
 
     before: Mapping[str, float]
@@ -52,10 +56,11 @@ class Change(Result):
     mu_jump: float
     distance: float
     probability: float
+    outcome: str
 
 
 def changes(study: Study, target: float) -> tuple[Change, ...]:
-    """Changes that keep the jump at or beyond a friction, and at every corner of the tolerances beyond the largest one given.
+    """Changes that keep the jump at or beyond a friction, and beyond the largest one given for all brakes within the tolerances.
 
     Single quantities, nearest first, and last the least joint change.
 
@@ -67,10 +72,9 @@ def changes(study: Study, target: float) -> tuple[Change, ...]:
 
     Notes
     -----
-    Source: :func:`spragsym.jump_value` over values of one quantity, and :func:`spragsym.redesign` for several. That a change
-    keeps the target is verified at the value as it is printed, at the corners of the tolerances about it and at Sobol' points
-    within them; that there is none nearer is not proved. A changed quantity keeps its tolerance as a share of its value, an
-    inclination as it is.
+    Source: :func:`spragsym.jump_value` over values of one quantity, :func:`spragsym.redesign` for several, and
+    :func:`spragsym.certify` over the tolerances about the values as they are printed; that there is none nearer is not proved. A
+    changed quantity keeps its tolerance as a share of its value, an inclination as it is.
     """
     scale = {name: _scale(study, name) for name in SINGLE}
     single = [_single(study, name, target, scale) for name in SINGLE]
@@ -93,72 +97,37 @@ def _designs(study: Study, changed: Mapping[str, Any]) -> Parameters:
     return Parameters(**{name: np.broadcast_to(value, shape) for name, value in dimensionless(values).items()})
 
 
-def _free(study: Study, changed: Mapping[str, Any], friction: FloatArray | float) -> NDArray[np.bool_]:
+def _reaches(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
     """Which designs are known not to jump at a friction or below it."""
     designs = _designs(study, changed)
-    found = have_jumped(designs.replace(mu0=np.broadcast_to(friction, designs.shape)))
+    found = have_jumped(designs.replace(mu0=np.broadcast_to(target, designs.shape)))
     free = ~found.jumped
     free.flat[list(found.reasons)] = False
     return free
 
 
 def _kept(study: Study, changed: Mapping[str, Any], target: float) -> NDArray[np.bool_]:
-    """Which designs jump at the target at the earliest, and at the corners of their tolerances beyond the largest friction."""
-    kept = _free(study, changed, target)
+    """Which designs jump at the target at the earliest, and at no corner of their tolerances."""
+    kept = _reaches(study, changed, target)
     left = np.flatnonzero(kept)
-    corners = _shares(study, corners=True)
-    if left.size and len(corners):
-        some = {name: np.asarray(value)[left] for name, value in changed.items()}
-        kept[left] = _free(study, _about(study, some, corners), study.friction[2]).all(axis=0)
+    shares = corners(study)
+    about = [brakes(study.changed({name: float(values[i]) for name, values in changed.items()}), shares) for i in left]
+    if about:
+        low, high = math.radians(1e-6), math.pi - math.radians(1e-6)
+        rows = {name: np.concatenate([one[name] for one in about]) for name in PHYSICAL}
+        rows["theta0"] = np.clip(rows["theta0"], low, high)
+        found = have_jumped(Parameters(**dimensionless(rows)))
+        free = ~found.jumped
+        free[list(found.reasons)] = False
+        kept[left] = free.reshape(len(left), -1).all(axis=1)
     return kept
-
-
-def _wide(study: Study) -> list[str]:
-    return [name for name in SINGLE if name in study.tolerances]
-
-
-def _shares(study: Study, corners: bool) -> FloatArray:
-    """Corners of the unit cube of all tolerances but the friction's, a sample where they are many; or points of that and of the
-    tolerances of mu0, V and d.
-    """
-    wide = _wide(study)
-    if not wide:
-        return np.empty((0, 0))
-    if corners and len(wide) <= _CORNERS:
-        return np.array(list(product((0.0, 1.0), repeat=len(wide))))
-    points = qmc.Sobol(len(wide) + (0 if corners else 3), rng=1).random(1 << (_CORNERS if corners else 10))
-    return np.round(points) if corners else np.asarray(points)
-
-
-def _about(study: Study, changed: Mapping[str, Any], shares: FloatArray) -> dict[str, FloatArray]:
-    """Designs at shares of the tolerances about others, of shape (shares, designs)."""
-    found: dict[str, FloatArray] = {}
-    for name in _wide(study):
-        one, size = study.quantities[name], np.shape(next(iter(changed.values())))
-        centre = np.broadcast_to(changed.get(name, one.value), size)
-        scale = centre / one.value if name != "theta0" and one.value else np.ones(size)
-        off = one.low - one.value + shares[:, _wide(study).index(name), None] * (one.high - one.low)
-        found[name] = centre + off * scale
-    others = {name: np.broadcast_to(value, (len(shares), *np.shape(value))) for name, value in changed.items()}
-    low, high = math.radians(1e-6), math.pi - math.radians(1e-6)
-    return others | {name: np.clip(value, low, high) if name == "theta0" else value for name, value in found.items()}
-
-
-def _probability(study: Study, changed: Mapping[str, float]) -> float:
-    """The share of Sobol' points within the tolerances about a design that jump at their friction."""
-    shares = _shares(study, corners=False)
-    if not len(shares):
-        return math.nan
-    about = _about(study, {name: np.array([value]) for name, value in changed.items()}, shares)
-    friction = friction_at(study, dict(zip(("mu0", "V", "d"), shares[:, -3:].T, strict=True)))
-    return float(1 - _free(study, about, friction[:, None]).mean())
 
 
 def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) -> Change | None:
     """The nearest value of one quantity, on either side, that keeps the target."""
-    best: Change | None = None
+    starts = []
     for side in (-1, 1):
-        values = _ladder(study, name, side)
+        values = ladder = _ladder(study, name, side)
         for _ in range(_ROUNDS):
             kept = np.flatnonzero(_kept(study, {name: values}, target))
             if not kept.size:
@@ -167,10 +136,38 @@ def _single(study: Study, name: str, target: float, scale: Mapping[str, float]) 
             values = np.linspace(values[max(k - 1, 0)], values[k], _BETWEEN)
         else:
             kept = np.flatnonzero(_kept(study, {name: values}, target))
-            change = _verified(study, {name: float(values[kept[0]])}, target, scale) if kept.size else None
-            if change is not None and (best is None or change.distance < best.distance):
-                best = change
+            if kept.size:
+                starts.append((float(values[kept[0]]), float(ladder[-1])))
+    best: Change | None = None
+    for start, end in sorted(starts, key=lambda one: abs(one[0] - study.values[name])):
+        designs = ({name: start + share * (end - start)} for share in _FURTHER)
+        change = _first_proved(study, designs, target, scale)
+        if change is not None and (best is None or _order(change) < _order(best)):
+            best = change
+        if best is not None and best.outcome == "proved":
+            break
     return best
+
+
+def _order(change: Change) -> tuple[bool, float]:
+    """What is proved before what is not, then by distance."""
+    return change.outcome != "proved", change.distance
+
+
+def _first_proved(study: Study, designs: Iterator[dict[str, float]], target: float, scale: Mapping[str, float]) -> Change | None:
+    """The first of some designs with a proof; else the first without a brake that jumps among many samples."""
+    open_one: Change | None = None
+    tried: list[Mapping[str, float]] = []
+    for after in designs:
+        printed = _printed(study, after, target)
+        if printed is None or printed in tried:
+            continue
+        tried.append(printed)
+        change = _verified(study, printed, scale, open_one is not None)
+        if change is not None and change.outcome == "proved":
+            return change
+        open_one = open_one or change
+    return open_one
 
 
 def _ladder(study: Study, name: str, side: int) -> FloatArray:
@@ -197,26 +194,45 @@ def _joint(study: Study, target: float, scale: Mapping[str, float]) -> Change | 
         return None
     after = {name: float(getattr(found.parameters, name)) for name in names}
     # The least change has its jump on the target: as much further as its own tolerances ask for.
-    for stretch in _STRETCHES:
-        longer = {name: study.values[name] + stretch * (value - study.values[name]) for name, value in after.items()}
-        allowed = all(value > 0 or (name in ("k_x", "k_y") and value == 0) for name, value in longer.items())
-        change = _verified(study, longer, target, scale) if allowed and longer.get("theta0", 1.0) < math.pi else None
-        if change is not None:
-            return change
-    return None
+    longer = ({name: study.values[name] + stretch * (value - study.values[name]) for name, value in after.items()}
+              for stretch in _STRETCHES)  # fmt: skip
+    return _first_proved(study, (one for one in longer if _allowed(one)), target, scale)
 
 
-def _verified(study: Study, after: Mapping[str, float], target: float, scale: Mapping[str, float]) -> Change | None:
-    """The change as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
+def _allowed(values: Mapping[str, float]) -> bool:
+    allowed = all(value > 0 or (name in ("k_x", "k_y") and value == 0) for name, value in values.items())
+    return allowed and values.get("theta0", 1.0) < math.pi
+
+
+def _printed(study: Study, after: Mapping[str, float], target: float) -> dict[str, float] | None:
+    """What changes, as it is printed, if it keeps the target; a value that does not change in print is left as it was."""
     before = {name: study.values[name] for name in after}
     for further in range(4):
         rounded = {name: _rounded(study, name, before[name], value, further) for name, value in after.items()}
-        if _kept(study, {name: np.array([value]) for name, value in rounded.items()}, target)[0]:
-            jump = float(first_jumps(_designs(study, {name: np.array(value) for name, value in rounded.items()}), "mu0").value)
-            moved = {name: value for name, value in rounded.items() if value != before[name]}
-            size = math.hypot(*((value - before[name]) / scale[name] for name, value in moved.items()))
-            return Change({name: before[name] for name in moved}, moved, jump, size, _probability(study, moved))
+        one = {name: np.array([value]) for name, value in rounded.items()}
+        if _in_range(study, rounded) and _kept(study, one, target)[0]:
+            return {name: value for name, value in rounded.items() if value != before[name]}
     return None
+
+
+def _verified(study: Study, after: Mapping[str, float], scale: Mapping[str, float], proof_only: bool) -> Change | None:
+    """A change with its certificate; None if a brake within the tolerances about it jumps, or only a proof will do."""
+    new, before = study.changed(after), {name: study.values[name] for name in after}
+    reached = certificate(new, _SLICES, _BOXES)
+    if reached.outcome == "refuted" or (reached.outcome == "undecided" and (proof_only or counterexample(new, _MANY))):
+        return None
+    jump = float(first_jumps(_designs(study, {name: np.array(value) for name, value in after.items()}), "mu0").value)
+    size = math.hypot(*((value - before[name]) / scale[name] for name, value in after.items()))
+    share = 0.0 if reached.outcome == "proved" else float(np.nanmean(jumping(new, samples(new, _POINTS))))
+    return Change(before, after, jump, size, share if varied(study) else math.nan, reached.outcome)
+
+
+def _in_range(study: Study, after: Mapping[str, float]) -> bool:
+    """Whether all brakes within the tolerances about a design are brakes."""
+    new = study.changed(after)
+    ends = {name: (new.quantities[name].low, new.quantities[name].high) for name in after}
+    low, high = ends.get("theta0", (1.0, 1.0))
+    return low > 0 and high < math.pi and all(end[0] > 0 or name in ("k_x", "k_y", "theta0") for name, end in ends.items())
 
 
 def _rounded(study: Study, name: str, before: float, after: float, further: int) -> float:

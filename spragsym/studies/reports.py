@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from ..catastrophe import critical_friction, folds
+from ..catastrophe import critical_friction, cusp_friction, folds
 from ..catastrophe.fold_points import Folds
 from ..design import jump_margin, jump_value
 from ..display import Result
@@ -30,8 +30,12 @@ class Report(Result):
     mu_jump, theta0_jump_deg : float
         Friction at which the state of small deformation jumps at this angle, and angle at which it does at this friction; NaN
         where it never does.
+    mu_lowest, theta0_lowest_deg : float
+        The lowest fold: the friction below which it jumps at no angle, ``inf`` where it never does, and its angle.
+    kind_lowest : str
+        ``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.CriticalFriction`; empty where it never jumps.
     mu_cusp : float
-        Friction below which it jumps at no angle; ``inf`` where it never does.
+        Friction of the lowest cusp, ``inf`` where there is none.
     mu_effective : float
         The friction that works at the speed of the belt.
     margin_percent : float
@@ -55,6 +59,9 @@ class Report(Result):
 
     mu_jump: float
     theta0_jump_deg: float
+    mu_lowest: float
+    theta0_lowest_deg: float
+    kind_lowest: str
     mu_cusp: float
     mu_effective: float
     margin_percent: float
@@ -129,11 +136,11 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
             f"V = {study.shown('V', study.values['V'])}: nothing slides at that speed, and the friction law has no friction "
             "there; give the speed of the belt, or leave V and d out for friction at full slip"
         )
-    tell("jumps, cusp and states")
+    tell("jumps, lowest fold and states")
     p = study.dimensionless
     mu_jump = float(jump_value(p, "mu0"))
     theta0_jump = float(jump_value(p.replace(mu0=working), "theta0"))
-    mu_cusp = float(critical_friction(p))
+    lowest, mu_cusp = critical_friction(p), float(cusp_friction(p))
     found = states(study)
     margin = 100 * (mu_jump / high - 1) if high > 0 else math.inf
     target = safety * high
@@ -148,7 +155,9 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     needed = redesign and target > 0 and (mu_jump < target or (odds is not None and odds.probability > 0))
     turns = {"mu0": folds(p, "mu0"), "theta0": folds(p.replace(mu0=working), "theta0")}
     parts: dict[str, Any] = dict(
-        mu_jump=mu_jump, theta0_jump_deg=math.degrees(theta0_jump), mu_cusp=mu_cusp, mu_effective=working, margin_percent=margin,
+        mu_jump=mu_jump, theta0_jump_deg=math.degrees(theta0_jump), mu_lowest=float(lowest),
+        theta0_lowest_deg=math.degrees(lowest.theta0), kind_lowest=lowest.kind, mu_cusp=mu_cusp, mu_effective=working,
+        margin_percent=margin,
         distance=_distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
         probability=odds, redesign=changes(study, target) if needed else (), target=target,
         warnings=cautions(study, found, mu_jump <= working), study=study,

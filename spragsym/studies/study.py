@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
@@ -11,11 +12,12 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 
 from ..catastrophe import sliding_friction
+from ..design.dependence import Correlation, Dependence, dependence
 from ..errors import ParameterError
 from ..names import hint
 from ..parameters import Parameters, PhysicalParameters, Scales, as_number, physical_ranges
 from . import other_models
-from .brake_files import QUANTITY_UNITS, BrakeFile, physical, read_brake
+from .brake_files import QUANTITY_UNITS, BrakeFile, allowed_range, physical, read_brake
 from .measurements import FrictionFit
 from .units import Measured, factor, read, shown_in
 
@@ -38,7 +40,9 @@ class Study:
         Single numbers in SI.
     tolerance : mapping, optional
         For each quantity that is known within limits only: how far it may be off, as a number in SI; its two ends, as a tuple; or
-        text such as ``"15 %"`` or ``"1 deg"``.
+        text such as ``"15 %"``, ``"1 deg"`` or, for a standard deviation, ``"sd 5 %"``.
+    correlation : mapping of pairs of names to float, optional
+        Quantities that vary together, see :func:`spragsym.jump_probability`.
 
     Attributes
     ----------
@@ -58,7 +62,9 @@ class Study:
     0.3663
     """
 
-    def __init__(self, parameters: PhysicalParameters, tolerance: Mapping[str, Any] | None = None) -> None:
+    def __init__(
+        self, parameters: PhysicalParameters, tolerance: Mapping[str, Any] | None = None, correlation: Correlation | None = None
+    ) -> None:
         if not isinstance(parameters, PhysicalParameters):
             raise ParameterError(
                 f"parameters = {type(parameters).__name__}(...): a study needs PhysicalParameters, in newtons and metres; "
@@ -74,7 +80,8 @@ class Study:
         self.quantities: Mapping[str, Measured] = {
             name: _measured(name, value, off.get(name)) for name, value in given.items() if value is not None
         }
-        self.model, self.source, self.fit = "kang_nam", "", None
+        self.model, self.source, self.fit, self.correlation = "kang_nam", "", None, dict(correlation or {})
+        dependence([name for name, one in self.quantities.items() if one.high > one.low], self.correlation)
 
     @classmethod
     def from_file(cls, path: str | os.PathLike[str]) -> Study:
@@ -86,12 +93,21 @@ class Study:
         """The study of what was read from a file."""
         study = cls.__new__(cls)
         study.quantities, study.model, study.source = data.quantities, data.model, Path(data.path).name
-        study.fit = data.fit
+        study.fit, study.correlation = data.fit, data.correlation
+        return study
+
+    def changed(self, after: Mapping[str, float]) -> Study:
+        """The study of another design: a quantity that changes keeps its tolerance as a share of its value, an angle as it is."""
+        study = Study.__new__(Study)
+        new = {name: self.quantities[name].scaled(value, self.si(name) != "rad") for name, value in after.items()}
+        study.quantities = {**self.quantities, **new}
+        study.model, study.source, study.fit, study.correlation = self.model, self.source, self.fit, self.correlation
         return study
 
     source: str
     model: str
     fit: FrictionFit | None
+    correlation: Correlation
 
     # ------------------------------------------------------------------------------------------------- the operating point
 
@@ -147,6 +163,10 @@ class Study:
     def tolerances(self) -> dict[str, float]:
         """Half of the width of every quantity that has one, in SI."""
         return {name: one.tolerance for name, one in self.quantities.items() if one.high > one.low}
+
+    def together(self, names: Sequence[str]) -> Dependence:
+        """How some of the quantities vary together."""
+        return dependence(names, {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)})
 
     def shown(self, name: str, value: float, digits: int = 4) -> str:
         """A value of a quantity as text, in the unit in which it came."""
@@ -227,8 +247,7 @@ def _measured(name: str, value: float, off: Any) -> Measured:
     if off is None:
         low = high = value
     elif isinstance(off, str):
-        one = read(_around(value, off, si), si)
-        low, high = one.low, one.high
+        return replace(read(_around(value, off, si), si, allowed_range(name)), value=value, unit=unit)
     elif isinstance(off, tuple):
         if len(off) != 2:
             raise ParameterError(f"tolerance of {name} = {off!r}; give two ends, the smaller first")
@@ -247,5 +266,5 @@ def _measured(name: str, value: float, off: Any) -> Measured:
 
 def _around(value: float, off: str, si: str) -> str:
     """``value ± off`` as :func:`spragsym.studies.units.read` takes it."""
-    sign = "" if off.lstrip().startswith(("±", "+-", "+/-")) else "± "
+    sign = "" if off.lstrip().startswith(("±", "+-", "+/-", "+\N{MINUS SIGN}", "sd ")) else "± "
     return f"{np.format_float_positional(value, trim='0')} {'' if si == '1' else si} {sign}{off}"

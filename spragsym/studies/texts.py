@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     """One sentence: whether it sprags, at what friction, and how far that is."""
     low, _, high = study.friction
-    jump, cusp = parts["mu_jump"], parts["mu_cusp"]
+    jump, lowest = parts["mu_jump"], parts["mu_lowest"]
     angle = study.shown("theta0", study.values["theta0"])
     friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
     if not jump <= high:
         odds = parts["probability"]
         begin = "As drawn it does not sprag" if odds is not None and odds.probability > 0 else "It does not sprag"
         if math.isnan(jump):
-            what = "has no jump at any friction" if math.isinf(cusp) else "has no jump at this angle"
+            what = "has no jump at any friction" if math.isinf(lowest) else "has no jump at this angle"
         else:
             above = f", {parts['margin_percent']:.0f} % above the largest that you have, {high:.3g}" if high > 0 else ""
             what = f"jumps at a friction of {jump:.4g}{above}"
@@ -88,8 +88,9 @@ def _jump(report: Report) -> Iterator[tuple[str, str]]:
         yield ("margin to the largest friction", f"{report.margin_percent:+.1f} %")
     at = "never" if math.isnan(report.theta0_jump_deg) else f"at {report.theta0_jump_deg:.6g} deg"
     yield ("jump at this friction", at)
-    cusp = "there is none" if math.isinf(report.mu_cusp) else f"{report.mu_cusp:.6g}, below which it jumps at no angle"
-    yield ("friction of the cusp", cusp)
+    lowest = f"friction {report.mu_lowest:.6g}, a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg"
+    yield ("lowest fold of all angles", f"{lowest}; below it it jumps at no angle" if report.kind_lowest else "there is none")
+    yield ("friction of the cusp", "there is none" if math.isinf(report.mu_cusp) else f"{report.mu_cusp:.6g}")
     if not math.isnan(report.distance):
         where = "0, it has jumped already" if report.distance == 0 else "none found" if math.isinf(report.distance) else (
             f"{report.distance:.3g}, as the root of the sum of squares"
@@ -212,6 +213,9 @@ def as_json(report: Report) -> dict[str, Any]:
     return {
         "mu_jump": report.mu_jump,
         "theta0_jump_deg": report.theta0_jump_deg,
+        "mu_lowest": report.mu_lowest,
+        "theta0_lowest_deg": report.theta0_lowest_deg,
+        "kind_lowest": report.kind_lowest or None,
         "mu_cusp": report.mu_cusp,
         "mu_effective": report.mu_effective,
         "margin_percent": report.margin_percent,

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import product
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
+from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
 from ..catastrophe.sliding import sliding_friction
@@ -17,8 +16,9 @@ from ..design.events import have_jumped
 from ..design.probability import BELT
 from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
-from ..parameters import NAMES, Parameters
+from ..parameters import NAMES, FloatArray, Parameters
 from .study import Study
+from .units import WITHIN, Measured
 
 #: Slices of the contact's stiffness, on which all groups depend: more of them until the claim is decided.
 _SLICES = (1, 4, 16, 48)
@@ -33,7 +33,8 @@ class BoxCertificate(Result):
     """What is known of "nothing jumps" for every brake within the tolerances.
 
     ``outcome`` is ``"proved"``, ``"refuted"`` or ``"undecided"``; ``counterexample`` is a brake within the tolerances that jumps,
-    in SI; ``undecided`` is the share of the slices of the box that is not proved.
+    in SI; ``undecided`` is the share of the slices of the box that is not proved. Of a normal distribution that is not cut off
+    the box holds three standard deviations on either side, and nothing is said of what lies beyond.
     """
 
     claim: str
@@ -43,35 +44,84 @@ class BoxCertificate(Result):
     boxes: int
 
 
+@dataclass(frozen=True)
+class Normal:
+    """A normal distribution between two ends, by its quantiles."""
+
+    mean: float
+    sd: float
+    low: float
+    high: float
+
+    def ppf(self, share: Any) -> FloatArray:
+        """The value below which a share of it lies."""
+        least, most = (ndtr((end - self.mean) / self.sd) for end in (self.low, self.high))
+        value = self.mean + self.sd * ndtri(least + np.asarray(share) * (most - least))
+        return np.asarray(np.clip(value, self.low, self.high))
+
+
+def names_of(study: Study) -> tuple[str, ...]:
+    """The quantities that decide whether it jumps."""
+    return PHYSICAL + (BELT if study.moves else ())
+
+
+def varied(study: Study) -> list[str]:
+    """Those of them that have a tolerance."""
+    return [name for name in names_of(study) if name in study.tolerances]
+
+
+def quantile(one: Measured, share: Any) -> FloatArray:
+    """The value of a quantity below which a share of its distribution within its ends lies."""
+    if one.sd:
+        return Normal(one.value, one.sd, one.low, one.high).ppf(share)
+    return np.asarray(np.clip(one.low + np.asarray(share) * (one.high - one.low), one.low, one.high))
+
+
+def brakes(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
+    """Brakes at shares of what is :func:`varied`, of shape (n, varied), in SI; the friction is the one that works."""
+    size = len(shares)
+    values = {name: np.full(size, study.values[name]) for name in names_of(study)}
+    for j, name in enumerate(varied(study)):
+        values[name] = quantile(study.quantities[name], shares[:, j])
+    if study.moves:
+        values["mu0"] = sliding_friction(*(values[name] for name in ("mu0", *BELT)))
+    return {name: values[name] for name in PHYSICAL}
+
+
+def jumping(study: Study, shares: FloatArray) -> FloatArray:
+    """1 for the brakes that jump, 0 for those that don't, and NaN where that is not known."""
+    found = have_jumped(Parameters(**dimensionless(brakes(study, shares))))
+    result = np.where(found.jumped, 1.0, 0.0)
+    result[list(found.reasons)] = np.nan
+    return result
+
+
+def corners(study: Study) -> FloatArray:
+    """Shares of all corners of the tolerances that may occur; of friction and belt the ends with most of it, if independent."""
+    names = varied(study)
+    together = study.together(names)
+    found = together.corners()
+    for group in together.groups:
+        if len(group) == 1 and names[group[0]] in ("mu0", *BELT):
+            found = found[found[:, group[0]] == 1.0]
+    return found
+
+
+def samples(study: Study, number: int) -> FloatArray:
+    """Shares of Sobol' points, correlated as the quantities are."""
+    names = varied(study)
+    if not names:
+        return np.zeros((1, 0))
+    return study.together(names).shares(qmc.Sobol(len(names), rng=0).random(number))
+
+
 def ends(study: Study) -> dict[str, tuple[float, float]]:
     """Both ends of every quantity that the statics depend on; of the friction, the one that works."""
     found = {name: (study.quantities[name].low, study.quantities[name].high) for name in PHYSICAL}
     return found | {"mu0": (study.friction[0], study.friction[2])}
 
 
-def friction_at(study: Study, shares: Mapping[str, Any]) -> Any:
-    """The friction that works at shares of the tolerances of mu0, V and d; 1 is the upper end."""
-    values = {}
-    for name in ("mu0", *BELT) if study.moves else ("mu0",):
-        one = study.quantities[name]
-        values[name] = np.clip(one.low + np.asarray(shares.get(name, 0.0)) * (one.high - one.low), one.low, one.high)
-    return sliding_friction(*values.values()) if study.moves else values["mu0"]
-
-
-def belt_at(study: Study, friction: float) -> dict[str, float]:
-    """mu0, V and d within their tolerances, all at one share of them, at which the friction that works is a given one."""
-    wide = [name for name in ("mu0", *BELT) if name in study.tolerances and (name == "mu0" or study.moves)]
-
-    def off(share: float) -> float:
-        return float(friction_at(study, dict.fromkeys(wide, share))) - friction
-
-    low, high = off(0.0), off(1.0)
-    share = 0.0 if low >= 0 else 1.0 if high <= 0 else float(brentq(off, 0.0, 1.0, xtol=1e-15))
-    ends = {name: study.quantities[name] for name in {"mu0", *wide}}
-    return {name: float(np.clip(one.low + share * (one.high - one.low), one.low, one.high)) for name, one in ends.items()}
-
-
-def certificate(study: Study) -> BoxCertificate:
+def certificate(study: Study, slices: tuple[int, ...] = _SLICES, boxes: int = _BOXES) -> BoxCertificate:
     """Prove that nothing jumps within the tolerances, or find a brake within them that does.
 
     Notes
@@ -81,24 +131,24 @@ def certificate(study: Study) -> BoxCertificate:
     Counterexamples are looked for among the corners and Sobol' points of the tolerances themselves.
     """
     box = ends(study)
-    point = _counterexample(box)
+    point = counterexample(study)
     if point is not None:
-        return BoxCertificate("no jump", "refuted", point | belt_at(study, point["mu0"]), 0.0, 0)
+        return BoxCertificate("no jump", "refuted", point, 0.0, 0)
     seen, left = 0, 1.0
-    for slices in _SLICES:
-        cuts = np.linspace(*box["k_c"], slices + 1)
+    for number in slices:
+        cuts = np.linspace(*box["k_c"], number + 1)
         low_k, high_k = cuts[:-1], cuts[1:]
         open_ones = 0
         # From all parts of the range first: where each of these is open, so are the others, or nearly.
-        order = sorted(range(slices), key=lambda i: i % _SPREAD)
+        order = sorted(range(number), key=lambda i: i % _SPREAD)
         for done, i in enumerate(order, 1):
-            found = certify(*_corners(box | {"k_c": (float(low_k[i]), float(high_k[i]))}), "no jump", max_boxes=_BOXES)
+            found = certify(*_corners(box | {"k_c": (float(low_k[i]), float(high_k[i]))}), "no jump", max_boxes=boxes)
             seen += found.boxes
             open_ones += found.outcome != "proved"
-            if open_ones and (slices != _SLICES[-1] or open_ones == done == slices // _SPREAD):
-                open_ones += slices - done
+            if open_ones and (number != slices[-1] or open_ones == done == number // _SPREAD):
+                open_ones += number - done
                 break
-        left = open_ones / slices
+        left = open_ones / number
         if not open_ones:
             return BoxCertificate("no jump", "proved", None, 0.0, seen)
         if box["k_c"][0] == box["k_c"][1]:
@@ -106,19 +156,15 @@ def certificate(study: Study) -> BoxCertificate:
     return BoxCertificate("no jump", "undecided", None, left, seen)
 
 
-def _counterexample(box: Mapping[str, tuple[float, float]]) -> dict[str, float] | None:
-    wide = [name for name, (low, high) in box.items() if high > low]
-    corners = np.array(list(product((0.0, 1.0), repeat=len(wide)))) if wide else np.zeros((1, 0))
-    shares = [corners]
-    if wide:
-        shares.append(qmc.Sobol(len(wide), rng=0).random(_POINTS))
-    inside = np.concatenate(shares)
-    values: dict[str, Any] = {name: np.full(len(inside), low) for name, (low, high) in box.items()}
-    for j, name in enumerate(wide):
-        low, high = box[name]
-        values[name] = np.clip(low + inside[:, j] * (high - low), low, high)
-    jumping = np.flatnonzero(have_jumped(Parameters(**dimensionless(values))).jumped)
-    return {name: float(value[jumping[0]]) for name, value in values.items()} if jumping.size else None
+def counterexample(study: Study, number: int = _POINTS) -> dict[str, float] | None:
+    """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some points."""
+    for shares in (corners(study), samples(study, number)):
+        found = np.flatnonzero(jumping(study, shares) == 1)
+        if found.size:
+            share = shares[found[0]]
+            own = {name: float(quantile(study.quantities[name], share[j])) for j, name in enumerate(varied(study))}
+            return {name: own.get(name, study.values[name]) for name in names_of(study)}
+    return None
 
 
 def _corners(box: Mapping[str, tuple[float, float]]) -> tuple[Parameters, Parameters]:
@@ -149,14 +195,29 @@ class Chance(Result):
 
 
 def chance(study: Study, n: int) -> Chance | None:
-    """How probable a jump is if every value within the tolerances is as probable; None where nothing has a tolerance."""
-    names = PHYSICAL + (BELT if study.moves else ())
-    box = {name: (study.quantities[name].low, study.quantities[name].high) for name in names}
-    if all(low == high for low, high in box.values()):
+    """How probable a jump is with the distributions of the file, what varies together included; None where nothing varies.
+
+    Notes
+    -----
+    A normal distribution that is not cut off is sampled to six standard deviations, beyond which lie 2e-9 of it.
+    """
+    if not varied(study):
         return None
-    found = jump_probability({name: low if low == high else (low, high) for name, (low, high) in box.items()}, n=n, rng=0)
+    correlation = {pair: value for pair, value in study.correlation.items() if set(pair) <= set(varied(study))}
+    given = {name: _distribution(study.quantities[name]) for name in names_of(study)}
+    found = jump_probability(given, correlation=correlation, n=n, rng=0)
     indices = {
         name: (found.first[name], found.total[name], found.total_error[name])
         for name in sorted(found.total, key=lambda name: -np.nan_to_num(found.total[name]))
     }
     return Chance(found.probability, found.low, found.high, found.confidence, found.n, indices)
+
+
+def _distribution(one: Measured) -> Any:
+    if one.low == one.high:
+        return one.value
+    if not one.sd:
+        return one.low, one.high
+    if one.cut:
+        return Normal(one.value, one.sd, one.low, one.high)
+    return Normal(one.value, one.sd, one.value - WITHIN * one.sd, one.value + WITHIN * one.sd)

@@ -7,6 +7,7 @@ import sympy as sp
 from ...emit.function import Function, Module
 from .. import catastrophe, circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
+from . import lowest_fold
 from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
 
 
@@ -93,6 +94,7 @@ def module() -> Module:
                      shorthands(equilibrium.CONTACT, nm.B, nm.M, nm.p, nm.q)),
             Function("cusp_sine", "sin θ₀, and μ₀ over cos θ, on a cusp, for any α ≥ 0.", "f = f′ = f″ = 0",
                      (nm.s, nm.kappa, *STIFFNESS), (cusp_s0, cusp_mu), "sin0, mu0/cos", contact),
+            *lowest_fold.functions(),
         ),
     )  # fmt: skip
 

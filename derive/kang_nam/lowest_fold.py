@@ -1,0 +1,220 @@
+"""The lowest fold: the least friction at which, over all inclinations 0 < θ₀ < π, the state of small deformation ends.
+
+Candidates are the cusps, the points at which the curve of folds turns back in μ₀, f = f′ = f_θ₀ = 0, and the folds at θ₀ = 0.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from . import catastrophe, circles, elimination, equilibrium, theorem
+from . import nomenclature as nm
+from ..algebra import manifestly_positive
+from .theorem import Step
+
+
+def by_inclination(expression: sp.Expr) -> sp.Expr:
+    """d/dθ₀ of an expression in ``c0`` and ``s0``."""
+    return sp.diff(expression, nm.s0) * nm.c0 - sp.diff(expression, nm.c0) * nm.s0
+
+
+# -------------------------------------------------------------------------------------- where the curve of folds turns back
+
+
+@cache
+def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """w, l₀ and l₁ of w cos θ cos θ₀ = l₀ + l₁ sin θ₀: f = f_θ₀ = 0, friction eliminated."""
+    f = elimination.f_in_parameters()
+    without, along = f.subs(nm.M, 0), sp.diff(f, nm.M)
+    derived = without * by_inclination(along) - along * by_inclination(without)
+    line = nm.kappa * nm.p + nm.alpha * nm.sigma * nm.s, nm.alpha * nm.sigma * nm.s, -nm.alpha * nm.s * _threshold()
+    arranged = nm.q * nm.s * (line[1] + line[2] * nm.s0 - line[0] * nm.c * nm.c0)
+    if not circles.equal(derived.subs(_POLES), arranged.subs(_POLES)):
+        raise ArithmeticError("f = f_θ₀ = 0 is not the line that lowest_fold.py arranges")
+    return line
+
+
+@cache
+def turning_quadratics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+    """Coefficients, lowest power first, of two quadratics in sin θ₀ that are 0 where folds turn back; polynomials in sin θ.
+
+    The first is f_θ₀ with the friction of a fold and cos θ₀ of :func:`turning_line`, the second sin² θ₀ + cos² θ₀ = 1 with it.
+    """
+    weight, constant, along = turning_line()
+    square = 1 - nm.s**2
+    lean = nm.kappa * nm.p - nm.fa * nm.s**3 - nm.p * nm.B * nm.s * square
+    slope = (
+        nm.sigma * lean,
+        nm.sigma * nm.p * nm.B - _threshold() * lean - nm.q * nm.s * square * weight,
+        -nm.p * nm.B * _threshold(),
+    )
+    along_fold, _ = catastrophe.fold_residuals()
+    (friction,) = sp.solve(along_fold, nm.M)
+    cosine0 = (constant + along * nm.s0) / (weight * nm.c)
+    derived = by_inclination(elimination.f_in_parameters()).subs(nm.M, friction).subs(nm.c0, cosine0)
+    arranged = sum(value * nm.s0**power for power, value in enumerate(slope)) * nm.alpha / (weight * nm.c**2)
+    in_parameters = {nm.fa: elimination.f_coefficients()[nm.fa]}
+    # sin θ₀ is free here: that it belongs to the angle of cos θ₀ is the second quadratic.
+    gap = sp.numer(sp.together((derived - arranged).subs(in_parameters).subs(_POLES)))
+    if sp.expand(sp.rem(sp.expand(gap), nm.c**2 + nm.s**2 - 1, nm.c)) != 0:
+        raise ArithmeticError("f_θ₀ on a fold is not what lowest_fold.py arranges")
+    circle = (
+        constant**2 - square * weight**2,
+        2 * constant * along,
+        along**2 + square * weight**2,
+    )
+    return slope, circle
+
+
+@cache
+def turning_sine() -> tuple[sp.Expr, sp.Expr]:
+    """Numerator and denominator of the common root sin θ₀ of :func:`turning_quadratics`: sin² θ₀ is eliminated."""
+    one, two = turning_quadratics()
+    return -_minor(one, two, 2, 0), _minor(one, two, 2, 1)
+
+
+def _minor(one: tuple[sp.Expr, ...], two: tuple[sp.Expr, ...], i: int, j: int) -> sp.Expr:
+    return one[i] * two[j] - one[j] * two[i]
+
+
+@cache
+def turning_polynomial() -> tuple[sp.Expr, ...]:
+    """Coefficients, lowest power first, of the polynomial in s = sin θ among whose roots in (0, 1] are all points of turning back.
+
+    The resultant of :func:`turning_quadratics` is −κ (s² − 1) w² times it. Contact only, and α > 0.
+    """
+    spelled = {nm.fa: elimination.f_coefficients()[nm.fa]}
+    one, two = (tuple(sp.expand(value.subs(spelled).subs(_POLES)) for value in row) for row in turning_quadratics())
+    outer, upper, lower = (sp.expand(_minor(one, two, *places)) for places in ((2, 0), (2, 1), (1, 0)))
+    weight = turning_line()[0].subs(_POLES)
+    factor = sp.Poly(sp.expand(-nm.kappa * (nm.s**2 - 1) * weight**2), nm.s)
+    quotient, rest = sp.div(sp.Poly(sp.expand(outer**2 - upper * lower), nm.s), factor)
+    if not rest.is_zero:
+        raise ArithmeticError("the resultant has not the factors that lowest_fold.py divides by")
+    return tuple(sp.factor(value) for value in reversed(quotient.all_coeffs()))
+
+
+def _threshold() -> sp.Expr:
+    """σ sin θ + κ, which in contact exceeds σ sin θ₀."""
+    return nm.sigma * nm.s + nm.kappa
+
+
+_POLES = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
+
+
+def identities() -> dict[str, bool]:
+    """The closed forms, each decided by exact algebra."""
+    turning_line()  # which, as the quadratics, raises unless it is what follows from f
+    one, two = sp.symbols("A:3"), sp.symbols("C:3")
+    outer, upper, lower = (_minor(one, two, *places) for places in ((2, 0), (2, 1), (1, 0)))
+    resultant = outer**2 - upper * lower
+    root = -outer / upper
+    values = (sum(value * root**power for power, value in enumerate(row)) for row in (one, two))
+    return {
+        "where the curve of folds turns back in μ₀, sin θ is a root of a polynomial of degree 9": len(turning_polynomial()) == 10,
+        "two quadratics whose resultant is 0 have the common root that turning_sine names": all(
+            sp.cancel(value * upper**2 - row[2] * resultant) == 0 for value, row in zip(values, (one, two), strict=True)
+        ),
+    }
+
+
+# ------------------------------------------------------------------------------------------------ why these are all
+
+
+def steps() -> tuple[Step, ...]:
+    """The least friction at which the state of small deformation ends is that of a cusp, of a turn with f″ < 0, or of a fold at θ₀ = 0."""
+    return (*_start(), *_inclined_backward(), *_follow())
+
+
+_kappa, _sigma, _s0 = sp.symbols("kappa sigma s_0", positive=True)
+_alpha, _beta = sp.symbols("alpha beta", nonnegative=True)
+_POSITIVE = {nm.kappa: _kappa, nm.sigma: _sigma, nm.s0: _s0, nm.alpha: _alpha, nm.beta: _beta, nm.nbar: 1}
+
+
+def _in_contact(expression: sp.Expr) -> sp.Expr:
+    return equilibrium.spell_out(expression.subs(elimination.f_coefficients())).subs(_POSITIVE)
+
+
+def _start() -> tuple[Step, ...]:
+    """Without friction."""
+    along, _ = equilibrium.balance()
+    state = elimination.state()
+    L, y = sp.symbols("L y", positive=True)
+    at_rest = equilibrium.spell_out(along).subs(nm.M, 0).subs(nm.mu0, 0).subs(nm.L, L)
+    stretch = _in_contact(sp.together((state[nm.L] - 1) * nm.q * nm.s))
+    lift = _kappa - (_beta + 1) * (nm.s - _s0)
+    return (
+        *theorem.smallest_without_friction(),
+        Step("without friction α x = σ (L − 1) cos θ", sp.expand(at_rest - (nm.alpha * (nm.c0 - L * nm.c) + nm.sigma * (1 - L) * nm.c)) == 0),
+        Step(
+            "q s (L − 1) = κ − B (s − s₀): where cos θ > 0, L < 1 asks sin θ > sin θ₀, hence L cos θ < cos θ₀ and x > 0, against α x < 0, so "
+            "that L ≥ 1 and 0 ≤ x < cos θ₀ (α = 0: L = 1, sin θ > sin θ₀): the one state with cos θ > 0 is the one of small deformation",
+            sp.expand(stretch - lift) == 0,
+        ),
+    )  # fmt: skip
+
+
+def _inclined_backward() -> tuple[Step, ...]:
+    """θ₀ ≥ π/2: the followed state ends nowhere."""
+    relations, f = catastrophe.fold_relations(), elimination.f_form
+    a, rise, push, friction = sp.symbols("a rise push friction", nonnegative=True)
+    lean, sine = sp.symbols("lean sine", positive=True)  # −cos θ and sin θ
+    in_friction = {nm.fm: nm.M * nm.sigma}
+    pull = relations[nm.fd] - elimination.f_coefficients()[nm.fd].subs(nm.c0, 0)  # q α cos θ₀ on a fold
+    parts = -nm.fa * nm.c**3 + nm.fm * nm.s * nm.c**2, -nm.M * nm.q * elimination.state()[nm.y]
+    turned = parts[0].subs({nm.fa: a, nm.c: -lean, nm.s: sine, nm.fm: friction}) + push
+    upright = _in_contact(nm.fa * nm.s + nm.fb).subs({_s0: 1, nm.s: sine})
+    bound = _alpha * (_beta + 1) + (_alpha + _sigma) * _kappa + _sigma * _alpha * sine
+    return (
+        Step(
+            "on a fold b = −s² (a s + m cos θ), and b < 0: where cos θ ≤ 0, a is positive",
+            sp.expand(relations[nm.fb] + nm.s**2 * (nm.fa * nm.s + nm.fm * nm.c)) == 0,
+        ),
+        Step(
+            "on a fold q α cos θ₀ = −a cos³ θ + m s cos² θ − M q y: where cos θ ≤ 0 and μ₀ > 0, so that a > 0 and −M q y > 0, this is "
+            "positive: such a fold has θ₀ < π/2, and with α = 0 there is none",
+            circles.equal(pull.subs(in_friction), sum(parts).subs(in_friction))
+            and manifestly_positive(turned, (a, lean, sine, friction, push), strict_symbols=(push,)),
+        ),
+        Step(
+            "θ₀ ≥ π/2: without friction f = q α cos θ₀ ≤ 0 at θ = π/2, so that the state of small deformation has cos θ ≤ 0, friction moves "
+            "it to larger θ, and folds are not there; at θ₀ = π/2 no other state has it, as f = cos θ (a s + b) has the sign of −cos θ",
+            sp.expand((f - nm.c * (nm.fa * nm.s + nm.fb)).subs(elimination.f_coefficients()).subs({nm.M: 0, nm.c0: 0})) == 0
+            and sp.expand(upright + bound + _sigma * (_beta + 1) * (1 - sine)) == 0
+            and manifestly_positive(
+                bound + _sigma * (_beta + 1) * rise, (_kappa, _sigma, _alpha, _beta, sine, rise), strict_symbols=(_kappa, _sigma)
+            ),
+        ),
+    )  # fmt: skip
+
+
+def _follow() -> tuple[Step, ...]:
+    """θ₀ < π/2: the followed state ends at the lowest fold of that angle with f″ < 0."""
+    f = elimination.f_in_parameters()
+    return (
+        Step(
+            "f is linear in μ₀, and f_μ₀ = q y sin θ < 0 in contact: the friction of a direction is one number, and a state with f′ > 0 "
+            "moves to larger θ as friction rises",
+            sp.expand(sp.diff(f, nm.M) - sp.cancel(nm.q * nm.s * elimination.state()[nm.y])) == 0,
+        ),
+        Step(
+            "a fold with μ₀ > 0 and f″ < 0 has f > 0 at its θ without friction, so that the state of small deformation, the first root, lies "
+            "below it; at the fold f < 0 on both sides, and the third root lies above: to get there the state would pass the fold's θ "
+            "at a smaller friction, and that θ has one friction only. So it ends at the fold, or before",
+            all(step.holds for step in theorem.one_or_three()),
+        ),
+        Step(
+            "along the folds of f″ ≠ 0 dμ₀/dθ₀ = −f_θ₀/f_μ₀: the least friction of those with f″ < 0 is that of a cusp (f″ = 0), of a turn "
+            "(f_θ₀ = 0), or at an end of the angles, θ₀ = 0: f ≠ 0 keeps folds away from sin θ = 0 and y = 0, the steps above from "
+            "θ₀ = π/2, and without friction and α > 0 a double root lies above the first, which is simple, and has f″ > 0",
+            sp.expand(elimination.f_form.subs(nm.s, 0) - nm.fb * nm.c) == 0 and bool(_inclined_backward()),
+        ),
+        Step(
+            "α = 0: at a turn κ σ cos θ cos θ₀ = 0, and neither cos θ = 0 nor θ₀ = π/2 is on a fold with μ₀ > 0: the least is at a cusp or at "
+            "θ₀ = 0",
+            sp.expand((turning_line()[0] - nm.kappa * nm.sigma).subs(_POLES).subs(nm.alpha, 0)) == 0
+            and all(value.subs(nm.alpha, 0) == 0 for value in turning_line()[1:]),
+        ),
+    )  # fmt: skip

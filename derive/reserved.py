@@ -34,7 +34,9 @@ OF_COMMANDS = frozenset((
 ))  # fmt: skip
 
 #: What sets of parameters have besides their values.
-OF_SETS = frozenset(("broadcast", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned"))
+OF_SETS = frozenset(
+    ("broadcast", "given", "model", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned", "where")
+)
 
 #: Keys of a file with a user's own data, where quantities stand by their names on the page.
 OF_FILES = frozenset(("friction", "model"))

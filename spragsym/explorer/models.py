@@ -134,7 +134,7 @@ def _described(model: Model, derived: Derived) -> dict[str, Any]:
     return {
         "name": model.name,
         "where": model.where,
-        "coordinates": [{"name": name} for name in model.coordinates],
+        "coordinates": [{"name": one["name"], "turns": bool(one.get("comes_around"))} for one in about["coordinates"]],
         "parameters": [
             {
                 "name": entry["name"],

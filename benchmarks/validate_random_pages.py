@@ -38,7 +38,7 @@ from .random_pages import Drawn, draw
 SETS, PLACES, STARTS, STEPS = 3, 6, 300, 60
 DIGITS = 40
 #: A page may take so many seconds: more is an outcome of its own.
-PATIENCE = 240
+PATIENCE = 60
 #: Relative differences that rounding may make, of accelerations and of growth.
 ACCELERATION, GROWTH = 1e-9, 1e-6
 #: Nearer than this to its border, a state may be on either side.

@@ -14,9 +14,12 @@ from types import ModuleType
 from typing import Any
 
 import mpmath
+import numpy as np
 import pytest
 
+import spragsym as ss
 import spragsym.generated as generated_package
+from benchmarks.validate_folds import random_fixed
 from spragsym.catastrophe import flutter_proofs
 from spragsym.dynamics import integrators
 from spragsym.exact import intervals
@@ -103,3 +106,13 @@ def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]
         angle, (cosine, sine) = angle_of.get(name, (name, ("", "")))
         named.setdefault(angle, value if angle == name else math.atan2(values[sine], values[cosine]))
     return list(named.values())
+
+
+def lowest_sets(number: int) -> list[Any]:
+    """Sets whose lowest fold is a cusp, a turn or none: one of each, one without a spring along the belt, random ones."""
+    rng = np.random.default_rng(31)
+    first = [
+        ss.Parameters.article(), ss.Parameters(kappa=1e-4, alpha=0.25, sigma=5.4, beta=0.0), ss.Parameters.article(alpha=0.0),
+        ss.Parameters(kappa=0.5499, alpha=0.8771, sigma=0.022509, beta=4.455),
+    ]  # fmt: skip
+    return [*first, *(random_fixed(rng) for _ in range(number - len(first)))]

@@ -19,7 +19,7 @@ from benchmarks import languages
 from benchmarks.languages import NODE, STABILITY, answers, values
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
-from tests.support import few, generated
+from tests.support import few, generated, lowest_sets
 from tests.test_documents import ROOT, fenced
 
 MODULE = ROOT / "generated" / "javascript" / "spragsym.mjs"
@@ -191,6 +191,21 @@ def test_cusps_are_those_that_python_proves() -> None:
             [(cusp["mu0"], cusp["theta0"]) for cusp in found], zip(ahead.mu0.tolist(), ahead.theta0.tolist(), strict=True)
         ))  # fmt: skip
         assert np.array(ours) == pytest.approx(np.array(exact), rel=1e-8, abs=1e-8), given
+
+
+def test_the_lowest_fold_is_that_python_proves() -> None:
+    sets = [{name: float(getattr(p, name)) for name in NAMES[2:]} for p in lowest_sets(24)]
+    kinds = set()
+    for given, found in zip(sets, values([("critical_friction", given) for given in sets]), strict=True):
+        theirs = ss.critical_friction(ss.Parameters(**given))
+        kinds.add(theirs.kind)
+        if not theirs.kind:
+            assert found["kind"] == ""
+        else:
+            assert found["kind"] == theirs.kind
+            assert found["mu0"] == pytest.approx(float(theirs), rel=1e-9, abs=1e-12), given
+            assert found["theta0"] == pytest.approx(theirs.theta0, rel=1e-5), given
+    assert kinds == {"cusp", "turn", ""}
 
 
 @pytest.mark.parametrize("kappa", [1e-14, 1e-20, 1e-300])

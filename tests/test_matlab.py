@@ -16,9 +16,10 @@ from click.testing import CliRunner
 import spragsym as ss
 from benchmarks import languages
 from benchmarks.languages import OCTAVE, octave
+from spragsym.catastrophe.fixed import FIXED
 from spragsym.cli import cli
 from spragsym.parameters import NAMES
-from tests.support import generated
+from tests.support import generated, lowest_sets
 from tests.test_documents import ROOT, fenced
 
 FOLDER = ROOT / "generated" / "matlab"
@@ -133,6 +134,21 @@ def test_folds_and_cusps_are_those_that_python_proves(package: Path, changes: di
     assert len(found[6]) > 0
     for ours, name in zip(found[6:], ("theta0", "theta", "x", "y"), strict=True):
         assert ours == pytest.approx(getattr(folds, name), rel=1e-9, abs=1e-9), name
+
+
+def test_the_lowest_fold_is_that_python_proves(package: Path) -> None:
+    sets = lowest_sets(4)
+    program = ""
+    for p in sets:
+        given = ", ".join(f"'{name}', {literal(float(getattr(p, name)))}" for name in FIXED)
+        program += f"[mu0, theta0, kind] = spragsym.critical_friction(struct({given}));\n"
+        program += shown("[mu0, theta0, double(kind)]")
+    for p, found in zip(sets, numbers(octave(package, program)), strict=True):
+        theirs = ss.critical_friction(p)
+        assert "".join(map(chr, map(int, found[2:]))) == theirs.kind
+        if theirs.kind:
+            assert found[0] == pytest.approx(float(theirs), rel=1e-9, abs=1e-12)
+            assert found[1] == pytest.approx(theirs.theta0, rel=1e-5)
 
 
 def test_folds_along_every_parameter_are_those_that_python_proves(package: Path) -> None:

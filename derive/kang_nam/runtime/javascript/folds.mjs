@@ -106,15 +106,16 @@ function cusps_on(curves, given) {
  * precision: near alpha = 1 + beta all its roots come to have 3 sin^2 theta = 2, and with a small alpha its coefficients cancel.
  */
 function bends(curve, given) {
-  const fixed = fixed_of(given);
-  const bend = ({ theta, theta0, mu0 }) => {
-    const [a, b, d, m] = algebra_f_coefficients(...turned(theta0), mu0, ...fixed, 1);
-    return algebra_f_curvature(...turned(theta), a, b, d, m);
-  };
-  return changes(curve, bend, given).flatMap(({ theta, theta0, mu0 }) => {
+  return changes(curve, (at) => bend(at, given), given).flatMap(({ theta, theta0, mu0 }) => {
     const [[c, s], [c0, s0]] = [turned(theta), turned(theta0)];
     return written({ c, s, c0, s0, mu0 }, given);
   });
+}
+
+/** f'' at a fold. */
+function bend({ theta, theta0, mu0 }, given) {
+  const [a, b, d, m] = algebra_f_coefficients(...turned(theta0), mu0, ...fixed_of(given), 1);
+  return algebra_f_curvature(...turned(theta), a, b, d, m);
 }
 
 /** Without alpha the curves of theta0 and of pi - theta0 meet in their cusps, which a cubic in sin theta gives. */

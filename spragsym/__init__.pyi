@@ -66,6 +66,7 @@ from .errors import ParameterTypeError as ParameterTypeError
 from .errors import SpragsymError as SpragsymError
 from .models import Model as Model
 from .models import load as load
+from .models import onset_curves as onset_curves
 from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales

@@ -91,7 +91,7 @@ def cycle(
     >>> model = ss.load("stick_slip")
     >>> onsets = model.flutter_onsets(model.Parameters(), vary="V")
     >>> born = ss.cycle(onset=onsets, index=1, amplitude=0.05)
-    >>> onsets.criticality[1], born.stable, bool(born.parameters["V"] > onsets.V[1])
+    >>> str(onsets.criticality[1]), born.stable, bool(born.parameters["V"] > onsets.V[1])
     ('dangerous', False, True)
     """
     born = at_onset(p, near, {"onset": onset, "index": index, "amplitude": amplitude, "backend": backend})

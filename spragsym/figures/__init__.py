@@ -28,7 +28,14 @@ from .extras import (  # fmt: skip
     figure_sensitivity,
 )
 from .files import FORMATS, write
-from .models import draw_bifurcation_set_of, draw_equilibria_of, draw_onsets_of, model_figure, model_motion_figure
+from .models import (
+    draw_bifurcation_set_of,
+    draw_equilibria_of,
+    draw_onset_curves_of,
+    draw_onsets_of,
+    model_figure,
+    model_motion_figure,
+)
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
 from .oscillation import branch_figure, figure_cycles, figure_cycles_plane
@@ -69,6 +76,7 @@ __all__ = [
     "draw_branches",
     "draw_equilibria_of",
     "draw_motion",
+    "draw_onset_curves_of",
     "draw_onsets_of",
     "draw_operating_point",
     "draw_path",

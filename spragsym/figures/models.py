@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from ..models import Model
 from ..models.bifurcation import ModelBifurcationSet
 from ..models.describe import units_of
+from ..models.hopf_curves import OnsetCurves
 from ..models.points import ModelPoints
 from ..models.trajectory import ModelTrajectory
 from ..statics.solver import Stability
@@ -85,6 +86,37 @@ def draw_bifurcation_set_of(model: Model, found: ModelBifurcationSet, ax: Axes |
         artists += ax.plot(_shown(model, one, getattr(curve, one)), _shown(model, two, getattr(curve, two)), color=BLACK)
     cusps = [_shown(model, name, getattr(found.cusps, name)) for name in found.vary]
     artists += ax.plot(*cusps, "o", color=BLACK, markersize=3.5)
+    ax.set(xlabel=label(model, one), ylabel=label(model, two))
+    return artists
+
+
+def draw_onset_curves_of(model: Model, found: OnsetCurves, ax: Axes | None = None) -> list[Any]:
+    """Curves of Hopf points in the plane of two parameters, as maps of stability are printed; returns the artists.
+
+    Full where the onset is gentle, dashed where it is dangerous, dotted where that is undecided; dots where that changes, squares
+    for points of two conditions (Bogdanov–Takens, zero–Hopf, double Hopf).
+
+    Parameters
+    ----------
+    model : Model
+    found : OnsetCurves
+        Of ``model.onset_curves``.
+    ax : Axes, optional
+    """
+    ax = own_axes(ax)
+    one, two = found.vary
+    artists: list[Any] = []
+    styles = {"gentle": "-", "dangerous": "--", "undecided": ":"}
+    for curve in found.curves:
+        across, up = _shown(model, one, getattr(curve, one)), _shown(model, two, getattr(curve, two))
+        kinds = curve.criticality
+        begins = np.flatnonzero(np.concatenate([[True], kinds[1:] != kinds[:-1]]))
+        for begin, end in zip(begins, [*begins[1:], len(kinds) - 1], strict=True):
+            part = slice(begin, end + 1)
+            artists += ax.plot(across[part], up[part], styles[str(kinds[begin])], color=BLACK)
+    for marker, rows in (("o", found.changes), ("s", {name: getattr(found.points, name) for name in found.vary})):
+        places = [_shown(model, name, rows[name]) for name in found.vary]
+        artists += ax.plot(*places, marker, color=BLACK, markersize=3.5)
     ax.set(xlabel=label(model, one), ylabel=label(model, two))
     return artists
 

@@ -2,5 +2,6 @@
 
 from .load import load
 from .model import Model
+from .planes import onset_curves
 
-__all__ = ["Model", "load"]
+__all__ = ["Model", "load", "onset_curves"]

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
-from .augmented import Augmented
+from .augmented import Augmented, Condition
 from .balance import Balance
 from .columns import Columns
 from .conditions import Fold
@@ -100,12 +100,39 @@ def bifurcation_set(
     between these by :mod:`spragsym.models.fold_curves`. Two points are neighbours only if no line separates them on which all
     folds are known. A curve that closes between two lines without a cusp is not seen.
     """
-    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
-        raise ParameterError(f"n = {n!r} is not a number of lines; give an integer of 2 or more")
+    require_lines(n)
     found_cusps = cusps(model, p, vary, between=between)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
+    found = on_lines(balance, vary, Fold(), given, spans, n, rows_of(balance, vary, found_cusps))
+    curves = [
+        ModelCurve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains
+    ]
+    complete = found_cusps.complete and not found.undecided.shape[0]
+    return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, found.lines, complete, found.undecided)
+
+
+@dataclass(frozen=True)
+class OnLines:
+    """Points of a kind on lines of the plane: in order along curves, the lines of each parameter, boxes that are left."""
+
+    curves: FoldCurves
+    chains: list[FloatArray]
+    lines: dict[str, FloatArray]
+    undecided: FloatArray
+
+
+def require_lines(n: Any) -> None:
+    """An error unless it is a number of lines."""
+    if isinstance(n, bool) or not isinstance(n, int | np.integer) or n < 2:
+        raise ParameterError(f"n = {n!r} is not a number of lines; give an integer of 2 or more")
+
+
+def on_lines(
+    balance: Balance, vary: Sequence[str], condition: Condition, given: FloatArray, spans: FloatArray, n: int, more: FloatArray
+) -> OnLines:
+    """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well."""
     rows, left, lines, decided = [], [], {}, {}
     for along, across in ((0, 1), (1, 0)):
         # Inside of the range: its ends are often degenerate.
@@ -113,23 +140,19 @@ def bifurcation_set(
         lines[vary[across]] = values
         column = np.repeat(given, n, axis=1)
         column[balance.parameters.index(vary[across])] = values
-        found = search(balance, (vary[along],), Fold(), column, spans[along : along + 1], budget=BUDGET)
+        found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET)
         decided[across] = np.delete(values, found.roots.left_point)
         rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
         ends = np.stack([-found.roots.left[0], found.roots.left[1]])
         left.append(np.stack([_with_line(end, values[found.roots.left_point], along) for end in ends], axis=-1))
-    states = np.concatenate([*rows, *_cusp_rows(balance, vary, found_cusps)], axis=1)
+    states = np.concatenate([*rows, more], axis=1)
     undecided = np.moveaxis(np.concatenate(left, axis=1), 1, 0)
     reach = max(float(np.ptp(states[: balance.n], axis=1).max()), 1e-9) if states.size else 1.0
     scale = np.concatenate([np.full(balance.n, reach), spans[:, 1] - spans[:, 0]])
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
-    folds = FoldCurves(Augmented(balance, vary, Fold()), given, scale, spans)
-    curves = [
-        ModelCurve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True)))
-        for chain in (folds.smooth(states[:, rows]) for rows in _chains(folds, states, near))
-    ]
-    complete = found_cusps.complete and not undecided.shape[0]
-    return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, lines, complete, undecided)
+    curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
+    chains = [curves.smooth(states[:, places]) for places in _chains(curves, states, near)]
+    return OnLines(curves, chains, lines, undecided)
 
 
 def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
@@ -138,8 +161,9 @@ def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
     return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
 
 
-def _cusp_rows(balance: Balance, vary: Sequence[str], found: ModelPoints) -> list[FloatArray]:
-    return [np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)]
+def rows_of(balance: Balance, vary: Sequence[str], found: ModelPoints) -> FloatArray:
+    """Coordinates and both parameters of points, shape (n + 2, points)."""
+    return np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)
 
 
 def _named(states: FloatArray, n: int) -> list[FloatArray]:

@@ -89,14 +89,39 @@ class Hopf(Plain):
 
     def equations(self, at: State) -> Sequence[Any]:
         """The determinant."""
-        K, C, M = at.stiffness(), at.damping(), at.mass()
-        n = len(K)
-        rows = [[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
-        a = determinant(rows).padded(2 * n + 1)[::-1]
-        size = 2 * n - 1
-        # Row i, column j: a of index 2 (j + 1) − (i + 1), where there is one.
-        places = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
-        return (determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places]),)
+        return (hurwitz(characteristic(at)),)
+
+
+class BogdanovTakens(Plain):
+    """Two roots λ are 0: the two lowest coefficients of det(λ² M + λ C + K) are."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The coefficients."""
+        return tuple(characteristic(at)[:2])
+
+
+class ZeroHopf(Plain):
+    """One root λ is 0, and two others have the sum 0."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The lowest coefficient, and Hurwitz's determinant of the others."""
+        a = characteristic(at)
+        return a[0], hurwitz(a[1:])
+
+
+class DoubleHopf(Plain):
+    """All four roots λ of two coordinates come in pairs with the sum 0: the odd coefficients are 0."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The coefficients."""
+        a = characteristic(at)
+        return a[1], a[3]
 
 
 class FrictionHopf(Plain):
@@ -140,6 +165,24 @@ class NoSlope(Plain):
             return np.zeros(at.shape, dtype=np.bool_)
         out: NDArray[np.bool_] = stacked([at.slope()], at.shape)[0].magnitude <= FLAT
         return out
+
+
+def characteristic(at: State) -> list[Any]:
+    """Coefficients of det(λ² M + λ C + K), the lowest first."""
+    K, C, M = at.stiffness(), at.damping(), at.mass()
+    n = len(K)
+    rows = [[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
+    coefficients: list[Any] = determinant(rows).padded(2 * n + 1)
+    return coefficients
+
+
+def hurwitz(coefficients: Sequence[Any]) -> Any:
+    """The last but one of Hurwitz's determinants of a polynomial, the lowest coefficient first: 0 if two roots have the sum 0."""
+    a = coefficients[::-1]
+    size = len(a) - 2
+    # Row i, column j: a of index 2 (j + 1) − (i + 1), where there is one.
+    places = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
+    return determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places])
 
 
 def change(K: Sequence[Sequence[Any]], column: int) -> Any:

@@ -67,7 +67,7 @@ class FoldCurves:
         bent = np.linalg.norm((middle - 0.5 * (place[:, :-1] + place[:, 1:]))[-2:], axis=0) > SMOOTH
         rows = np.flatnonzero(bent & (length > 0))
         normal = chord[:, rows] / length[rows]
-        found, good = self._on_curve(middle[:, rows] * self.scale[:, None], normal, length[rows])
+        found, good = self.on_curve(middle[:, rows] * self.scale[:, None], normal, length[rows])
         return np.insert(states, rows[good] + 1, found[:, good], axis=1)
 
     def _extended(self, states: FloatArray) -> FloatArray:
@@ -88,12 +88,12 @@ class FoldCurves:
         start[place] = value
         normal = np.zeros((len(end), 1))
         normal[place] = 1.0
-        found, good = self._on_curve(start[:, None], normal, np.array([max(far, 1e-6)]))
+        found, good = self.on_curve(start[:, None], normal, np.array([max(far, 1e-6)]))
         found[place] = value
         return np.concatenate([states, found[:, good]], axis=1)
 
-    def _on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-        """Folds in the planes through points with these normals, over the scales, and which are proved."""
+    def on_curve(self, start: FloatArray, normal: FloatArray, near: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+        """Points of the curve in the planes through points with these normals, over the scales, and which are proved."""
         states, scale = start, self.scale[:, None]
         with np.errstate(all="ignore"):
             for _ in range(STEPS):
@@ -111,8 +111,14 @@ class FoldCurves:
 
     def _proved(self, states: FloatArray, normal: FloatArray) -> NDArray[np.bool_]:
         """Whether a fold in contact is next to each state, with the same value of what the normal points along most."""
+        return self.enclosed(states, np.abs(normal).argmax(axis=0))[1]
+
+    def enclosed(self, states: FloatArray, fixed: NDArray[np.int64]) -> tuple[FloatArray, NDArray[np.bool_]]:
+        """Boxes, shape (2, n + 2, N), around points of the curve in contact, and which are proved to hold one.
+
+        ``fixed`` is the number of the unknown whose value is that of the state.
+        """
         count, columns = len(self.scale), np.arange(states.shape[1])
-        fixed = np.abs(normal).argmax(axis=0)
         free = np.array([np.delete(np.arange(count), place) for place in fixed], dtype=np.int64).reshape(-1, count - 1).T
         room = ROOM * np.maximum(1.0, np.abs(states))
         room[fixed, columns] = 0.0
@@ -121,7 +127,9 @@ class FoldCurves:
         reach = contractors.distance(wide, states)[free, columns]
         step = contractors.newton(self._values(states), Intervals(slopes), states[free, columns], reach)
         closed = on_side(self.system, self._fixed(states.shape[1]), wide)[0]
-        return closed & contractors.inside(step.ends, wide[:, free, columns])
+        good = closed & contractors.inside(step.ends, wide[:, free, columns])
+        wide[:, free, columns] = np.fmin(step.ends, wide[:, free, columns])
+        return wide, good
 
     def _values(self, states: FloatArray) -> Intervals:
         return self.system.residuals(Intervals.point(states), self._fixed(states.shape[1]))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
     from .equilibria import ModelEquilibria
+    from .hopf_curves import OnsetCurves
     from .onsets import Onsets
     from .paths import ModelPath
     from .points import ModelPoints
@@ -189,6 +190,14 @@ class Model:
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, _parameters.own(self, p), self._one(vary), **options)
+
+    def onset_curves(
+        self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 30, **options: Any
+    ) -> OnsetCurves:  # fmt: skip
+        """Curves of Hopf points in the plane of two parameters, gentle or dangerous: see :func:`spragsym.onset_curves`."""
+        from .hopf_curves import onset_curves
+
+        return onset_curves(self, _parameters.own(self, p), vary, n, **options)
 
     def cycle(self, p: ParameterSet | None = None, near: Any = None, **options: Any) -> Cycle:
         """The cycle near a state, or that a motion approaches, or, with ``onset=``, that is born: see :func:`spragsym.cycle`."""

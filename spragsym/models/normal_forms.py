@@ -78,7 +78,12 @@ class NormalForm:
 
 
 def normal_form(
-    model: Model, given: FloatArray, state: FloatArray, vary: str, radii: FloatArray, law: str = "friction_at_rest"
+    model: Model,
+    given: FloatArray,
+    state: FloatArray,
+    vary: str | Sequence[str],
+    radii: FloatArray,
+    law: str = "friction_at_rest",
 ) -> NormalForm:
     """The normal form at a Hopf point that is proved to lie in a box.
 
@@ -89,10 +94,10 @@ def normal_form(
         Parameters in the order of the page.
     state : ndarray
         Coordinates.
-    vary : str
-        The parameter along which the point was found.
+    vary : str or sequence of str
+        The parameter along which the point was found, or several; the pair's crossing is told by the first.
     radii : ndarray
-        Half-widths of the box: of the coordinates, then of that parameter.
+        Half-widths of the box: of the coordinates, then of these parameters.
     law : str
         The friction of the equilibrium: ``"friction_at_rest"`` is what statics takes, ``"friction_at_speed"`` the law at the
         belt's speed, as the motion has it. The law of the motion is shifted by a constant so that it passes through it.
@@ -102,7 +107,7 @@ def normal_form(
     Undecided
         Where this is no generic Hopf point, or is not shown to be one; the text says why.
     """
-    point = _Point(model, given, state, vary, radii, law)
+    point = _Point(model, given, state, (vary,) if isinstance(vary, str) else vary, radii, law)
     point.require_smooth()
     A, by_parameter = point.linear()
     omega, q, left = _pair(A)
@@ -154,15 +159,18 @@ class _Point:
     """The field around a state at steady sliding, of balls and jets of balls."""
 
     def __init__(
-        self, model: Model, given: FloatArray, state: FloatArray, vary: str, radii: FloatArray, law: str
+        self, model: Model, given: FloatArray, state: FloatArray, vary: Sequence[str], radii: FloatArray, law: str
     ) -> None:  # fmt: skip
-        self.model, self.vary, self.balance = model, vary, Balance(model, True, law)
-        self.n, place = self.balance.n, self.balance.parameters.index(vary)
+        self.model, self.vary, self.balance = model, vary[0], Balance(model, True, law)
+        self.n = self.balance.n
         with BALLS.precision(BITS):
             q = [BALLS.between(Fraction(x) - Fraction(r), Fraction(x) + Fraction(r)) for x, r in zip(state, radii, strict=False)]
-        span = {vary: (Fraction(given[place]) - Fraction(radii[-1]), Fraction(given[place]) + Fraction(radii[-1]))}
-        self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, span).arguments
-        self.parameter: Ball = self.values[vary]
+        spans = {}
+        for name, r in zip(vary, radii[self.n :], strict=True):
+            value = Fraction(given[self.balance.parameters.index(name)])
+            spans[name] = (value - Fraction(r), value + Fraction(r))
+        self.values: dict[str, Any] = PreciseBalance(self.balance, given, BITS, spans).arguments
+        self.parameter: Ball = self.values[self.vary]
         self.state = [*q, *(_ball(0) for _ in q)]
         self.motion = field_of(model, REACH)
         floats = [float(value) for value in state] + [0.0] * self.n

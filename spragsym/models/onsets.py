@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, fields
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -79,8 +79,7 @@ class Onsets(ModelPoints, held_in="values"):
     @cached_property
     def criticality(self) -> NDArray[np.str_]:
         """gentle, dangerous or undecided."""
-        known = np.abs(self.lyapunov) > self.lyapunov_error
-        return np.where(known, np.where(self.lyapunov < 0, "gentle", "dangerous"), "undecided")
+        return criticality(self.lyapunov, self.lyapunov_error)
 
     @cached_property
     def why(self) -> tuple[str, ...]:
@@ -122,6 +121,12 @@ class Onsets(ModelPoints, held_in="values"):
 
     def _column(self, name: str, missing: float) -> FloatArray:
         return np.array([missing if isinstance(each, str) else getattr(each, name) for each in self.normal_forms])
+
+
+def criticality(lyapunov: Any, error: Any) -> NDArray[np.str_]:
+    """What the sign of coefficients says, where their bounds leave it."""
+    known = np.abs(lyapunov) > error
+    return np.where(known, np.where(lyapunov < 0, "gentle", "dangerous"), "undecided")
 
 
 def onsets_of(model: Model, found: ModelPoints) -> Onsets:

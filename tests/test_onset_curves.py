@@ -1,0 +1,162 @@
+"""Curves of Hopf points in the plane of two parameters: against closed forms, maps of eigenvalues, searches along other lines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import optimize
+
+import spragsym as ss
+from benchmarks.validate_criticality import accelerations
+
+#: Damped sets whose curves are looked at; the second has two Bogdanov–Takens points.
+SETS = (
+    {"zeta_x": 0.001, "zeta_y": 0.1, "zeta_s": 0.001, "alpha": 0.3, "kappa": 0.1, "sigma": 0.5},
+    {"kappa": 0.0793, "alpha": 0.2943, "sigma": 0.5302, "zeta_x": 0.01459, "zeta_y": 0.6958, "zeta_s": 0.01327},
+)
+BETWEEN = {"mu0": (0.0, 2.0)}
+
+
+def damped(number: int) -> Any:
+    return ss.load("damped").Parameters(**SETS[number])
+
+
+@pytest.fixture(scope="module", params=[0, 1])
+def found(request: pytest.FixtureRequest) -> tuple[Any, Any]:
+    p = damped(request.param)
+    return p, ss.onset_curves(p, n=12, between=BETWEEN)
+
+
+@pytest.fixture(scope="module")
+def with_folds() -> Any:
+    p = ss.load("stribeck").Parameters()
+    return ss.onset_curves(p, ("theta0", "V"), n=12, between={"V": (0.001, 0.3)})
+
+
+def by_hand(page: str, P: dict[str, float], q: np.ndarray) -> np.ndarray:
+    """A of the equations written by hand, by differences of complex steps."""
+    n = len(q)
+    rest = np.append(q, np.zeros(n)).astype(complex)
+    rows = np.empty((n, 2 * n))
+    for k in range(2 * n):
+        step = np.where(np.arange(2 * n) == k, 1e-30j, 0.0)
+        rows[:, k] = [complex(value).imag / 1e-30 for value in accelerations(page, P, list(rest + step))]
+    return np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), rows])
+
+
+def test_stick_slip_in_closed_form() -> None:
+    """ζ = 2 μ_s v_s (V² − v_s²)/(V² + v_s²)², and F‴ = 0 at V = (1 + √2) v_s: below it the onset is gentle."""
+    p = ss.load("stick_slip").Parameters(mu_s=0.4, v_s=0.2)
+    found = ss.onset_curves(p, ("V", "zeta"), between={"V": (0.0, 1.5), "zeta": (0.0, 1.0)})
+    (curve,) = found.curves
+    assert found.complete
+    V, gentle = curve.V, curve.V < (1 + np.sqrt(2)) * 0.2
+    assert curve.zeta == pytest.approx(2 * 0.4 * 0.2 * (V**2 - 0.04) / (V**2 + 0.04) ** 2, abs=1e-11)
+    assert (curve.criticality == np.where(gentle, "gentle", "dangerous")).all()
+    assert curve.omega == pytest.approx(1.0)
+    assert found.changes["V"] == pytest.approx([(1 + np.sqrt(2)) * 0.2], abs=max(1e-12, *found.changes["error"]))
+    assert found.changes["error"].max() < 1e-6
+
+
+def test_other_lines_cross_the_curves_as_often_as_they_have_onsets(found: tuple[Any, Any]) -> None:
+    p, curves = found
+    for theta0 in (0.23, 0.61, 1.117, 1.9, 2.71):
+        onsets = p.model.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
+        crossings = []
+        for curve in curves.curves:
+            off = curve.theta0 - theta0
+            for k in np.flatnonzero(off[1:] * off[:-1] < 0):
+                share = off[k] / (off[k] - off[k + 1])
+                crossings.append(curve.mu0[k] + share * (curve.mu0[k + 1] - curve.mu0[k]))
+        assert np.sort(crossings) == pytest.approx(np.sort(onsets.mu0), abs=2e-3)
+
+
+def test_the_state_loses_its_stability_on_the_curves(found: tuple[Any, Any]) -> None:
+    """On a map of eigenvalues, a pair crosses the axis between two frictions where an onset lies between them, and only there."""
+    p, curves = found
+    for theta0 in np.linspace(0.15, 3.0, 9):
+        onsets = p.model.flutter_onsets(p.replace(theta0=theta0), vary="mu0", between=BETWEEN)
+        mu0 = np.linspace(0.0, 2.0, 41)[1:]
+        eq = p.model.equilibria(p.replace(theta0=theta0, mu0=mu0))
+        single = eq.count == 1
+        grows = eq.growth[:, 0] > 0
+        for k in np.flatnonzero(single[1:] & single[:-1]):
+            between = int(((onsets.mu0 > mu0[k]) & (onsets.mu0 < mu0[k + 1])).sum())
+            assert (grows[k] != grows[k + 1]) == bool(between % 2)
+    assert len(curves) > 0
+
+
+def test_onsets_change_from_gentle_to_dangerous_where_it_is_said(found: tuple[Any, Any]) -> None:
+    p, curves = found
+    for theta0, mu0 in zip(curves.changes["theta0"], curves.changes["mu0"], strict=True):
+        told = []
+        for off in (-1e-3, 1e-3):
+            onsets = p.model.flutter_onsets(p.replace(theta0=theta0 + off), vary="mu0", between=BETWEEN)
+            told.append(onsets.criticality[np.abs(onsets.mu0 - mu0).argmin()])
+        assert set(told) == {"gentle", "dangerous"}
+    assert (curves.changes["error"] < 1e-5).all()
+
+
+def test_bogdanov_takens_points() -> None:
+    """Two zero eigenvalues of equations written by hand, at a fold; a curve of onsets ends there."""
+    p = damped(1)
+    curves = ss.onset_curves(p, n=12, between=BETWEEN)
+    points = curves.points
+    assert points.kind.tolist() == ["BT", "BT"]
+    for row in range(2):
+        P = {name: float(getattr(points, name)[row]) for name in p.model.parameters}
+
+        def conditions(w: np.ndarray, P: dict[str, float] = P) -> list[float]:
+            now = P | {"theta0": w[2], "mu0": w[3]}
+            a = np.poly(by_hand("damped", now, w[:2])).real
+            still = accelerations("damped", now, [*w[:2], 0.0, 0.0])
+            return [*(float(value) for value in still), a[-1], a[-2]]
+
+        w = np.array([points.x[row], points.y[row], points.theta0[row], points.mu0[row]])
+        independent = optimize.fsolve(conditions, w + 1e-4, xtol=1e-13)
+        assert w == pytest.approx(independent, abs=1e-8)
+        folds = p.model.folds(p.replace(theta0=P["theta0"]), vary="mu0", between=BETWEEN)
+        assert np.abs(folds.mu0 - P["mu0"]).min() < 1e-8
+        ends = [(curve.theta0[k], curve.mu0[k]) for curve in curves.curves for k in (0, -1)]
+        assert min(np.hypot(theta0 - P["theta0"], mu0 - P["mu0"]) for theta0, mu0 in ends) < 0.05
+
+
+def test_zero_hopf_points(with_folds: Any) -> None:
+    """One eigenvalue 0 and a pair on the axis, of equations written by hand; l₁ has a pole there, and no change is claimed."""
+    points = with_folds.points
+    assert points.kind.tolist() == ["ZH", "ZH"]
+    names = ss.load("stribeck").parameters
+    for row in range(2):
+        P = {name: float(getattr(points, name)[row]) for name in names}
+        roots = np.linalg.eigvals(by_hand("stribeck", P, np.array([points.x[row], points.y[row]])))
+        pair = roots[np.abs(roots.imag) > 0.1]
+        assert np.abs(roots).min() < 1e-9
+        assert len(pair) == 2
+        assert np.abs(pair.real).max() < 1e-9
+        apart = np.hypot(with_folds.changes["theta0"] - P["theta0"], with_folds.changes["V"] - P["V"])
+        assert (apart > 1e-3).all()
+
+
+def test_a_map_of_stability_draws_what_is_dangerous_dashed() -> None:
+    pytest.importorskip("matplotlib")
+    from spragsym import figures
+
+    model = ss.load("stick_slip")
+    found = model.onset_curves(model.Parameters(), ("V", "zeta"), between={"V": (0.0, 1.0), "zeta": (0.0, 2.0)})
+    artists = figures.draw_onset_curves_of(model, found)
+    assert [artist.get_linestyle() for artist in artists[:2]] == ["-", "--"]
+    ends = [artist.get_xdata()[[0, -1]] for artist in artists[:2]]
+    assert ends[0][1] == ends[1][0]
+
+
+def test_what_is_refused() -> None:
+    p = damped(0)
+    for vary in (("mu0", "mu0"), "mu0", ("mu0",)):
+        with pytest.raises(ss.ParameterError, match="give two different parameters"):
+            ss.onset_curves(p, vary)
+    with pytest.raises(ss.ParameterError, match="is not a number of lines"):
+        ss.onset_curves(p, n=1)
+    with pytest.raises(ss.ParameterError, match="is not a parameter of this model"):
+        ss.onset_curves(p, ("mu0", "nu"))

@@ -59,7 +59,7 @@ def attacked(name: str, sets: int, seed: int, decades: float) -> None:
             seconds = time.process_time() - begin
             calls, spent, slow = calls + 1, spent + seconds, slow + (seconds > SLOW)
             error = float(np.nanmax(eq.error, initial=0.0))
-            worst, open_, far = max(worst, error), open_ + (not eq.complete), far + (not eq.whole)
+            worst, open_, far = max(worst, error), open_ + (not eq.complete), far + (not eq.whole.all())
             unsaid = not eq.complete and not getattr(eq, "remarks", ())
             silent += unsaid
             if not eq.complete or seconds > SLOW or error > 1e-12:

@@ -239,8 +239,9 @@ class _Writer:
                 "", "", f" * (1 + ({self.simple()})**2 / L_0**2)"
             )
         else:
-            page.contact = self.gap(), self.contact_law(), self.chance(0.85)
-            if page.contact[0].startswith("L_0"):
+            law = self.contact_law()
+            page.contact = self.gap(), law, self.chance(0.8) or "log" in law or "depth / L_0)" in law
+            if self.chance(0.95):  # else nothing may press, and what rests is on the border
                 page.forces.append(([f"-{self.parameter('F_g', 'N', '> 0', 0.02, 0.3)}"], [page.contact[0]]))
         if self.chance(0.9):
             mu, d = self.parameter("mu0", "1", ">= 0", 0.1, 1.2), self.parameter("d", "s/m", "> 0", 2.0, 20.0)

@@ -91,7 +91,9 @@ def compared(model: Any, reference: Reference, p: Values, contact: int, rng: np.
     balance, gap, reach = reference
     eq = model.equilibria(model.Parameters(**p), contact=bool(contact))
     states = np.array([eq.coordinates[name][: int(eq.count)] for name in model.coordinates]).T
-    counts = Counter(sets=1, states=len(states), undecided=int(not eq.complete), unproved_regions=int(not eq.whole), missed=0)
+    counts = Counter(
+        sets=1, states=len(states), undecided=int(not eq.complete), unproved_regions=int(not eq.whole.all()), missed=0
+    )
     counts["wrong"] = sum(np.abs(balance(q, p, contact)).max() > 1e-9 * (1 + max(p.values())) for q in states)
     comes_around = bool(model.about["coordinates"][0].get("comes_around"))
     for start in rng.uniform(-reach, reach, (STARTS if eq.complete else 0, len(model.coordinates))):

@@ -120,8 +120,12 @@ def _equilibria(eq: Any) -> Table:
 
 def _equilibria_of_a_model(eq: Any) -> Table:
     table = _states(eq, (*eq.coordinates, "growth", "error"))
-    open_points = "" if eq.complete else f"; not complete: {len(eq.undecided)} points are undecided"
-    return replace(table, title=table.title + open_points)
+    return replace(table, title=table.title + _not_all(eq))
+
+
+def _not_all(found: Any) -> str:
+    """Why a result is not complete."""
+    return "" if found.complete else f"; not complete: {'; '.join(found.remarks)}"
 
 
 def _points_of_a_model(found: Any) -> Table:
@@ -133,9 +137,13 @@ def _points_of_a_model(found: Any) -> Table:
         (*(_cell(name, getattr(found, name)[row]) for name in (*names, *words)), _cell("error", found.error[row]))
         for row in range(len(found))
     ]
-    open_boxes = "" if found.complete else f"; not complete: {len(found.undecided)} boxes are undecided"
     shown, cut = _shown(len(rows))
-    title = f"{len(found)} points along {', '.join(found.vary)}{open_boxes}"
+    ends = found.region[-len(found.vary) :].tolist()
+    spans = (
+        f"{_heading(name)} from {_cell(name, low)} to {_cell(name, high)}"
+        for name, (low, high) in zip(found.vary, ends, strict=True)
+    )
+    title = f"{len(found)} {'point' if len(found) == 1 else 'points'} along {', '.join(spans)}{_not_all(found)}"
     return _with_cut(title, (*map(_heading, names), *words, "error"), [rows[i] for i in shown], cut)
 
 

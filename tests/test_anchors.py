@@ -45,7 +45,7 @@ def same_as_the_scalar_equation(model: Any, sets: dict[str, Any], contact: bool)
     """Counts, and states within their bounds, of sets of shape (N,)."""
     eq = model.equilibria(model.Parameters(**sets), contact=contact)
     assert eq.complete
-    assert eq.whole
+    assert eq.whole.all()
     for i in range(eq.count.size):
         with mp.workdps(50):
             want = turned_spring(model.Parameters(**{name: values[i] for name, values in sets.items()}), contact)
@@ -128,7 +128,7 @@ def test_the_region_of_a_torsion_spring_holds_all_states(model: Any) -> None:
         p |= {"theta0": rng.uniform(0.1, 3.0), "mu0": rng.uniform(0, 1)}
         for contact in (True, False):
             eq = model.equilibria(model.Parameters(**p), contact=contact)
-            assert eq.whole
+            assert eq.whole.all()
             with mp.workdps(50):
                 for state in turned_spring(model.Parameters(**p), contact):
                     assert all(low <= value <= high for value, (low, high) in zip(map(float, state), eq.region, strict=True))
@@ -147,7 +147,7 @@ def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open(
     )
     two = derived(once, tmp_path_factory, "two_torsions", page)
     eq = two.equilibria(two.Parameters(), contact=False)
-    assert eq.whole
+    assert eq.whole.all()
     assert eq.complete or any("anchor" in remark for remark in eq.remarks)
 
 

@@ -185,8 +185,8 @@ def test_results_of_models_have_the_rows_of_the_article_s() -> None:
     assert found[0] == ["theta0_deg", "x", "y", "kind", "error"]
     np.testing.assert_allclose([float(row[0]) for row in found[1:]], np.degrees(folds.theta0), rtol=1e-9)
     assert "undecided" not in str(_folds_of_a_model())
-    open_box = dataclasses.replace(_folds_of_a_model(), complete=False, undecided=np.zeros((3, 3, 2)))
-    assert "2 points along theta0; not complete: 3 boxes are undecided" in str(open_box)
+    open_box = dataclasses.replace(_folds_of_a_model(), undecided=np.zeros((3, 3, 2)), remarks=("3 boxes are too wide",))
+    assert "2 points along theta0_deg from 0 to 180; not complete: 3 boxes are too wide" in str(open_box)
 
 
 def test_the_jump_of_a_path_is_in_its_table() -> None:

@@ -143,7 +143,7 @@ def test_a_fold_where_a_turn_ends_is_there_once(models: dict[str, Any], c: float
         return [c * mpmath.cos(a) - sines, -c * mpmath.sin(a) - cosines]
 
     found = model.folds(model.Parameters(c=c), vary="b")
-    assert found.complete
+    assert found.decided
     assert len(found) == 1
     with mpmath.workdps(60):
         a, b = mpmath.findroot(fold, (mpmath.pi - mpmath.cbrt(c), 0.25 + mpmath.cbrt(c) ** 2 / 2), tol=mpmath.mpf(10) ** -100)
@@ -207,7 +207,7 @@ def test_an_angle_that_comes_around_has_each_state_once(models: dict[str, Any]) 
     model = models["double_pendulum"]
     eq = model.equilibria(model.Parameters())
     assert eq.complete
-    assert eq.whole
+    assert eq.whole.all()
     found = states(model, eq)
     assert {tuple(row) for row in np.round(found / math.pi, 12).tolist()} == {(0, 0), (0, 1), (1, 0), (1, 1)}
     path = model.quasi_static_path(model.Parameters(), vary="gamma", values=np.linspace(0.1, 1.0, 5))
@@ -227,7 +227,7 @@ def test_an_angle_of_the_page_may_stand_by_itself(models: dict[str, Any], contac
     for theta0, tau in ((1.3, 0.3), (1.3, 0.01), (2.0, 0.004)):
         eq = model.equilibria(model.Parameters(theta0=theta0, tau=tau), contact=contact)
         assert eq.complete
-        assert eq.whole
+        assert eq.whole.all()
 
         def balance(phi: Any, theta0: float = theta0, tau: float = tau) -> Any:
             push = (mpmath.sin(phi) - 0.9) if contact else 0
@@ -262,7 +262,7 @@ def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     model = models["bumps"]
     eq = model.equilibria(model.Parameters())
     assert eq.complete
-    assert eq.whole
+    assert eq.whole.all()
 
     def balance(x: Any, y: Any) -> Any:
         push = mpmath.mpf("0.2") * mpmath.sin(3 * x) - y

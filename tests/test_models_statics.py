@@ -47,7 +47,7 @@ def test_the_articles_model_through_the_general_way(family):
         got = padded(getattr(eq, name), 3)
         assert np.nanmax(np.abs(got - want)[settled] / np.maximum(1, np.abs(want[settled]))) < 2e-12
     assert np.nanmax(eq.error) <= 1e-12
-    assert eq.whole
+    assert eq.whole.all()
 
 
 def test_stability_and_eigenvalues_are_the_articles():
@@ -81,7 +81,7 @@ def test_what_is_new_at_zero_gives_the_article_back(name, nothing):
     p = ss.Parameters.article(theta0=np.radians(np.linspace(5, 175, 20)))
     eq, known = model(name).equilibria(same_parameters(name, p, **nothing)), ss.equilibria(p)
     assert eq.complete
-    assert eq.whole
+    assert eq.whole.all()
     assert (eq.count == known.count).all()
     assert np.allclose(padded(eq.x, 3), np.sort(known.x, axis=-1), atol=1e-12, equal_nan=True)
     assert (padded(eq.stability, 3, 0) == known.stability).all()
@@ -140,7 +140,7 @@ def test_linear_models_in_closed_form():
     assert np.allclose([eq.x[0], eq.y[0]], [x, y], atol=1e-14)
     # (K11 − K22)² + 4 K12 K21 = 0 in mu: linear.
     onset = model("mode_coupling").flutter_onsets(p, "mu0", damping=False)
-    assert onset.complete
+    assert onset.decided
     assert np.allclose(onset.mu0, sigma / 2 + (K[0, 0] - K[1, 1]) ** 2 / (2 * sigma), atol=1e-12)
     assert onset.kind.tolist() == ["flutter"]
 
@@ -148,7 +148,7 @@ def test_linear_models_in_closed_form():
 def test_hopf_points_of_a_falling_friction_law():
     p = model("stick_slip").Parameters()
     onsets = model("stick_slip").flutter_onsets(p, "V")
-    assert onsets.complete
+    assert onsets.decided
     assert onsets.kind.tolist() == ["hopf"] * len(onsets)
     with mp.workdps(30):
         # Damping of the sliding mass: ζ and the slope of μ(V), here by numerical differentiation of the law itself.
@@ -186,7 +186,7 @@ def test_folds_are_the_articles(vary, fixed):
     some = model("kang_nam").Parameters(**{**{"theta0": 1.0}, **fixed})
     found = model("kang_nam").folds(some, vary)
     wanted = getattr(known, vary) < (10 if vary != "theta0" else 4)
-    assert found.complete
+    assert found.decided
     assert found.whole
     for name in (vary, "x", "y"):
         assert np.allclose(getattr(found, name), getattr(known, name)[wanted], atol=2e-12, rtol=1e-12)
@@ -239,7 +239,7 @@ def test_flutter_without_damping_is_the_articles():
 def test_hopf_points_with_dampers_are_where_a_pair_crosses():
     p = model("damped").Parameters(theta0=np.radians(60))
     found = model("damped").flutter_onsets(p, "mu0")
-    assert found.complete
+    assert found.decided
     assert found.kind.tolist() == ["hopf"]
     sides = model("damped").equilibria(p.replace(mu0=found.mu0[0] * np.array([1 - 1e-6, 1 + 1e-6])))
     slots = np.abs(sides.x - found.x[0]).argmin(axis=-1)
@@ -320,7 +320,7 @@ def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, n
     # At mu0 = 0, kappa = 0, d = 0 there is no damping at all, and Hurwitz's determinant vanishes for all states.
     p = model(name).Parameters(theta0=0.8, d=1.0) if vary != "d" else model(name).Parameters(theta0=0.8)
     found = model(name).flutter_onsets(p, vary)
-    assert found.complete
+    assert found.decided
     assert len(found) == number
     crossed = [growth_beside(name, p, vary, found, row) for row in range(number) if getattr(found, vary)[row] > 1e-3]
     # One of the pairs crosses; where another grows already, the largest growth says nothing.
@@ -330,7 +330,7 @@ def test_hopf_points_where_the_slope_of_friction_is_all_that_damps(name, vary, n
 def test_where_the_friction_law_turns_every_mode_crosses():
     p = model("stribeck").Parameters(theta0=0.8)
     found = model("stribeck").flutter_onsets(p, "mu_k")
-    assert found.complete
+    assert found.decided
     assert len(found) == 2
     assert found.mu_k[0] == found.mu_k[1]
     # dμ/dV = 0 there: by differences of the law itself.
@@ -359,7 +359,7 @@ def test_no_points_give_an_empty_result():
 
 def test_a_range_that_ends_where_a_parameter_divides():
     found = model("stribeck").folds(model("stribeck").Parameters(theta0=0.8), "v_s")
-    assert found.complete
+    assert found.decided
     assert len(found) == 1
 
 

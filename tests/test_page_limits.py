@@ -330,3 +330,18 @@ def test_a_motion_without_x_is_drawn(tmp_path: Path) -> None:
     np.testing.assert_allclose(line.get_ydata()[-1], tr.u[-1], atol=1e-9)
     with pytest.raises(ss.ParameterError, match="is not one of u, y"):
         figures.draw_motion(tr, "x")
+
+
+def test_a_mass_that_nothing_presses_is_on_the_border(tmp_path: Path) -> None:
+    """Its contact law ends where it rests: what can't be decided there is a box, and no error."""
+    law = ("k_c * depth)", "k_c * depth / (1 + depth / L_0))")
+    model = loaded(
+        tmp_path,
+        law,
+        ("page.force(0, -F_L * (1 + sin(psi) * a), at=(x, y))", "page.force(-F_L * (1 + sin(psi) * a), 0, at=(x, y))"),
+    )
+    eq = model.equilibria(model.Parameters())
+    assert not eq.complete
+    assert len(eq.undecided) == 1
+    assert eq.undecided[0].low[1] <= 0 <= eq.undecided[0].high[1]
+    assert eq.remarks

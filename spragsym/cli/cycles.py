@@ -19,6 +19,7 @@ from .with_model import ForModels, made_for, model_option
 
 if TYPE_CHECKING:
     from ..cycles import Cycle, CycleBranch
+    from ..parameters import ParameterSet
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -34,6 +35,9 @@ def search(place: str, choices: Sequence[str]) -> Callable[[F], F]:
         click.option("--from", "low", type=Number(), help="Where the range begins, degrees for angles."),
         click.option("--to", "high", type=Number(), help="Where it ends."),
         click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way."),
+        click.option(
+            "--diagram", "whole", is_flag=True, help="Equilibria too, and cycles from Hopf points and doublings; with --vary."
+        ),
         click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute."),
         click.option(
             "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg)."
@@ -70,6 +74,7 @@ def cycles(
       spragsym cycles --theta0 42
       spragsym cycles --data brake.toml
       spragsym cycles --theta0 42 --vary theta0 --from 38 --to 60 --plot branch.pdf
+      spragsym cycles --theta0 42 --near 2.54,3.36,0,0.36 --vary theta0 --from 30 --to 80 --diagram --plot all.pdf
       spragsym cycles --model stick_slip -V 0.2 --vary V --from 0.08 --to 0.3
 
     \b
@@ -82,13 +87,14 @@ def cycles(
     from ..cycles import cycle
 
     p = build(theta0_deg, mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
-    tell(lambda near: cycle(p, V=V, d=d, near=near), 4, varied, **rest)
+    p = p.replace(V=V, d=d)
+    tell(p, lambda near: cycle(p, near=near), 4, varied, **rest)
 
 
 def tell(
-    find: Callable[[Any], Cycle], size: int, unit_of: Callable[[str], tuple[str, float, str]], *, near: str | None,
-    vary: str | None, low: float | None, high: float | None, points: int, prove: bool, plot: Path | None, force: bool,
-    json_output: bool,
+    p: ParameterSet, find: Callable[[Any], Cycle], size: int, unit_of: Callable[[str], tuple[str, float, str]], *,
+    near: str | None, vary: str | None, low: float | None, high: float | None, points: int, whole: bool, prove: bool,
+    plot: Path | None, force: bool, json_output: bool,
 ) -> None:  # fmt: skip
     """Find a cycle near a state of ``size`` numbers, prove it, follow it and draw the branch, as asked for; print all that."""
     if (vary is None) != (low is None) or (low is None) != (high is None):
@@ -96,6 +102,13 @@ def tell(
     if plot is not None and (vary is None or plot.suffix not in (".pdf", ".png", ".svg")):
         raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary, and the ending .pdf, .png or .svg")
     refuse([] if plot is None else [plot], force)
+    if whole:
+        if vary is None or low is None or high is None or prove:
+            raise click.UsageError("--diagram goes with --vary, --from and --to, and without --prove")
+        name, unit, title = unit_of(vary)
+        starts = [] if near is None else [_state(near, size)]
+        _tell_diagram(p, name, (low / unit, high / unit), unit, title, starts, points, plot, json_output)
+        return
     found = find(_state(near, size))
     summary, title = in_units(_summary(found)), ""
     if prove:
@@ -108,7 +121,6 @@ def tell(
         summary |= _branch(branch, unit, title)
         if plot is not None:
             _draw(branch, plot)
-            click.echo(f"drew {plot}", err=True)
     if json_output:
         print_json(summary)
         return
@@ -117,6 +129,39 @@ def tell(
     if rows is not None:
         print_table("Branch", tuple(rows[0]), [list(row.values()) for row in rows])
         print_table("Events", ("kind", title, "error", *in_units({"period": 0.0}), "how"), [list(row.values()) for row in events])
+
+
+def _tell_diagram(
+    p: ParameterSet, name: str, to: tuple[float, float], unit: float, title: str, starts: list[Any], points: int,
+    plot: Path | None, json_output: bool,
+) -> None:  # fmt: skip
+    """Equilibria and cycles over a parameter: the labelled points, and the figure."""
+    from ..models import diagram
+
+    found = diagram(p, name, to, starts=starts, points=points)
+    if plot is not None:
+        _drawn(found.plot, plot)
+    labels = [
+        {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
+        for label in found.labels
+    ]
+    branches = [
+        {"of": "equilibria", "branch": i, "points": len(rest.values), "from": unit * rest.values[0], "to": unit * rest.values[-1],
+         "stable": int(rest.stable.sum()), "ends": rest.mode}
+        for i, rest in enumerate(found.equilibria)
+    ] + [
+        {"of": "cycles", "branch": i, "points": len(branch.values), "from": unit * branch.values[0],
+         "to": unit * branch.values[-1], "stable": int(branch.stable.sum()),
+         "ends": "; ".join(end.how for end in branch.of("end", "homoclinic"))}
+        for i, branch in enumerate(found.cycles)
+    ]  # fmt: skip
+    if json_output:
+        print_json({"labels": labels, "branches": branches, "remarks": list(found.remarks)})
+        return
+    print_table("Branches", tuple(branches[0]) if branches else (), [list(row.values()) for row in branches])
+    print_table("Labels", tuple(labels[0]) if labels else (), [list(row.values()) for row in labels])
+    for remark in found.remarks:
+        click.echo(remark)
 
 
 def _proof(found: Cycle) -> dict[str, Any]:
@@ -166,12 +211,20 @@ def _branch(branch: CycleBranch, unit: float, name: str) -> dict[str, Any]:
 
 
 def _draw(branch: CycleBranch, path: Path) -> None:
-    from ..figures import FORMATS, branch_figure
+    from ..figures import branch_figure
+
+    _drawn(lambda: branch_figure(branch), path)
+
+
+def _drawn(figure: Callable[[], Any], path: Path) -> None:
+    """A figure written to a file."""
+    from ..figures import FORMATS
     from ..figures.style import house_style
 
     kind = path.suffix[1:]
     with house_style():
-        branch_figure(branch).savefig(path, format=kind, metadata=FORMATS[kind])
+        figure().savefig(path, format=kind, metadata=FORMATS[kind])
+    click.echo(f"drew {path}", err=True)
 
 
 def _shown(value: Any) -> Any:

@@ -102,7 +102,7 @@ def cycles_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str
 
     def cycles(**values: Any) -> None:
         p = model.Parameters(**parameters_of(model, values))
-        tell(lambda near: model.cycle(p, near), len(state), unit_of, **values)
+        tell(p, lambda near: model.cycle(p, near), len(state), unit_of, **values)
 
     place = ",".join(state).upper()
     options = [*parameter_options(model, Number), *_more(search(place, model.parameters), force, as_json)]

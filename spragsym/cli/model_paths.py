@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..errors import ParameterError
-from .model_statics import json_option, optional, points_of, print_points
+from .model_statics import box_of, json_option, optional, points_of, print_points, within_option
 from .options import Number
 from .tables import busy, print_json, print_path, print_table
 from .with_model import parameter_options, without
@@ -21,11 +21,14 @@ if TYPE_CHECKING:
 def folds_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
     """Options and work of ``spragsym folds`` for a model."""
 
-    def folds(vary: str, low: float | None, high: float | None, json_output: bool, **values: Any) -> None:
+    def folds(
+        vary: str, low: float | None, high: float | None, within: tuple[str, ...], json_output: bool, **values: Any
+    ) -> None:
+        box = box_of(model, within)
         p = without(model, (vary,), values)
         between = None if low is high is None else {vary: _span(model, vary, low, high)}
         with busy(f"searching for folds along {vary}"):
-            found = model.folds(p, vary, between=between)
+            found = model.folds(p, vary, between=between, within=box)
         if json_output:
             print_json({"model": model.name, "vary": vary, **points_of(model, found)})
         else:
@@ -34,6 +37,7 @@ def folds_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]
     options = [
         *_common(model, "Parameter along which folds are looked for."),
         *_ends("its range", "its range", None),
+        within_option(model),
         json_option(),
     ]
     return options, folds, "All folds along one parameter, proved: where two equilibria meet."

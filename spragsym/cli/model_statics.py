@@ -29,23 +29,52 @@ def json_option() -> click.Option:
     return click.Option(["--json", "json_output"], is_flag=True, help="Print JSON instead of a table.")
 
 
+def within_option(model: Model) -> click.Option:
+    """``--within``."""
+    return click.Option(
+        ["--within"],
+        multiple=True,
+        metavar="NAME=FROM:TO",
+        help=f"Range of a coordinate to search, as {model.coordinates[0]}=-5:5, in place of the model's own. Repeatable.",
+    )
+
+
+def box_of(model: Model, texts: Sequence[str]) -> Spans | None:
+    """``--within NAME=FROM:TO`` as ranges by name."""
+    return dict(_span_of("--within", text) for text in texts) or None
+
+
+def _span_of(option: str, text: str) -> tuple[str, tuple[float, float]]:
+    """``NAME=FROM:TO``."""
+    try:
+        name, ends = text.split("=")
+        low, high = map(float, ends.split(":"))
+    except ValueError:
+        raise ParameterError(f"{option} {text} is no range; give it as mu0=0:1, a name and both ends") from None
+    return name, (low, high)
+
+
 def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
     """Options and work of ``spragsym equilibria`` for a model."""
 
-    def equilibria(json_output: bool, **values: Any) -> None:
+    def equilibria(json_output: bool, within: tuple[str, ...], **values: Any) -> None:
+        box = box_of(model, within)
         p = model.Parameters(**parameters_of(model, values))
         rows: list[dict[str, Any]] = []
         open_boxes: list[dict[str, Any]] = []
         remarks: list[str] = []
+        complete = True
         unilateral = model.about["contact"]["unilateral"]
         for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
             with busy(f"searching for equilibria in {state}"):
-                found = model.equilibria(p, contact=contact)
+                found = model.equilibria(p, contact=contact, within=box)
+            complete &= found.complete
             rows += _rows(model, found, state)
             open_boxes += [{"state": state, "low": list(box.low), "high": list(box.high)} for box in found.undecided]
-            remarks += [f"{state}: {text}" for text in (*found.remarks, *_beyond(model, found))]
+            remarks += [f"{state}: {text}" for text in found.remarks]
         if json_output:
-            print_json({"model": model.name, "equilibria": rows, "undecided": open_boxes, "remarks": remarks})
+            told = {"equilibria": rows, "complete": complete, "undecided": open_boxes, "remarks": remarks}
+            print_json({"model": model.name, **told})
             return
         print_table("", ("state", "stability", *model.coordinates, "growth", "error"), [
             (row["state"], row["stability"], *(row[name] for name in model.coordinates),
@@ -58,7 +87,7 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         for remark in remarks:
             click.echo(remark)
 
-    options = [*parameter_options(model, Number), json_option()]
+    options = [*parameter_options(model, Number), within_option(model), json_option()]
     return options, equilibria, "All equilibria at one point, in contact and in lift-off, stable and unstable, proved."
 
 
@@ -69,14 +98,6 @@ def _summed(title: str, names: Sequence[str], lows: Sequence[Sequence[float]], h
     hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))
     boxes = "1 box is" if len(lows) == 1 else f"{len(lows)} boxes are"
     return f"{title}: not complete, {boxes} undecided, within {hull}"
-
-
-def _beyond(model: Model, found: Any) -> tuple[str, ...]:
-    """Said of a region that is not proved to hold all equilibria."""
-    if found.whole:
-        return ()
-    searched = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, (a, b) in zip(model.coordinates, found.region, strict=True))
-    return (f"searched within {searched}; there may be equilibria beyond it",)
 
 
 def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
@@ -104,6 +125,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         vary: str,
         along: str | None,
         between: tuple[str, ...],
+        within: tuple[str, ...],
         json_output: bool,
         plot: Path | None,
         n: int,
@@ -115,17 +137,18 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         both = (vary, along)
         if vary == along:
             raise ParameterError(f"--along {along} and --vary are the same; give another parameter, or --along '' for none")
+        box = box_of(model, within)
         spans = _spans(model, between, both if along else (vary,))
         if plot is not None:
             check(plot, along, force)
         one, two = (without(model, which, dict(values)) for which in ((vary,), both if along else (vary,)))
         span = {name: ends for name, ends in spans.items() if name == vary}
         asked: dict[str, Callable[[], Any]] = {
-            "folds": lambda: model.folds(one, vary, between=span),
-            "flutter onsets": lambda: model.flutter_onsets(one, vary, between=span),
+            "folds": lambda: model.folds(one, vary, between=span, within=box),
+            "flutter onsets": lambda: model.flutter_onsets(one, vary, between=span, within=box),
         }
         if along:
-            asked["cusps"] = lambda: model.cusps(two, both, between=spans)
+            asked["cusps"] = lambda: model.cusps(two, both, between=spans, within=box)
         found: dict[str, Any] = {}
         for title, search in asked.items():
             with busy(f"searching for {title} along {vary if title != 'cusps' else f'{vary} and {along}'}"):
@@ -174,6 +197,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
             metavar="NAME=FROM:TO",
             help="Range to search of either parameter, as mu0=0:1; angles in degrees. A narrow one is quick. Repeatable.",
         ),
+        within_option(model),
         json_option(),
         plot,
         click.Option(
@@ -192,11 +216,7 @@ def _spans(model: Model, texts: Sequence[str], vary: Sequence[str]) -> Spans:
     """``--between NAME=FROM:TO`` as ranges by name, angles in radians."""
     spans = {}
     for text in texts:
-        try:
-            name, ends = text.split("=")
-            low, high = map(float, ends.split(":"))
-        except ValueError:
-            raise ParameterError(f"--between {text} is no range of a parameter; give it as mu0=0:1") from None
+        name, (low, high) = _span_of("--between", text)
         if name not in vary:
             raise ParameterError(f"--between {text}: {name} does not vary; {' and '.join(vary)} can have a range")
         unit = math.degrees(1.0) if name in model.about["angles"] else 1.0
@@ -226,7 +246,7 @@ def points_of(model: Model, points: Any) -> dict[str, Any]:
     return {
         "points": rows,
         "complete": bool(points.complete),
-        "region_whole": bool(points.whole),
+        "searched": {name: ends.tolist() for name, ends in zip((*model.coordinates, *points.vary), points.region, strict=True)},
         "undecided": boxes,
         "remarks": list(points.remarks),
     }
@@ -252,11 +272,14 @@ def print_points(model: Model, title: str, points: Any) -> None:
     columns += [points.criticality] if hopf else []
     rows = [tuple(column[row].item() for column in columns) for row in range(len(points))]
     header = (*(f"{name}_deg" if name in units else name for name in names), "kind", *(["criticality"] if hopf else []))
-    print_table(title.capitalize(), header, rows)
-    if not points.complete:
-        unknowns = (*model.coordinates, *points.vary)
-        scale = np.array([units.get(name, 1.0) for name in unknowns])
-        shown = tuple(f"{name}_deg" if name in units else name for name in unknowns)
+    if rows or points.complete:
+        print_table(title.capitalize(), header, rows)
+    unknowns = (*model.coordinates, *points.vary)
+    scale = np.array([units.get(name, 1.0) for name in unknowns])
+    shown = tuple(f"{name}_deg" if name in units else name for name in unknowns)
+    if len(points.undecided):
         click.echo(_summed(title, shown, *(scale * points.undecided[:, :, end] for end in (0, 1))))
-        for remark in points.remarks:
-            click.echo(f"{title}: {remark}")
+    elif not points.complete:
+        click.echo(f"{title}: not complete")
+    for remark in points.remarks:
+        click.echo(f"{title}: {remark}")

@@ -36,7 +36,7 @@ APART = 2
 NARROWER = 1e-3
 
 #: Halvings of a step in which a border might be met.
-DEEPEST = 12
+DEEPEST = 40
 
 
 class NotProved(Exception):
@@ -149,7 +149,10 @@ class Balls:
             if all(sign * level > 0 for level in ends):
                 return
         if depth >= DEEPEST:
-            raise NotProved(f"whether the orbit meets {border.name} could not be decided")
+            raise NotProved(
+                f"whether the orbit meets {border.name} could not be decided near one place: it touches it there, or all "
+                "but; at a grazing no number of digits tells: move a parameter"
+            )
         middle = ((begin + end) / 2).mid()
         self._clear(border, within, tails, begin, middle, depth + 1)
         self._clear(border, within, tails, middle, end, depth + 1)

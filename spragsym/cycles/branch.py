@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -15,8 +16,8 @@ from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
 from .arclength import Point, Setting, aligned, angle, between, corrected, cut_finer, fixed, point_of, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer
-from .inspection import Finding, Seen, findings
-from .orbit import Cycle, Cycles, amplitude_of, cycle_of, is_stable, moments
+from .inspection import Finding, NotLocated, Seen, findings
+from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
@@ -79,8 +80,8 @@ class CycleBranch(Result):
     ----------
     vary : str
         The parameter.
-    values, periods, rms, amplitude : ndarray, shape (n,)
-        Of the parameter and of the cycles.
+    values, periods, rms, lowest, highest : ndarray, shape (n,)
+        Of the parameter and of the cycles; the last three of the first coordinate.
     stable : ndarray of bool, shape (n,)
     cycles : sequence of Cycle
         Each begun anew where its first coordinate is largest when it is asked for.
@@ -92,7 +93,8 @@ class CycleBranch(Result):
     values: FloatArray
     periods: FloatArray
     rms: FloatArray
-    amplitude: FloatArray
+    lowest: FloatArray
+    highest: FloatArray
     stable: NDArray[np.bool_]
     cycles: Sequence[Cycle] = field(repr=False)
     events: tuple[CycleEvent, ...]
@@ -108,6 +110,11 @@ class CycleBranch(Result):
         from .switching import switched
 
         return switched(self, event, step)
+
+    @property
+    def amplitude(self) -> FloatArray:
+        """Half of the range of the first coordinate, shape (n,)."""
+        return (self.highest - self.lowest) / 2
 
     def of(self, *kinds: str) -> tuple[CycleEvent, ...]:
         """The events of some kinds only."""
@@ -171,9 +178,10 @@ def cycle_branch(
     items = [*reversed(back), start, *([] if closed else forth)]
     loops = [item.loop for item in items if isinstance(item, Point)]
     events = [trace.event(item) for item in items if isinstance(item, Finding) and item.kind != "closed"]
+    lowest, highest = np.array([range_of(loop) for loop in loops]).T
     return CycleBranch(
         vary, np.array([loop.guess.values[index] for loop in loops]), np.array([loop.guess.period for loop in loops]),
-        np.array([moments(loop, backend)[1] for loop in loops]), np.array([amplitude_of(loop) for loop in loops]),
+        np.array([moments(loop, backend)[1] for loop in loops]), lowest, highest,
         np.array([is_stable(loop) for loop in loops]), Cycles(tuple(loops), fly, backend), tuple(events), (low, high),
     )  # fmt: skip
 
@@ -248,7 +256,12 @@ class _Trace:
                     length = arc / 3
                     continue
             after = Seen(setting, ahead)
-            for found in findings(seen, after, arc, before):
+            try:
+                happened = list(findings(seen, after, arc, before))
+            except NotLocated:
+                length = arc / 3
+                continue
+            for found in happened:
                 if found.kind == "fold" and extent(found.loop) < SHRUNK * extent(start.loop):
                     yield self._shrunk(before, seen)
                     return
@@ -278,7 +291,8 @@ class _Trace:
             if near is None:
                 break
             last = Seen(self.setting, near)
-            yield from findings(seen, last, between(self.setting, seen.point, near), before)
+            with suppress(NotLocated):
+                yield from findings(seen, last, between(self.setting, seen.point, near), before)
             yield near
             before, seen = None, last
         yield End("end", loop, error, how=MERGES)

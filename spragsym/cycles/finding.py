@@ -29,6 +29,10 @@ TRIES = 8
 FAR = 0.3
 
 
+#: Parameters beyond this are named where a motion can't be followed.
+STEEP = 1e8
+
+
 #: What a motion does for which no cycle is found, in words.
 COMES_TO = {
     Regime.EQUILIBRIUM: "it is at rest", Regime.APPROACHES_EQUILIBRIUM: "it decays to rest",
@@ -134,7 +138,10 @@ def cycle_near(
         raise ParameterError(f"near = {start.tolist()}: the motion is not defined there; give another state")
     follow = follower(field, name)
     for stage in STAGES if patient or settled else STAGES[:1]:
-        passage = follow.fly(start, constants, stage, none)
+        try:
+            passage = follow.fly(start, constants, stage, none)
+        except ConvergenceError as error:
+            raise ConvergenceError(f"the motion can't be followed: {error}{_steep(field, values)}") from error
         found = _by_returns(field, fly, rough, values, list(passage.turns), from_start=stage == STAGES[0], stable=approached)
         if found is not None:
             return _checked(found, fly, name)
@@ -142,6 +149,12 @@ def cycle_near(
             break
         start = passage.state
     raise ConvergenceError(_why(field, values, start, stage))
+
+
+def _steep(field: Field, values: tuple[float, ...]) -> str:
+    """What may be too much for an integrator."""
+    value, name = max((abs(value), name) for name, value in zip(field.parameters, values, strict=True))
+    return f"; {name} = {value:g} is larger than it can carry: give a smaller one" if value > STEEP else ""
 
 
 def _towards(

@@ -28,6 +28,14 @@ FLAT = 1e-6
 LOCATED = 1e-11
 
 
+#: A step longer than this is made shorter where an event in it is not located.
+FINEST = 1e-5
+
+
+class NotLocated(ConvergenceError):
+    """A test function changes its sign in a step, but its zero is not found."""
+
+
 @dataclass(frozen=True)
 class Seen:
     """A point with its test functions and turns."""
@@ -158,11 +166,12 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
 
     try:
         root = float(brentq(value, 0.0, length, xtol=LOCATED, rtol=8.9e-16))
-    except (ConvergenceError, ValueError):
-        yield Finding(
-            _of_multipliers(kind), other.point.loop, abs(_value(one) - _value(other)),
-            crossed=other.point.tangent if kind == "crossing" else None,
-        )  # fmt: skip
+    except (ConvergenceError, ValueError) as error:
+        if length > FINEST:
+            raise NotLocated(kind) from error  # the two points may lie on different branches: shorter steps tell
+        if kind == "crossing":
+            return
+        yield Finding(kind, other.point.loop, abs(_value(one) - _value(other)))
         return
     point = known[root] if root in known else corrected(setting, one.point, root)
     if kind != "fold" and is_lost(point.loop, _of_multipliers(kind)):

@@ -163,11 +163,11 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     """The cycle that a closed loop is, begun anew where the first coordinate is largest."""
     loop = refined(once_round(loop, fly), fly)
     guess, found = loop.guess, loop.multipliers
-    mean, rms = moments(loop, backend)
+    (mean, rms), (lowest, highest) = moments(loop, backend), range_of(loop)
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
         stable=is_stable(loop), error=_error(loop), residual=loop.missed,
-        events=_events(loop), rms=rms, mean=mean, amplitude=amplitude_of(loop), backend=backend, loop=loop,
+        events=_events(loop), rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=backend, loop=loop,
     )  # fmt: skip
 
 
@@ -196,10 +196,10 @@ def is_stable(loop: Loop) -> bool:
     return bool((np.abs(found.others) + found.errors < 1 - NEUTRAL).all())
 
 
-def amplitude_of(loop: Loop) -> float:
-    """Half of the range of the first coordinate: a turn between two stretches is in neither, but in a state."""
-    turning = [turn.state[0] for turn in loop.turns() if turn.border == -1]
-    return float(np.ptp([*turning, *loop.guess.states[:, 0]])) / 2
+def range_of(loop: Loop) -> tuple[float, float]:
+    """Least and largest first coordinate: a turn between two stretches is in neither, but in a state."""
+    values = [*(float(turn.state[0]) for turn in loop.turns() if turn.border == -1), *loop.guess.states[:, 0].tolist()]
+    return min(values), max(values)
 
 
 def moments(loop: Loop, backend: str) -> tuple[float, float]:

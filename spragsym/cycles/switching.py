@@ -17,7 +17,10 @@ if TYPE_CHECKING:
     from .branch import CycleBranch, CycleEvent
 
 #: First steps off a branch, in states.
-STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12)
+STEPS = (0.02, 0.005, 0.05, 0.0015, 0.12, 4e-4, 1e-4, 2e-5)
+
+#: A cycle farther off than this many steps is on a branch that only passes near.
+FAR = 30
 
 
 def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
@@ -46,9 +49,12 @@ def switched(branch: CycleBranch, event: CycleEvent, step: float) -> Cycle:
             except ConvergenceError:
                 continue
             found = cycle_of(loop, fly, backend)
-            if not twice or found.period > 1.5 * cycle.period:
+            if not twice or 1.5 < found.period / cycle.period < 2.5:
                 return found
-    raise ConvergenceError(f"no cycle of the other branch was found near {branch.vary} = {event.value:.10g}")
+    raise ConvergenceError(
+        f"no cycle of the other branch was found near {branch.vary} = {event.value:.10g}, by steps from {max(step, *STEPS):g} "
+        f"down to {min(step, *STEPS):g}"
+    )
 
 
 def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
@@ -68,12 +74,17 @@ def _across(setting: Setting, event: CycleEvent) -> tuple[Guess, FloatArray]:
 def _beyond(branch: CycleBranch, setting: Setting, loop: Loop, step: float, backend: str) -> Cycle:
     """The cycle a step from a fold, on the side that comes later on the branch."""
     point = point_of(setting, loop)
-    sides = [cycle_of(corrected(setting, point, sign * step).loop, setting.fly, backend) for sign in (1.0, -1.0)]
 
     def place(cycle: Cycle) -> int:
         return int(np.argmin([np.abs(cycle.state - other.state).max() for other in branch.cycles]))
 
-    return max(sides, key=place)
+    for size in (step, *(each for each in STEPS if each < step)):
+        try:
+            sides = [corrected(setting, point, sign * size, reach=FAR * size).loop for sign in (1.0, -1.0)]
+            return max((cycle_of(side, setting.fly, backend) for side in sides), key=place)
+        except ConvergenceError:
+            continue
+    raise ConvergenceError(f"no cycle beyond the fold was found, by steps from {step:g} down to {min(STEPS):g}")
 
 
 def _doubled(setting: Setting, loop: Loop) -> tuple[Guess, FloatArray]:

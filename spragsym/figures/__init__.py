@@ -19,6 +19,7 @@ from collections.abc import Callable
 from .bifurcation_sets import figure_11, figure_12, figure_14
 from .brakes import draw_operating_point, draw_rising_friction, draw_shares
 from .curves import Branch, branches, draw_branches, draw_path, mark_folds, plot_equilibria
+from .diagrams import diagram_figure
 from .equilibrium_curves import figure_4, figure_5, figure_8, figure_9, figure_10
 from .extras import (  # fmt: skip
     bifurcation_figure,
@@ -72,6 +73,7 @@ __all__ = [
     "bifurcation_figure",
     "branch_figure",
     "branches",
+    "diagram_figure",
     "draw_bifurcation_set_of",
     "draw_branches",
     "draw_equilibria_of",

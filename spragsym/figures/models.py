@@ -226,7 +226,7 @@ def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between 
     names = (*found.vary, *model.coordinates)
     columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}
     number = np.concatenate([np.full(getattr(curve, vary[0]).size, k) for k, curve in enumerate(found.curves)] or [np.empty(0)])
-    open_boxes = "" if found.complete else f" {len(found.undecided)} boxes on its lines are undecided."
+    open_boxes = "" if not len(found.undecided) else f" {len(found.undecided)} boxes on its lines are undecided."
     return figure.describe(
         f"""Bifurcation set of {model.name}: two equilibria in contact meet on the lines; dots are cusps.{open_boxes}""",
         a={"curve": number, **columns},

@@ -74,7 +74,7 @@ def figure_cycles(*, to_deg: tuple[float, float] = (1.0, 179.0)) -> Sheet:
         family, _, doubled = line["name"].partition(",")
         colour = COLOURS[families.index(family) % len(COLOURS)]
         angles = np.degrees(line["theta0"])
-        _draw_stretches(ax, angles, np.array(line["rms"]), np.array(line["stable"], dtype=bool), colour, 0.9 if doubled else 1.4)
+        draw_stretches(ax, angles, np.array(line["rms"]), np.array(line["stable"], dtype=bool), colour, 0.9 if doubled else 1.4)
         value, period, *_ = line["at"]
         height = _height(line)
         if to_deg[0] < np.degrees(value) < to_deg[1] and (not doubled or np.ptp(angles[np.array(line["stable"]) == 1]) > WIDE):
@@ -131,7 +131,7 @@ def _height(line: dict[str, Any]) -> float:
     return float(line["rms"][nearest])
 
 
-def _draw_stretches(
+def draw_stretches(
     ax: Axes, values: FloatArray, heights: FloatArray, stable: NDArray[np.bool_], colour: str, width: float
 ) -> None:  # fmt: skip
     """A branch: full where stable, dashed where not, without a gap between."""
@@ -164,7 +164,7 @@ def branch_figure(branch: CycleBranch) -> Sheet:
     figure, ((left, right),) = panels(1, 2, DOUBLE, 2.6)
     unit = np.degrees(1.0) if branch.vary == "theta0" else 1.0
     for ax, values, label in ((left, branch.rms, r"RMS of $x$"), (right, branch.periods, "period")):
-        _draw_stretches(ax, unit * branch.values, values, branch.stable, BLUE, 1.3)
+        draw_stretches(ax, unit * branch.values, values, branch.stable, BLUE, 1.3)
         ax.set(xlabel=r"$\theta_0$ (deg)" if branch.vary == "theta0" else branch.vary, ylabel=label)
     for kind, marker in {**MARKERS, "grazing": "|"}.items():
         for event in branch.of(kind):

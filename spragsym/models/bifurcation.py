@@ -20,6 +20,7 @@ from .cusps import cusps
 from .fold_curves import FoldCurves
 from .forces import Model
 from .points import ModelPoints, given_column, ranges, search
+from .regions import by_hand
 
 #: Rounds in which points are joined to those next to them.
 ROUNDS = 4
@@ -52,7 +53,7 @@ class ModelBifurcationSet(Result):
     lines : mapping
         For each parameter the values at which all folds along the other one are known.
     complete : bool
-        Whether all folds on all lines, and all cusps, are decided.
+        Whether these are all folds on all lines, and all cusps; ``cusps.remarks`` says what was not searched.
     undecided : ndarray
         Lower and upper ends of the boxes on lines that are not, shape (boxes, unknowns, 2): coordinates, then parameters.
     """
@@ -75,6 +76,7 @@ def bifurcation_set(
     n: int = 60,
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
 ) -> ModelBifurcationSet:
     """Where the number of equilibria in contact changes, in the plane of two parameters.
 
@@ -89,6 +91,8 @@ def bifurcation_set(
         Lines in each direction. On each all folds are found and proved.
     between : mapping, optional
         Ranges of the two, as for :func:`spragsym.models.folds.folds`.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.models.equilibria.equilibria`.
 
     Returns
     -------
@@ -101,26 +105,28 @@ def bifurcation_set(
     folds are known. A curve that closes between two lines without a cusp is not seen.
     """
     require_lines(n)
-    found_cusps = cusps(model, p, vary, between=between)
+    found_cusps = cusps(model, p, vary, between=between, within=within)
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
-    found = on_lines(balance, vary, Fold(), given, spans, n, rows_of(balance, vary, found_cusps))
+    asked = by_hand(balance.coordinates, within)
+    found = on_lines(balance, vary, Fold(), given, spans, n, rows_of(balance, vary, found_cusps), asked)
     curves = [
         ModelCurve(dict(zip((*vary, *balance.coordinates), _named(chain, balance.n), strict=True))) for chain in found.chains
     ]
-    complete = found_cusps.complete and not found.undecided.shape[0]
+    complete = found_cusps.complete and found.whole and not found.undecided.shape[0]
     return ModelBifurcationSet(tuple(vary), tuple(curves), found_cusps, found.lines, complete, found.undecided)
 
 
 @dataclass(frozen=True)
 class OnLines:
-    """Points of a kind on lines of the plane: in order along curves, the lines of each parameter, boxes that are left."""
+    """Points of a kind on lines: in order along curves, the lines of each parameter, boxes that are left, whether that is all."""
 
     curves: FoldCurves
     chains: list[FloatArray]
     lines: dict[str, FloatArray]
     undecided: FloatArray
+    whole: bool
 
 
 def require_lines(n: Any) -> None:
@@ -130,17 +136,25 @@ def require_lines(n: Any) -> None:
 
 
 def on_lines(
-    balance: Balance, vary: Sequence[str], condition: Condition, given: FloatArray, spans: FloatArray, n: int, more: FloatArray
+    balance: Balance,
+    vary: Sequence[str],
+    condition: Condition,
+    given: FloatArray,
+    spans: FloatArray,
+    n: int,
+    more: FloatArray,
+    asked: FloatArray | None = None,
 ) -> OnLines:
     """All points of a kind on ``n`` lines of either parameter, joined to curves; ``more`` points belong to them as well."""
-    rows, left, lines, decided = [], [], {}, {}
+    rows, left, lines, decided, whole = [], [], {}, {}, True
     for along, across in ((0, 1), (1, 0)):
         # Inside of the range: its ends are often degenerate.
         values = spans[across, 0] + (spans[across, 1] - spans[across, 0]) * (np.arange(n) + 0.5) / n
         lines[vary[across]] = values
         column = np.repeat(given, n, axis=1)
         column[balance.parameters.index(vary[across])] = values
-        found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET)
+        found = search(balance, (vary[along],), condition, column, spans[along : along + 1], budget=BUDGET, asked=asked)
+        whole &= bool(found.whole.all())
         decided[across] = np.delete(values, found.roots.left_point)
         rows.append(_with_line(found.roots.middle, values[found.roots.point], along))
         ends = np.stack([-found.roots.left[0], found.roots.left[1]])
@@ -152,7 +166,7 @@ def on_lines(
     near = np.logical_and(*(_no_line_between(states[balance.n + k], decided[k], spans[k]) for k in (0, 1)))
     curves = FoldCurves(Augmented(balance, vary, condition), given, scale, spans)
     chains = [curves.smooth(states[:, places]) for places in _chains(curves, states, near)]
-    return OnLines(curves, chains, lines, undecided)
+    return OnLines(curves, chains, lines, undecided, whole)
 
 
 def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:

@@ -16,10 +16,18 @@ from .augmented import Augmented
 from .balance import Balance
 from .conditions import Cusp, change, cofactor
 from .forces import Model
-from .points import Found, ModelPoints, arranged, given_column, picked, ranges, search
+from .points import Found, ModelPoints, arranged, endless, given_column, picked, ranges, search
+from .regions import by_hand
 
 
-def cusps(model: Model, p: Any, vary: Sequence[str], *, between: Mapping[str, tuple[float, float]] | None = None) -> ModelPoints:
+def cusps(
+    model: Model,
+    p: Any,
+    vary: Sequence[str],
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+) -> ModelPoints:
     """All cusps in contact in the plane of two parameters, the others fixed.
 
     Parameters
@@ -31,6 +39,8 @@ def cusps(model: Model, p: Any, vary: Sequence[str], *, between: Mapping[str, tu
         Two parameters.
     between : mapping, optional
         Their ranges, as for :func:`spragsym.models.folds.folds`.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.models.equilibria.equilibria`.
 
     Returns
     -------
@@ -46,12 +56,13 @@ def cusps(model: Model, p: Any, vary: Sequence[str], *, between: Mapping[str, tu
     balance = Balance(model, contact=True)
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
-    found = search(balance, vary, Cusp(), given, spans)
+    found = search(balance, vary, Cusp(), given, spans, asked=by_hand(balance.coordinates, within))
     proved, unclear = told_apart(balance, vary, found, given)
     left = np.concatenate([found.roots.left, found.roots.ends[:, :, unclear]], axis=2)
     left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
     kept = replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
-    return arranged(balance, vary, given, kept, np.full(int(proved.sum()), "cusp"))
+    kind = np.full(int(proved.sum()), "cusp")
+    return arranged(balance, vary, given, kept, kind, endless=endless(model, vary, between or {}))
 
 
 def told_apart(

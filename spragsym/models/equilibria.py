@@ -35,8 +35,8 @@ from .precise import (
     unsettled,
 )
 from .refined import refined
-from .regions import region
-from .remarks import remarks
+from .regions import by_hand, region
+from .remarks import of_boxes, of_region
 from .turns import once_around
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
@@ -76,14 +76,14 @@ class ModelEquilibria(Columns, held_in="coordinates"):
         Bound on |error| / max(1, |value|) of the coordinates.
     region : ndarray
         Lower and upper ends of the box that was searched, shape (…, coordinates, 2).
-    whole : bool
-        Whether the region is proved to hold all equilibria. If not, there may be others beyond it.
+    whole : ndarray of bool
+        Points whose region is proved to hold all equilibria. Of others there may be some beyond it.
     decided : ndarray of bool
         Points of which every box is decided.
     undecided : tuple of Undecided
         The other points' boxes.
     remarks : tuple of str
-        What is known of these boxes.
+        What is known of these boxes, and what was searched where that is not everything: why the result is not complete.
     """
 
     parameters: Any
@@ -95,7 +95,7 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     growth: FloatArray
     error: FloatArray
     region: FloatArray
-    whole: bool
+    whole: NDArray[np.bool_]
     decided: NDArray[np.bool_]
     undecided: tuple[Undecided, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
@@ -103,11 +103,13 @@ class ModelEquilibria(Columns, held_in="coordinates"):
 
     @property
     def complete(self) -> bool:
-        """Whether every box of every point is decided: then there is no other equilibrium in the region."""
-        return bool(self.decided.all())
+        """Whether these are all equilibria of every point: each box is decided, and nothing is beyond the region."""
+        return bool((self.decided & self.whole).all())
 
 
-def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
+def equilibria(
+    model: Model, p: Any, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
+) -> ModelEquilibria:
     """All equilibria of a model: steady sliding in contact, or at rest in lift-off.
 
     Parameters
@@ -117,6 +119,9 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
         Of the model, of any shape.
     contact : bool
         True for states with a gap ≤ 0, False for states with a gap ≥ 0 without the contact's force.
+    within : mapping, optional
+        Ranges of coordinates that are searched, as ``{"x": (-5.0, 5.0)}``. Without it a box that is proved to hold all of them;
+        where there is no such proof, ten times the largest length that the model has at these parameters.
 
     Returns
     -------
@@ -135,8 +140,8 @@ def equilibria(model: Model, p: Any, contact: bool = True) -> ModelEquilibria:
     if not contact and not balance.opens:
         raise ParameterError("contact = False: the contact of this model never opens, so it has no lift-off; use contact=True")
     given = columns(p, balance.parameters)
-    found, around, whole = solved(balance, given)
-    return _arranged(model, balance, p, found, around, whole)
+    found, around, whole = solved(balance, given, by_hand(balance.coordinates, within))
+    return _arranged(balance, p, found, around, whole)
 
 
 def index_of(model: Model, given: FloatArray, states: FloatArray, near: float) -> NDArray[np.int64]:
@@ -169,9 +174,9 @@ def columns(p: Any, names: list[str]) -> FloatArray:
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
 
 
-def solved(balance: Balance, given: FloatArray) -> tuple[Roots, FloatArray, bool]:
-    """The roots of all points, the region of each and whether it holds all."""
-    around, whole = region(balance, Intervals.point(given))
+def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
+    """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
+    around, whole = region(balance, Intervals.point(given), asked)
     if not given.shape[1]:
         none, nowhere = np.empty((2, balance.n, 0)), np.empty(0, dtype=np.int64)
         return Roots(none, none, nowhere, none, nowhere), around, whole
@@ -216,7 +221,7 @@ def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: f
     return settled(balance, given, around, found, levels)
 
 
-def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: FloatArray, whole: bool) -> ModelEquilibria:
+def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> ModelEquilibria:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
@@ -243,12 +248,13 @@ def _arranged(model: Model, balance: Balance, p: Any, found: Roots, around: Floa
         )
         for box, number in enumerate(found.left_point)
     )
+    remarks = of_boxes(balance, columns(p, balance.parameters)[:, found.left_point], found.left)
+    remarks += of_region(balance.coordinates, around, whole)
     searched = np.stack([-around[0], around[1]], axis=-1)
     searched = np.moveaxis(searched, 0, 1).reshape(*shape, balance.n, 2)
     return ModelEquilibria(
         p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(~types.proved, False),
         placed(types.eigenvalues, np.nan), placed(types.growth, np.nan), placed(errors, np.nan),
-        searched, whole, decided.reshape(shape), undecided,
-        {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
-        remarks(balance, columns(p, balance.parameters), found.left, found.left_point),
+        searched, whole.reshape(shape), decided.reshape(shape), undecided,
+        {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)}, remarks,
     )  # fmt: skip

@@ -19,7 +19,8 @@ from .balance import NOTHING, Balance, matrix
 from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
 from .model import Model
 from .onsets import Onsets, onsets_of
-from .points import Found, ModelPoints, arranged, given_column, merged, nothing, picked, ranges, search
+from .points import Found, ModelPoints, arranged, endless, given_column, nothing, picked, ranges, search
+from .regions import by_hand
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
@@ -34,6 +35,7 @@ def flutter_onsets(
     *,
     damping: bool | None = None,
     between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
 ) -> Onsets:
     """All onsets of flutter in contact along one parameter, the others fixed.
 
@@ -49,6 +51,8 @@ def flutter_onsets(
         for (27), without C, as the article's flutter. Without it True, unless C is 0.
     between : mapping, optional
         Its range, as for :func:`spragsym.models.folds.folds`.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.models.equilibria.equilibria`.
 
     Returns
     -------
@@ -65,7 +69,7 @@ def flutter_onsets(
     two real λ meet, are roots as well and left out.
     """
     balance = Balance(model, contact=True)
-    spans = ranges(model, (vary,), between or {})
+    spans, asked = ranges(model, (vary,), between or {}), by_hand(balance.coordinates, within)
     given = given_column(p, balance.parameters, (vary,))
     along = _damped_by_friction_alone(balance, given, spans)
     slope = None if along is None else _slope_over(balance, given, spans)
@@ -75,12 +79,12 @@ def flutter_onsets(
     flat = False
 
     def found(condition: Condition) -> Found:
-        return search(balance, (vary,), condition, given, spans)
+        return search(balance, (vary,), condition, given, spans, asked=asked)
 
     conservative = _is_conservative(balance, given, spans)
     if not damping and conservative:
         # All κ are real and change with K without leaving the real line: where two meet they pass each other.
-        parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans), "flutter", _meeting)]
+        parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans, asked), "flutter", _meeting)]
     elif not damping:
         parts = [_part(balance, vary, given, found(Flutter()), "flutter", _meeting)]
     elif slope is None or along is None or balance.n == 1:
@@ -94,7 +98,7 @@ def flutter_onsets(
             ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
             parts.append(_part(balance, vary, given, ends_left_out, "hopf", _every))
             flat = True
-    return onsets_of(model, _joined(balance, vary, given, parts, flat))
+    return onsets_of(model, _joined(balance, vary, given, parts, flat, endless(model, (vary,), between or {})))
 
 
 # ------------------------------------------------------------------------------------------------------- what damps
@@ -243,16 +247,17 @@ def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
 
 
-def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], flat: bool) -> ModelPoints:
-    """All parts in one result; ``flat`` where the last is of places without slope."""
+def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], flat: bool, cut: tuple[str, ...]) -> ModelPoints:
+    """All parts in one result; ``flat`` where the last is of places without slope, ``cut`` parameters whose range was cut."""
     first, roots = parts[0].found, [part.found.roots for part in parts]
     every = concatenated(roots, balance.n + 1)
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
     remarks = _undamped(balance, vary, given, roots[-1].left) if flat else ()
     remarks += _at_ends(balance, vary, given, first.region[:, -1, 0], every.left)
     region = np.minimum.reduce([part.found.region for part in parts])
-    found = merged(replace(first, region=region, roots=every))
-    return arranged(balance, (vary,), given, found, kind, {"omega": omega}, remarks)
+    whole = np.logical_and.reduce([part.found.whole for part in parts])
+    found = replace(first, region=region, whole=whole, roots=every)
+    return arranged(balance, (vary,), given, found, kind, {"omega": omega}, endless=cut, remarks=remarks)
 
 
 def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, left: FloatArray) -> tuple[str, ...]:

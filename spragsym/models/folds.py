@@ -13,11 +13,19 @@ from .balance import Balance
 from .conditions import Fold
 from .ends import vanishes
 from .forces import Model
-from .points import Found, ModelPoints, arranged, given_column, merged, ranges, search
+from .points import Found, ModelPoints, arranged, endless, given_column, ranges, search
+from .regions import by_hand
 from .symmetry import with_pitchforks
 
 
-def folds(model: Model, p: Any, vary: str, *, between: Mapping[str, tuple[float, float]] | None = None) -> ModelPoints:
+def folds(
+    model: Model,
+    p: Any,
+    vary: str,
+    *,
+    between: Mapping[str, tuple[float, float]] | None = None,
+    within: Mapping[str, tuple[float, float]] | None = None,
+) -> ModelPoints:
     """All folds in contact along one parameter, the others fixed.
 
     Parameters
@@ -28,8 +36,10 @@ def folds(model: Model, p: Any, vary: str, *, between: Mapping[str, tuple[float,
     vary : str
         A parameter.
     between : mapping, optional
-        Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range, which ends at ten times the base value, and
-        at 10 at least, if it has no end.
+        Its range, as ``{"mu0": (0.0, 2.0)}``. Without it the parameter's own range; one without an end is searched to ten times
+        the base value, and to 10 at least, which the result says.
+    within : mapping, optional
+        Ranges of coordinates, as for :func:`spragsym.models.equilibria.equilibria`.
 
     Returns
     -------
@@ -46,11 +56,13 @@ def folds(model: Model, p: Any, vary: str, *, between: Mapping[str, tuple[float,
     balance = Balance(model, contact=True)
     spans = ranges(model, (vary,), between or {})
     given = given_column(p, balance.parameters, (vary,))
-    found = search(balance, (vary,), Fold(), given, spans)
+    found = search(balance, (vary,), Fold(), given, spans, asked=by_hand(balance.coordinates, within))
     found, pitchforks = with_pitchforks(balance, vary, given, spans[0], found)
-    found = merged(found)
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
-    return arranged(balance, (vary,), given, found, kind, remarks=_remarks(balance, vary, given, spans[0], found))
+    return arranged(
+        balance, (vary,), given, found, kind,
+        endless=endless(model, (vary,), between or {}), remarks=_remarks(balance, vary, given, spans[0], found),
+    )  # fmt: skip
 
 
 def _remarks(balance: Balance, vary: str, given: FloatArray, span: FloatArray, found: Found) -> tuple[str, ...]:

@@ -92,7 +92,7 @@ def _points(model: Model) -> list[str]:
             f"θ₀ = {np.degrees(points.theta0[row]):.4f}°" + (f", μ₀ = {points.mu0[row]:.6f}" if what == "Cusps" else "")
             for row in range(len(points))
         )
-        more = "" if points.complete else f"; {len(points.undecided)} boxes are undecided"
+        more = "" if points.complete else f" ({'; '.join(points.remarks)})"
         found += [f"{what}: {listed or 'none'}{more}.", ""]
     return found
 

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, FateBoundary, Lyapunov
     from ..sweeps import Sweep
     from .bifurcation import ModelBifurcationSet
+    from .diagram import Diagram
     from .equilibria import ModelEquilibria
     from .hopf_curves import OnsetCurves
     from .onsets import Onsets
@@ -109,14 +110,16 @@ class Model:
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
 
-    def equilibria(self, p: ParameterSet, contact: bool = True) -> ModelEquilibria:
-        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape.
+    def equilibria(
+        self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
+    ) -> ModelEquilibria:
+        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape, ``within={"x": (-5, 5)}`` a box by hand.
 
         Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
         """
         from .equilibria import equilibria
 
-        return equilibria(self, _parameters.own(self, p), contact)
+        return equilibria(self, _parameters.own(self, p), contact, within)
 
     def count(self, p: ParameterSet) -> NDArray[np.int64]:
         """The number of equilibria in contact, in the shape of ``p``.
@@ -190,6 +193,12 @@ class Model:
         from .flutter import flutter_onsets
 
         return flutter_onsets(self, _parameters.own(self, p), self._one(vary), **options)
+
+    def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
+        """Equilibria and cycles over one parameter, labelled: see :func:`spragsym.models.diagram.diagram`."""
+        from .diagram import diagram_of
+
+        return diagram_of(self, _parameters.own(self, p), vary, to, **options)
 
     def onset_curves(
         self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 30, **options: Any

@@ -157,7 +157,7 @@ class _Way:
         low = max(low - BESIDE * max(1.0, abs(low)), allowed.low)
         high = min(high + BESIDE * max(1.0, abs(high)), allowed.high)
         self.folds: ModelPoints = folds(model, p, vary, between={vary: (low, high)})
-        if not self.folds.complete:
+        if not self.folds.decided:
             raise ConvergenceError(
                 f"folds along {vary} between {low:.17g} and {high:.17g} are not all decided; model.folds lists the boxes, and a "
                 "path needs a range without them"
@@ -166,7 +166,7 @@ class _Way:
         self.at, self.kinds = self._column(vary), self._column("kind")
         self.stops, self.wanted = self._stops(along)
         self.eq = equilibria(model, p.replace(**{vary: self.stops}))
-        if not self.eq.complete:
+        if not self.eq.decided.all():
             first = self.stops[np.flatnonzero(~self.eq.decided)[0]]
             raise ConvergenceError(f"equilibria at {vary} = {first:.17g} are not all decided; leave that value out")
         self.links = links(Along(self.balance, p, vary, self.at, self.kinds), self.stops, self.eq)
@@ -185,7 +185,7 @@ class _Way:
         given = given_column(self.p, beyond.parameters, (self.vary,))
         found = search(beyond, (self.vary,), Touch(), given, np.array([span]))
         points = arranged(beyond, (self.vary,), given, found, np.full(found.roots.point.size, "border"))
-        if not points.complete:
+        if not points.decided:
             raise ConvergenceError(f"whether equilibria leave the contact along {self.vary} is not decided; shorten the range")
         return [points]
 
@@ -287,7 +287,7 @@ class _Way:
         """Coordinates at the end of a branch of the state that has these at the stop behind it."""
         eq = equilibria(self.model, self.p.replace(**{self.vary: end.value}))
         states = np.array([eq.coordinates[name][: int(eq.count)] for name in end.before])
-        if not eq.complete or not states.size:
+        if not eq.decided.all() or not states.size:
             return [float(value) for value in behind]
         nearest = np.linalg.norm(states - behind[:, None], axis=0).argmin()
         return [float(value) for value in states[:, nearest]]

@@ -24,6 +24,7 @@ from .ends import shared
 from .forces import Model
 from .precise_points import PreciseAugmented, settled
 from .regions import region
+from .remarks import of_boxes, of_ranges, of_region
 from .turns import once_around
 
 #: Boxes looked at for one search of up to three unknowns, and of more.
@@ -53,13 +54,13 @@ class ModelPoints(Columns, held_in="values"):
         larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of what is below.
     whole : bool
         Whether that box is proved to hold all equilibria for all parameters in it.
-    complete : bool
-        Whether every box of the region is decided: then there are no other points in it.
+    endless : tuple of str
+        Parameters whose range has no end, and no ``between``: they were searched to the end that ``region`` says, no farther.
     undecided : ndarray
-        Lower and upper ends of the boxes that are not, shape (boxes, unknowns, 2); many of them as the boxes around those whose
-        ranges of the parameter touch.
+        Lower and upper ends of the boxes that are not decided, shape (boxes, unknowns, 2); many of them as the boxes around those
+        whose ranges of the parameter touch.
     remarks : tuple of str
-        What is known of these boxes.
+        What is known of these boxes, and what was not searched: why the result is not complete.
     """
 
     vary: tuple[str, ...]
@@ -67,7 +68,7 @@ class ModelPoints(Columns, held_in="values"):
     error: FloatArray
     region: FloatArray
     whole: bool
-    complete: bool
+    endless: tuple[str, ...]
     undecided: FloatArray
     values: Mapping[str, FloatArray] = field(repr=False)
     remarks: tuple[str, ...] = ()
@@ -75,14 +76,24 @@ class ModelPoints(Columns, held_in="values"):
     def __len__(self) -> int:
         return int(self.error.size)
 
+    @property
+    def decided(self) -> bool:
+        """Whether every box of the region is decided."""
+        return not len(self.undecided)
+
+    @property
+    def complete(self) -> bool:
+        """Whether these are all: everywhere, for all values of the parameters, or for those of ``between``."""
+        return self.decided and self.whole and not self.endless
+
 
 @dataclass(frozen=True)
 class Found:
-    """Roots of a search, the region and whether it holds all equilibria."""
+    """Roots of a search, the region of each of its points and whether it holds all equilibria."""
 
     roots: Roots
     region: FloatArray
-    whole: bool
+    whole: NDArray[np.bool_]
 
 
 def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> FloatArray:
@@ -112,6 +123,12 @@ def ranges(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float,
     return np.array(rows, dtype=float).reshape(-1, 2)
 
 
+def endless(model: Model, vary: Sequence[str], between: Mapping[str, tuple[float, float]]) -> tuple[str, ...]:
+    """Parameters without an end, of which nobody has said how far they are searched."""
+    entries = {entry["name"]: entry for entry in model.about["parameters"]}
+    return tuple(name for name in vary if name not in between and None in (entries[name]["low"], entries[name]["high"]))
+
+
 def search(
     balance: Balance,
     vary: Sequence[str],
@@ -120,6 +137,7 @@ def search(
     spans: FloatArray,
     *,
     budget: int | None = None,
+    asked: FloatArray | None = None,
 ) -> Found:
     """All points of a kind.
 
@@ -131,9 +149,11 @@ def search(
         Their ranges, shape (number, 2).
     budget : int, optional
         Boxes looked at for one point.
+    asked : ndarray, optional
+        The box of coordinates by hand, as for :func:`spragsym.models.regions.region`.
     """
     places = [balance.parameters.index(name) for name in vary]
-    around, whole = _region(balance, places, given, spans)
+    around, whole = _region(balance, places, given, spans, asked)
     limits = np.concatenate([balance.limits, np.full((2, len(vary)), np.inf)], axis=1)
     system = Augmented(balance, vary, condition)
     fixed = given.copy()
@@ -158,32 +178,34 @@ def search(
     return Found(roots, around, whole)
 
 
-def nothing(balance: Balance, vary: Sequence[str], given: FloatArray, spans: FloatArray) -> Found:
+def nothing(
+    balance: Balance, vary: Sequence[str], given: FloatArray, spans: FloatArray, asked: FloatArray | None = None
+) -> Found:
     """The result of a search where it is known beforehand that there are no points."""
-    around, whole = _region(balance, [balance.parameters.index(name) for name in vary], given, spans)
+    around, whole = _region(balance, [balance.parameters.index(name) for name in vary], given, spans, asked)
     none, nowhere = np.empty((2, around.shape[1], 0)), np.empty(0, dtype=np.int64)
     return Found(Roots(none, none, nowhere, none, nowhere), around, whole)
 
 
-def _region(balance: Balance, places: Sequence[int], given: FloatArray, spans: FloatArray) -> tuple[FloatArray, bool]:
+def _region(
+    balance: Balance, places: Sequence[int], given: FloatArray, spans: FloatArray, asked: FloatArray | None
+) -> tuple[FloatArray, NDArray[np.bool_]]:
     """Coordinates and the parameters of these numbers, and whether that holds all equilibria."""
     low, high = given.copy(), given.copy()
     low[places], high[places] = spans[:, :1], spans[:, 1:]
-    around, whole = region(balance, Intervals.between(low, high))
+    around, whole = region(balance, Intervals.between(low, high), asked)
     sides = np.broadcast_to(np.stack([-spans[:, 0], spans[:, 1]])[:, :, None], (2, len(places), given.shape[1]))
     return np.concatenate([around, sides], axis=1), whole
 
 
-def merged(found: Found) -> Found:
+def _merged(left: FloatArray) -> FloatArray:
     """Many boxes that are left as hulls of those with touching ranges of the parameter: thousands cover a line of equilibria."""
-    left = found.roots.left
     if left.shape[2] <= MANY:
-        return found
+        return left
     left = left[:, :, np.argsort(-left[0, -1])]
     low, reached = -left[0, -1], np.maximum.accumulate(left[1, -1])
-    begins = np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]]))
-    hulls = np.maximum.reduceat(left, begins, axis=2)
-    return replace(found, roots=replace(found.roots, left=hulls, left_point=np.zeros(begins.size, dtype=np.int64)))
+    hulls: FloatArray = np.maximum.reduceat(left, np.flatnonzero(np.concatenate([[True], low[1:] > reached[:-1]])), axis=2)
+    return hulls
 
 
 def given_column(p: Any, names: Sequence[str], vary: Sequence[str]) -> FloatArray:
@@ -210,31 +232,25 @@ def arranged(
     found: Found,
     kind: NDArray[np.str_],
     more: Mapping[str, FloatArray] | None = None,
+    *,
+    endless: tuple[str, ...] = (),
     remarks: tuple[str, ...] = (),
 ) -> ModelPoints:
     """The points as a result, sorted by the parameters that vary; given parameters of shape (parameters, 1)."""
-    n, middle = balance.n, found.roots.middle
+    n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = np.lexsort(middle[n:][::-1])
     values: dict[str, FloatArray] = {name: np.full(order.size, given[i, 0]) for i, name in enumerate(balance.parameters)}
     values |= {name: middle[n + i, order] for i, name in enumerate(vary)}
     values |= {name: middle[i, order] for i, name in enumerate(balance.coordinates)}
     values |= {name: column[order] for name, column in (more or {}).items()}
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
-    left = np.moveaxis(np.stack([-found.roots.left[0], found.roots.left[1]], axis=-1), 1, 0)
-    error, complete = found.roots.error[order], not left.shape[0]
-    remarks += _at_anchors(balance, vary, given, found.roots.left)
-    return ModelPoints(tuple(vary), kind[order], error, box, found.whole, complete, left, values, remarks)
-
-
-def _at_anchors(balance: Balance, vary: Sequence[str], given: FloatArray, left: FloatArray) -> tuple[str, ...]:
-    """Of boxes that are left around the anchor of a spring that resists turning."""
-    n, count = balance.n, left.shape[2]
-    if not count:
-        return ()
-    with np.errstate(all="ignore"):
-        unknowns = list(Intervals(left))
-        fixed = balance.prepared(Intervals.point(np.repeat(np.nan_to_num(given), count, axis=1)))
-        values = balance.arguments(fixed, dict(zip(vary, unknowns[n:], strict=True)))
-        there = int(balance.at_poles(unknowns[:n], values, (count,), np.inf).sum())
-    text = "hold an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
-    return (f"{there} of {count} undecided boxes {text}",) if there else ()
+    remarks += of_boxes(
+        balance, np.repeat(given, left.shape[2], axis=1), left, dict(zip(vary, Intervals(left[:, n:]), strict=True))
+    )
+    remarks += of_region(balance.coordinates, found.region[:, :n], found.whole)
+    remarks += of_ranges(endless, box[[n + list(vary).index(name) for name in endless]])
+    left = _merged(left) if len(vary) == 1 else left
+    boxes_left = np.moveaxis(np.stack([-left[0], left[1]], axis=-1), 1, 0)
+    return ModelPoints(
+        tuple(vary), kind[order], found.roots.error[order], box, bool(found.whole.all()), endless, boxes_left, values, remarks
+    )

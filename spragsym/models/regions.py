@@ -11,18 +11,25 @@ equilibria.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from ..exact.interval_arrays import FloatArray, Intervals, raised
+from ..errors import ParameterError, ParameterTypeError
+from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
+from ..parameters import as_numbers
 from .balance import Balance
 
 #: The plane, as far as it is looked at.
 FAR = 1e60
-#: Half-width of the region where no bound can be shown, in units of the scale of length.
+#: Half-width of the region where no bound can be shown, in units of the largest length of the model.
 NEAR = 10.0
+#: Bound on these lengths, and on what proved parts of a range may widen the region by.
+FARTHEST, MOST = 1e6, 10.0
+#: Times that a range of parameters is halved.
+PIECES = 7
 #: What the region is wider than it had to be, at each end.
 ROOM = 1e-6
 #: Length of the line of a torsion spring from which on its force is bounded, in units of the scale of length.
@@ -30,19 +37,62 @@ LENGTH = 1.0
 #: Upper bound of the angle that it turns by.
 HALF_TURN = 3.1415926535897936
 #: Rounds of contraction: each row bounds its coordinate from those that are bounded already.
-ROUNDS = 12
+ROUNDS = 200
 #: No more rounds where one leaves so much of all widths: before all are bounded, and then, since the search contracts on its own.
 ENOUGH, BOUNDED = 0.999, 0.8
 
 
-def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
-    """A box for each point, as −low and high, shape (2, n, N), and whether it is proved to hold all equilibria of all points.
+def region(balance: Balance, bounds: Intervals, asked: FloatArray | None = None) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """A box for each point, as −low and high, shape (2, n, N), and whether each is proved to hold all equilibria of its point.
 
     Parameters
     ----------
     bounds : Intervals
         Parameters, shape (P, N).
+    asked : ndarray, optional
+        The box by hand, from :func:`by_hand`.
     """
+    ends, proved = _by_forces(balance, bounds)
+    open_ = np.flatnonzero(~proved)
+    if open_.size:
+        ends[:, :, open_], proved[open_] = _in_pieces(balance, bounds[:, open_], ends[:, :, open_])
+    wider = np.minimum(np.where(np.isfinite(ends), raised(ends + ROOM), ends), balance.border[:, :, None])
+    if asked is None:
+        return wider, proved
+    box = np.minimum(asked, balance.border)[:, :, None]
+    if (box[0] + box[1] < 0).any():
+        raise ParameterError("within lies beyond the border of the contact, where none of these states is; widen it")
+    whole: NDArray[np.bool_] = proved & (wider <= box).all(axis=(0, 1))
+    given = np.asarray(np.isfinite(asked).all(axis=0))[:, None]
+    both = np.minimum(wider, box)
+    # Where the forces bound nothing, and where they show that nothing is in the box, it is looked at as it is.
+    apart = ~proved | (both[0] + both[1] < 0).any(axis=0)
+    return np.where(given & apart, box, both), whole
+
+
+def by_hand(coordinates: Sequence[str], within: Mapping[str, tuple[float, float]] | None) -> FloatArray | None:
+    """``within={"x": (-5, 5)}`` as −low and high, shape (2, n), infinite where nothing is asked."""
+    if within is None:
+        return None
+    if not isinstance(within, Mapping):
+        raise ParameterTypeError(
+            f'within = {within!r:.60} is no mapping; give the ends by name, as {{"{coordinates[0]}": (-5, 5)}}'
+        )
+    asked = np.full((2, len(coordinates)), np.inf)
+    for name, value in within.items():
+        if name not in coordinates:
+            raise ParameterError(
+                f"within has a range for {name!r}, which is no coordinate; {', '.join(coordinates)} may have one"
+            )
+        ends = as_numbers(f"within[{name!r}]", value)
+        if ends.shape != (2,) or not ends[0] < ends[1]:
+            raise ParameterError(f"within[{name!r}] = {value} is no range; give its lower and upper end")
+        asked[:, list(coordinates).index(name)] = -ends[0], ends[1]
+    return asked
+
+
+def _by_forces(balance: Balance, bounds: Intervals) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """Bounds of all equilibria by their forces, and where there are any."""
     count = bounds.shape[1]
     with np.errstate(all="ignore"):
         parameters = balance.prepared(bounds)
@@ -59,11 +109,50 @@ def region(balance: Balance, bounds: Intervals) -> tuple[FloatArray, bool]:
             if (widths >= (BOUNDED if (ends < FAR * 1e-6).all() else ENOUGH) * widths_before).all():
                 break
         ends = np.maximum(ends, _near_anchors(balance, ends, values))
-    proved = np.logical_and.reduce(ends < FAR * 1e-6)
-    # With room, so that no equilibrium of a linear model lies on the end of a region without width.
-    wider = np.minimum(raised(ends + ROOM), balance.border[:, :, None])
-    out: FloatArray = np.where(proved, wider, np.minimum(NEAR, balance.border[:, :, None]))
-    return out, bool(proved.all())
+    return ends, np.logical_and.reduce(ends < FAR * 1e-6, axis=(0, 1))
+
+
+def _in_pieces(balance: Balance, bounds: Intervals, known: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
+    """The same of points that are boxes of parameters, as hulls of those of parts of these; by scales where there is no bound."""
+    count = bounds.shape[1]
+    by_scales = np.where(known < FAR * 1e-6, known, np.minimum(NEAR * _scales(balance, bounds), balance.border[:, :, None]))
+    hulls = np.full((2, balance.n, count), -np.inf)
+    left, owner = bounds, np.arange(count)
+    for depth in range(PIECES + 1):
+        wide = np.flatnonzero((left.low < left.high).any(axis=1))
+        if not wide.size or not owner.size or depth == PIECES:
+            break
+        left, owner = _halved(left, int(wide[depth % wide.size])), np.repeat(owner, 2)
+        ends, proved = _by_forces(balance, left)
+        for part in np.flatnonzero(proved):
+            hulls[:, :, owner[part]] = np.maximum(hulls[:, :, owner[part]], ends[:, :, part])
+        left, owner = left[:, ~proved], owner[~proved]
+    done = np.isin(np.arange(count), owner, invert=True)
+    return np.where(done, hulls, np.maximum(by_scales, np.minimum(hulls, MOST * by_scales))), done
+
+
+def _halved(bounds: Intervals, row: int) -> Intervals:
+    """Both halves of each box in one parameter, side by side."""
+    ends = np.repeat(bounds.ends, 2, axis=2)
+    middle = bounds.middle[row]
+    ends[1, row, ::2], ends[0, row, 1::2] = middle, -middle
+    return Intervals(ends)
+
+
+def _scales(balance: Balance, bounds: Intervals) -> FloatArray:
+    """Of each point the largest length that the model has: of springs, to anchors, to where forces balance; at least 1."""
+    scale = np.ones(bounds.shape[1])
+    origin = np.zeros((balance.n, bounds.shape[1]))
+    with np.errstate(all="ignore"):
+        for at in (bounds.low, bounds.middle, bounds.high):
+            parameters = balance.prepared(Intervals.point(at))
+            lengths = [
+                part for line in balance.geometry(list(Intervals.point(origin)), balance.arguments(parameters)) for part in line
+            ]
+            found = [balance.guessed(origin, parameters), *(stacked([part], scale.shape).magnitude for part in lengths)]
+            sizes = np.abs(np.concatenate(found))
+            scale = np.maximum(scale, np.where(sizes < FARTHEST, sizes, 1.0).max(axis=0))
+    return scale
 
 
 def _any_direction(balance: Balance, count: int) -> list[Intervals]:

@@ -1,6 +1,9 @@
-"""What is known of boxes of equilibria that are left undecided, in plain words."""
+"""What is known of boxes that are left undecided, and of all that was not searched, in plain words: a reason for each."""
 
 from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,38 +13,69 @@ from .balance import Balance
 
 #: A box no wider than this, over the size of its coordinates, is one place to floats.
 ONE_PLACE = 1e-9
+#: A box no wider than this is around a place.
+SMALL = 1e-3
 
 ANCHOR = "hold the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
-BORDER = "hold places where the contact just touches: whether an equilibrium lies on this side of the border is not known"
-PLACE = "are one place each to floats: a double equilibrium may be there, two very near ones, or none"
-LINE = "lie along places where the forces are 0 to rounding: a line of equilibria, or a few on it that floats do not tell apart"
+POLE = "hold an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
+BORDER = "hold places where the contact just touches: whether what is there lies on this side of the border is not known"
+PLACE = "are one place each to floats: a double root may be there, two very near ones, or none"
+LINE = "lie along places where the equations hold to rounding: a line of roots, or a few on it that floats do not tell apart"
+WIDE = "are left from a search that ended before they were small enough to be decided: a smaller range or a smaller box helps"
 
 
-def remarks(balance: Balance, given: FloatArray, left: FloatArray, point: NDArray[np.int64]) -> tuple[str, ...]:
-    """One sentence for each kind of box.
+def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> tuple[str, ...]:
+    """One sentence for each kind of box: each box has one.
 
     Parameters
     ----------
     given : ndarray
-        Parameters, shape (parameters, points).
+        Parameters, shape (parameters, boxes).
     left : ndarray
-        −low and high, shape (2, n, boxes).
-    point : ndarray
-        The point of each box.
+        −low and high of the unknowns, shape (2, unknowns, boxes): coordinates, and behind them parameters that vary.
+    varied : mapping, optional
+        The latter by their names.
     """
-    count = point.size
+    count, n = left.shape[2], balance.n
     if not count:
         return ()
     with np.errstate(all="ignore"):
-        q = list(Intervals(left))
-        values = balance.arguments(balance.prepared(Intervals.point(given[:, point])))
-        anchor = np.zeros(count, dtype=np.bool_)
+        q = list(Intervals(left[:, :n]))
+        values = balance.arguments(balance.prepared(Intervals.point(np.nan_to_num(given))), varied)
+        pole, anchor = balance.at_poles(q, values, (count,), np.inf), np.zeros(count, dtype=np.bool_)
         for dx, dy in balance.anchors(q, values, (count,)):
             anchor |= dx.holds_zero() & dy.holds_zero()
         gap = stacked([balance.gap(q, values)], (count,))[0]
         border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
-        narrow = ((left[0] + left[1]) <= ONE_PLACE * np.maximum(1.0, np.abs(left).max(axis=0))).all(axis=0)
-    border &= ~anchor
-    narrow &= ~(anchor | border)
-    kinds = ((anchor, ANCHOR), (border, BORDER), (narrow, PLACE), (~(anchor | border | narrow), LINE))
+        relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
+    anchor &= ~pole & (relative <= SMALL)
+    border &= ~(pole | anchor) & (relative <= SMALL)
+    rest = ~(pole | anchor | border)
+    kinds = (
+        (pole, POLE), (anchor, ANCHOR), (border, BORDER), (rest & (relative <= ONE_PLACE), PLACE),
+        (rest & (relative > ONE_PLACE) & (relative <= SMALL), LINE), (rest & ~(relative <= SMALL), WIDE),
+    )  # fmt: skip
     return tuple(f"{which.sum()} of {count} undecided boxes {text}" for which, text in kinds if which.any())
+
+
+def of_region(names: Sequence[str], region: FloatArray, whole: NDArray[np.bool_]) -> tuple[str, ...]:
+    """Said where a region is not proved to hold all equilibria; ``region`` as −low and high, shape (2, n, points)."""
+    if whole.all():
+        return ()
+    open_ = np.flatnonzero(~whole)
+    hull = region[:, :, open_].max(axis=2)
+    where = f" at {open_.size} of {whole.size} points" if whole.size > 1 else ""
+    return (f"searched within {spans(names, -hull[0], hull[1])}{where}; there may be others beyond it",)
+
+
+def of_ranges(names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
+    """Said of parameters whose range has no end and was cut; ends of shape (number, 2)."""
+    return tuple(
+        f"searched {name} from {low:.8g} to {high:.8g}, a part of its range, which has no end; there may be others beyond it"
+        for name, (low, high) in zip(names, ends.tolist(), strict=True)
+    )
+
+
+def spans(names: Sequence[str], low: Sequence[float], high: Sequence[float]) -> str:
+    """A box in words."""
+    return ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))

@@ -268,4 +268,4 @@ def _folds(model: Any, p: Any) -> tuple[tuple[float, ...], bool]:
         found = model.folds(p, "mu0")
     except SpragsymError:
         return (), False
-    return tuple(sorted(float(value) for value in found.values["mu0"])), bool(found.complete)
+    return tuple(sorted(float(value) for value in found.values["mu0"])), found.decided and found.whole

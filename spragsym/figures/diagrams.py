@@ -1,0 +1,76 @@
+"""A bifurcation diagram of any model: equilibria and cycles over one parameter, as AUTO and MatCont draw it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .oscillation import COLOURS, draw_stretches
+from .style import BLACK, DOUBLE, GREY, Sheet, Table, panels
+
+if TYPE_CHECKING:
+    from ..models.diagram import Diagram, Label
+
+#: Of labels; those that are not here are left to the table.
+MARKERS = {"LP": "s", "H": "D", "LPC": "s", "PD": "o", "NS": "^", "BPC": "x", "HC": "*"}
+
+#: Two labels of one kind nearer than this share of the frame are written once.
+CLOSE = 0.04
+
+
+def diagram_figure(found: Diagram) -> Sheet:
+    """First coordinate over the parameter: equilibria black, lift-off grey; of cycles, in colours, the largest and the least."""
+    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.6)
+    unit = np.degrees(1.0) if found.vary.startswith("theta") else 1.0
+    tables: dict[str, Table] = {}
+    for i, rest in enumerate(found.equilibria):
+        colour = BLACK if rest.mode == "contact" else GREY
+        draw_stretches(ax, unit * rest.values, rest.states[:, 0], rest.stable, colour, 1.1)
+        tables[f"equilibria_{i + 1}"] = {found.vary: rest.values, found.name: rest.states[:, 0], "stable": rest.stable}
+    for i, branch in enumerate(found.cycles):
+        for heights in (branch.highest, branch.lowest):
+            draw_stretches(ax, unit * branch.values, heights, branch.stable, COLOURS[i % len(COLOURS)], 1.3)
+        tables[f"cycles_{i + 1}"] = {
+            found.vary: branch.values, "period": branch.periods, "lowest": branch.lowest, "highest": branch.highest,
+            "stable": branch.stable,
+        }  # fmt: skip
+    ax.set(xlim=(unit * found.to[0], unit * found.to[1]))
+    ax.set(
+        xlabel=r"$\theta_0$ (deg)" if found.vary == "theta0" else found.vary,
+        ylabel=f"${found.name}$: rest, cycles from least to largest",
+    )
+    ax.margins(y=0.12)
+    shown: list[tuple[str, float, float]] = []
+    low, high = ax.get_ylim()
+    for label in found.labels:
+        if label.label not in MARKERS:
+            continue
+        ax.plot(
+            unit * label.value, label.height, MARKERS[label.label], color=BLACK, markersize=4, markerfacecolor="white", zorder=4
+        )
+        place = ((label.value - found.to[0]) / (found.to[1] - found.to[0]), (label.height - low) / (high - low))
+        if any(name == label.label and abs(place[0] - x) + abs(place[1] - y) < CLOSE for name, x, y in shown):
+            continue
+        shown.append((label.label, *place))
+        ax.annotate(
+            label.label, (unit * label.value, label.height), xytext=_aside(label, place), textcoords="offset points", fontsize=7
+        )
+    tables["labels"] = {
+        "label": np.array([label.label for label in found.labels]), found.vary: np.array([label.value for label in found.labels]),
+        found.name: np.array([label.height for label in found.labels]),
+    }  # fmt: skip
+    return figure.describe(
+        f"""Equilibria (black; grey without contact) and cycles (colours, least and largest {found.name}) over {found.vary}: full
+        where stable, dashed where not. LP folds and H Hopf points of equilibria; of cycles LPC folds, PD period doublings, NS
+        tori, BPC crossings, HC homoclinic ends. Cycles are those that were followed from Hopf points, starts and doublings: there
+        may be others.""",
+        **tables,
+    )
+
+
+def _aside(label: Label, place: tuple[float, float]) -> tuple[float, float]:
+    """Where the text of a label stands, in points: inside of the frame."""
+    if label.label == "H":
+        return (-11.0, 5.0)
+    return (-16.0 if place[0] > 0.93 else 4.0, -10.0 if place[1] > 0.93 or label.of == "equilibria" else 4.0)

@@ -1,0 +1,99 @@
+"""The bifurcation diagram of one parameter: labels against what is proved and known, the figure and the command."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import math
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+import spragsym as ss
+from spragsym.cli import cli
+
+pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
+
+ON_CYCLE = (2.538161566773, 3.361504868710, 0.0, 0.361278176249)
+
+
+@pytest.fixture(scope="module")
+def born() -> ss.Diagram:
+    model = ss.load("stick_slip")
+    return ss.diagram(model.Parameters(), "V", (0.08, 0.2), points=40)
+
+
+@pytest.fixture(scope="module")
+def article() -> ss.Diagram:
+    return ss.diagram(
+        ss.Parameters.article(theta0=math.radians(42.0)), "theta0", tuple(np.radians([41.0, 46.0])), starts=[ON_CYCLE]
+    )
+
+
+def of(found: ss.Diagram, label: str) -> list[float]:
+    return [each.value for each in found.labels if each.label == label]
+
+
+def test_a_hopf_point_and_the_cycles_that_it_bears(born: ss.Diagram) -> None:
+    model = ss.load("stick_slip")
+    onsets = model.flutter_onsets(model.Parameters(), "V", between={"V": (0.08, 0.2)})
+    assert of(born, "H") == pytest.approx(onsets.V.tolist(), abs=1e-9)
+    (rest,), (cycles,) = born.equilibria, born.cycles
+    assert (rest.stable == (rest.values < onsets.V[0])).all()
+    assert cycles.stable.all()
+    assert cycles.values.min() > onsets.V[0] - 1e-6
+    height = np.interp(cycles.values, rest.values, rest.states[:, 0])
+    assert (cycles.lowest <= height + 1e-6).all()
+    assert (cycles.highest >= height - 1e-6).all()
+
+
+def test_equilibria_of_the_motion_turn_at_the_fold_of_the_friction_that_works(article: ss.Diagram) -> None:
+    friction = ss.sliding_friction(0.5, 0.5, 10.0)
+    folds = ss.folds(ss.Parameters.article(mu0=friction), "theta0").theta0
+    (fold,) = of(article, "LP")
+    assert np.abs(folds - fold).min() < 1e-9
+    assert of(article, "PD") == pytest.approx([math.radians(43.118922549)], abs=1e-10)
+    assert {branch.mode for branch in article.equilibria} == {"contact", "lift-off"}
+    first, doubled = article.cycles
+    assert doubled.stable.all()
+    assert doubled.periods.min() > 1.9 * first.periods.max()
+    known = ss.equilibria(ss.Parameters.article(theta0=math.radians(42.0), mu0=friction)).x
+    for x in known[np.isfinite(known)]:
+        assert any(
+            abs(np.interp(math.radians(42.0), branch.values[part], branch.states[part, 0]) - x) < 1e-3
+            for branch in article.equilibria
+            for part in parts(branch.values)
+        )
+
+
+def parts(values: Any) -> list[Any]:
+    """Stretches over which values rise, in rising order."""
+    turns = [0, *(np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 1), len(values) - 1]
+    found = [np.arange(a, b + 1) for a, b in pairwise(turns)]
+    return [part if values[part[-1]] > values[part[0]] else part[::-1] for part in found]
+
+
+def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
+    pytest.importorskip("matplotlib")
+    texts = [text.get_text() for text in born.plot().axes[0].texts]
+    assert texts == ["H"]
+    picture = tmp_path / "all.svg"
+    call = ["cycles", "--model", "stick_slip", "-V", "0.2", "--vary", "V", "--from", "0.09", "--to", "0.12", "--points", "12"]
+    result = CliRunner().invoke(cli, [*call, "--diagram", "--plot", str(picture), "--json"])
+    told = json.loads(result.stdout)
+    assert [label["label"] for label in told["labels"]] == ["H"]
+    assert told["labels"][0]["V"] == pytest.approx(0.10101536, abs=1e-8)
+    assert picture.exists()
+    refused = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "--diagram"])
+    assert refused.exit_code == 2
+
+
+def test_a_range_or_parameter_that_is_none() -> None:
+    p = ss.load("stick_slip").Parameters()
+    with pytest.raises(ss.ParameterError, match="no range"):
+        ss.diagram(p, "V", (0.2, 0.1))
+    with pytest.raises(ss.ParameterError, match="not one of"):
+        ss.diagram(p, "theta0", (0.1, 0.2))

@@ -44,7 +44,7 @@ def drawn(model: Any, rng: np.random.Generator, decades: float) -> dict[str, flo
 
 def attacked(name: str, sets: int, seed: int, decades: float) -> None:
     """One line of results, and one line for each point with something to be said."""
-    model = ss.load(name)
+    model = ss.load(name).search
     rng = np.random.default_rng(seed)
     worst, spent, open_, slow, far, silent, calls = 0.0, 0.0, 0, 0, 0, 0, 0
     for _ in range(sets):

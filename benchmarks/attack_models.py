@@ -43,7 +43,7 @@ def load(name: str, derived: Path) -> Any:
     """A shipped model, or one of ``attack_pages``, derived into a folder."""
     page = PAGES / f"{name}.py"
     if not page.exists():
-        return ss.load(name)
+        return ss.load(name).search
     from spragsym.derive import folder
 
     folder.write_page(page, derived / name)

@@ -61,7 +61,7 @@ def table(points: int) -> None:
     print("| model | equilibria, µs a point | one call, ms | folds along theta0, s | along mu0, s | cusps, s | left open |")
     print("|---|---|---|---|---|---|---|")
     for name in MODELS:
-        model = ss.load(name)
+        model = ss.load(name).search
         values = random_values(model.parameters, points)
         p = model.Parameters(**values)
         spent, eq = seconds(model.equilibria, p)
@@ -93,7 +93,7 @@ def table(points: int) -> None:
 
 def families(points: int) -> None:
     """The article's model in hard places, through the general way and by its closed forms."""
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     print(f"`kang_nam` through the general way and by its closed forms, {points} points of each family:\n")
     print("| family | general, ms a point | closed forms, ms a point | left open | other counts |")
     print("|---|---|---|---|---|")
@@ -119,7 +119,7 @@ def grid(side: int) -> None:
     print(f"A grid of {theta0.size} points of `theta0` and `mu0`:\n")
     print("| model | s | left open |\n|---|---|---|")
     for name in ("kang_nam", "cubic_contact"):
-        model = ss.load(name)
+        model = ss.load(name).search
         spent, eq = seconds(model.equilibria, model.Parameters(theta0=theta0, mu0=mu0))
         print(f"| {name} | {spent:.1f} | {int((~eq.decided).sum())} |", flush=True)
 

@@ -26,8 +26,11 @@ DRAWN = {
     "d": (4.0, 14.0),
 }  # fmt: skip
 
-#: Two events are one if their values are as close as this, in ranges.
-SAME = 1e-6
+#: Two events are one if their values are as close as this, in ranges, besides their errors.
+SAME = 1e-8
+
+#: What is known of an event: kind, value, period, error.
+Told = tuple[str, float, float, float]
 
 
 def begun(seed: int) -> tuple[ss.Cycle | None, np.random.Generator]:
@@ -50,27 +53,27 @@ def place(branch: ss.CycleBranch, cycle: ss.Cycle) -> int:
     return int(np.argmin(far))
 
 
-def told(branch: ss.CycleBranch, inside: tuple[float, float], start: ss.Cycle) -> list[tuple[str, float, float]]:
-    """Events on the piece of a branch around its start that lies within a range: kind, value, period."""
+def told(branch: ss.CycleBranch, inside: tuple[float, float], start: ss.Cycle) -> list[Told]:
+    """Events on the piece of a branch around its start that lies within a range."""
     low, high = inside
     out = np.flatnonzero((branch.values < low) | (branch.values > high))
     middle = place(branch, start)
     first, last = max(out[out < middle], default=-1), min(out[out > middle], default=len(branch.values))
     width = high - low
     return [
-        (event.kind, event.value, event.cycle.period)
+        (event.kind, event.value, event.cycle.period, float(event.error))
         for event in branch.events
         if event.kind != "end" or "half" in event.how
         if low + 1e-3 * width < event.value < high - 1e-3 * width and first <= place(branch, event.cycle) <= last
     ]  # fmt: skip
 
 
-def missing(one: list[tuple[str, float, float]], other: list[tuple[str, float, float]], width: float) -> list[str]:
+def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
     """Events of the one that the other does not have."""
     return [
         f"{kind} at {value!r} of period {period:.5f}"
-        for kind, value, period in one
-        if not any(kind == k and abs(value - v) < SAME * width and abs(period / p - 1) < 1e-4 for k, v, p in other)
+        for kind, value, period, error in one
+        if not any(kind == k and abs(value - v) < SAME * width + error + e and abs(period / p - 1) < 1e-4 for k, v, p, e in other)
     ]
 
 
@@ -98,6 +101,7 @@ def compared(cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]) -> t
         "vary": vary, "ranges": ranges, "points": [len(branch.values) for branch in branches], "seconds": spent,
         "events": [event.kind for event in branches[0].events], "cut": cut, "largest": max(sizes),
         "why": [event.how for branch in branches for event in branch.of("end") if "could not" in event.how],
+        "loose": sum(error > SAME * width for *_, error in (*whole, *part)), "compared": len(whole) + len(part),
         "missed": missing(whole, part, width), "invented": missing(part, whole, width),
         "doubtful": [text for branch in branches for text in doubtful(branch)],
     }, branches[0]  # fmt: skip
@@ -160,7 +164,8 @@ def main() -> None:
     spent, points = sum(row["seconds"] for _, row in both), sum(sum(row["points"]) for _, row in both)
     print(
         f"{2 * len(both)} branches with {points} points, {1e3 * spent / max(points, 1):.1f} ms each; {len(bad)} pairs differ, "
-        f"{len(doubted)} with events in doubt, {sum(row['cut'] for _, row in both)} followed in part; multipliers up to "
+        f"{len(doubted)} with events in doubt, {sum(row['loose'] for _, row in both)} of {sum(row['compared'] for _, row in both)} events "
+        f"not isolated, {sum(row['cut'] for _, row in both)} followed in part; multipliers up to "
         f"{max((row['largest'] for _, row in both), default=0.0):.1e}; {sum('switch' in row for _, row in rows)} switches failed"
     )
     sys.exit(bool(bad or doubted))

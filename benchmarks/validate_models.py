@@ -58,7 +58,7 @@ def _entry(line: str) -> tuple[str, list[float]]:
 
 def _part(name: str, seed: list[int], points: int) -> list[float]:
     """Points, undecided ones, other counts, largest error and bound, seconds."""
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     p = FAMILIES[name](np.random.default_rng(seed), points)
     begin = time.process_time()
     eq = model.equilibria(model.Parameters(**{key: getattr(p, key) for key in NAMES}))
@@ -81,7 +81,7 @@ def _part(name: str, seed: list[int], points: int) -> list[float]:
 def folds_and_cusps(points: int, seed: int) -> None:
     """Folds along each parameter, and cusps, of the article's model at random parameters, μ₀ and α at 0 among them."""
     rng = np.random.default_rng(seed)
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     print(
         f"{'points of change':24}{'searches':>9}{'points':>8}{'undecided':>11}{'other count':>13}{'largest error':>15}{'s each':>10}"
     )
@@ -137,7 +137,7 @@ PAGES: dict[str, Callable[[Any], list[tuple[Any, ...]]]] = {
 
 def compare(name: str, p: Any) -> tuple[bool, float]:
     """Whether the number of states is the same, and the largest error over its bound."""
-    eq = ss.load(name).equilibria(p)
+    eq = ss.load(name).search.equilibria(p)
     with mp.workdps(50):
         want = PAGES[name](p)
         if not eq.complete or int(eq.count) != len(want):
@@ -155,7 +155,7 @@ def pages(points: int, seed: int) -> None:
     """All other pages with a scalar equation or a polynomial."""
     for name in PAGES:
         rng = np.random.default_rng(seed)
-        model = ss.load(name)
+        model = ss.load(name).search
         results = [
             compare(name, model.Parameters(theta0=rng.uniform(0.1, 3.0), **({"mu0": rng.uniform(0, 1.5)}))) for _ in range(points)
         ]

@@ -43,7 +43,8 @@ for _name in ("derive", "generated"):
 _LIST = _pathlib.Path(__file__).with_suffix(".pyi")
 #: Public name → where it is, read from the list that type checkers read. The name of a module stands for the module.
 _HOMES = {
-    name: home for home, name in _re.findall(r"^from (\.\w*) import (\w+) as", _LIST.read_text(encoding="utf-8"), _re.MULTILINE)
+    name: home
+    for home, name in _re.findall(r"^from (\.[\w.]*) import (\w+) as", _LIST.read_text(encoding="utf-8"), _re.MULTILINE)
 }
 
 __all__ = sorted(_HOMES)
@@ -64,7 +65,7 @@ def _at_the_door(value: _Any) -> _Any:
     if not _inspect.isfunction(value):
         return value
     door = _importlib.import_module(".door", __name__)
-    return door.asked(value) if value.__name__ in door.INTERFACE else value
+    return door.public(value) if value.__name__ in door.INTERFACE else value
 
 
 def __dir__() -> list[str]:

@@ -64,11 +64,11 @@ from .errors import ModelError as ModelError
 from .errors import ParameterError as ParameterError
 from .errors import ParameterTypeError as ParameterTypeError
 from .errors import SpragsymError as SpragsymError
-from .models import Diagram as Diagram
 from .models import Model as Model
-from .models import diagram as diagram
 from .models import load as load
-from .models import onset_curves as onset_curves
+from .models.diagram import Diagram as Diagram
+from .models.diagram import diagram as diagram
+from .models.planes import onset_curves as onset_curves
 from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales

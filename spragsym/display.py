@@ -119,7 +119,7 @@ def _equilibria(eq: Any) -> Table:
 
 
 def _equilibria_of_a_model(eq: Any) -> Table:
-    table = _states(eq, (*eq.coordinates, "growth", "error"))
+    table = _states(eq, (*eq.coordinates, "growth", "error"), ("kind", "stability"))
     return replace(table, title=table.title + _not_all(eq))
 
 
@@ -147,18 +147,23 @@ def _points_of_a_model(found: Any) -> Table:
     return _with_cut(title, (*map(_heading, names), *words, "error"), [rows[i] for i in shown], cut)
 
 
-def _states(eq: Any, names: tuple[str, ...]) -> Table:
+def _states(eq: Any, names: tuple[str, ...], words: tuple[str, ...] = ("stability",)) -> Table:
     p, shape = eq.parameters, eq.count.shape
     points = np.argwhere(np.arange(eq.error.shape[-1]) < eq.count[..., None])
     shown, cut = _shown(len(points))
     slots = [tuple(int(i) for i in points[row]) for row in shown]
     vary = [key for key, value in _fields(p).items() if value is not None and value.size > 1]
-    header = (*(["point"] if shape else []), *map(_heading, vary), "stability", *map(_heading, names))
+    header = (
+        *(["point"] if shape else []),
+        *map(_heading, vary),
+        *(("stability", "undamped")[: len(words)]),
+        *map(_heading, names),
+    )
     rows = []
     for slot in slots:
         place = slot[:-1]
         given = [_cell(key, np.broadcast_to(getattr(p, key), p.shape)[place]) for key in vary]
-        state = [_cell(key, getattr(eq, key)[slot]) for key in ("stability", *names)]
+        state = [_cell(key, getattr(eq, key)[slot]) for key in (*words, *names)]
         rows.append((*([_index(place)] if shape else []), *given, *state))
     where = "contact" if eq.contact else "lift-off"
     title = f"{len(points)} equilibria in {where}" + (f" of {math.prod(shape)} points" if shape else "")

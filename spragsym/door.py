@@ -1,64 +1,113 @@
-"""The door: ``ss.f(p)`` is asked of the model of ``p``, for every function of :data:`INTERFACE`.
+"""The door: ``ss.f(p)`` is ``p.model.f(p)``, for every function of :data:`INTERFACE`.
 
-The article's model is answered by closed forms, any other by its own method, and what a model can't answer yet is one error,
-:class:`~spragsym.errors.ModelError`, that says so and what can be asked instead. The functions that hold the article's closed
-forms are reached through here only, so that they are never handed the parameters of another model.
+A model must bring
+    ``model.json`` and generated functions: ``statics``, ``linearization`` and, where it has a friction law, ``motion``. All of
+    it follows from a page, see :mod:`spragsym.derive`; it is what :class:`spragsym.Model` holds.
+
+A model may bring
+    closed forms, in a room of its name: ``CLOSED`` there says for a public function in which room its closed form stands, under
+    the same name, and along which parameters it is known. It answers first (``method="auto"`` or ``"closed"``) wherever it
+    takes the arguments that are given.
+
+A model gets for nothing
+    every question of :data:`INTERFACE` that has a general way, the methods of :class:`spragsym.Model`: by search over boxes
+    with proofs, or by the generated field. Where there are closed forms it is the second witness, ``method="search"``, and
+    ``model.search`` is the model without its closed forms.
+
+A model never gets
+    the answer of another one: a set of parameters is checked at this one entry, for every question and every method, and what
+    can't be answered yet is :class:`~spragsym.errors.ModelError`, which says what can be asked instead.
 """
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Iterable, Iterator
-from typing import Any
+import importlib
+import inspect
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from typing import Any, TypeVar, cast
 
-from .errors import ModelError, ParameterTypeError
-from .parameters import Parameters, ParameterSet
+from .errors import ModelError, ParameterError, ParameterTypeError
+from .parameters import Parameters, ParameterSet, PhysicalParameters
 
-#: Public functions that are asked of a model, each with what can be asked of one that has no answer to it.
-INTERFACE = {
-    "equilibria": "", "count": "", "folds": "", "cusps": "", "flutter_onsets": "", "bifurcation_set": "",
-    "quasi_static_path": "", "simulate": "", "rms_sweep": "", "cycle": "", "lyapunov": "", "fate_boundary": "",
-    "basin_boundary": "",
-    "jump_value": "ss.quasi_static_path(p, vary, values) follows the state to its jump",
-    "critical_friction": "ss.cusps(p) has all cusps in a range of friction",
-    "cusp_friction": "ss.cusps(p) has all cusps in a range of friction",
-    "critical_value": "ss.cusps(p) has all cusps at each value of a parameter",
-    "flutter_boundary": "ss.flutter_onsets(p, vary=...) has the onsets along a line",
-    "surface": "ss.equilibria(p) has all states over a grid of parameters",
-    "linear_sprag": "ss.equilibria(p) has the states",
-    "linear_critical_friction": "ss.folds(p, vary='mu0') has the frictions at which states meet",
-    "jump_gradient": "ss.folds(p, vary=...) at neighbouring values has the differences",
-    "jump_margin": "ss.folds(p, vary=...) has the folds along each parameter",
-    "certify": "ss.count(p) and ss.equilibria(p) answer for points",
-    "jump_probability": "ss.quasi_static_path(p, vary, values) answers for one point",
-    "redesign": "ss.folds(p, vary=...) says where a parameter has to go",
-    "basin": "ss.rms_sweep(p, x0=..., ...) has the regime of each start",
-    "sensitivity": "ss.rms_sweep(p) over axes of parameters has the regimes",
-}  # fmt: skip
+F = TypeVar("F", bound=Callable[..., Any])
+
+#: Public functions that are asked of a model.
+INTERFACE = frozenset((
+    "equilibria", "count", "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface",
+    "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
+    "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign",
+    "onset_curves", "diagram",
+    "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate_boundary", "basin_boundary",
+))  # fmt: skip
+#: Ways to an answer.
+WAYS = ("auto", "closed", "search")
 
 
-def asked(closed: Callable[..., Any]) -> Callable[..., Any]:
-    """The public function whose answer for the article's model is ``closed``."""
+def question(general: Callable[..., Any]) -> Callable[..., Any]:
+    """A method of a model: the closed form where the model brings one that takes the arguments, else ``general``."""
+    name, answered = general.__name__, getattr(general, "answered", True)
+
+    @functools.wraps(general)
+    def ask(model: Any, *args: Any, method: str = "auto", **options: Any) -> Any:
+        if method not in WAYS:
+            raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
+        _check(model, args, options)
+        if method != "search" and name in model.closed:
+            room, along = model.closed[name]
+            closed = _closed(room, name)
+            alone = len(args) == 1 and not options  # one argument always fits
+            if alone or not answered or _takes(closed, along, model, args, options):
+                return closed(*args, **options)
+        if method == "closed":
+            raise ModelError(f"{model.name} has no closed form for this {name}; leave method out, or give method='search'")
+        return general(model, *args, **options)
+
+    return ask
+
+
+def unanswered(instead: str) -> Callable[..., Any]:
+    """A method of a model for which there is no general way yet; what can be asked instead."""
+
+    class Unanswered:
+        def __set_name__(self, owner: type, name: str) -> None:
+            def general(model: Any, *_: Any, **__: Any) -> Any:
+                raise ModelError(f"{name} is not there yet for the model {model.name}; {instead}")
+
+            general.__name__ = name
+            general.answered = False  # type: ignore[attr-defined]  # a mark for question
+            general.__doc__ = f"See :func:`spragsym.{name}`. There is no general way yet: {instead}."
+            setattr(owner, name, question(general))
+
+    return Unanswered()  # type: ignore[return-value]  # a method, once the class is made
+
+
+def public(closed: Callable[..., Any]) -> Callable[..., Any]:
+    """The public function: the question of that name, asked of the model of its parameters."""
     name = closed.__name__
 
     @functools.wraps(closed)
     def ask(*args: Any, **options: Any) -> Any:
-        sets = list(_sets((*args, *options.values())))
-        other = next((p for p in sets if not isinstance(p, Parameters)), None)
-        if other is None:
-            return closed(*args, **options)
-        model = model_of(other)
-        for p in sets:
-            if type(p) is not type(other):
-                both = f"{model.name} and {model_of(p).name}"
-                raise ParameterTypeError(f"{name}: the sets are of two models, {both}; give those of one")
-        method = getattr(model, name, None)
-        if method is None:
-            instead = INTERFACE[name]
-            raise ModelError(f"{name} is not there yet for the model {model.name}" + (f"; {instead}" if instead else ""))
-        return method(*args, **options)
+        first = args[0] if args and isinstance(args[0], ParameterSet) else next(sets_among((*args, *options.values())), None)
+        return getattr(model_of(first if first is not None else Parameters()), name)(*args, **options)
 
     return ask
+
+
+def only_for(kind: type[ParameterSet], instead: str) -> Callable[[F], F]:
+    """A function that is there for one model's parameters only, as a drawing that shows what closed forms give."""
+
+    def decorated(function: F) -> F:
+        @functools.wraps(function)
+        def checked(*args: Any, **options: Any) -> Any:
+            for p in sets_among((*args, *options.values())):
+                if not isinstance(p, kind):
+                    raise ModelError(f"{function.__name__} is not there yet for the model {model_of(p).name}; {instead}")
+            return function(*args, **options)
+
+        return cast(F, checked)
+
+    return decorated
 
 
 def model_of(p: ParameterSet) -> Any:
@@ -66,10 +115,50 @@ def model_of(p: ParameterSet) -> Any:
     return ParameterSet.model.fget(p)  # type: ignore[attr-defined]  # a property
 
 
-def _sets(things: Iterable[Any]) -> Iterator[ParameterSet]:
+def sets_among(things: Iterable[Any]) -> Iterator[ParameterSet]:
     """The sets of parameters among arguments, those in a pair of corners included."""
     for thing in things:
         if isinstance(thing, ParameterSet):
             yield thing
         elif isinstance(thing, tuple):
-            yield from _sets(thing)
+            yield from sets_among(thing)
+
+
+def _check(model: Any, args: tuple[Any, ...], options: Mapping[str, Any]) -> None:
+    """Raise unless all sets of parameters are the model's: another's would be taken for what they are not."""
+    if len(args) == 1 and not options and isinstance(args[0], model.Parameters):
+        return
+    sets = list(sets_among((*args, *options.values())))
+    first = args[0] if args else options.get("p", ())
+    if not sets and not isinstance(first, PhysicalParameters | Mapping | tuple):
+        sets = [first]
+    for p in sets:
+        if not isinstance(p, model.Parameters):
+            raise ParameterTypeError(
+                f"p = {p!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)"
+            )
+
+
+@functools.cache
+def _closed(room: str, name: str) -> Callable[..., Any]:
+    found: Callable[..., Any] = getattr(importlib.import_module(f".{room}", __package__), name)
+    return found
+
+
+@functools.cache
+def _signature(function: Callable[..., Any]) -> inspect.Signature:
+    return inspect.signature(function)
+
+
+def _takes(
+    closed: Callable[..., Any], along: Collection[Any], model: Any, args: tuple[Any, ...], options: dict[str, Any]
+) -> bool:
+    """Whether a closed form has arguments of these names, and knows what varies, if that is of the model at all."""
+    try:
+        vary = _signature(closed).bind(*args, **options).arguments.get("vary")
+    except TypeError:
+        return False
+    if not along or vary is None:
+        return True
+    names = (vary,) if isinstance(vary, str) else tuple(vary)
+    return (vary if isinstance(vary, str) else names) in along or not set(names) <= set(model.parameters)

@@ -175,7 +175,7 @@ STIFF = [
 @pytest.mark.parametrize("p", STIFF)
 def test_stiff_springs_between_extremes_are_decided_to_12_digits(p: dict[str, float]) -> None:
     """States so near to the contact's border that floats do not tell the side; against the article's closed forms."""
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     for contact in (True, False):
         eq = model.equilibria(model.Parameters(**p), contact=contact)
         known = ss.equilibria(ss.Parameters(**p), contact=contact)

@@ -759,3 +759,29 @@ def test_a_value_that_a_model_has_no_base_for_is_asked_for_by_its_option(command
         main([command, "--model", "trolley", "--vary", "mu0"])
     assert ended.value.code == 2
     assert capsys.readouterr().err == "spragsym: theta0 has no base value in trolley, and does not vary here; give --theta0\n"
+
+
+ASKED = {
+    "path --vary theta0 --from 10 --to 60 --points 2": (0, "44.5593177026"),
+    "folds --vary theta0": (0, "44.55932"),
+    "critical --vary theta0 --mu0 0.7": (0, "35.354"),
+    "path": (2, "Missing option '--theta0'"),
+    "path --vary theta0 --from 0 --to 60": (2, "--from: theta0_deg = 0 is not in (0, 180)"),
+    "path --theta0 40 --vary kappa --from 0.01 --to 0": (2, "--to: kappa = 0 is not in (0, inf)"),
+    "critical --theta0 49 --mu0 0.7 --vary kappa": (0, "it has jumped already"),
+    "critical --theta0 30 --mu0 0.3 --vary beta": (0, "never"),
+    "simulate --theta0 49 --t-end 1e12": (2, "give at most 2e+06 sqrt(m/k_c)"),
+}
+
+
+@pytest.mark.parametrize("line", ASKED)
+def test_what_is_not_needed_is_not_asked_for_and_ends_are_called_by_their_options(
+    line: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    code, part = ASKED[line]
+    with pytest.raises(SystemExit) as stop:
+        main(line.split())
+    found = capsys.readouterr()
+    assert stop.value.code == code, found.err
+    assert part in (found.err if code else found.out)
+    assert "values[0]" not in found.err

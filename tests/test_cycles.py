@@ -464,7 +464,7 @@ def test_the_boundary_of_a_basin_passes_through_the_start_that_changes_its_fate(
 
 @pytest.mark.thorough
 def test_a_loaded_model_has_the_boundary_of_its_basin() -> None:
-    p, model, to = ss.Parameters.article(theta0=FATE), ss.load("kang_nam"), ((-0.1, 0.1), (-0.1, 0.1))
+    p, model, to = ss.Parameters.article(theta0=FATE), ss.load("kang_nam").search, ((-0.1, 0.1), (-0.1, 0.1))
     found = ss.basin_boundary(p, **BELT, to=to, points=1)
     again = model.basin_boundary(model.Parameters(theta0=FATE), plane=("x", "vx"), to=to, points=1)
     assert again.points == pytest.approx(found.points, abs=1e-7)  # along the curve; across it they are one
@@ -552,7 +552,7 @@ def test_where_friction_is_almost_a_step(slow: ss.Cycle) -> None:
 @pytest.mark.thorough
 def test_failures_of_loaded_models_are_told_as_well() -> None:
     for name in ("kang_nam", "stick_slip"):
-        model = ss.load(name)
+        model = ss.load(name).search
         p = model.Parameters(V=0.0, **({"theta0": math.radians(42.0)} if name == "kang_nam" else {}))
         with pytest.raises(ss.ConvergenceError, match=r"rest at x = [-\d.e]+(, y = [-\d.]+)?;"):
             model.cycle(p)
@@ -677,7 +677,7 @@ def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any
 
 def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
     """The article's model from its page, whose algebra is emitted apart, has the article's cycle."""
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     found = model.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
     assert np.abs(found.state - slow.state).max() < 1e-10
     assert abs(found.period - slow.period) < 1e-10
@@ -722,7 +722,7 @@ def test_a_loaded_model_has_branches_and_exponents() -> None:
 
 @pytest.mark.thorough
 def test_a_loaded_model_has_fates() -> None:
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     found = model.fate_boundary(model.Parameters(), vary="theta0", bracket=(0.7209, 0.7211))
     assert found.value == pytest.approx(FATE, abs=1e-12)
 
@@ -778,7 +778,7 @@ def test_slopes_in_balls_are_those_that_were_derived() -> None:
     from spragsym.models.field import exact_field
 
     for name in ("kang_nam", "stick_slip", "trolley", "stribeck"):
-        field, model = exact_field(name), ss.load(name)
+        field, model = exact_field(name), ss.load(name).search
         values = [flint.arb(model.base.get(parameter) or 0.7) for parameter in model.parameters]
         constants = list(field.constants(values, Functions))
         state = [flint.arb(0.1 + 0.03 * i) for i in range(field.size)]
@@ -798,7 +798,7 @@ def test_slopes_in_balls_are_those_that_were_derived() -> None:
 def test_a_loaded_model_is_proved() -> None:
     """The article's cycle by its page, whose algebra is emitted apart: the same digits, with proof."""
     pytest.importorskip("flint")
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     cycle = model.cycle(model.Parameters(theta0=np.radians(42.0)), near=(2.54, 3.36, 0.0, 0.36), patient=False)
     found = ss.precise.prove_cycle(cycle)
     assert found.proved, found.reason

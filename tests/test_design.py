@@ -589,7 +589,7 @@ def test_folds_say_what_the_path_does() -> None:
 
 
 def test_fold_curves_say_the_same_as_folds() -> None:
-    for curve in ss.bifurcation_set(BASE, 700).curves:
+    for curve in ss.bifurcation_set(BASE, n=700).curves:
         for i in range(20, curve.theta.size - 20, 90):
             found = ss.folds(BASE.replace(mu0=float(curve.mu0[i])), "theta0")
             k = int(np.argmin(np.abs(found.theta - curve.theta[i]) + np.abs(found.theta0 - curve.theta0[i])))

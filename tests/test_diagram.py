@@ -78,7 +78,7 @@ def parts(values: Any) -> list[Any]:
 
 def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
     pytest.importorskip("matplotlib")
-    texts = [text.get_text() for text in born.plot().axes[0].texts]
+    texts = [text.get_text() for text in ss.figures.diagram_figure(born).axes[0].texts]
     assert texts == ["H"]
     picture = tmp_path / "all.svg"
     call = ["cycles", "--model", "stick_slip", "-V", "0.2", "--vary", "V", "--from", "0.09", "--to", "0.12", "--points", "12"]

@@ -33,7 +33,7 @@ STIFF = {
 @pytest.mark.parametrize("name", STIFF)
 def test_states_of_stiff_springs_are_known_to_all_digits(name: str) -> None:
     """The bound is 1e-12 here too, and it holds in 40 digits."""
-    model = ss.load(name)
+    model = ss.load(name).search
     values = {**model.base, **STIFF[name]}
     outcome = equilibria(model, DRAWN[name], values, True, np.random.default_rng(1))
     assert outcome["wrong"] == []
@@ -119,7 +119,7 @@ WRONG: dict[str, tuple[Callable[[Any, Any], Any], str]] = {
 
 @pytest.mark.parametrize("case", WRONG)
 def test_arguments_that_make_no_sense(case: str) -> None:
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     ask, words = WRONG[case]
     with pytest.raises(ss.SpragsymError, match=words):
         ask(model, model.Parameters(theta0=1.0))
@@ -127,7 +127,7 @@ def test_arguments_that_make_no_sense(case: str) -> None:
 
 def test_a_plane_of_which_one_parameter_moves_no_fold() -> None:
     """V is none of the statics' of the article: its folds in (V, mu0) are lines, and nothing warns."""
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     found = model.bifurcation_set(model.Parameters(theta0=0.8), ("V", "mu0"), n=3)
     assert found.vary == ("V", "mu0")
 

@@ -30,7 +30,7 @@ def test_a_region_without_width_holds_its_equilibrium():
 )
 def test_where_the_directions_do_not_feel_each_other_is_no_onset(name, vary, onsets):
     # At σ = 0 nothing damps the direction across the belt, in any state.
-    model = ss.load(name)
+    model = ss.load(name).search
     p = model.Parameters(**({"theta0": 1.0} if "theta0" in model.parameters else {}))
     found = model.flutter_onsets(p, vary)
     assert found.decided
@@ -72,7 +72,7 @@ def test_a_slope_that_no_float_tells_from_0_has_its_sign():
 @pytest.mark.parametrize("off", few([0.0, 1e-14, -1e-12, 1e-9], 0.0))
 @pytest.mark.parametrize("vary", ["mu0", "theta0"])
 def test_folds_beside_a_cusp(vary, off):
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     given = {"mu0": {"theta0": 1.1871896863225868 + off}, "theta0": {"mu0": 0.20093178180509016 + off}}[vary]
     found = model.folds(model.Parameters(**given), vary)
     known = ss.folds(ss.Parameters.article(**({"theta0": None} | given)), vary)
@@ -86,7 +86,7 @@ def test_folds_beside_a_cusp(vary, off):
 @pytest.mark.parametrize("name", ["kang_nam", "mode_coupling"])
 def test_beside_a_line_of_equilibria_all_is_decided(name):
     # Without friction and spring along the belt nothing but the inclined spring, sigma > 0, holds the mass along the belt.
-    model = ss.load(name)
+    model = ss.load(name).search
     angle = {"theta0": 1.0} if name == "kang_nam" else {}
     found = model.folds(model.Parameters(mu0=0.0, alpha=0.0, **angle), "sigma")
     assert found.decided
@@ -114,7 +114,7 @@ def test_a_line_of_equilibria_is_said_in_a_line(with_a_line):
 def test_a_mass_that_almost_hangs_on_a_circle(kappa):
     # A stiff spring and next to nothing else: near-equilibria all around its anchor, which only its angle tells apart.
     values = {"theta0": 1.8525980882017512, "mu0": 1.75, "alpha": 1.548e-3, "sigma": 7.8, "beta": 0.0, "kappa": kappa}
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     eq = model.equilibria(model.Parameters(**values), contact=False)
     known = ss.equilibria(ss.Parameters(**values), contact=False)
     assert eq.complete
@@ -129,7 +129,7 @@ def test_a_circle_that_many_digits_leave_open():
         "theta0": 2.6739550310885836, "mu0": 0.0, "kappa": 0.19734271659075414, "alpha": 0.002747021913709797,
         "sigma": 2.9289279863232807, "beta": 0.0,
     }  # fmt: skip
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     eq = model.equilibria(model.Parameters(**values))
     assert eq.complete
     assert np.allclose(eq.x, np.sort(ss.equilibria(ss.Parameters(**values)).x), rtol=0, atol=1e-12)
@@ -144,7 +144,7 @@ def test_springs_however_stiff(contact):
         "sigma": 10.0 ** np.array([3.6, 4, 5, 6, 7, 9, 10, 12]),
     }  # fmt: skip
     values["alpha"][2] = values["beta"][2] = values["mu0"][3] = values["beta"][3] = 0.0
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     eq = model.equilibria(model.Parameters(**values), contact=contact)
     known = ss.equilibria(ss.Parameters(**values), contact=contact)
     assert eq.complete

@@ -20,7 +20,7 @@ BETWEEN = {"mu0": (0.0, 1.0)}
 
 @pytest.fixture(scope="module")
 def found():
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     return model.bifurcation_set(model.Parameters(theta0=1.0), n=6, between=BETWEEN)
 
 
@@ -30,7 +30,7 @@ def ax():
 
 
 def test_the_bifurcation_set_on_given_axes(ax, found):
-    lines = figures.draw_bifurcation_set_of(ss.load("kang_nam"), found, ax)
+    lines = figures.draw_bifurcation_set_of(ss.load("kang_nam").search, found, ax)
     assert len(lines) == len(found.curves) + 1
     assert all(line.axes is ax for line in lines)
     for line, curve in zip(lines, found.curves, strict=False):
@@ -40,13 +40,13 @@ def test_the_bifurcation_set_on_given_axes(ax, found):
 
 
 def test_equilibria_along_a_parameter(ax):
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     dots = figures.draw_equilibria_of(model, model.Parameters(theta0=1.0, mu0=0.7), "theta0", "y", ax, n=20)
     values = np.pi * (np.arange(20) + 0.5) / 20
     known = ss.equilibria(ss.Parameters.article(mu0=0.7, theta0=values))
     assert sum(line.get_xdata().size for line in dots) == known.count.sum()
     assert np.allclose(np.sort(np.concatenate([line.get_ydata() for line in dots])), np.sort(known.y[~np.isnan(known.y)]))
-    assert {line.get_label() for line in dots} == {"stable", "divergent"}
+    assert {line.get_label() for line in dots} == {"stable", "divergent", "flutter"}  # what friction's slope lets grow
 
 
 def test_onsets_are_the_closed_form_of_mode_coupling(ax):
@@ -72,7 +72,7 @@ def test_onsets_are_the_closed_form_of_stick_slip(ax):
 def test_labels_are_those_of_the_dimensionless_numbers():
     assert label(ss.load("mode_coupling"), "sigma") == r"$\sigma$"
     assert label(ss.load("two_springs"), "sigma_2") == r"$\sigma_{\rm 2}$"
-    assert label(ss.load("kang_nam"), "theta0") == r"$\theta_o$ (deg)"
+    assert label(ss.load("kang_nam").search, "theta0") == r"$\theta_o$ (deg)"
 
 
 @pytest.mark.thorough
@@ -89,7 +89,7 @@ def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
 
 def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
     """Of the two folds of the article's model only the one within the range; the cusp is outside of it."""
-    search = ss.load("kang_nam").bifurcation_set
+    search = ss.load("kang_nam").search.bifurcation_set
     monkeypatch.setattr(
         "spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: search(p, vary, 4, **options)
     )

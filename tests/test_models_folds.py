@@ -80,7 +80,7 @@ def test_flutter_begins_where_exact_arithmetic_says_so():
 
 
 def test_two_states_beside_a_fold_differ_by_the_proved_sign_of_their_stiffness():
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     fold = model.folds(model.Parameters(theta0=1.0), "mu0", between={"mu0": (0.0, 2.0)})
     for at in fold.mu0:
         values = at + np.array([-8, -4, -2, 2, 4, 8]) * np.spacing(at) * 2.0**8
@@ -138,7 +138,7 @@ def test_a_fold_next_to_the_end_of_an_angle_is_not_stepped_over():
 def test_curves_of_folds_are_smooth_to_their_cusps_and_the_ends_of_the_ranges():
     # The closed forms of the article's model give folds as near to its cusp as we like: none is farther from the drawn line than
     # a printed line is wide.
-    model, p = ss.load("kang_nam"), ss.Parameters.article()
+    model, p = ss.load("kang_nam").search, ss.Parameters.article()
     found = model.bifurcation_set(model.Parameters(theta0=1.0), ("theta0", "mu0"), 12, between={"mu0": (0.0, 2.0)})
     assert found.complete
     lines = [np.array([curve.theta0 / np.pi, curve.mu0 / 2]) for curve in found.curves]
@@ -160,7 +160,7 @@ def _distance(point, line):
 
 def test_the_sign_of_a_slope_is_known_where_the_slope_is_too_small_for_floats():
     # dμ/dv = μ₀ d e^(−d V) is never 0, and Stribeck's with μ_k = 0 is e^(−V/v_s) times what is 0 at one v_s only, beyond 10.
-    article = ss.load("kang_nam")
+    article = ss.load("kang_nam").search
     for vary in ("V", "d"):
         found = article.flutter_onsets(article.Parameters(theta0=2.5, V=13.2, d=107.8), vary)
         assert found.decided

@@ -29,7 +29,7 @@ def parameters(model: Any, **changes: Any) -> Any:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
     """The integral of the powers over a motion with kinks is the change of energy: the quadrature is not the integrator's."""
-    model = ss.load(name)
+    model = ss.load(name).search
     tr = model.simulate(parameters(model), t_end=40.0, y0=0.02, backend=backend) if "y" in model.coordinates else None
     tr = tr or model.simulate(parameters(model), t_end=40.0, backend=backend)
     energy = tr.energy()
@@ -44,14 +44,14 @@ def test_the_energy_changes_by_the_work_done(name: str, backend: str) -> None:
 @pytest.mark.skipif(len(BACKENDS) < 2, reason="the extra fast is not installed")
 @pytest.mark.parametrize("name", NAMES)
 def test_both_integrators_agree(name: str) -> None:
-    model = ss.load(name)
+    model = ss.load(name).search
     ends = [model.simulate(parameters(model), t_end=30.0, backend=backend).state[:, -1] for backend in BACKENDS]
     np.testing.assert_allclose(ends[0], ends[1], rtol=0, atol=1e-7)
 
 
 @pytest.mark.parametrize("backend", BACKENDS)
 def test_the_articles_page_moves_as_the_article(backend: str) -> None:
-    model, theta0 = ss.load("kang_nam"), np.radians(49)
+    model, theta0 = ss.load("kang_nam").search, np.radians(49)
     ours = model.simulate(model.Parameters(theta0=theta0), t_end=60.0, backend=backend)
     theirs = ss.simulate(ss.Parameters.article(theta0=theta0), V=0.5, d=10.0, t_end=60.0, backend=backend)
     assert ours.events is not None
@@ -66,7 +66,7 @@ def test_motion_against_another_integrator_of_the_kinked_field(name: str) -> Non
     """SciPy's implicit Radau on the field as a whole, in small steps: no modes, no events, no restart."""
     from scipy.integrate import solve_ivp
 
-    model = ss.load(name)
+    model = ss.load(name).search
     p = parameters(model)
     taken, n = [float(value) for value in model.arguments(p, "motion")], len(model.coordinates)
 
@@ -151,7 +151,7 @@ def test_a_trajectory_is_saved_with_its_model(tmp_path: Any) -> None:
 
 
 def test_a_sweep_of_the_articles_page_is_that_of_the_article() -> None:
-    model, angles = ss.load("kang_nam"), np.radians([30.0, 49.0])
+    model, angles = ss.load("kang_nam").search, np.radians([30.0, 49.0])
     ours = model.rms_sweep(model.Parameters(theta0=angles), t_end=120.0, transient=40.0)
     theirs = ss.rms_sweep(ss.Parameters.article(theta0=angles), 0.5, 10.0, t_end=120.0, transient=40.0)
     for name in ("rms", "spread", "amplitude", "mean", "mean_y"):
@@ -179,7 +179,7 @@ def test_a_sweep_goes_through_a_file_and_other_processes(tmp_path: Any) -> None:
 
 
 def test_a_start_where_a_spring_has_no_length_fails_alone() -> None:
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     x0 = np.array([0.1, float(np.cos(1.0))])
     sweep = model.rms_sweep(model.Parameters(theta0=1.0), t_end=10.0, x0=x0, y0=float(np.sin(1.0)))
     assert np.isfinite(sweep.rms).tolist() == [True, False]

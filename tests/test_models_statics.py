@@ -20,7 +20,7 @@ STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")
 
 @functools.cache
 def model(name):
-    return ss.load(name)
+    return ss.load(name).search
 
 
 def same_parameters(name, p, **more):

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
+from benchmarks import validate_reports
 from spragsym.cli import main
 from spragsym.studies.other_tolerances import certificate_of
 from tests.support import few
@@ -31,7 +32,7 @@ model = "kang_nam"
 KEYS = [
     "mu_jump", "theta0_jump_deg", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_effective", "margin_percent",
     "states", "frequencies_hz", "spring_force_N", "contact_force_N", "displacement_mm", "oscillation", "certificate",
-    "probability", "sobol", "redesign", "warnings",
+    "probability", "sobol", "redesign", "warnings", "reach", "speed_jump", "jump",
 ]  # fmt: skip
 
 
@@ -548,3 +549,109 @@ def test_a_picture_of_a_motion_is_in_the_units_of_the_file(study: ss.Study) -> N
     assert phase.lines[1].get_ydata()[0] == pytest.approx(1200.0)
     assert [axes.get_xlabel() for axes in figure.axes] == ["$t$ (s)", "$x$ (mm)", "frequency (Hz)"]
     assert spectrum.lines[0].get_xdata()[1] == pytest.approx(1 / (150.0 * math.sqrt(0.35 / 1.5e6)), rel=1e-6)
+
+
+# ------------------------------------------------------------------------------------------------------- one set of facts
+
+
+@pytest.mark.parametrize("seed", few(list(range(7, 40)), 7, 8, 11, 12, 14, 19, 28))
+def test_no_two_statements_of_a_report_contradict_each_other(seed: int) -> None:
+    text = validate_reports.brake(1, seed).report(n=64, oscillation=seed % 4 == 0, redesign=False).text()
+    assert len(validate_reports.statements(text)) >= 5
+    assert validate_reports.contradictions(text) == []
+
+
+#: What used to stand in one report, and can't be true at once.
+CONTRADICTIONS = [
+    ("It sprags: at 52 deg the state of small deformation jumps at a friction of 0.37, within your range of friction 0.3 to 0.6.",
+     "Jump\n  margin to the largest friction  +39.0 %"),
+    ("State\n  the state it jumped to          unstable; spring at 124.4 deg, x = 44.15 mm",
+     "Oscillation\n  lives beside sliding that settles\n                                  yes"),
+    ("Oscillation\n  from rest                       none: it decays to rest",
+     "Oscillation\n  amplitude along the belt        5.509 mm"),
+    ("Tolerances\n  no jump within all of them      proved",
+     "Tolerances\n  probability of a jump           0.3 %, 0.1 % to 0.5 %"),
+    ("Jump\n  jump at this angle              never", "Jump\n  tolerances to the nearest jump  0, it has jumped already"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("pair", CONTRADICTIONS, ids=range(len(CONTRADICTIONS)))
+def test_contradictions_are_seen(pair: tuple[str, str]) -> None:
+    assert validate_reports.contradictions("\n\n".join(pair))
+    for one in pair:
+        assert not validate_reports.contradictions(one)
+        assert validate_reports.statements(one)
+
+
+def test_a_slow_belt_is_judged_up_to_full_slip() -> None:
+    """d V = 0.3: 26 % of the friction works. The speed by hand: mu0 (1 − exp(−d V)) = the friction of the jump."""
+    found = ss.Study(brake(mu0=0.5, V=0.03)).report(redesign=False)
+    speed = -math.log(1 - found.mu_jump / 0.5) / 10
+    assert found.verdict.startswith(f"It sprags above V = {speed:.3g} m/s")
+    assert "at 0.03 m/s only 0.13 of your 0.5 works" in found.verdict
+    assert found.to_dict()["reach"] == "faster"
+    assert found.to_dict()["speed_jump"] == {"value": pytest.approx(speed), "unit": "m/s"}
+    # Just above it the same brake has jumped, just below it has not.
+    for share, jumped in ((1.001, True), (0.999, False)):
+        fast = ss.Study(brake(mu0=0.5, V=share * speed)).report(probability=False, redesign=False, oscillation=False)
+        assert fast.facts.jumped is jumped
+    # The largest friction is that at full slip: 0.3663 is not 304 % above it, but 5 %.
+    small = ss.Study(brake(mu0=0.35, V=0.03)).report(probability=False, redesign=False, oscillation=False)
+    assert small.verdict.startswith("It does not sprag")
+    assert "5 % above the largest that you have, 0.35" in small.verdict
+
+
+def test_what_comes_to_rest_has_no_amplitude_and_no_forces() -> None:
+    found = ss.Study(brake(mu0=0.5, V=0.03)).report(probability=False, redesign=False)
+    lives = found.oscillation
+    assert lives is not None
+    assert lives.kind == "rest"
+    assert "none: it decays to rest" in found.text()
+    assert "amplitude" not in found.text()
+    told = found.to_dict()
+    assert told["spring_force_N"]["oscillation"] is None
+    assert told["displacement_mm"]["oscillation_amplitude"] is None
+
+
+def test_a_corner_that_jumps_beside_a_sample_that_does_not() -> None:
+    from spragsym.studies.texts import share
+    from spragsym.studies.tolerances import Chance
+
+    assert share(Chance(0.0, 0.0, 4.5e-4, 0.95, 8192, {})) == "fewer than 0.045 %"
+    assert share(Chance(1.0, 0.9991, 1.0, 0.95, 8192, {})) == "more than 99.9 %"
+    assert share(Chance(0.99998, 0.9991, 1.0, 0.95, 8192, {})) != "100 %"
+
+
+def test_the_jump_as_a_motion_has_its_peaks() -> None:
+    """Another start and another friction, just above the fold, in plain simulation: the same peaks."""
+    study = ss.Study(brake(mu0=0.45))
+    jump = float(ss.jump_value(study.dimensionless))
+    peak = study.report(probability=False, redesign=False).peak
+    assert peak is not None
+    path = ss.quasi_static_path(study.dimensionless, "mu0", [0.0, 0.45]).jumps[0]
+    assert (peak.from_mm, peak.to_mm) == pytest.approx((38 * path.x_before, 38 * path.x_after))
+    # It swings over the state that is left, and the contact is loaded more than in either state.
+    assert peak.x_mm[1] > peak.to_mm > peak.from_mm
+    assert peak.contact_force_N[1] > 57000 * max(-path.y_before, -path.y_after)
+    p, belt = study.dimensionless, study.parameters.belt()
+    at = p.replace(mu0=1.0005 * jump / study.fraction)
+    motion = ss.simulate(at, **belt, x0=path.x_before, y0=path.y_before, t_end=1500.0)
+    assert peak.x_mm[1] == pytest.approx(38 * motion.x.max(), rel=5e-3)
+    assert peak.contact_force_N[1] == pytest.approx(57000 * motion.contact_force().max(), rel=5e-3)
+    assert peak.spring_force_N[0] == pytest.approx(57000 * motion.spring_force().min(), rel=5e-3)
+
+
+def test_two_springs_have_forces() -> None:
+    """By hand: the tension of a spring is its stiffness times what it is longer than without load."""
+    from spragsym.studies.model_states import spring_force
+
+    model = ss.load("two_springs")
+    p = model.Parameters(theta0=0.7, sigma_2=0.3)
+    found = spring_force(model, p, {"x": 0.05, "y": -0.01}, 100.0)
+    assert isinstance(found, dict)
+    assert list(found) == ["spring 1", "spring 2"]
+    for name, angle, stiffness, length in (
+        ("spring 1", p.theta0, p.sigma, 1.0), ("spring 2", p.theta0_2, p.sigma_2, float(p.lambda_2)),
+    ):  # fmt: skip
+        now = math.hypot(length * math.cos(angle) - 0.05, length * math.sin(angle) + 0.01)
+        assert found[name] == pytest.approx(100 * float(stiffness) * (now - length))

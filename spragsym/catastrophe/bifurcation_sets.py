@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -67,13 +68,17 @@ class BifurcationSet(Result):
         return len(self.curves)
 
 
-def bifurcation_set(p: Parameters, n: int = 2000, *, negative_friction: bool = False) -> BifurcationSet:
+def bifurcation_set(
+    p: Parameters, vary: Sequence[str] = ("theta0", "mu0"), n: int = 2000, *, negative_friction: bool = False
+) -> BifurcationSet:
     """Every fold curve in (θ₀, μ₀) for 0 < θ₀ < π and μ₀ ≥ 0: where the number of equilibria changes.
 
     Parameters
     ----------
     p : Parameters
         Scalars κ, α, σ, β; ``theta0`` and ``mu0`` are spanned and not used.
+    vary : sequence of str
+        θ₀ and μ₀, in whose plane there are closed forms; in others :class:`spragsym.Model` searches.
     n : int
         About how many directions θ to solve at, 600 or more; they gather where curves are long.
     negative_friction : bool

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from fractions import Fraction
 
@@ -39,13 +40,17 @@ class Cusps(Result):
         return int(self.theta0.size)
 
 
-def cusps(p: Parameters, *, arith: Arithmetic | None = None) -> Cusps:
+def cusps(
+    p: Parameters, vary: Sequence[str] = ("theta0", "mu0"), *, arith: Arithmetic | None = None
+) -> Cusps:  # fmt: skip
     """All cusps in contact with L > 0, θ₀ in (−π, π] and μ₀ of either sign: proved complete.
 
     Parameters
     ----------
     p : Parameters
         Scalars κ, α, σ, β, taken as the exact rationals that the floats are; ``theta0`` and ``mu0`` are not used.
+    vary : sequence of str
+        θ₀ and μ₀, in whose plane there are closed forms; in others :class:`spragsym.Model` searches.
 
     Returns
     -------

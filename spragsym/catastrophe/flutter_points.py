@@ -48,13 +48,15 @@ class FlutterOnsets(Result):
         return int(self.theta0.size)
 
 
-def flutter_onsets(p: Parameters, *, arith: Arithmetic | None = None) -> FlutterOnsets:
+def flutter_onsets(p: Parameters, vary: str = "theta0", *, arith: Arithmetic | None = None) -> FlutterOnsets:
     """All onsets of flutter in contact along 0 < θ₀ < π at the friction μ₀ of ``p``: proved complete, to 1e-12 and better.
 
     Parameters
     ----------
     p : Parameters
         Scalars μ₀, κ, α, σ, β, taken as the exact rationals that the floats are; ``theta0`` is not used.
+    vary : str
+        θ₀, along which there are closed forms; along others :class:`spragsym.Model` searches.
 
     Returns
     -------

@@ -19,7 +19,7 @@ ASSUMPTIONS = (
     "The root mean square of Figure 7b is of x about zero, over 1500 < τ < 2000. The article states neither.",
     "Friction at steady sliding is μ₀, as in (12) and (14). By (10) it is μ₀ (1 − exp(−d V)), 0.7 % less for our V and d; "
     "`sliding_friction` gives it, and motions rest where it says.",
-    "Stability is that of (27), without the damping that (10) brings.",
+    "Stability is that of (27), without the damping that (10) brings: see Ziegler's paradox below.",
     "0 ≤ μ₀ ≤ 1 in Figures 11 to 14, and all ranges of axes. The article states none in its text.",
     "Figures 4 to 7 and 11 to 13 have the base values of Section 3 (μ₀ = 0.5, κ = α = 0.007, σ = 0.1, β = 0) wherever "
     "text and caption name no other.",
@@ -42,15 +42,39 @@ _COMMANDS = (
     ("python -m spragsym.claims measure", "measure time and memory anew"),
 )
 
+#: Growth of the states at 30°, for the friction's own slope at V and d: μ₀, what (27) says, largest real part of λ.
+PARADOX = (
+    (0.5, "before the jump", "stable", -4.4e-6),
+    (0.5, "after the jump", "stable", 4.9e-6),
+    (0.8, "after the jump", "stable", 1.2e-5),
+)
+
 
 def page() -> str:
     """The page, in Markdown."""
     ledger, claims, measured = _read("spragsym.generated", "ledger.json"), recorded(), _read(__package__, "measured.json")
     parts = [
-        _head(ledger, claims), _claims_table(claims), _misprints(ledger["rows"]), _read_only(), _assumptions(), _rerun(),
-        _measured(measured), _claims_in_full(claims), _equations(ledger["rows"]),
+        _head(ledger, claims), _claims_table(claims), _misprints(ledger["rows"]), _read_only(), _assumptions(), _paradox(),
+        _rerun(), _measured(measured), _claims_in_full(claims), _equations(ledger["rows"]),
     ]  # fmt: skip
     return "\n".join(line for part in parts for line in [*part, ""]).rstrip() + "\n"
+
+
+def _paradox() -> list[str]:
+    """What damping by the friction law's own slope does to states that (27) calls stable."""
+    lines = [
+        "## Ziegler's paradox", "",
+        f"Beside (27) the law (10) brings a damper, C₁₁ = n μ₀ d exp(−d V), here for V = {V} and d = {D:g}. It damps the motion "
+        "along the belt alone. Where friction couples both directions that makes states grow which only oscillate without any "
+        "damping: the article's own state after the jump is stable by (27) and unstable, very slowly, by (8). Figures and claims "
+        "here hold to (27).",
+        "", "| μ₀ | state at 30° | by (27) | largest real part of λ | command |", "|---|---|---|---|---|",
+    ]  # fmt: skip
+    lines += [
+        f"| {mu0} | {state} | {word} | {growth:+.1e} | `spragsym equilibria --model kang_nam --theta0 30 --mu0 {mu0}` |"
+        for mu0, state, word, growth in PARADOX
+    ]
+    return lines
 
 
 def _read(package: str | None, name: str) -> Any:

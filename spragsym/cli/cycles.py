@@ -136,11 +136,13 @@ def _tell_diagram(
     plot: Path | None, json_output: bool,
 ) -> None:  # fmt: skip
     """Equilibria and cycles over a parameter: the labelled points, and the figure."""
-    from ..models import diagram
+    from ..models.diagram import diagram
 
     found = diagram(p, name, to, starts=starts, points=points)
     if plot is not None:
-        _drawn(found.plot, plot)
+        from ..figures import diagram_figure
+
+        _drawn(lambda: diagram_figure(found), plot)
     labels = [
         {"label": label.label, title: unit * label.value, found.name: label.height, "of": label.of, "branch": label.branch}
         for label in found.labels

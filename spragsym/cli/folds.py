@@ -8,21 +8,22 @@ from typing import Any
 import click
 
 from ..errors import ParameterError
+from ..parameters import RANGES
 from .commands import command
 from .data import data, length, varied, vary
-from .options import Number, as_json, build, parameters, theta0
+from .options import DEGREES, Number, as_json, build, check_theta0, parameters, theta0_unless_varied
 from .tables import print_json, print_path, print_table
 from .with_model import ForModels, made_for, model_option
 
 
 @command(cls=ForModels)
-@theta0
+@theta0_unless_varied
 @parameters
 @vary
 @data
 @model_option
 @as_json
-def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> None:
+def folds(theta0_deg: float | None, vary: str, json_output: bool, **values: float) -> None:
     """All folds along one parameter: which state ends there, when, and where it jumps to.
 
     \b
@@ -36,6 +37,7 @@ def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> N
     """
     from ..catastrophe import folds as solve
 
+    check_theta0(theta0_deg, vary)
     name, unit, title = varied(vary)
     found = solve(build(theta0_deg, **values), name)
     size, end = length()
@@ -56,7 +58,7 @@ def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> N
 
 
 @command(cls=ForModels)
-@theta0
+@theta0_unless_varied
 @parameters
 @vary
 @click.option("--from", "low", type=Number(), default=0.0, show_default=True, help="First value; degrees for theta0.")
@@ -66,7 +68,7 @@ def folds(theta0_deg: float, vary: str, json_output: bool, **values: float) -> N
 @model_option
 @as_json
 def path(
-    theta0_deg: float, vary: str, low: float, high: float, points: int, json_output: bool, **values: float
+    theta0_deg: float | None, vary: str, low: float, high: float, points: int, json_output: bool, **values: float
 ) -> None:  # fmt: skip
     """The state of small deformation, followed as one parameter moves: where it goes and where it jumps.
 
@@ -85,7 +87,15 @@ def path(
 
     if low == high:
         raise ParameterError(f"--from {low:g} and --to are the same; give two values")
+    check_theta0(theta0_deg, vary)
     name, unit, title = varied(vary)
+    allowed = DEGREES if name == "theta0" else RANGES[name]
+    for flag, given in (("--from", low), ("--to", high)):
+        value = given if name == "theta0" else given / unit
+        if not allowed.contains(value):
+            own = "" if name == "theta0" or unit == 1 else f" is {name} = {value:g}, which"
+            what = f"{title} = {given:g}{own}"
+            raise ParameterError(f"{flag}: {what} is not in {allowed}{f'; {allowed.remedy}' if allowed.remedy else ''}")
     found = quasi_static_path(build(theta0_deg, **values), name, np.linspace(low, high, points) / unit)
     size, end = length()
     states = [
@@ -102,16 +112,17 @@ def path(
 
 
 @command(cls=ForModels)
-@theta0
+@theta0_unless_varied
 @parameters
 @vary
 @data
 @model_option
 @as_json
-def critical(theta0_deg: float, vary: str, json_output: bool, **values: float) -> None:
+def critical(theta0_deg: float | None, vary: str, json_output: bool, **values: float) -> None:
     """Where the state of small deformation jumps first as one parameter moves, and the frictions that decide whether it can.
 
-    Friction and inclination rise from their lower end; the others move up and down from their value.
+    Friction and inclination rise from their lower end; the others move up and down from their value, at a friction at which
+    nothing has jumped.
 
     \b
     Examples:
@@ -124,20 +135,26 @@ def critical(theta0_deg: float, vary: str, json_output: bool, **values: float) -
     from ..catastrophe import critical_friction, cusp_friction, linear_critical_friction
     from ..design import jump_value
 
+    check_theta0(theta0_deg, vary)
     name, unit, title = varied(vary)
     p = build(theta0_deg, **values)
+    at_angle = math.nan if theta0_deg is None else float(jump_value(p))
     ways = ("up",) if name in ("mu0", "theta0") else ("up", "down")
-    found = {way: unit * float(jump_value(p, name, direction=way)) for way in ways}
+    jumped = name not in ("mu0", "theta0") and at_angle <= float(p.mu0)
+    found = {way: math.nan if jumped else unit * float(jump_value(p, name, direction=way)) for way in ways}
     lowest = critical_friction(p)
     place = {"theta0_lowest_deg": math.degrees(lowest.theta0), "kind_lowest": lowest.kind or None}
     solved = {
-        "mu_jump": jump_value(p), "mu_lowest": lowest, "mu_cusp": cusp_friction(p), "mu_cr": linear_critical_friction(p),
+        "mu_jump": at_angle, "mu_lowest": lowest, "mu_cusp": cusp_friction(p), "mu_cr": linear_critical_friction(p),
     }  # fmt: skip
     frictions = {key: float(value) for key, value in solved.items()}
     if json_output:
-        print_json({"vary": vary, "quantity": title, "jump": found, **frictions, **place})
+        print_json({"vary": vary, "quantity": title, "jump": found, "jumped": jumped, **frictions, **place})
         return
-    rows = [(f"{title} at the first jump, {way}", _or(value, "never")) for way, value in found.items()]
+    rows = [
+        (f"{title} at the first jump, {way}", _or(value, "it has jumped already" if jumped else "never"))
+        for way, value in found.items()
+    ]
     meanings = {
         "mu_jump": "friction at which it jumps at this angle",
         "mu_lowest": "friction of the lowest fold: below it it jumps at no angle" + (
@@ -145,6 +162,8 @@ def critical(theta0_deg: float, vary: str, json_output: bool, **values: float) -
         ),
         "mu_cusp": "friction of the lowest cusp", "mu_cr": "friction of the linear sprag model",
     }  # fmt: skip
+    if theta0_deg is None:
+        del meanings["mu_jump"]
     print_table("", ("", "value"), rows + [(text, _or(frictions[key], "none")) for key, text in meanings.items()])
 
 

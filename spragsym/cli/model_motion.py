@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from .cycles import search, tell
-from .motion import BACKEND, PLOT, RTOL, open_grid, print_summary, refuse_targets, run_sweep, summary_of
+from .motion import BACKEND, PLOT, RTOL, check_length, open_grid, print_summary, refuse_targets, run_sweep, summary_of
 from .options import Axis, Number, as_json, window, workers
 from .targets import force
 from .with_model import parameter_options, parameters_of
@@ -42,6 +42,7 @@ def simulate_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], s
     ) -> None:  # fmt: skip
         p = model.Parameters(**parameters_of(model, values))
         refuse_targets(output, plot, force)
+        check_length(t_end)
         tr = model.simulate(p, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values)
         summary = {"model": model.name, **summary_of(tr, transient)}
         if output is not None:

@@ -76,8 +76,8 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
             told = {"equilibria": rows, "complete": complete, "undecided": open_boxes, "remarks": remarks}
             print_json({"model": model.name, **told})
             return
-        print_table("", ("state", "stability", *model.coordinates, "growth", "error"), [
-            (row["state"], row["stability"], *(row[name] for name in model.coordinates),
+        print_table("", ("state", "stability", "undamped", *model.coordinates, "growth", "error"), [
+            (row["state"], row["stability"], row["undamped"], *(row[name] for name in model.coordinates),
              f"{row['growth']:.1e}", upward(row["error"]))
             for row in rows
         ])  # fmt: skip
@@ -108,7 +108,8 @@ def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
     return [
         {
             "state": state,
-            "stability": Stability(int(found.stability[slot])).name.lower(),
+            "stability": str(found.kind[slot]),
+            "undamped": Stability(int(found.stability[slot])).name.lower(),
             **{name: float(getattr(found, name)[slot]) for name in model.coordinates},
             "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in found.eigenvalues[slot]],
             "growth": float(found.growth[slot]),

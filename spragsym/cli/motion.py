@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import warnings
 from collections.abc import Callable
 from contextlib import nullcontext
@@ -31,6 +32,9 @@ BACKEND = click.option(
 PLOT = click.option(
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg)."
 )
+#: Longest motion that a command follows, in sqrt(m/k_c); all of it is kept.
+LONGEST = 2e6
+
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
@@ -90,6 +94,7 @@ def simulate(
     p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})
     times, values = own_units({"t_end": t_end, "transient": transient}, values)
     t_end, transient = times["t_end"], times["transient"]
+    check_length(t_end)
     refuse_targets(output, plot, force)
     tr = integrate(
         p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]  # values by name, of several types
@@ -101,6 +106,16 @@ def simulate(
         _draw(tr, transient, plot)
         click.echo(f"drew {plot}", err=True)
     print_summary(summary, json_output)
+
+
+def check_length(t_end: float) -> None:
+    """Refuse a motion that memory can't hold, and say on a terminal that a long one lasts."""
+    if t_end > LONGEST:
+        study = current()
+        limit = f"{LONGEST:g} sqrt(m/k_c)" + ("" if study is None else f", which is {LONGEST * study.scales.time:.3g} s")
+        raise ParameterError(f"--t-end is {t_end:g} sqrt(m/k_c), and all of a motion is kept: give at most {limit}")
+    if t_end > LONGEST / 20 and sys.stderr.isatty():
+        click.echo(f"following the motion over {t_end:g} sqrt(m/k_c), for up to minutes; Ctrl-C ends it", err=True)
 
 
 def refuse_targets(output: Path | None, plot: Path | None, force: bool) -> None:

@@ -131,6 +131,18 @@ def theta0(function: F, kind_of: type[Number] = Number) -> F:
     return click.option("--theta0", "theta0_deg", type=kind_of(DEGREES), required=True, help=text)(function)
 
 
+def theta0_unless_varied(function: F) -> F:
+    """``--theta0`` in degrees, which ``--vary theta0`` does not need."""
+    text = f"{sentence('theta0')[:-1]}, degrees; needed unless it varies."
+    return click.option("--theta0", "theta0_deg", type=Number(DEGREES), help=text)(function)
+
+
+def check_theta0(theta0_deg: float | None, vary: str) -> None:
+    """An error if it is needed and missing."""
+    if theta0_deg is None and vary != "theta0":
+        raise click.UsageError("Missing option '--theta0'.")
+
+
 def ranges(function: F) -> F:
     """``--theta0`` and the other parameters, each of which may be numbers ``a,b,c`` or ``start:stop:count``."""
     return theta0(parameters(function, Numbers), Numbers)

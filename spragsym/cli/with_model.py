@@ -38,7 +38,7 @@ class ForModels(click.Command):
             return super().make_context(info_name, args, parent, **extra)
         from ..models import load
 
-        return self.of_model(load(chosen)).make_context(info_name, args, parent, **extra)
+        return self.of_model(load(chosen).search).make_context(info_name, args, parent, **extra)
 
 
 def _chosen(args: Sequence[str]) -> str | None:

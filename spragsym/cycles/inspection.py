@@ -114,7 +114,7 @@ def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, 
             yield from findings(middle, other, rest, one, depth + 1)
             return
     for touch, after in through:
-        yield from _grazing(one, other, touch, after)
+        yield from _grazing(one, other, touch, after, length)
     for kind in changed:
         yield from _located(kind, one, other, length)
 
@@ -131,7 +131,7 @@ def _bends_to_zero(kind: str, before: Seen, one: Seen, other: Seen) -> bool:
     return lowest * b < 0.05 * b * b
 
 
-def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch) -> Iterator[Finding]:
+def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch, length: float) -> Iterator[Finding]:
     near, turn = (one, touch) if abs(touch.level) <= abs(after.level) else (other, after)
     for point, begun in ((near, turn), (one, touch), (other, after)):
         try:
@@ -144,6 +144,10 @@ def _grazing(one: Seen, other: Seen, touch: Touch, after: Touch) -> Iterator[Fin
         if ends[0] - width - 1e-12 <= loop.guess.values[index] <= ends[1] + width + 1e-12:
             yield Finding("grazing", loop, 10 * loop.missed + 1e-12, touch.turn.border)
             return
+    if length > FINEST:
+        raise NotLocated("grazing")
+    if signature(one.point) == signature(other.point):
+        return  # two different turns were taken for one: the orbit crosses as often as before
     yield Finding(
         "grazing", near.point.loop, abs(other.point.loop.guess.values[one.setting.free[0]] - _value(one)), touch.turn.border
     )

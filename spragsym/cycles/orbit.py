@@ -41,6 +41,9 @@ from ..parameters import FloatArray
 #: A multiplier this close to 1 in size decides nothing about stability.
 NEUTRAL = 1e-7
 
+#: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a fold, its shortest steps do.
+STAYS = 1e-7
+
 #: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
 SAME = 1e-9
 
@@ -226,7 +229,7 @@ def refined(loop: Loop, fly: Fly) -> Loop:
     while True:
         cut = recut(known, fly, pieces, begin)
         try:
-            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=7, precision=1e-15)
+            found = solved(field, fly, cut, at_rest_along(field, pieces * size + 1), iterations=7, precision=1e-15, reach=STAYS)
         except ConvergenceError:
             found = _least_steps(field, fly, cut)
         if growth(found) <= LARGEST_GROWTH or pieces >= MOST_STRETCHES:

@@ -76,7 +76,8 @@ def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> fl
     Notes
     -----
     Source: f = f′ = 0; the first jump of :func:`spragsym.quasi_static_path` from ``start="small"``, to 1e-12: the state that is
-    followed is the stable equilibrium of smallest \\|x\\| at the first value.
+    followed is the stable equilibrium of smallest \\|x\\| at the first value, or the one of smallest \\|x\\| where none is
+    stable; it may flutter on its way.
 
     Examples
     --------

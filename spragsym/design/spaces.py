@@ -36,7 +36,9 @@ class Space:
         if not np.iscomplexobj(values):  # z at a limit, rounded
             low, high = self.limits()
             values = np.clip(values, self.origin + low * self.scale, self.origin + high * self.scale)
-            values = np.where((z <= low) & (low * self.scale == -self.origin), 0.0, values)
+            values = np.maximum(
+                np.where((z <= low) & (low * self.scale == -self.origin), 0.0, values), 0.0
+            )  # no lower end is less
         return _given(self.base) | {name: values[..., j] for j, name in enumerate(self.names)}
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:

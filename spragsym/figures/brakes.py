@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 
 from ..catastrophe import folds, quasi_static_path
+from ..door import only_for
 from ..parameters import Parameters
 from .bifurcation_sets import draw_bifurcation_set
 from .curves import branches, draw_branches, draw_path, mark_folds
@@ -19,6 +20,7 @@ from .style import BLACK, BLUE, GREY, SKY, VERMILION, own_axes, write_along
 _TOP = 1.0
 
 
+@only_for(Parameters, "draw_bifurcation_set_of(model, found) draws the set")
 def draw_operating_point(
     p: Parameters, theta0: tuple[float, float], mu0: tuple[float, float], jump: float = float("nan"), ax: Axes | None = None
 ) -> Any:
@@ -52,6 +54,7 @@ def draw_operating_point(
     return point
 
 
+@only_for(Parameters, "draw_equilibria_of(model, p, vary, ends) draws the states")
 def draw_rising_friction(
     p: Parameters, mu0: tuple[float, float], ax: Axes | None = None, *, length: float = 1.0, label: str = r"$x$ / $L_0$"
 ) -> Any:

@@ -14,6 +14,7 @@ from matplotlib.lines import Line2D
 from ..catastrophe.flutter_points import flutter_onsets
 from ..catastrophe.fold_points import Folds, folds
 from ..catastrophe.paths import Path
+from ..door import only_for
 from ..parameters import RANGES, FloatArray, Parameters
 from ..statics.solver import Equilibria, Stability, equilibria
 from .style import BLACK, LINES, Table, own_axes, styled
@@ -63,6 +64,7 @@ def name_axes(ax: Axes, vary: str, quantity: str) -> None:
         ax.set_ylabel(_WITH_UNITS[quantity])
 
 
+@only_for(Parameters, "model.equilibria(p) along an axis has the states")
 def branches(
     p: Parameters, vary: str = "theta0", low: float | None = None, high: float | None = None, *,
     contact: bool = True, n: int = 200,
@@ -185,6 +187,7 @@ def mark_folds(
     return own_axes(ax).plot(x, y, **(style | options))
 
 
+@only_for(Parameters, "draw_equilibria_of(model, p, vary, ends) draws the states")
 def plot_equilibria(
     p: Parameters, quantity: str = "x", vary: str = "theta0", *,
     low: float | None = None, high: float | None = None,

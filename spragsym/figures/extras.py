@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..assumed import MU0_RANGE, D, V
 from ..catastrophe import bifurcation_set, critical_friction, critical_value, cusp_friction, folds
 from ..catastrophe.companion import eigenvalues
+from ..door import only_for
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters
 from ..sweeps import Workers, rms_sweep, sensitivity
@@ -43,6 +44,7 @@ _SAMPLES: dict[str, tuple[tuple[float, float], tuple[float, ...], tuple[float, f
 _TICKS = {"alpha": (0.1, 1.0, 10.0), "sigma": (0.1, 0.2, 0.5), "kappa": (0.01, 0.1, 0.5)}
 
 
+@only_for(Parameters, "model_figure(model, p, vary) draws states and set")
 @styled
 def bifurcation_figure(p: Parameters) -> Sheet:
     """The bifurcation set of any κ, α, σ, β over inclination and friction.

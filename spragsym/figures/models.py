@@ -131,7 +131,7 @@ def draw_equilibria_of(
     between: Between | None = None,
     n: int = 300,
 ) -> list[Any]:
-    """All equilibria in contact along a parameter, one dot each, coloured by stability; returns the artists.
+    """All equilibria in contact along a parameter, one dot each, coloured by what grows, dampers included; returns the artists.
 
     Parameters
     ----------
@@ -153,11 +153,11 @@ def draw_equilibria_of(
     ax, of = own_axes(ax), of or model.coordinates[0]
     low, high = ranges(model, (vary,), between or {})[0]
     values = low + (high - low) * (np.arange(n) + 0.5) / n
-    eq = model.equilibria(p.replace(**{vary: values}))
+    eq = model.search.equilibria(p.replace(**{vary: values}))
     across = np.broadcast_to(_shown(model, vary, values)[:, None], eq.stability.shape)
     artists: list[Any] = []
     for kind, colour in COLOURS.items():
-        chosen = eq.stability == kind
+        chosen = eq.kind == kind.name.lower()
         if chosen.any():
             up = _shown(model, of, getattr(eq, of)[chosen])
             artists += ax.plot(across[chosen], up, ".", color=colour, markersize=1.8, label=kind.name.lower())
@@ -195,7 +195,7 @@ def draw_onsets_of(
     spans = {two: given[two]} if two in given else None
     points: list[list[float]] = [[], []]
     for value in low + (high - low) * (np.arange(n) + 0.5) / n:
-        found = model.flutter_onsets(p.replace(**{one: float(value)}), two, damping=damping, between=spans)
+        found = model.search.flutter_onsets(p.replace(**{one: float(value)}), two, damping=damping, between=spans)
         points[0] += [float(value)] * len(found)
         points[1] += getattr(found, two).tolist()
     artists: list[Any] = ax.plot(*(_shown(model, name, np.array(column)) for name, column in zip(vary, points, strict=True)), ".",
@@ -221,7 +221,7 @@ def model_figure(model: Model, p: Any, vary: Sequence[str], *, between: Between 
         Lines of either parameter on which folds are looked for: a closed curve between two of them is not seen.
     """
     figure, ((ax,),) = panels(1, 1, SINGLE, 2.7)
-    found = model.bifurcation_set(p, vary, n, between=window(model, vary, between or {}))
+    found = model.search.bifurcation_set(p, vary, n, between=window(model, vary, between or {}))
     draw_bifurcation_set_of(model, found, ax)
     names = (*found.vary, *model.coordinates)
     columns = {name: np.concatenate([getattr(curve, name) for curve in found.curves] or [np.empty(0)]) for name in names}

@@ -169,17 +169,24 @@ class NoSlope(Plain):
 
 def characteristic(at: State) -> list[Any]:
     """Coefficients of det(λ² M + λ C + K), the lowest first."""
-    K, C, M = at.stiffness(), at.damping(), at.mass()
+    return of_pencil(at.mass(), at.damping(), at.stiffness())
+
+
+def of_pencil(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]]) -> list[Any]:
+    """The same of these matrices."""
     n = len(K)
     rows = [[Polynomial([K[i][j], C[i][j], M[i][j]]) for j in range(n)] for i in range(n)]
     coefficients: list[Any] = determinant(rows).padded(2 * n + 1)
     return coefficients
 
 
-def hurwitz(coefficients: Sequence[Any]) -> Any:
-    """The last but one of Hurwitz's determinants of a polynomial, the lowest coefficient first: 0 if two roots have the sum 0."""
+def hurwitz(coefficients: Sequence[Any], size: int | None = None) -> Any:
+    """Hurwitz's determinant of that size of a polynomial, the lowest coefficient first.
+
+    Without a size the last but one: 0 if two roots have the sum 0.
+    """
     a = coefficients[::-1]
-    size = len(a) - 2
+    size = len(a) - 2 if size is None else size
     # Row i, column j: a of index 2 (j + 1) − (i + 1), where there is one.
     places = [[2 * (j + 1) - (i + 1) for j in range(size)] for i in range(size)]
     return determinant([[a[k] if 0 <= k < len(a) else 0 for k in row] for row in places])

@@ -110,12 +110,6 @@ class Diagram(Result):
     remarks: tuple[str, ...] = ()
     name: str = field(default="x", repr=False)
 
-    def plot(self) -> Any:
-        """The figure: :func:`spragsym.figures.diagram_figure`."""
-        from ..figures import diagram_figure
-
-        return diagram_figure(self)
-
 
 def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
     """Equilibria and cycles of one parameter over a range.
@@ -295,7 +289,7 @@ def _equilibria(model: Model, motion: Field, p: ParameterSet, vary: str, to: tup
     grid = np.linspace(*to, SEEDS)
     for contact in (True, False):
         try:
-            known = model.equilibria(p.replace(**{vary: grid}), contact=contact)
+            known = model.search.equilibria(p.replace(**{vary: grid}), contact=contact)
         except SpragsymError:
             continue  # no unilateral contact
         places = np.stack([np.asarray(getattr(known, name)) for name in model.coordinates], axis=-1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -43,6 +43,9 @@ from .turns import once_around
 #: so is searched anew, to narrower boxes.
 STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
 
+#: Imaginary part of a λ that is real to floats, over its size.
+REAL = 1e-9
+
 
 @dataclass(frozen=True)
 class Undecided(Result):
@@ -71,7 +74,13 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     eigenvalues : ndarray of complex
         The λ of it, on one more axis.
     growth : ndarray
-        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law.
+        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law. Made when it is asked
+        for, as are the next two.
+    stable : ndarray of bool
+        Where it is proved that nothing grows by that linearization.
+    kind : ndarray of str
+        ``"stable"`` where nothing grows; where something does ``"divergent"`` or ``"flutter"``, by the λ that grows fastest; or
+        ``"marginal"`` where 256 bits do not tell whether something grows. Empty beyond ``count``.
     error : ndarray
         Bound on |error| / max(1, |value|) of the coordinates.
     region : ndarray
@@ -92,19 +101,60 @@ class ModelEquilibria(Columns, held_in="coordinates"):
     stability: NDArray[np.int8]
     marginal: NDArray[np.bool_]
     eigenvalues: NDArray[np.complex128]
-    growth: FloatArray
     error: FloatArray
     region: FloatArray
     whole: NDArray[np.bool_]
     decided: NDArray[np.bool_]
     undecided: tuple[Undecided, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
+    _damped: _stability.Damped = field(repr=False)
+    _slots: tuple[NDArray[np.int64], NDArray[np.int64]] = field(repr=False)
     remarks: tuple[str, ...] = ()
+
+    @cached_property
+    def growth(self) -> FloatArray:
+        """Largest real part of all λ."""
+        return self._placed(self._fastest.real, np.nan)
+
+    @cached_property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where nothing grows."""
+        return self._placed(self._decay > 0, False)
+
+    @cached_property
+    def kind(self) -> NDArray[np.str_]:
+        """What grows, in a word."""
+        fastest, decay = self._fastest, self._decay
+        real = fastest.imag <= REAL * np.abs(fastest)
+        return self._placed(
+            np.where(decay > 0, "stable", np.where(decay == 0, "marginal", np.where(real, "divergent", "flutter"))), ""
+        )
+
+    @cached_property
+    def _fastest(self) -> NDArray[np.complex128]:
+        return self._damped.fastest()
+
+    @cached_property
+    def _decay(self) -> NDArray[np.int8]:
+        return self._damped.decay()
+
+    def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
+        """Values of all states by point and slot."""
+        return in_slots(values, empty, self._slots, self.error.shape)
 
     @property
     def complete(self) -> bool:
         """Whether these are all equilibria of every point: each box is decided, and nothing is beyond the region."""
         return bool((self.decided & self.whole).all())
+
+
+def in_slots(
+    values: NDArray[Any], empty: Any, where: tuple[NDArray[np.int64], NDArray[np.int64]], shape: tuple[int, ...]
+) -> NDArray[Any]:
+    """Values of states by point and slot in arrays of the shape of points and slots, and of one value."""
+    out = np.full((*shape, *values.shape[1:]), empty, dtype=values.dtype)
+    out.reshape(-1, shape[-1], *values.shape[1:])[where] = values
+    return out
 
 
 def equilibria(
@@ -231,12 +281,12 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     slots = max(1, int(count.max(initial=0)))
     slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
     boxes_around = (ends[:, :, order] for ends in (found.ends, found.alone))
-    types = _stability.classified(balance, states, columns(p, balance.parameters)[:, point], *boxes_around)
+    ends, alone = boxes_around
+    here = columns(p, balance.parameters)[:, point]
+    types = _stability.classified(balance, states, here, ends, alone)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
-        out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
-        out[point, slot] = values
-        return out.reshape(*shape, slots, *values.shape[1:])
+        return in_slots(values, empty, (point, slot), (*shape, slots))
 
     decided = np.ones(size, dtype=np.bool_)
     decided[found.left_point] = False
@@ -254,7 +304,8 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     searched = np.moveaxis(searched, 0, 1).reshape(*shape, balance.n, 2)
     return ModelEquilibria(
         p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(~types.proved, False),
-        placed(types.eigenvalues, np.nan), placed(types.growth, np.nan), placed(errors, np.nan),
+        placed(types.eigenvalues, np.nan), placed(errors, np.nan),
         searched, whole.reshape(shape), decided.reshape(shape), undecided,
-        {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)}, remarks,
+        {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
+        _stability.Damped(balance, states, here, ends, alone, types), (point, slot), remarks,
     )  # fmt: skip

@@ -21,9 +21,15 @@ TURN = np.pi + 0.02
 class Model(Protocol):
     """What is needed of a model: generated modules, and what its page says."""
 
-    statics: Any
-    linearization: Any
     about: Mapping[str, Any]
+
+    @property
+    def statics(self) -> Any:
+        """Of the balance of forces."""
+
+    @property
+    def linearization(self) -> Any:
+        """Of small motions about it."""
 
 
 def undecorated(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -84,8 +84,8 @@ def _points(model: Model) -> list[str]:
     known = model.parameters
     if not {"theta0", "mu0"} <= set(known):
         return []
-    folds = model.folds(model.Parameters(), "theta0")
-    cusps = model.cusps(model.Parameters(mu0=None), ("theta0", "mu0"))
+    folds = model.search.folds(model.Parameters(), "theta0")
+    cusps = model.search.cusps(model.Parameters(mu0=None), ("theta0", "mu0"))
     found = []
     for what, points in (("Folds at the base values", folds), ("Cusps", cusps)):
         listed = ", ".join(

@@ -17,8 +17,7 @@ from typing import Any
 
 from ..errors import ParameterError, ParameterTypeError, StoreError
 from ..names import hint
-from ..parameters import Parameters
-from .model import PARTS, Model
+from .model import Model
 from .parameters import parameter_class
 
 #: What ``model.json`` says at least.
@@ -115,10 +114,17 @@ def _loaded(folder: Path, where: str, about: Mapping[str, Any]) -> Model:
         raise StoreError(
             f"{folder} was derived when the torque of a torsion spring was k φ up to 41 degrees only; derive the page again"
         )
-    modules = {part: _module(folder, where, part) for part in PARTS if f"{part}.py" in about["files"]}
-    ours = Parameters if where == Parameters.where else parameter_class(about, where)
-    model = Model(where, about, modules, ours)
-    ours._model = model
+
+    def module(part: str) -> ModuleType | None:
+        return _module(folder, where, part) if f"{part}.py" in about["files"] else None
+
+    room = f"{__package__.rpartition('.')[0]}.{where}"
+    if where == folder.name and importlib.util.find_spec(room):  # a shipped model with closed forms
+        own = importlib.import_module(room)
+        model = Model(where, about, module, own.Parameters, own.CLOSED)
+    else:
+        model = Model(where, about, module, parameter_class(about, where))
+    model.Parameters._model = model
     return model
 
 

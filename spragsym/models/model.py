@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
+<<<<<<< HEAD
 from ..errors import ConvergenceError, ParameterError
+=======
+from ..door import question, unanswered
+from ..errors import ConvergenceError
+>>>>>>> main
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described
@@ -26,9 +32,6 @@ if TYPE_CHECKING:
     from .points import ModelPoints
     from .trajectory import ModelTrajectory
 
-#: Modules of generated functions.
-PARTS = ("statics", "linearization", "motion")
-
 
 class Model:
     """A model from a page.
@@ -43,6 +46,8 @@ class Model:
         ``model.json``: coordinates, parameters, laws, springs, as the page says them.
     statics, linearization, motion : module
         Generated functions.
+    search : Model
+        The same without closed forms.
     Parameters : type
         The class of its parameters: ``model.Parameters(**changes_of_base)``.
 
@@ -59,12 +64,33 @@ class Model:
     ([44.59], True)
     """
 
-    def __init__(self, where: str, about: Mapping[str, Any], modules: Mapping[str, ModuleType], parameters: Any) -> None:
+    def __init__(
+        self, where: str, about: Mapping[str, Any], modules: Callable[[str], ModuleType | None], parameters: Any,
+        closed: Mapping[str, tuple[str, Collection[Any]]] | None = None,
+    ) -> None:  # fmt: skip
         self.name: str = about["name"]
-        self.where, self.about, self.Parameters = where, about, parameters
-        self.statics: Any = modules["statics"]
-        self.linearization: Any = modules["linearization"]
-        self.motion: Any = modules.get("motion")
+        self.where, self.about, self.Parameters, self.closed = where, about, parameters, closed or {}
+        self._modules = modules
+
+    @cached_property
+    def statics(self) -> Any:
+        """Generated functions of the balance of forces."""
+        return self._modules("statics")
+
+    @cached_property
+    def linearization(self) -> Any:
+        """Generated functions of small motions about it."""
+        return self._modules("linearization")
+
+    @cached_property
+    def motion(self) -> Any:
+        """Generated functions of the motion; None where there are none."""
+        return self._modules("motion")
+
+    @cached_property
+    def search(self) -> Model:
+        """The same model without its closed forms: every question by the general way, as with ``method="search"``."""
+        return Model(self.where, self.about, self._modules, self.Parameters) if self.closed else self
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -110,6 +136,7 @@ class Model:
             values.append(value if part is None else (np.cos, np.sin)[part](value))
         return tuple(values)
 
+    @question
     def equilibria(
         self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
     ) -> ModelEquilibria:
@@ -119,8 +146,9 @@ class Model:
         """
         from .equilibria import equilibria
 
-        return equilibria(self, _parameters.own(self, p), contact, within)
+        return equilibria(self, p, contact, within)
 
+    @question
     def count(self, p: ParameterSet) -> NDArray[np.int64]:
         """The number of equilibria in contact, in the shape of ``p``.
 
@@ -129,14 +157,19 @@ class Model:
         ConvergenceError
             Where a point is not decided.
         """
-        found = self.equilibria(p)
+        found: ModelEquilibria = self.search.equilibria(p)
         if not found.complete:
             raise ConvergenceError(
                 f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them"
             )
         return found.count
 
+<<<<<<< HEAD
     def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
+=======
+    @question
+    def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+>>>>>>> main
         """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
 
         Without ``vary`` it is the first of ``model.axes``.
@@ -145,17 +178,30 @@ class Model:
         """
         from .folds import folds
 
+<<<<<<< HEAD
         return folds(self, _parameters.own(self, p), self._one(vary), **options)
 
     def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
         """All cusps in the plane of two parameters, ``model.axes`` if there are two, proved; ``between`` as for :meth:`folds`.
+=======
+        return folds(self, p, vary, **options)
+
+    @question
+    def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
+        """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
+>>>>>>> main
 
         See :func:`spragsym.models.cusps.cusps`.
         """
         from .cusps import cusps
 
+<<<<<<< HEAD
         return cusps(self, _parameters.own(self, p), self._two(vary), **options)
+=======
+        return cusps(self, p, vary, **options)
+>>>>>>> main
 
+    @question
     def bifurcation_set(
         self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any
     ) -> ModelBifurcationSet:
@@ -165,8 +211,13 @@ class Model:
         """
         from .bifurcation import bifurcation_set
 
+<<<<<<< HEAD
         return bifurcation_set(self, _parameters.own(self, p), self._two(vary), n, **options)
+=======
+        return bifurcation_set(self, p, vary, n, **options)
+>>>>>>> main
 
+    @question
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
         """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
 
@@ -174,10 +225,16 @@ class Model:
         """
         from .paths import quasi_static_path
 
-        return quasi_static_path(self, _parameters.own(self, p), vary, values, **options)
+        return quasi_static_path(self, p, vary, values, **options)
 
+<<<<<<< HEAD
     def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
         """All onsets of flutter along one parameter, proved; ``vary`` and ``between`` as for :meth:`folds`.
+=======
+    @question
+    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> Onsets:
+        """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
+>>>>>>> main
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
         :func:`spragsym.models.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation begins gently.
@@ -192,29 +249,41 @@ class Model:
         """
         from .flutter import flutter_onsets
 
+<<<<<<< HEAD
         return flutter_onsets(self, _parameters.own(self, p), self._one(vary), **options)
+=======
+        return flutter_onsets(self, p, vary, **options)
+>>>>>>> main
 
+    @question
     def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
         """Equilibria and cycles over one parameter, labelled: see :func:`spragsym.models.diagram.diagram`."""
         from .diagram import diagram_of
 
-        return diagram_of(self, _parameters.own(self, p), vary, to, **options)
+        return diagram_of(self, p, vary, to, **options)
 
+    @question
     def onset_curves(
         self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 30, **options: Any
     ) -> OnsetCurves:  # fmt: skip
         """Curves of Hopf points in the plane of two parameters, gentle or dangerous: see :func:`spragsym.onset_curves`."""
         from .hopf_curves import onset_curves
 
-        return onset_curves(self, _parameters.own(self, p), vary, n, **options)
+        return onset_curves(self, p, vary, n, **options)
 
-    def cycle(self, p: ParameterSet | None = None, near: Any = None, **options: Any) -> Cycle:
+    @question
+    def cycle(
+        self, p: ParameterSet | None = None, near: Any = None, *, V: float | None = None, d: float | None = None, **options: Any
+    ) -> Cycle:
         """The cycle near a state, or that a motion approaches, or, with ``onset=``, that is born: see :func:`spragsym.cycle`."""
         from ..cycles.finding import at_onset
         from .oscillation import cycle
 
         born = at_onset(p, near, options)
-        return cycle(self, _parameters.own(self, p), near, **options) if born is None else born
+        if born is not None:
+            return born
+        assert p is not None
+        return cycle(self, p.given(V=V, d=d), near, **options)
 
     def cycle_branch(self, cycle: Cycle, vary: str, to: tuple[float, float], **options: Any) -> CycleBranch:
         """A cycle followed as one of the model's parameters varies: see :func:`spragsym.cycle_branch`, which is the same."""
@@ -222,34 +291,40 @@ class Model:
 
         return cycle_branch(cycle, vary, to, **options)
 
-    def lyapunov(self, p: ParameterSet, **options: Any) -> Lyapunov:
+    @question
+    def lyapunov(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> Lyapunov:
         """Lyapunov exponents of the motion from ``start``: see :func:`spragsym.lyapunov`."""
         from .oscillation import lyapunov
 
-        return lyapunov(self, _parameters.own(self, p), **options)
+        return lyapunov(self, p.given(V=V, d=d), **options)
 
-    def fate_boundary(self, p: ParameterSet, **options: Any) -> FateBoundary:
+    @question
+    def fate_boundary(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> FateBoundary:
         """The value of ``vary`` in ``bracket`` at which ``start`` changes its fate: see :func:`spragsym.fate_boundary`."""
         from .oscillation import fate_boundary
 
-        return fate_boundary(self, _parameters.own(self, p), **options)
+        return fate_boundary(self, p.given(V=V, d=d), **options)
 
-    def basin_boundary(self, p: ParameterSet, **options: Any) -> BasinBoundary:
+    @question
+    def basin_boundary(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> BasinBoundary:
         """The stable manifold of a saddle in a plane of starts: see :func:`spragsym.basin_boundary`.
 
         ``plane`` names two of the coordinates and rates; ``saddle`` is a place near the saddle, where there are several.
         """
         from .oscillation import basin_boundary
 
-        return basin_boundary(self, _parameters.own(self, p), **options)
+        return basin_boundary(self, p.given(V=V, d=d), **options)
 
-    def simulate(self, p: ParameterSet, **options: Any) -> ModelTrajectory:
+    @question
+    def simulate(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> ModelTrajectory:
         """Integrate the motion from an initial state, restarted at every kink of the model's laws.
 
         Parameters
         ----------
         p : Parameters of the model
-            Scalars; V and d are among them.
+            Scalars.
+        V, d : float, optional
+            In place of those of ``p``.
         start : array_like, shape (2 n,), optional
             Coordinates, then rates. Or one by one: ``x0``, ``y0``, …, ``vx0``, …; 0 where nothing is given.
         t_end, rtol, events, estimate_error, backend, max_steps
@@ -278,15 +353,18 @@ class Model:
         """
         from .trajectory import simulate
 
-        return simulate(self, p, **options)
+        return simulate(self, p.given(V=V, d=d), **options)
 
-    def rms_sweep(self, p: ParameterSet, **options: Any) -> Sweep:
+    @question
+    def rms_sweep(self, p: ParameterSet, V: ArrayLike | None = None, d: ArrayLike | None = None, **options: Any) -> Sweep:
         """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
 
         Parameters
         ----------
         p : Parameters of the model
-            Any shape; V and d are among them.
+            Any shape.
+        V, d : array_like, optional
+            In place of those of ``p``.
         x0, vx0, … : array_like, optional
             Initial state by the names of the model's coordinates; they broadcast with ``p``.
         t_end, transient, rtol, backend, max_steps, workers, progress, store
@@ -307,7 +385,23 @@ class Model:
         """
         from .sweep import rms_sweep
 
-        return rms_sweep(self, p, **options)
+        return rms_sweep(self, p.given(V=V, d=d), **options)
+
+    jump_value = unanswered("quasi_static_path(p, vary, values) follows the state to its jump")
+    jump_gradient = unanswered("folds(p, vary) at neighbouring values has the differences")
+    jump_margin = unanswered("folds(p, vary) has the folds along each parameter")
+    jump_probability = unanswered("quasi_static_path(p, vary, values) answers for one point")
+    certify = unanswered("count(p) and equilibria(p) answer for points")
+    redesign = unanswered("folds(p, vary) says how far a parameter has to go")
+    critical_friction = unanswered("cusps(p) has all cusps in a range of friction")
+    cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
+    critical_value = unanswered("cusps(p) has all cusps at each value of a parameter")
+    flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")
+    surface = unanswered("equilibria(p) has all states over a grid of parameters")
+    linear_sprag = unanswered("equilibria(p) has the states")
+    linear_critical_friction = unanswered("folds(p, vary) has the values at which states meet")
+    basin = unanswered("rms_sweep(p, ...) has the regime of each start")
+    sensitivity = unanswered("rms_sweep(p) over axes of parameters has the regimes")
 
     def _one(self, vary: str | None) -> str:
         if not self.parameters:
@@ -325,4 +419,10 @@ class Model:
     def __reduce__(self) -> tuple[Any, ...]:
         from .load import load
 
-        return load, (self.where,)
+        return (load, (self.where,)) if self.closed or load(self.where) is self else (_searching, (self.where,))
+
+
+def _searching(where: str) -> Model:
+    from .load import load
+
+    return load(where).search

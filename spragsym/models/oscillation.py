@@ -12,6 +12,7 @@ from ..dynamics.field import Field
 from ..dynamics.sprag import REACH
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, as_numbers
+from .equilibria import equilibria
 from .field import field_of
 from .trajectory import start_of
 
@@ -84,7 +85,7 @@ def _saddle(model: Model, field: Field, p: ParameterSet, values: tuple[float, ..
 
 
 def _places(model: Model, p: ParameterSet) -> FloatArray:
-    found = model.equilibria(p)
+    found = equilibria(model, p)
     columns = np.array([getattr(found, name) for name in model.coordinates]).T
     places: FloatArray = columns[np.isfinite(columns).all(axis=1)]
     return places

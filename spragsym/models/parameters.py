@@ -5,13 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import field, make_dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from ..errors import ParameterTypeError
 from ..parameters import RANGES, ParameterSet, Range, named
-
-if TYPE_CHECKING:
-    from .model import Model
 
 #: Options whose names are not those of their parameters.
 _OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
@@ -61,13 +57,6 @@ def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:
         },
     )
     return named(made)
-
-
-def own(model: Model, p: Any) -> Any:
-    """The parameters, if they are a set of this model's: another model's would be taken for what they are not."""
-    if not isinstance(p, model.Parameters):
-        raise ParameterTypeError(f"p = {p!r:.60} is no set of parameters of {model.name}; make one with model.Parameters(...)")
-    return p
 
 
 def _again(where: str, values: dict[str, Any]) -> Any:

@@ -20,7 +20,7 @@ from ..exact.krawczyk import as_balls, narrowed
 from ..exact.polynomials import Undecided
 from ..statics.solver import Stability
 from .balance import NOTHING, Balance, matrix
-from .conditions import Polynomial, determinant
+from .conditions import Polynomial, determinant, hurwitz, of_pencil
 from .precise import PreciseBalance
 
 #: Bits of the numbers where intervals of floats do not tell a sign.
@@ -58,6 +58,57 @@ def classified(
         if again is not None:
             codes[row : row + 1], proved[row : row + 1] = _told(*again, conservative[row : row + 1])
     return codes, proved
+
+
+def decay(
+    balance: Balance, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.bool_]
+) -> NDArray[np.int8]:
+    """What all λ of det(λ² M + λ C + K) = 0 do: 1 where it is proved that none grows, −1 that one does, 0 where it is not known.
+
+    All decay just where the coefficients of that polynomial and Hurwitz's determinants are positive; where one of these is
+    negative some λ has a positive real part, since without such all would be limits of positive ones. Arguments as for
+    :func:`classified`; ``undamped`` says which states are proved to be stable without C, which counts where C is 0.
+    """
+    shape = ends.shape[2:]
+    with np.errstate(all="ignore"):
+        q, values = list(Intervals(ends)), balance.arguments(balance.prepared(Intervals.point(given)))
+        directions = balance.directions(q, values, shape)
+        K = matrix(balance.by_coordinate("forces_jacobian", q, directions, values), shape)
+        C = matrix(balance.damping(q, directions, values), shape)
+        M = matrix(balance.mass(q, values), shape)
+        signs = _signs(_routh(*(list(map(list, part)) for part in (M, C, K))), shape)
+        without = C.magnitude.max(axis=(0, 1)) <= NOTHING
+    found = np.where(without & undamped, 1, _told_to_decay(signs)).astype(np.int8)
+    for row in np.flatnonzero(found == 0).tolist():
+        again = _decay_with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row])
+        found[row] = 0 if again is None else _told_to_decay(again)[0]
+    return found
+
+
+def _routh(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[Sequence[Any]]) -> list[Any]:
+    """The coefficients, and all determinants of Hurwitz but the first and the last, which add nothing."""
+    a = of_pencil(M, C, K)
+    return [*a, *(hurwitz(a, size) for size in range(2, len(a) - 1))]
+
+
+def _told_to_decay(signs: NDArray[np.int8]) -> NDArray[np.int8]:
+    return np.where((signs > 0).all(axis=0), 1, np.where((signs < 0).any(axis=0), -1, 0)).astype(np.int8)
+
+
+def _decay_with_digits(balance: Balance, given: FloatArray, box: FloatArray, alone: FloatArray) -> NDArray[np.int8] | None:
+    """The signs at one state with many digits; None where the box around it can't be made smaller."""
+    precise = PreciseBalance(balance, given, BITS)
+    try:
+        q = narrowed(precise, box, alone)
+        if q is None:
+            return None
+        directions = balance.plain_directions(q, precise.arguments, BALLS)
+        K = balance.by_coordinate("forces_jacobian", q, directions, precise.arguments, BALLS)
+        C = balance.damping(q, directions, precise.arguments, xp=BALLS)
+        rows = _routh(*(as_balls(part, BITS) for part in (balance.mass(q, precise.arguments, BALLS), C, K)))
+    except (Undecided, ZeroDivisionError):
+        return None
+    return np.array([[Balls().sign(value)] for value in rows], dtype=np.int8)
 
 
 def invariants(K: Sequence[Sequence[Any]], M: Sequence[Sequence[Any]]) -> tuple[list[Any], list[Any]]:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray
+from ..statics.solver import Stability
 from . import spectrum
 from .balance import Balance
 from .forces import undecorated
@@ -17,28 +18,58 @@ from .forces import undecorated
 
 @dataclass(frozen=True)
 class Types:
-    """Of N states: codes, whether each is proved, the 2 n roots without damping, and the largest real part with it."""
+    """Of N states: codes, whether each is proved, and the 2 n roots without damping."""
 
     stability: NDArray[np.int8]
     proved: NDArray[np.bool_]
     eigenvalues: NDArray[np.complex128]
-    growth: FloatArray
+
+
+@dataclass(frozen=True)
+class Damped:
+    """The full linearization of N states, with dampers and the slope of the friction law, when it is asked for.
+
+    ``states`` of shape (n, N), ``given`` of shape (P, N), ``ends`` and ``alone`` of shape (2, n, N): boxes around the states, and
+    around each alone; ``types`` without it.
+    """
+
+    balance: Balance
+    states: FloatArray
+    given: FloatArray
+    ends: FloatArray
+    alone: FloatArray
+    types: Types
+
+    def fastest(self) -> NDArray[np.complex128]:
+        """The λ with the largest real part, with an imaginary part that is not negative."""
+        if not self.states.shape[1]:
+            return np.zeros(0, dtype=complex)
+        M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(self.balance, self.states, self.given))
+        every = roots(M, C, K)
+        first = np.take_along_axis(every, every.real.argmax(axis=1)[:, None], axis=1)[:, 0]
+        out: NDArray[np.complex128] = first.real + 1j * np.abs(first.imag)
+        return out
+
+    def decay(self) -> NDArray[np.int8]:
+        """1 where it is proved that nothing grows, −1 that something does, 0 where it is not known."""
+        undamped = self.types.proved & (self.types.stability == Stability.STABLE)
+        return spectrum.decay(self.balance, self.given, self.ends, self.alone, undamped)
 
 
 def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:
     """States of shape (n, N), parameters of shape (P, N), and boxes of shape (2, n, N): around the states, and around each alone.
 
-    Codes are by signs that are proved, see :mod:`spragsym.models.spectrum`; roots and growth are floats.
+    Codes are by signs that are proved, see :mod:`spragsym.models.spectrum`; roots are floats.
     """
     n, count = states.shape
     if not count:
-        return Types(np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex), np.zeros(0))
-    M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
+        return Types(np.zeros(0, dtype=np.int8), np.zeros(0, dtype=np.bool_), np.zeros((0, 2 * n), dtype=complex))
+    M, _, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
     squares = -np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
     squares = np.take_along_axis(squares, np.argsort(-np.abs(squares), axis=1), axis=1)
     roots = np.sqrt(squares)
     code, proved = spectrum.classified(balance, given, ends, alone)
-    return Types(code, proved, np.concatenate([roots, -roots], axis=1), growth(M, C, K))
+    return Types(code, proved, np.concatenate([roots, -roots], axis=1))
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
@@ -47,12 +78,6 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
     companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
     out: NDArray[np.complex128] = np.linalg.eigvals(companion).astype(complex)
-    return out
-
-
-def growth(M: FloatArray, C: FloatArray, K: FloatArray) -> FloatArray:
-    """Largest real part of the roots of det(λ² M + λ C + K), of matrices of shape (N, n, n)."""
-    out: FloatArray = roots(M, C, K).real.max(axis=-1)
     return out
 
 

@@ -26,7 +26,6 @@ from ..sweeps.workers import Workers
 from .describe import explained
 from .equilibria import index_of
 from .field import field_of
-from .parameters import own
 from .trajectory import check_start, start_of
 
 if TYPE_CHECKING:
@@ -119,7 +118,6 @@ def rms_sweep(
     **single: ArrayLike,
 ) -> Sweep:
     """Simulate every point of a broadcast; see :meth:`spragsym.Model.rms_sweep`."""
-    own(model, p)
     p.require(*model.parameters)
     inputs = {**{name: getattr(p, name) for name in model.parameters}, **start_of(model, None, single)}
     settings = settings_of(t_end, transient, rtol, backend, max_steps, OF_ANY_MODEL)

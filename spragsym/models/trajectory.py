@@ -24,7 +24,6 @@ from ..names import hint
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, as_numbers, degrees
 from .describe import explained
 from .field import field_of
-from .parameters import own
 
 if TYPE_CHECKING:
     from .model import Model
@@ -180,7 +179,6 @@ def prepare(
     max_steps: int = MAX_STEPS,
 ) -> Problem:  # fmt: skip
     """The problem of these arguments, each of which is checked."""
-    own(model, p)
     p.scalars(*model.parameters)
     constants = tuple(float(value) for value in model.arguments(p, "motion"))
     check_start(model, constants, start)

@@ -27,7 +27,8 @@ class Range:
 
     def contains(self, value: float) -> bool:
         """Whether a number is allowed."""
-        return bool(self.inside(np.asarray(value)))
+        above = value > self.low if self.open_low else value >= self.low
+        return math.isfinite(value) and above and (value <= self.high if self.closed_high else value < self.high)
 
     def inside(self, values: FloatArray) -> NDArray[np.bool_]:
         """Where numbers are allowed."""
@@ -81,6 +82,10 @@ def as_numbers(name: str, value: ArrayLike, allowed: Range = FINITE) -> FloatArr
     ParameterError
         For NaN, infinities and numbers out of range.
     """
+    if type(value) is float and allowed.contains(value):  # most are
+        single: FloatArray = np.array(value)
+        single.setflags(write=False)
+        return single
     if isinstance(value, np.ma.MaskedArray):
         if np.ma.is_masked(value):
             raise ParameterTypeError(

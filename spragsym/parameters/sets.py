@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import importlib
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any, ClassVar, Self, TypeVar
 
 import numpy as np
@@ -55,10 +55,11 @@ def common_shape(given: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
 class Values(Shown):
     """Fields that are numbers, arrays that broadcast together, or None."""
 
-    @property
+    @functools.cached_property
     def shape(self) -> tuple[int, ...]:
         """Common shape of all fields."""
-        return common_shape({field.name: np.shape(getattr(self, field.name)) for field in fields(self)})
+        known = {field.name: np.shape(getattr(self, field.name)) for field in fields(self)}
+        return common_shape(known) if any(known.values()) else ()
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
@@ -84,13 +85,14 @@ class ParameterSet(Values):
     _model: ClassVar[Any] = None
 
     def __post_init__(self) -> None:
-        for name, allowed in self.ranges.items():
-            value = getattr(self, name)
-            if value is None:
-                if name not in self.spanned:
-                    raise ParameterError(f"{name} is missing; give it, or start from {self.origin}")
-                continue
-            object.__setattr__(self, name, as_numbers(name, value, allowed))
+        self._set({name: getattr(self, name) for name in self.ranges})
+
+    def _set(self, values: Mapping[str, ArrayLike | None]) -> None:
+        """Keep values once they are seen to be allowed."""
+        for name, value in values.items():
+            if value is None and name not in self.spanned:
+                raise ParameterError(f"{name} is missing; give it, or start from {self.origin}")
+            self.__dict__[name] = None if value is None else as_numbers(name, value, self.ranges[name])
         self.shape  # noqa: B018  # shapes that do not broadcast are an error here, not later
 
     @property
@@ -103,12 +105,16 @@ class ParameterSet(Values):
 
     def replace(self, **changes: ArrayLike | None) -> Self:
         """A copy with other values."""
-        return replace(self, **changes)
+        check_names(changes, self.ranges)
+        other = object.__new__(type(self))
+        other.__dict__.update({name: value for name, value in self.__dict__.items() if name in self.ranges})
+        other._set(changes)  # what stays as it is need not be looked at again
+        return other
 
     def given(self, **changes: ArrayLike | None) -> Self:
         """A copy with those values that are not None; itself if there are none."""
         known = {name: value for name, value in changes.items() if value is not None}
-        return replace(self, **known) if known else self
+        return self.replace(**known) if known else self
 
     def require(self, *names: str) -> None:
         """Raise unless the named parameters are given."""

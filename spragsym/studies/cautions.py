@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from .states import NEUTRAL, State
+from .states import State
 from .study import Study
 
 #: Penetration over the length of the spring beyond which a linear contact means nothing.
@@ -146,7 +146,7 @@ def _damping(study: Study, found: Sequence[State]) -> Iterator[str]:
                     "nothing damps here, since the friction does not change with the speed; whether a disturbance dies out is up "
                     "to the damping of the real brake, which the model leaves out"
                 )
-            elif abs(least) < NEUTRAL:
+            elif state.settles is None:
                 what = "and it settles slowly" if least > 0 else "which is negative: a disturbance grows slowly"
                 yield (
                     f"the only damping here is the friction law's, with a damping ratio of {least:.1g}, {what}; that is next to "

@@ -27,7 +27,7 @@ def model_states(model: Any, p: Any, scales: Mapping[str, float], current: Mappi
         upper = sorted((rate for rate in rates if rate.imag > 1e-9 * np.abs(rates).max()), key=lambda rate: float(rate.imag))
         growth = float(eq.growth[slot]) / scales["time"]
         found.append({
-            "current": here, "stable": kind == Stability.STABLE and growth <= 0, "statics": kind.name.lower(),
+            "current": here, "stable": bool(eq.stable[slot]), "statics": kind.name.lower(),
             **{f"{name}_{'mm' if unit == 'm' else 'deg'}": value * (1e3 * scales["length"] if unit == "m" else math.degrees(1.0))
                for (name, unit), value in zip(units.items(), place.values(), strict=True)},
             "spring_force_N": spring_force(model, p, place, scales["force"]),
@@ -71,14 +71,45 @@ def contact_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -
     return float(np.linalg.norm(with_it - without)) * unit
 
 
-def spring_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
-    """σ (L − 1) of the spring whose stiffness is the quantity k, in which forces are linear; negative where it pushes."""
-    spring = next((entry["name"] for entry in model.about["parameters"] if entry["quantity"] == "k"), None)
-    if spring is None or len(model.about["springs"]) != 1:
+def spring_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | dict[str, float] | None:
+    """Tension of the inclined spring, negative where it pushes; of several by their names; None where there is none.
+
+    Notes
+    -----
+    Source: the share of the balance that is linear in a spring's stiffness acts along it, wherever it is.
+    """
+    if not model.about["springs"]:
         return None
+    rows, directions, values = _shares(model, p, place)
+    found = {}
+    for j, (spring, name) in enumerate(zip(model.about["springs"], _stiffnesses(model, p), strict=True)):
+        if name is not None:
+            along = rows[:2, model.about["by_parameters"].index(name)] @ np.array(directions[3 * j : 3 * j + 2])
+            found[spring["name"]] = float(-along * values[name] * unit)
+    return found if len(found) > 1 else next(iter(found.values()), None)
+
+
+def _shares(model: Any, p: Any, place: Mapping[str, float]) -> tuple[FloatArray, list[float], dict[str, Any]]:
+    """Derivatives of the forces by the parameters in which they are linear, the springs' directions, and the arguments."""
     values = _values(model, p)
     directions = _directions(model, place, values)
     given = [values[name] for name in model.about["arguments"]["statics"]]
-    rows = np.array(model.statics.forces_by_parameters(*place.values(), *directions, *given, 0.0, 1), dtype=float)
-    acting = rows[:2, model.about["by_parameters"].index(spring)]
-    return math.copysign(float(np.linalg.norm(acting)) * values[spring], directions[2] - 1.0) * unit
+    rows = model.statics.forces_by_parameters(*place.values(), *directions, *given, 0.0, 1)
+    return np.array(rows, dtype=float), directions, values
+
+
+def _stiffnesses(model: Any, p: Any) -> list[str | None]:
+    """The parameter that is the stiffness of each spring: its share of the balance acts along the spring at any place."""
+    names = [entry["name"] for entry in model.about["parameters"]
+             if entry["quantity_unit"] == "N/m" and entry["name"] in model.about["by_parameters"]]  # fmt: skip
+    looked = [_shares(model, p, {name: size * (j + 1) for j, name in enumerate(model.coordinates)}) for size in (-0.013, -0.029)]
+
+    def acts(name: str, j: int) -> bool:
+        for rows, directions, _ in looked:
+            c, s = directions[3 * j : 3 * j + 2]
+            x, y = rows[:2, model.about["by_parameters"].index(name)]
+            if not abs(x * s - y * c) < 1e-9 * math.hypot(x, y):
+                return False
+        return True
+
+    return [next((name for name in names if acts(name, j)), None) for j in range(len(model.about["springs"]))]

@@ -89,7 +89,7 @@ class ModelReport(Result):
                 "oscillation_amplitude": self.oscillation["amplitude_mm"] if self.oscillation else None,
             },
             "oscillation": self.oscillation, "certificate": self.certificate, "probability": None, "sobol": None, "redesign": [],
-            "warnings": list(self.warnings),
+            "warnings": list(self.warnings), "reach": None, "speed_jump": None, "jump": None,
         }  # fmt: skip
 
     def text(self) -> str:
@@ -124,6 +124,8 @@ class ModelReport(Result):
 def _shown(value: Any) -> str:
     if isinstance(value, float):
         return "never" if math.isnan(value) else f"{value:.5g}"
+    if isinstance(value, dict):
+        return ", ".join(f"{name}: {_shown(one)}" for name, one in value.items())
     return "[" + ", ".join(_shown(one) for one in value) + "]" if isinstance(value, list) else str(value)
 
 
@@ -248,17 +250,21 @@ def _oscillation(model: Any, p: Any, scales: Mapping[str, float], warnings: list
     return None
 
 
-def _forces(model: Any, p: Any, motion: Any, unit: float) -> tuple[list[float] | None, list[float] | None]:
-    """Least and largest force of the spring and of the contact over the samples of a motion."""
+def _forces(model: Any, p: Any, motion: Any, unit: float) -> tuple[Any, list[float] | None]:
+    """Least and largest force of the spring, or of several by their names, and of the contact over the samples of a motion."""
     places = [
         dict(zip(model.coordinates, column, strict=True)) for column in zip(*motion.state[: len(model.coordinates)], strict=True)
     ]
-    found = []
-    for force in (spring_force, contact_force):
-        values = [force(model, p, place, unit) for place in places]
-        known = [value for value in values if value is not None]
-        found.append([min(known), max(known)] if known else None)
-    return found[0], found[1]
+    springs: list[Any] = [spring_force(model, p, place, unit) for place in places]
+    contact = [contact_force(model, p, place, unit) for place in places]
+    if springs and isinstance(springs[0], dict):
+        return {name: _ends_of([one[name] for one in springs]) for name in springs[0]}, _ends_of(contact)
+    return _ends_of(springs), _ends_of(contact)
+
+
+def _ends_of(values: list[Any]) -> list[float] | None:
+    known = [value for value in values if value is not None]
+    return [min(known), max(known)] if known else None
 
 
 def _folds(model: Any, p: Any) -> tuple[tuple[float, ...], bool]:

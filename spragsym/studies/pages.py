@@ -97,7 +97,7 @@ def pictures(study: Study, report: Report) -> Iterator[tuple[str, str]]:
             picture(lambda ax: brakes.draw_shares(shares, ax=ax)),
             "Which tolerance decides whether it jumps: Sobol' indices with their 95 % intervals.",
         )
-    if report.oscillation is not None and report.oscillation.kind != "none":
+    if report.oscillation is not None and report.oscillation.alive:
         yield from _of_motion(study, report)
 
 

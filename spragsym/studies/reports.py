@@ -14,6 +14,8 @@ from ..design import jump_margin, jump_value
 from ..display import Result
 from ..errors import ParameterError
 from .cautions import cautions
+from .facts import Facts, facts
+from .jumps import JumpPeak, jump_peak
 from .oscillations import Oscillation, oscillation_of
 from .redesigns import Change, changes
 from .states import State, states
@@ -50,8 +52,14 @@ class Report(Result):
     certificate : BoxCertificate or None
     probability : Chance or None
     redesign : tuple of Change
+    needed : bool
+        Whether changes were looked for.
     target : float
-        The friction that the changes of ``redesign`` are for.
+        The friction that the changes of ``redesign`` are for: at the belt's speed, or at full slip if it jumps at no other.
+    peak : JumpPeak or None
+        The jump as a motion, if there is one at a friction that the belt may reach.
+    facts : Facts
+        What is so: the sentences say this.
     warnings : tuple of str
     verdict : str
         One sentence.
@@ -72,7 +80,10 @@ class Report(Result):
     certificate: BoxCertificate | None
     probability: Chance | None
     redesign: tuple[Change, ...]
+    needed: bool
     target: float
+    peak: JumpPeak | None
+    facts: Facts
     warnings: tuple[str, ...]
     verdict: str
     study: Study
@@ -143,24 +154,29 @@ def _report(study: Study, probability: bool, redesign: bool, oscillation: bool, 
     lowest, mu_cusp = critical_friction(p), float(cusp_friction(p))
     found = states(study)
     margin = 100 * (mu_jump / high - 1) if high > 0 else math.inf
-    target = safety * high
     tell("the proof for all within the tolerances")
     reached = certificate(study) if probability else None
     moving = oscillation and study.moves
+    tell("the jump as a motion (--no-oscillation leaves it out)" if moving else "")
+    peak = jump_peak(study, mu_jump) if moving and mu_jump <= study.quantities["mu0"].high else None
     tell("the oscillation (--no-oscillation leaves it out)" if moving else "the probability of a jump")
     lives = oscillation_of(study) if moving else None
     tell("the probability of a jump")
     odds = chance(study, n) if probability else None
     tell("what to change")
-    needed = redesign and target > 0 and (mu_jump < target or (odds is not None and odds.probability > 0))
+    so = facts(study, mu_jump, reached, odds)
+    faster = so.reach == "faster"
+    target = safety * (so.full[2] if faster else high)
+    needed = redesign and target > 0 and bool(mu_jump < target or so.hits or so.within == "refuted")
     turns = {"mu0": folds(p, "mu0"), "theta0": folds(p.replace(mu0=working), "theta0")}
     parts: dict[str, Any] = dict(
         mu_jump=mu_jump, theta0_jump_deg=math.degrees(theta0_jump), mu_lowest=float(lowest),
         theta0_lowest_deg=math.degrees(lowest.theta0), kind_lowest=lowest.kind, mu_cusp=mu_cusp, mu_effective=working,
         margin_percent=margin,
         distance=_distance(study), states=found, folds=turns, oscillation=lives, certificate=reached,
-        probability=odds, redesign=changes(study, target) if needed else (), target=target,
-        warnings=cautions(study, found, mu_jump <= working), study=study,
+        probability=odds, redesign=changes(study.at_full_slip() if faster else study, target) if needed else (),
+        needed=needed, target=target, peak=peak, facts=so,
+        warnings=cautions(study, found, so.jumped), study=study,
     )  # fmt: skip
     from .texts import verdict
 

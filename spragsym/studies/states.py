@@ -27,7 +27,8 @@ class State(Result):
 
     ``frequencies_hz`` and ``damping_ratio`` belong to the roots of the motion linearized about it, slowest first, the friction
     law's own damping included where the belt speed is known; ``growth_per_s`` is their largest real part. ``stable`` says that it
-    is negative, or zero without damping; ``statics`` is the word of (27) and (28), which leave the damping out.
+    is negative, or zero without damping; ``statics`` is the word of (27) and (28), which leave the damping out. ``settles`` is
+    None where that calls it stable, and so little damps or drives it that what the model leaves out decides.
     """
 
     direction_deg: float
@@ -43,6 +44,12 @@ class State(Result):
     growth_per_s: float
     current: bool
 
+    @property
+    def settles(self) -> bool | None:
+        """Whether a small disturbance dies out."""
+        least = min(self.damping_ratio, default=math.inf)
+        return None if self.statics == "stable" and (self.growth_per_s == 0 or abs(least) < NEUTRAL) else self.stable
+
 
 def states(study: Study, friction: float | None = None) -> tuple[State, ...]:
     """Every state in contact at the friction that works, by θ; the one that is reached as friction rises is ``current``."""
@@ -54,7 +61,8 @@ def states(study: Study, friction: float | None = None) -> tuple[State, ...]:
     for slot in range(int(eq.count)):
         theta, L, x, y = (float(getattr(eq, name)[slot]) for name in ("theta", "L", "x", "y"))
         roots = _roots(study, p, theta, L, x, y, eq.eigenvalues[slot])
-        found.append(_state(study, p, (theta, L, x, y), Stability(int(eq.stability[slot])), roots, abs(theta - here) < 1e-9))
+        current = slot == int(np.nanargmin(np.abs(eq.theta - here)))
+        found.append(_state(study, p, (theta, L, x, y), Stability(int(eq.stability[slot])), roots, current))
     return tuple(found)
 
 

@@ -164,6 +164,12 @@ class Study:
         """Half of the width of every quantity that has one, in SI."""
         return {name: one.tolerance for name, one in self.quantities.items() if one.high > one.low}
 
+    def at_full_slip(self) -> Study:
+        """The study without the belt's speed: friction is μ₀."""
+        study = self.changed({})
+        study.quantities = {name: one for name, one in self.quantities.items() if name not in ("V", "d")}
+        return study
+
     def together(self, names: Sequence[str]) -> Dependence:
         """How some of the quantities vary together."""
         return dependence(names, {pair: value for pair, value in self.correlation.items() if set(pair) <= set(names)})

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from ..catastrophe.fold_points import Folds
+from .facts import Facts
 from .redesigns import Change
 from .states import State
 from .study import Study
+from .tolerances import Chance
+from .units import ENDS
 
 if TYPE_CHECKING:
     from .reports import Report
@@ -17,42 +21,68 @@ if TYPE_CHECKING:
 
 def verdict(study: Study, parts: Mapping[str, Any]) -> str:
     """One sentence: whether it sprags, at what friction, and how far that is."""
-    low, _, high = study.friction
-    jump, lowest = parts["mu_jump"], parts["mu_lowest"]
+    so: Facts = parts["facts"]
+    (low, _, high), full, jump = so.working, so.full[2], so.jump
     angle = study.shown("theta0", study.values["theta0"])
-    friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
-    if not jump <= high:
-        odds = parts["probability"]
-        begin = "As drawn it does not sprag" if odds is not None and odds.probability > 0 else "It does not sprag"
-        if math.isnan(jump):
-            what = "has no jump at any friction" if math.isinf(lowest) else "has no jump at this angle"
+    if so.reach in ("never", "beyond"):
+        if so.reach == "never":
+            what = "has no jump at any friction" if math.isinf(parts["mu_lowest"]) else "has no jump at this angle"
         else:
-            above = f", {parts['margin_percent']:.0f} % above the largest that you have, {high:.3g}" if high > 0 else ""
+            above = f", {100 * (jump / full - 1):.0f} % above the largest that you have, {full:.3g}" if full > 0 else ""
             what = f"jumps at a friction of {jump:.4g}{above}"
-        return f"{begin}: at {angle} the state of small deformation {what}{_within(parts, jumps=False)}."
+        begin = "As drawn it does not sprag" if so.within == "refuted" or so.hits else "It does not sprag"
+        return f"{begin}: at {angle} the state of small deformation {what}{_within(study, parts)}."
+    if so.reach == "faster":
+        speed = study.shown("V", study.values["V"], 3)
+        return (
+            f"It sprags above V = {study.shown('V', so.speed, 3)}: at {angle} the state of small deformation jumps at a friction "
+            f"of {jump:.4g}; at {speed} only {high:.3g} of your {full:.3g} works, and it does not jump{_within(study, parts)}."
+        )
+    friction = f"{low:.3g} to {high:.3g}" if high > low else f"{high:.3g}"
     where = "below your" if high == low else "already below all of your range of" if jump < low else "within your range of"
     return (
         f"It sprags: at {angle} the state of small deformation jumps at a friction of {jump:.4g}, {where} friction {friction}"
-        f"{_within(parts)}."
+        f"{_within(study, parts)}."
     )
 
 
-def _within(parts: Mapping[str, Any], jumps: bool = True) -> str:
-    """What follows within the tolerances."""
-    reached, odds = parts["certificate"], parts["probability"]
-    if reached is None:
-        return ""
-    if reached.outcome == "proved":
-        return "; proved for everything within the tolerances"
+def _within(study: Study, parts: Mapping[str, Any]) -> str:
+    """What follows within the tolerances, at the belt's speed."""
+    so: Facts = parts["facts"]
+    odds: Chance | None = parts["probability"]
+    speed = " at this speed" if so.reach == "faster" else ""
+    if so.within == "proved" and not study.tolerances:
+        return f"; proved{speed}"
+    if so.within == "proved":
+        return f"; proved{speed} for everything within {_box(so)}"
     if odds is None:
-        return ""
-    but = "; within" if jumps or not odds.probability else "; but within"
-    share = f"{but} the tolerances {_percent(odds.probability)} of all brakes do"
-    return share if reached.outcome == "refuted" else f"{share}, and a proof for all of them was not found"
+        return "; a proof was not found" if so.within == "undecided" else ""
+    but = "; within" if so.reach in ("within", "jumped") else "; but within"
+    if so.within == "refuted":
+        also = "" if so.hits else ", and at least one does"
+        return f"{but} the tolerances{speed} {share(odds)} of all brakes do{also}"
+    if so.hits:
+        return f"{but} the tolerances{speed} {share(odds)} of all brakes do"
+    return f"; of {odds.n} brakes within the tolerances none does, and a proof for all of them was not found"
 
 
-def _percent(share: float) -> str:
-    return f"{100 * share:.3g} %"
+def _box(so: Facts) -> str:
+    """What a certificate is about."""
+    beyond = f", and {ENDS:g} standard deviations of {' and '.join(so.unbounded)}" if so.unbounded else ""
+    return f"the tolerances{beyond}"
+
+
+def share(odds: Chance) -> str:
+    """The share of all brakes that jump, which a sample without one, or with nothing else, only bounds."""
+    if odds.probability == 0:
+        return f"fewer than {_percent(odds.high)}"
+    return _percent(odds.probability) if odds.probability < 1 else f"more than {_percent(odds.low)}"
+
+
+def _percent(number: float) -> str:
+    """A share in percent with three digits, or as many as tell it from all or nothing."""
+    text = f"{100 * number:.3g}"
+    return f"{100 * number:.6g} %" if text == "100" and number < 1 else f"{text} %"
 
 
 # ------------------------------------------------------------------------------------------------------------------ text
@@ -73,19 +103,27 @@ def as_text(report: Report) -> str:
 def sections(report: Report) -> Iterator[tuple[str, list[tuple[str, str]]]]:
     """Headings, each with rows of a name and a value."""
     for title, rows in (
-        ("Jump", _jump(report)), ("State", _state(report)), ("Folds", _folds(report)), ("Tolerances", _tolerances(report)),
+        ("Jump", _jump(report)), ("The jump as a motion", _peak(report)), ("State", _state(report)), ("Folds", _folds(report)),
+        ("Tolerances", _tolerances(report)),
         ("Oscillation", _oscillation(report)), (_aim(report), _changes(report)),
     ):  # fmt: skip
         yield title, list(rows)
 
 
 def _jump(report: Report) -> Iterator[tuple[str, str]]:
-    study = report.study
-    low, working, high = study.friction
+    study, so = report.study, report.facts
+    low, working, high = so.working
     yield ("friction at the belt's speed", f"{working:.4g}" + (f", {low:.4g} to {high:.4g}" if high > low else ""))
+    if so.slow:
+        yield ("friction at full slip", f"{so.full[1]:.4g}" + (f", up to {so.full[2]:.4g}" if so.full[2] > so.full[1] else ""))
     yield ("jump at this angle", "never" if math.isnan(report.mu_jump) else f"at friction {report.mu_jump:.6g}")
     if not math.isnan(report.mu_jump) and high > 0:
         yield ("margin to the largest friction", f"{report.margin_percent:+.1f} %")
+        if so.slow:
+            yield ("the same at full slip", f"{100 * (report.mu_jump / so.full[2] - 1):+.1f} %")
+    if study.moves:
+        begins = "at no speed" if math.isnan(so.speed) else f"{study.shown('V', so.speed)}, with the largest friction"
+        yield ("speed at which it begins to jump", begins)
     at = "never" if math.isnan(report.theta0_jump_deg) else f"at {report.theta0_jump_deg:.6g} deg"
     yield ("jump at this friction", at)
     lowest = f"friction {report.mu_lowest:.6g}, a {report.kind_lowest} at {report.theta0_lowest_deg:.6g} deg"
@@ -113,14 +151,34 @@ def _state(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _name(report: Report, state: State) -> str:
-    jumped = not math.isnan(report.mu_jump) and report.mu_jump <= report.mu_effective
-    here = "the state it jumped to" if jumped else "the state of small deformation"
-    return f"{here}" if state.current else "another state"
+    here = "the state it jumped to" if report.facts.jumped else "the state of small deformation"
+    return here if state.current else "another state"
 
 
 def _described(state: State) -> str:
-    word = "stable" if state.stable else "unstable" if state.statics == "stable" else f"unstable ({state.statics})"
-    return f"{word}, spring at {state.direction_deg:.4g} deg, x = {state.x_mm:.4g} mm"
+    word = "stable" if state.stable else f"unstable ({state.statics})"
+    if state.settles is None:
+        word = "stable without damping, and whether it settles is up to the damping of the real brake"
+    elif not state.stable and state.statics == "stable":
+        word = "unstable by the friction law's own damping"
+    return f"{word}; spring at {state.direction_deg:.4g} deg, x = {state.x_mm:.4g} mm"
+
+
+def _peak(report: Report) -> Iterator[tuple[str, str]]:
+    found = report.peak
+    if found is None:
+        return
+    places = f"from x = {found.from_mm:.4g} mm to {found.to_mm:.4g} mm"
+    yield ("the states before and after", f"at friction {found.friction:.4g}, {places}")
+    yield ("displacement along the belt", f"{found.x_mm[0]:.4g} mm to {found.x_mm[1]:.4g} mm")
+    yield ("displacement across the belt", f"{found.y_mm[0]:.4g} mm to {found.y_mm[1]:.4g} mm")
+    for name, ends in (("force of the spring", found.spring_force_N), ("force of the contact", found.contact_force_N)):
+        yield (name, f"{ends[0]:.5g} N to {ends[1]:.5g} N")
+    ends_in = {
+        "rest": "it settles at rest", "cycle": "it goes over into an oscillation", "lift-off": "it lifts off for good",
+        "unsettled": f"it still swings after {found.seconds:.3g} s",
+    }  # fmt: skip
+    yield ("then", ends_in[found.settles])
 
 
 def fold_rows(found: Folds, scale: float = 1.0) -> list[dict[str, Any]]:
@@ -151,32 +209,42 @@ def _folds(report: Report) -> Iterator[tuple[str, str]]:
 
 
 def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
-    reached, odds = report.certificate, report.probability
+    reached, odds, so = report.certificate, report.probability, report.facts
     if reached is not None:
-        yield ("no jump within all of them", reached.outcome)
+        yield (f"no jump within {_box(so)}" if so.unbounded else "no jump within all of them", reached.outcome)
         if reached.counterexample:
             wide = [name for name in reached.counterexample if name in report.study.tolerances]
             values = ", ".join(f"{name} = {report.study.shown(name, reached.counterexample[name])}" for name in wide)
             yield ("a brake within them that jumps", values or "the brake itself")
-    if odds is not None:
+    if odds is not None and so.within == "proved" and not so.unbounded:
+        yield ("probability of a jump", "0, as is proved")
+    elif odds is not None:
         ends = f"{_percent(odds.low)} to {_percent(odds.high)} with confidence {odds.confidence:g}"
-        yield ("probability of a jump", f"{_percent(odds.probability)}, {ends}")
+        yield ("probability of a jump", f"{share(odds)}, {ends}" + (", and at least one brake" if _one_corner(so) else ""))
+    if odds is not None:
         for name, (first, total, _) in odds.sobol.items():
             if not math.isnan(total):
                 shares = f"{100 * first:.0f} % by itself, {100 * total:.0f} % with what it does together with others"
                 yield (f"how much {name} decides", shares)
 
 
+def _one_corner(so: Facts) -> bool:
+    return so.within == "refuted" and so.hits is False
+
+
 def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
     found = report.oscillation
     if found is None:
         return
-    word = {"cycle": "a cycle", "motion": "a motion that has not repeated itself", "none": "none: it comes to rest"}[found.kind]
     if found.start != "rest":
         yield ("from rest", "no cycle was reached in the time that was looked at")
-    beginning = "from rest" if found.start == "rest" else "from far out"
-    yield (beginning, word + ("" if found.kind != "cycle" else ", stable" if found.stable else ", unstable"))
-    if found.kind == "none":
+    what = {
+        "cycle": "a cycle, stable", "motion": "a motion that has not repeated itself", "rest": "none: it decays to rest",
+        "falls": "none was found: the motion became smaller and smaller, and was not followed to its end",
+        "lift-off": "none: it lifts off the belt for good",
+    }  # fmt: skip
+    yield ("from rest" if found.start == "rest" else "from far out", what[found.kind])
+    if not found.alive:
         return
     if found.kind == "cycle":
         yield ("frequency", f"{found.frequency_hz:.5g} Hz")
@@ -184,23 +252,31 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
     for name, ends in (("force of the spring", found.spring_force_N), ("force of the contact", found.contact_force_N)):
         yield (name, f"{ends[0]:.5g} N to {ends[1]:.5g} N")
     yield ("lifts off the belt", "yes" if found.lifts_off else "no")
-    yield ("lives beside sliding that is stable", "yes" if found.coexists else "not shown")
+    beside = {True: "yes", False: "no", None: "up to the damping of the real brake"}[found.coexists]
+    yield ("lives beside sliding that settles", beside)
 
 
 def _aim(report: Report) -> str:
-    largest = report.study.friction[2]
+    faster = report.facts.reach == "faster"
+    largest = report.facts.full[2] if faster else report.facts.working[2]
     factor = f" = {report.target / largest:.3g} x {largest:.3g}" if largest > 0 else ""
-    return f"To keep the jump at {report.target:.3g}{factor}, and all within the tolerances from jumping, change"
+    where = " at full slip" if faster else ""
+    return f"To keep the jump at {report.target:.3g}{factor}, and all within the tolerances from jumping{where}, change"
 
 
 def _changes(report: Report) -> Iterator[tuple[str, str]]:
+    if report.needed and not report.redesign:
+        yield "nothing", "no change of one quantity or of several was found that does it"
     for one in report.redesign:
         values = "; ".join(
             f"{name} from {report.study.shown(name, one.before[name])} to {report.study.shown(name, one.after[name])}"
             for name in one.after
         )
         then = "then it never jumps" if math.isnan(one.mu_jump) else f"then it jumps at {one.mu_jump:.4g}"
-        yield values, then + ("" if math.isnan(one.probability) else f"; within the tolerances {_percent(one.probability)} do")
+        known = "undecided within the tolerances: of the brakes that were tried none jumps"
+        if one.outcome == "proved":
+            known = f"proved for everything within {_box(report.facts)}"
+        yield values, f"{then}; {known}"
 
 
 # ------------------------------------------------------------------------------------------------------------------ JSON
@@ -209,7 +285,7 @@ def _changes(report: Report) -> Iterator[tuple[str, str]]:
 def as_json(report: Report) -> dict[str, Any]:
     """The keys of the report; numbers that don't exist are NaN, which the command writes as null."""
     state, lives, odds = report.current, report.oscillation, report.probability
-    alive = None if lives is None or lives.kind == "none" else lives
+    alive = lives if lives is not None and lives.alive else None
     return {
         "mu_jump": report.mu_jump,
         "theta0_jump_deg": report.theta0_jump_deg,
@@ -227,9 +303,9 @@ def as_json(report: Report) -> dict[str, Any]:
             "rest": [state.x_mm, state.y_mm], "oscillation_amplitude": None if alive is None else alive.amplitude_mm,
         },
         "oscillation": None if lives is None else {
-            "kind": lives.kind, "stable": lives.stable, "frequency_hz": lives.frequency_hz, "amplitude_mm": lives.amplitude_mm,
-            "start": lives.start, "lifts_off": lives.lifts_off, "coexists_with_stable_sliding": lives.coexists,
-            "remark": lives.remark,
+            "kind": lives.kind, "stable": lives.kind == "cycle", "frequency_hz": lives.frequency_hz,
+            "amplitude_mm": lives.amplitude_mm, "start": lives.start, "lifts_off": lives.lifts_off,
+            "coexists_with_stable_sliding": lives.coexists, "remark": lives.remark,
         },
         "certificate": _certificate_json(report),
         "probability": None if odds is None else {
@@ -240,12 +316,15 @@ def as_json(report: Report) -> dict[str, Any]:
         },
         "redesign": [_change_json(report, one) for one in report.redesign],
         "warnings": list(report.warnings),
+        "reach": report.facts.reach, "speed_jump": _speed_json(report),
+        "jump": None if report.peak is None else asdict(report.peak),
     }  # fmt: skip
 
 
 def _state_json(state: State) -> dict[str, Any]:
     return {
-        "current": state.current, "stable": state.stable, "statics": state.statics, "direction_deg": state.direction_deg,
+        "current": state.current, "stable": state.stable, "settles": state.settles, "statics": state.statics,
+        "direction_deg": state.direction_deg,
         "x_mm": state.x_mm, "y_mm": state.y_mm, "spring_length_mm": state.spring_length_mm,
         "spring_force_N": state.spring_force_N,
         "contact_force_N": state.contact_force_N, "frequencies_hz": list(state.frequencies_hz),
@@ -272,5 +351,9 @@ def _certificate_json(report: Report) -> dict[str, Any] | None:
 def _change_json(report: Report, one: Change) -> dict[str, Any]:
     return {
         "from": _in_file(report.study, one.before), "to": _in_file(report.study, one.after), "mu_jump": one.mu_jump,
-        "target": report.target, "distance": one.distance, "probability": one.probability,
+        "target": report.target, "distance": one.distance, "probability": one.probability, "outcome": one.outcome,
     }  # fmt: skip
+
+
+def _speed_json(report: Report) -> dict[str, Any] | None:
+    return None if math.isnan(report.facts.speed) else _in_file(report.study, {"V": report.facts.speed})["V"]

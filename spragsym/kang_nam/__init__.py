@@ -1,0 +1,26 @@
+"""The article's model: where its closed forms stand, each under the name of the public function that it answers."""
+
+from __future__ import annotations
+
+from ..parameters import NAMES, Parameters
+
+__all__ = ["CLOSED", "Parameters"]
+
+_ROOMS = {
+    "statics": ("equilibria", "count"),
+    "catastrophe": (
+        "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface", "quasi_static_path",
+        "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
+    ),
+    "dynamics": ("simulate",),
+    "cycles": ("cycle", "lyapunov", "fate_boundary", "basin_boundary"),
+    "sweeps": ("rms_sweep", "basin", "sensitivity"),
+    "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
+}  # fmt: skip
+#: What may vary, where that is not any parameter.
+_ALONG = {
+    "folds": NAMES, "quasi_static_path": NAMES, "flutter_onsets": ("theta0",),
+    "cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),),
+}  # fmt: skip
+#: Public function → room of its closed form, and along what it is known; nothing there for anything.
+CLOSED = {name: (room, _ALONG.get(name, ())) for room, names in _ROOMS.items() for name in names}

@@ -1,0 +1,80 @@
+"""What is so with a brake, decided once: sentences, rows and pages say these facts, and decide nothing themselves."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from ..display import Result
+from .study import Study
+from .tolerances import BoxCertificate, Chance
+
+#: What a belt that reaches full slip brings: the friction of the jump is beyond all that there is, or there is none; it is beyond
+#: what works at the belt's speed; within its tolerances; or the state has jumped already.
+REACHES = ("never", "beyond", "faster", "within", "jumped")
+
+
+@dataclass(frozen=True)
+class Facts(Result):
+    """Whether the state of small deformation jumps, and what is known of all brakes within the tolerances.
+
+    ``reach`` compares the friction of the jump, as drawn otherwise, with that which works at the belt's speed, and with that at
+    full slip: one of ``REACHES``. ``speed`` is the belt's speed in m/s above which the largest friction within the tolerances
+    reaches the jump; NaN where none does, or where the friction law is not known. ``within`` is what is known of all brakes
+    within the tolerances at the belt's speed: ``"proved"`` that none jumps, ``"refuted"``, ``"undecided"``, or ``""`` if it was
+    not asked. ``hits`` says whether any of the sampled brakes jumps, None without a sample. ``unbounded`` names the quantities
+    of whose distribution a part lies beyond the box of the certificate.
+    """
+
+    jump: float
+    working: tuple[float, float, float]
+    full: tuple[float, float, float]
+    reach: str
+    speed: float
+    within: str
+    hits: bool | None
+    unbounded: tuple[str, ...]
+
+    @property
+    def sprags(self) -> bool:
+        """Whether it jumps as drawn, at the belt's speed or above it, with a friction within the tolerances."""
+        return self.reach in ("faster", "within", "jumped")
+
+    @property
+    def jumped(self) -> bool:
+        """Whether it has jumped as drawn, at the belt's speed."""
+        return self.reach == "jumped"
+
+    @property
+    def slow(self) -> bool:
+        """Whether friction at the belt's speed falls short of that at full slip by more than the digits that are printed."""
+        return self.working[2] < 0.995 * self.full[2]
+
+
+def facts(study: Study, jump: float, reached: BoxCertificate | None, odds: Chance | None) -> Facts:
+    """The facts of a study, from the friction at which it jumps, its certificate and its probability."""
+    one = study.quantities["mu0"]
+    working, full = study.friction, (one.low, one.value, one.high)
+    if math.isnan(jump):
+        reach = "never"
+    elif jump > full[2]:
+        reach = "beyond"
+    else:
+        reach = "faster" if jump > working[2] else "within" if jump > working[1] else "jumped"
+    wide = [name for name in study.tolerances if name not in ("m",) and not study.quantities[name].cut]
+    return Facts(
+        jump, working, full, reach, jump_speed(study, jump), "" if reached is None else reached.outcome,
+        None if odds is None else odds.probability > 0, tuple(wide),
+    )  # fmt: skip
+
+
+def jump_speed(study: Study, jump: float) -> float:
+    """The speed of the belt in m/s at which the largest friction within the tolerances reaches a value; NaN where none does.
+
+    Notes
+    -----
+    Source: (10), solved for the speed.
+    """
+    if not study.moves or not jump < study.quantities["mu0"].high:
+        return math.nan
+    return -math.log1p(-jump / study.quantities["mu0"].high) / study.quantities["d"].high

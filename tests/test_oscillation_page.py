@@ -1,0 +1,36 @@
+"""Numbers of docs/oscillation.md are those that the commands beside them print."""
+
+from __future__ import annotations
+
+import importlib.util
+
+import pytest
+
+from benchmarks import validate_oscillation as page
+
+pytestmark = pytest.mark.skipif(not importlib.util.find_spec("heyoka"), reason="branches take SciPy minutes")
+
+ROWS = list(page.rows())
+
+
+MARKED = [pytest.param(row, marks=() if page.is_quick(row) else pytest.mark.thorough) for row in ROWS]
+
+
+@pytest.mark.parametrize("row", MARKED, ids=[row.what for row in ROWS])
+def test_numbers_are_those_of_the_command(row: page.Row) -> None:
+    assert row.numbers
+    assert page.differences(row) == []
+
+
+def test_a_wrong_digit_is_noticed() -> None:
+    assert page.off("34.2673700110", [1.0, 34.26737001097547]) < 0.5
+    assert page.off("34.2673700111", [1.0, 34.26737001097547]) > 0.5
+    assert len(ROWS) > 8
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("command", page.proofs())
+def test_proofs_are_printed_as_they_stand(command: str) -> None:
+    pytest.importorskip("flint")
+    assert page.proofs()[command]
+    assert page.unproved(command, page.proofs()[command]) == []

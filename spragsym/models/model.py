@@ -10,12 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-<<<<<<< HEAD
-from ..errors import ConvergenceError, ParameterError
-=======
 from ..door import question, unanswered
-from ..errors import ConvergenceError
->>>>>>> main
+from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described
@@ -164,42 +160,25 @@ class Model:
             )
         return found.count
 
-<<<<<<< HEAD
-    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
-=======
     @question
-    def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
->>>>>>> main
+    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
         """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
-
-        Without ``vary`` it is the first of ``model.axes``.
 
         Source: det K = 0 at an equilibrium; see :func:`spragsym.models.folds.folds`.
         """
         from .folds import folds
 
-<<<<<<< HEAD
-        return folds(self, _parameters.own(self, p), self._one(vary), **options)
-
-    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
-        """All cusps in the plane of two parameters, ``model.axes`` if there are two, proved; ``between`` as for :meth:`folds`.
-=======
-        return folds(self, p, vary, **options)
+        return folds(self, p, self._one(vary), **options)
 
     @question
-    def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
+    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
         """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
->>>>>>> main
 
         See :func:`spragsym.models.cusps.cusps`.
         """
         from .cusps import cusps
 
-<<<<<<< HEAD
-        return cusps(self, _parameters.own(self, p), self._two(vary), **options)
-=======
-        return cusps(self, p, vary, **options)
->>>>>>> main
+        return cusps(self, p, self._two(vary), **options)
 
     @question
     def bifurcation_set(
@@ -211,11 +190,7 @@ class Model:
         """
         from .bifurcation import bifurcation_set
 
-<<<<<<< HEAD
-        return bifurcation_set(self, _parameters.own(self, p), self._two(vary), n, **options)
-=======
-        return bifurcation_set(self, p, vary, n, **options)
->>>>>>> main
+        return bifurcation_set(self, p, self._two(vary), n, **options)
 
     @question
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
@@ -227,14 +202,9 @@ class Model:
 
         return quasi_static_path(self, p, vary, values, **options)
 
-<<<<<<< HEAD
-    def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
-        """All onsets of flutter along one parameter, proved; ``vary`` and ``between`` as for :meth:`folds`.
-=======
     @question
-    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> Onsets:
+    def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
         """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
->>>>>>> main
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
         :func:`spragsym.models.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation begins gently.
@@ -249,11 +219,7 @@ class Model:
         """
         from .flutter import flutter_onsets
 
-<<<<<<< HEAD
-        return flutter_onsets(self, _parameters.own(self, p), self._one(vary), **options)
-=======
-        return flutter_onsets(self, p, vary, **options)
->>>>>>> main
+        return flutter_onsets(self, p, self._one(vary), **options)
 
     @question
     def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
@@ -264,12 +230,12 @@ class Model:
 
     @question
     def onset_curves(
-        self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 30, **options: Any
+        self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 30, **options: Any
     ) -> OnsetCurves:  # fmt: skip
         """Curves of Hopf points in the plane of two parameters, gentle or dangerous: see :func:`spragsym.onset_curves`."""
         from .hopf_curves import onset_curves
 
-        return onset_curves(self, p, vary, n, **options)
+        return onset_curves(self, p, self._two(vary), n, **options)
 
     @question
     def cycle(

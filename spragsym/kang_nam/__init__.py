@@ -14,7 +14,7 @@ _ROOMS = {
     ),
     "dynamics": ("simulate",),
     "cycles": ("cycle", "lyapunov", "fate_boundary", "basin_boundary"),
-    "sweeps": ("rms_sweep", "basin", "sensitivity"),
+    "sweeps": ("rms_sweep",),
     "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip
 #: What may vary, where that is not any parameter.

@@ -14,13 +14,14 @@ from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
 from . import stability
-from .augmented import Condition
+from .augmented import Augmented, Condition
 from .balance import NOTHING, Balance, matrix
 from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
 from .model import Model
 from .onsets import Onsets, onsets_of
 from .points import Found, ModelPoints, arranged, endless, given_column, nothing, picked, ranges, search
 from .regions import by_hand
+from .seen import VALUES, with_seen
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
@@ -58,6 +59,7 @@ def flutter_onsets(
     -------
     Onsets
         Of the kind ``"hopf"``, where a pair ± i ω crosses the imaginary axis, or ``"flutter"``, where two frequencies meet;
+        or ``"seen"``: floats see a pair cross there, where the search was not complete, and no proof succeeds;
         ``omega`` is the frequency, and ``criticality`` says how dangerous the onset is. Where nothing damps at all and the slope
         of the friction law changes its sign, every pair of a state crosses, and each has a row.
 
@@ -78,8 +80,16 @@ def flutter_onsets(
 
     flat = False
 
+    seen: list[_Part] = []
+
     def found(condition: Condition) -> Found:
-        return search(balance, (vary,), condition, given, spans, asked=asked)
+        out = search(balance, (vary,), condition, given, spans, asked=asked)
+        if not isinstance(condition, Hopf) or not out.roots.left.shape[2]:
+            return out
+        out, more = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
+        if more.point.size:
+            seen.append(_part(balance, vary, given, replace(out, roots=more), "seen", _crossing))
+        return out
 
     conservative = _is_conservative(balance, given, spans)
     if not damping and conservative:
@@ -98,6 +108,7 @@ def flutter_onsets(
             ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
             parts.append(_part(balance, vary, given, ends_left_out, "hopf", _every))
             flat = True
+    parts[1:1] = seen
     return onsets_of(model, _joined(balance, vary, given, parts, flat, endless(model, (vary,), between or {})))
 
 
@@ -254,6 +265,10 @@ def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], 
     kind, omega = (np.concatenate([getattr(part, name) for part in parts]) for name in ("kind", "omega"))
     remarks = _undamped(balance, vary, given, roots[-1].left) if flat else ()
     remarks += _at_ends(balance, vary, given, first.region[:, -1, 0], every.left)
+    if (kind == "seen").any():
+        remarks += (f"{(kind == 'seen').sum()} onsets are seen by floats between two of {VALUES} values, and not proved",)
+    elif every.left.shape[2] and not flat:
+        remarks += (f"floats see no other onset between two of {VALUES} values of {vary}",)
     region = np.minimum.reduce([part.found.region for part in parts])
     whole = np.logical_and.reduce([part.found.whole for part in parts])
     found = replace(first, region=region, whole=whole, roots=every)

@@ -18,7 +18,7 @@ from .describe import described
 
 if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, FateBoundary, Lyapunov
-    from ..sweeps import Sweep
+    from ..sweeps import Basin, Sensitivity, Sweep
     from .bifurcation import ModelBifurcationSet
     from .diagram import Diagram
     from .equilibria import ModelEquilibria
@@ -366,8 +366,20 @@ class Model:
     surface = unanswered("equilibria(p) has all states over a grid of parameters")
     linear_sprag = unanswered("equilibria(p) has the states")
     linear_critical_friction = unanswered("folds(p, vary) has the values at which states meet")
-    basin = unanswered("rms_sweep(p, ...) has the regime of each start")
-    sensitivity = unanswered("rms_sweep(p) over axes of parameters has the regimes")
+
+    @question
+    def basin(self, p: ParameterSet, V: float | None = None, d: float | None = None, **options: Any) -> Basin:
+        """Which attractor each start of a grid reaches: see :func:`spragsym.basin`."""
+        from ..sweeps import basin
+
+        return basin(p, V, d, **options)  # type: ignore[arg-type]  # a set of any model
+
+    @question
+    def sensitivity(self, p: ParameterSet, V: ArrayLike | None = None, d: ArrayLike | None = None, **options: Any) -> Sensitivity:
+        """Where the RMS jumps as θ₀ grows, for every V with every d: see :func:`spragsym.sensitivity`."""
+        from ..sweeps import sensitivity
+
+        return sensitivity(p, V, d, **options)  # type: ignore[arg-type]  # a set of any model
 
     def _one(self, vary: str | None) -> str:
         if not self.parameters:

@@ -27,8 +27,8 @@ from .regions import region
 from .remarks import of_boxes, of_ranges, of_region
 from .turns import once_around
 
-#: Boxes looked at for one search of up to three unknowns, and of more.
-BUDGET, LARGE_BUDGET = 200_000, 1_000_000
+#: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.
+BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
 #: Boxes left that are listed one by one.
 MANY = 200
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
@@ -159,7 +159,7 @@ def search(
     fixed = given.copy()
     fixed[places] = spans[:, :1]
     if budget is None:
-        budget = BUDGET if system.n <= 3 else LARGE_BUDGET
+        budget = BUDGET if system.n <= 3 else LARGE_BUDGET if system.n == 4 else COSTLY_BUDGET
     alone = len(vary) == 1 and given.shape[1] == 1
     from_least = alone and near_zero.begins(system, given, around)
     searched = np.concatenate([around[:, :-1], [[[-near_zero.LOW]], around[1:, -1]]], axis=1) if from_least else around

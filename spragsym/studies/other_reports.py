@@ -155,9 +155,9 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
     warnings.append(_LEFT_OUT)
     return ModelReport(
         jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,
-        100 * (jump / high - 1) if jump is not None and high > 0 else None,
+        100 * (jump / high - 1) if jump is not None and not math.isnan(jump) and high > 0 else None,
         states, turns, cycle, reached, complete, tuple(warnings),
-        _verdict(study, jump, high, states),
+        _verdict(study, jump, high, states, complete),
     )  # fmt: skip
 
 
@@ -170,11 +170,16 @@ def _known(study: Study) -> set[str]:
     return set(study.quantities)
 
 
-def _verdict(study: Study, jump: float | None, high: float, states: tuple[dict[str, Any], ...]) -> str:
+def _verdict(study: Study, jump: float | None, high: float, states: tuple[dict[str, Any], ...], complete: bool) -> str:
     stable = sum(state["stable"] for state in states)
     count = f"there {'is one state' if len(states) == 1 else f'are {len(states)} states'} of sliding in contact, {stable} stable"
     if jump is None or math.isnan(high):
         return f"With the model {study.model} {count}; whether it sprags is not known."
+    if math.isnan(jump) and not complete:
+        return (
+            f"No jump of the state of small deformation was found with the model {study.model}, and that there is none is not "
+            f"proved; {count}."
+        )
     if math.isnan(jump):
         return f"It does not sprag with the model {study.model}: the state of small deformation never jumps; {count}."
     word = "It sprags" if jump <= high else "It does not sprag"

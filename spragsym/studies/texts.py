@@ -259,9 +259,9 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
 def _aim(report: Report) -> str:
     faster = report.facts.reach == "faster"
     largest = report.facts.full[2] if faster else report.facts.working[2]
-    factor = f" = {report.target / largest:.3g} x {largest:.3g}" if largest > 0 else ""
+    factor = f" = {report.target / largest:.3g} x {largest:.4g}" if largest > 0 else ""
     where = " at full slip" if faster else ""
-    return f"To keep the jump at {report.target:.3g}{factor}, and all within the tolerances from jumping{where}, change"
+    return f"To keep the jump at {report.target:.4g}{factor}, and all within the tolerances from jumping{where}, change"
 
 
 def _changes(report: Report) -> Iterator[tuple[str, str]]:

@@ -181,7 +181,7 @@ def read(text: str, si: str, allowed: Range = FINITE, example: str = "") -> Meas
     --------
     >>> read("180 N/mm +- 15 %", "N/m")
     Measured(value=180000.0, low=153000.0, high=207000.0, unit='N/mm', sd=0.0, cut=True)
-    >>> read("0.45 sd 0.05", "1").high
+    >>> round(read("0.45 sd 0.05", "1").high, 9)
     0.6
     """
     try:

@@ -1,0 +1,84 @@
+"""Onsets where a search over boxes can't decide all, as in four coordinates: what floats see is listed, and none is not said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from click.testing import CliRunner
+from scipy.optimize import brentq
+
+import spragsym as ss
+from spragsym.cli import cli
+from tests.conftest import Once
+
+PAD = '''r"""A pad."""
+from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin
+page = Page("A pad on a compliant disc, four coordinates.")
+m = page.unit("m", "kg", "mass")
+k_c = page.unit("k_c", "N/m", "contact stiffness")
+L_0 = page.unit("L_0", "m", "length")
+V = page.parameter("V", "m/s", "belt speed", ">= 0", 0.2)
+v_s = page.parameter("v_s", "m/s", "scale of the falling branch", "> 0", 0.3)
+d = page.parameter("d", "s/m", "steepness of the friction law", "> 0", 20.0)
+mu_s = page.parameter("mu_s", "1", "static friction", ">= 0", 0.4)
+mu_k = page.parameter("mu_k", "1", "kinetic friction", ">= 0", 0.2)
+F_L = page.parameter("F_L", "N", "preload", ">= 0", 0.05, becomes="kappa")
+k_x = page.parameter("k_x", "N/m", "stiffness to ground", ">= 0", 0.5, becomes="alpha")
+k_w = page.parameter("k_w", "N/m", "stiffness of the disc", "> 0", 0.8, becomes="beta")
+k_u = page.parameter("k_u", "N/m", "stiffness of the carrier", "> 0", 0.6, becomes="gamma_u")
+k_12 = page.parameter("k_12", "N/m", "leaning spring", ">= 0", 0.3, becomes="sigma")
+c = page.parameter("c", "N s/m", "dampers", ">= 0", 0.03, becomes="zeta")
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+w = page.coordinate("w", "m", "of the disc")
+u = page.coordinate("u", "m", "of the carrier")
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2 + page.rate(w)**2 + page.rate(u)**2) / 2)
+page.spring(k_x, along=x - u)
+page.spring(k_w, along=w)
+page.spring(k_u, along=u)
+page.spring(k_12, along=x - y)
+page.damper(c, along=x)
+page.damper(c, along=y)
+page.damper(c, along=w)
+page.damper(c, along=u)
+page.force(0, -F_L, at=(x, y))
+page.contact(y - w, lambda depth: k_c * depth + k_c * depth**3 / L_0**2)
+page.friction(x, V, lambda v: (mu_k + (mu_s - mu_k) * exp(-Abs(v) / v_s)) * (1 - exp(-d * Abs(v))) * sgn(v))
+'''
+
+
+@pytest.fixture(scope="module")
+def pad(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder
+
+    def derived() -> str:
+        out = tmp_path_factory.mktemp("pad")
+        (out / "pad.py").write_text(PAD, encoding="utf-8")
+        folder.write_page(out / "pad.py", out / "pad")
+        return str(out / "pad")
+
+    return ss.load(Path(once("pad", derived)))
+
+
+def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
+    """Where the growth of the only state changes its sign; that there is no other one is not said."""
+    found = pad.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
+    want = brentq(lambda mu: float(pad.equilibria(pad.Parameters(mu_s=mu)).growth[0]), 1.5, 2.0, xtol=1e-12)
+    assert found.kind.tolist() == ["hopf"]
+    assert found.mu_s[0] == pytest.approx(want, abs=1e-9)
+    assert found.error[0] < 1e-12
+    assert not found.complete
+    assert any("floats see no other" in text for text in found.remarks)
+
+
+def test_what_is_not_decided_is_not_called_none(pad: Any) -> None:
+    told = (
+        CliRunner()
+        .invoke(cli, ["bifurcation", "--model", pad.where, "--vary", "mu_s", "--along", "", "--between", "mu_s=0.1:0.4"])
+        .output
+    )
+    assert "lutter onsets: none" not in told
+    assert "flutter onsets: not complete" in told

@@ -13,7 +13,7 @@ _ROOMS = {
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
     "dynamics": ("simulate",),
-    "cycles": ("cycle", "lyapunov", "fate_boundary", "basin_boundary"),
+    "cycles": ("cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary"),
     "sweeps": ("rms_sweep",),
     "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip

@@ -17,7 +17,7 @@ from . import parameters as _parameters
 from .describe import described
 
 if TYPE_CHECKING:
-    from ..cycles import BasinBoundary, Cycle, CycleBranch, FateBoundary, Lyapunov
+    from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
     from ..sweeps import Basin, Sensitivity, Sweep
     from .bifurcation import ModelBifurcationSet
     from .diagram import Diagram
@@ -263,6 +263,13 @@ class Model:
         from .oscillation import lyapunov
 
         return lyapunov(self, p.given(V=V, d=d), **options)
+
+    @question
+    def fate(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> Fate:
+        """What the motion from ``start`` comes to: see :func:`spragsym.fate`."""
+        from .oscillation import fate
+
+        return fate(self, p.given(V=V, d=d), **options)
 
     @question
     def fate_boundary(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> FateBoundary:

@@ -65,8 +65,8 @@ def basin(
     y0, vy0 : float
         Initial state across the belt.
     **options
-        As for :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is ``Regime.UNSETTLED``: damping is weak
-        where exp(−d V) is small, so that it can take tens of thousands of time units.
+        As for :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is ``Regime.UNSETTLED``: deviations die
+        out at a rate of μ₀ d exp(−d V) n, n the contact force, so that it can take tens of thousands of time units.
 
     Returns
     -------

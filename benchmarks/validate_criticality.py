@@ -74,9 +74,13 @@ def accelerations(page: str, P: Mapping[str, Any], u: Sequence[Any]) -> list[Any
         lean = P["sigma"] * (x - y) / 2
         return [-P["alpha"] * x - lean - friction * y, -P["beta"] * y + lean - 1 - y]
     depth = -y
-    pressed = {"cubic_contact": lambda: depth + P["gamma"] * depth**3, "hertz_contact": lambda: depth * mpmath.sqrt(depth)}
+    pressed = {
+        "cubic_contact": lambda: depth + P["gamma"] * depth**3,
+        "hertz_contact": lambda: depth * mpmath.sqrt(depth),
+        "soft_brake": lambda: depth + P["gamma"] * depth**2,
+    }
     normal = pressed.get(page, lambda: depth)()
-    fx, fy = friction * normal - P["alpha"] * x, normal - P["beta"] * y - P["kappa"]
+    fx, fy = friction * normal - P["alpha"] * x, normal - P.get("beta", 0) * y - P["kappa"]
 
     def spring(stiffness: Any, angle: Any, rest: Any, moved: Any = 0) -> tuple[Any, Any, Any, Any]:
         """The pull of a spring, and the cosine and sine of its direction."""
@@ -87,6 +91,11 @@ def accelerations(page: str, P: Mapping[str, Any], u: Sequence[Any]) -> list[Any
 
     px, py, c, s = spring(P["sigma"], P["theta0"], 1, u[2] if page == "trolley" else 0)
     fx, fy = fx + px, fy + py
+    if page == "soft_brake":  # the guide's page: a torsion spring turns with the inclined one, and rests at theta0
+        dx, dy = mpmath.cos(P["theta0"]) - x, mpmath.sin(P["theta0"]) - y
+        turned = -1j * mpmath.log((dx + 1j * dy) / (mpmath.cos(P["theta0"]) + 1j * mpmath.sin(P["theta0"])))
+        turned = (turned + 1j * mpmath.log(mpmath.sqrt(dx**2 + dy**2))) * P["tau"] / (dx**2 + dy**2)
+        fx, fy = fx - turned * dy, fy + turned * dx
     if page == "two_springs":
         qx, qy, _, _ = spring(P["sigma_2"], P["theta0_2"], P["lambda_2"])
         fx, fy = fx + qx, fy + qy

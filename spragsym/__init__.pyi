@@ -32,13 +32,17 @@ from .cycles import Cycle as Cycle
 from .cycles import CycleBranch as CycleBranch
 from .cycles import CycleEvent as CycleEvent
 from .cycles import EventCurve as EventCurve
+from .cycles import Fate as Fate
 from .cycles import FateBoundary as FateBoundary
+from .cycles import FateMap as FateMap
 from .cycles import Lyapunov as Lyapunov
 from .cycles import basin_boundary as basin_boundary
 from .cycles import cycle as cycle
 from .cycles import cycle_branch as cycle_branch
 from .cycles import cycle_events as cycle_events
+from .cycles import fate as fate
 from .cycles import fate_boundary as fate_boundary
+from .cycles import fate_map as fate_map
 from .cycles import lyapunov as lyapunov
 from .design import Certificate as Certificate
 from .design import JumpGradient as JumpGradient

@@ -38,7 +38,7 @@ INTERFACE = frozenset((
     "quasi_static_path", "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign",
     "onset_curves", "diagram",
-    "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate_boundary", "basin_boundary",
+    "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")

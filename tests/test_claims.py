@@ -415,7 +415,7 @@ def test_limit_cycle_by_another_integrator() -> None:
     solution = motion(49.0, start, period, rtol=1e-9)
     assert np.abs(solution.y[:, -1] - start).max() < 5e-3
     assert np.abs(solution.sol(np.linspace(0, period, 40_001))[0]).max() == pytest.approx(
-        value("fig-7a", "amplitude of x"), abs=1e-3
+        value("fig-7a", "largest |x|"), abs=1e-3
     )
     x = value("fig-7a", "x of the only equilibrium")
     growth = value("fig-7a", "its growth rate with the friction law's damping")

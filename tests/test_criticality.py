@@ -5,6 +5,7 @@ from __future__ import annotations
 import doctest
 import json
 import pickle
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ import spragsym as ss
 from benchmarks import validate_criticality
 from spragsym.cli import cli
 from spragsym.exact.polynomials import Undecided
-from spragsym.models.normal_forms import normal_form
+from spragsym.models.normal_forms import BALLS, _pair, _Side, normal_form
 from tests.support import few, needs_a_quick_integrator
 from tests.test_documents import DOCS, OPTIONS, assert_shown, commands, fenced, run
 
@@ -77,19 +78,53 @@ def test_coefficients_of_equations_written_by_hand(name: str, vary: str, values:
             assert bound < 1e-5 * max(abs(found), 1e-3)
 
 
+def test_a_torsion_spring_against_equations_written_by_hand(tmp_path: Path) -> None:
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder
+
+    folder.write_page(Path(__file__).parent / "soft_brake.py", tmp_path / "soft_brake")
+    model = ss.load(tmp_path / "soft_brake")
+    onsets = model.flutter_onsets(model.Parameters(theta0=0.7), vary="mu0", between={"mu0": (0.15, 0.25)})
+    exact = validate_criticality.reference_of(onsets, 0)
+    assert abs(mpmath.mpf(float(onsets.lyapunov[0])) - exact.lyapunov) <= onsets.lyapunov_error[0] < 1e-9
+    assert onsets.criticality.tolist() == ["gentle"]
+
+
 def test_the_bound_covers_a_wider_box() -> None:
     """A box around another middle that holds the point holds the coefficient too."""
     onsets = onsets_of("damped", "mu0", theta0=0.7)
     known, model = onsets.normal_forms[0], onsets.model
     given = np.array([getattr(onsets, name)[0] for name in model.parameters])
     state = np.array([getattr(onsets, name)[0] for name in model.coordinates])
-    for off in (1e-9, -3e-8):
+    for off in (np.array([1e-9, 0, 0]), np.array([0, -3e-9, 0]), np.array([0, 0, 1e-8]), np.array([1e-8, 2e-8, -3e-8])):
         moved = given.copy()
-        moved[model.parameters.index("mu0")] += off
-        wide = normal_form(model, moved, state + off, "mu0", np.full(3, 1.01 * abs(off)))
+        moved[model.parameters.index("mu0")] += off[2]
+        wide = normal_form(model, moved, state + off[:2], "mu0", 1.01 * np.abs(off) + 1e-12)
         assert known.lyapunov != wide.lyapunov
         assert abs(known.lyapunov - wide.lyapunov) <= wide.lyapunov_error < 1e-2
         assert abs(known.omega - wide.omega) <= wide.omega_error
+
+
+def test_eigenvectors_of_all_matrices_in_a_box_lie_in_the_enclosure() -> None:
+    """A turn of the plane, and two decaying directions, in bases that differ by up to 1e-6."""
+    rng = np.random.default_rng(3)
+    middle = np.zeros((4, 4))
+    middle[:2, :2], middle[2, 2], middle[3, 3] = [[0.0, 1.3], [-1.3, 0.0]], -0.4, -2.0
+    base, changes = rng.normal(size=(4, 4)), 1e-6 * rng.uniform(-1, 1, size=(30, 4, 4))
+    every = np.array([np.linalg.solve(base + change, middle @ (base + change)) for change in changes])
+    with BALLS.precision(106):
+        A = [[BALLS.between(Fraction(every[:, i, j].min()), Fraction(every[:, i, j].max())) for j in range(4)] for i in range(4)]
+    omega, q, left = _pair(A)
+    assert BALLS.ends(omega)[0] <= Fraction(1.3) <= BALLS.ends(omega)[1]
+    for matrix in every:
+        for rows, enclosed in ((matrix, q), (matrix.T, left)):
+            roots, columns = np.linalg.eig(rows)
+            vector = columns[:, np.abs(roots - 1.3j).argmin()]
+            for one, other in ((0, 1), (1, 2), (3, 0)):
+                ratio, share = enclosed[one] / enclosed[other], vector[one] / vector[other]
+                for ball, value in ((ratio.re, share.real), (ratio.im, share.imag)):
+                    assert BALLS.ends(ball)[0] - Fraction(1e-12) <= Fraction(value) <= BALLS.ends(ball)[1] + Fraction(1e-12)
+                    assert BALLS.ends(ball)[1] - BALLS.ends(ball)[0] < 1
 
 
 def test_columns_are_made_when_they_are_asked_for() -> None:
@@ -151,6 +186,10 @@ def test_a_law_that_is_smooth_at_rest_is_not_refused() -> None:
     given = np.array(model.Parameters(V=0.0).scalars(*model.parameters))
     with pytest.raises(Undecided, match="no two eigenvalues"):
         normal_form(model, given, np.array([0.0]), "V", np.full(2, 1e-12))
+    side = _Side()
+    assert side * side == 1
+    with pytest.raises(TypeError):
+        side * 2
 
 
 @needs_a_quick_integrator

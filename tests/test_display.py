@@ -92,7 +92,9 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "CycleBranch": _branch,
     "CycleEvent": _doubling,
     "EventCurve": lambda: ss.cycle_events(_doubling(), vary=("theta0", "mu0"), points=1),
+    "Fate": lambda: ss.fate(SLIDING, **SPEED),
     "FateBoundary": _fate,
+    "FateMap": lambda: ss.fate_map(ss.Parameters.article(theta0=np.radians([30.0, 35.0])), **SPEED),
     "BasinBoundary": lambda: ss.basin_boundary(ss.Parameters.article(theta0=np.radians(40.0)), **SPEED, step=0.05, points=1),
     "Lyapunov": lambda: ss.lyapunov(SLIDING, **SPEED, start=_cycle().state, t_end=2 * _cycle().period),
     "Report": lambda: _study().report(probability=False, redesign=False, oscillation=False),
@@ -106,7 +108,17 @@ RESULTS: dict[str, Callable[[], Any]] = {
 
 
 #: Those that take long motions.
-LONG_MOTIONS = ("Cycle", "CycleBranch", "CycleEvent", "EventCurve", "FateBoundary", "BasinBoundary", "Lyapunov")
+LONG_MOTIONS = (
+    "Cycle",
+    "CycleBranch",
+    "CycleEvent",
+    "EventCurve",
+    "Fate",
+    "FateMap",
+    "FateBoundary",
+    "BasinBoundary",
+    "Lyapunov",
+)
 
 
 class Tables(HTMLParser):

@@ -15,7 +15,7 @@ from .rows import Found
 FAR_BELOW = (10.0, 20.0, 30.0, 40.0)
 
 #: V and d of other belts: the article states neither.
-OTHER_BELTS = ((0.25, 10.0), (0.5, 5.0), (0.25, 20.0))
+OTHER_BELTS = ((0.25, 10.0), (0.5, 5.0), (0.4, 12.5))
 
 #: The inclination at which the cycle is looked for with these, degrees.
 WITH_OTHERS = 30.0

@@ -32,6 +32,7 @@ COMMANDS = {
     "simulate": ("motion", "Integrate the motion from an initial state."),
     "cycles": ("cycles", "Cycles of the motion, and branches of them."),
     "sweep": ("motion", "Simulate over a grid of parameters, to a file."),
+    "fates": ("fates", "What motions come to, over a grid of parameters."),
     "figures": ("figures", "Draw the article's figures, and more."),
     "explore": ("explore", "Write the explorer, a page for the browser."),
     "derive": ("derive", "Carry the page of a model through to code."),

@@ -38,7 +38,7 @@ LONGEST = 2e6
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
-def _start(function: Any) -> Any:
+def start(function: Any) -> Any:
     """``--x0 --y0 --vx0 --vy0``."""
     for name, meaning in (
         ("vy0", "speed across it"),
@@ -55,7 +55,7 @@ def _start(function: Any) -> Any:
 @theta0
 @parameters
 @belt
-@_start
+@start
 @window
 @RTOL
 @BACKEND
@@ -165,7 +165,7 @@ def _draw(tr: Trajectory, transient: float, path: Path) -> None:
         motion_figure(tr, transient, units).savefig(path, format=kind, metadata=FORMATS[kind])
 
 
-def _axes(function: Any) -> Any:
+def axes(function: Any) -> Any:
     """Every parameter as an axis of the grid."""
     axes: list[tuple[tuple[str, ...], float | None, Range, str]] = [
         (("--theta0", "theta0_deg"), None, DEGREES, "Inclination, degrees.")
@@ -180,8 +180,8 @@ def _axes(function: Any) -> Any:
 
 @command(cls=ForModels)
 @model_option
-@_axes
-@_start
+@axes
+@start
 @window
 @RTOL
 @BACKEND

@@ -5,10 +5,12 @@ from .branch import CycleBranch, CycleEvent, cycle_branch
 from .exponents import Lyapunov, lyapunov
 from .fates import FateBoundary, fate_boundary
 from .finding import cycle
+from .maps import FateMap, fate_map
 from .orbit import Cycle
 from .two_parameters import EventCurve, cycle_events
+from .verdicts import Fate, fate
 
 __all__ = [
-    "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "FateBoundary", "Lyapunov",
-    "basin_boundary", "cycle", "cycle_branch", "cycle_events", "fate_boundary", "lyapunov",
+    "BasinBoundary", "Cycle", "CycleBranch", "CycleEvent", "EventCurve", "Fate", "FateBoundary", "FateMap", "Lyapunov",
+    "basin_boundary", "cycle", "cycle_branch", "cycle_events", "fate", "fate_boundary", "fate_map", "lyapunov",
 ]  # fmt: skip

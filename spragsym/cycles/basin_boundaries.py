@@ -1,4 +1,4 @@
-"""Where the stable manifold of a divergent equilibrium meets a plane of starts: the boundary of a basin."""
+"""Where the stable manifold of a divergent equilibrium meets a plane of starts, and where that bounds a basin."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..display import Result
 from ..dynamics.field import Field
@@ -14,6 +15,7 @@ from ..dynamics.flows import carrier, flow
 from ..dynamics.passage import Fly
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, Parameters, as_number
+from .attractors import Verdict, attractor, judged, same
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 
@@ -22,6 +24,9 @@ COMPONENTS = ("x", "y", "vx", "vy")
 
 #: How much longer the motion is followed in each refinement, in units of the saddle's time.
 MORE = 2.5
+
+#: To either side of a point it is looked what motions come to.
+ASIDE = 1e-6
 
 #: A refinement that moves the start by less than this is the last.
 SETTLED = 1e-11
@@ -38,7 +43,10 @@ STRAIGHT = 0.95
 
 @dataclass(frozen=True, eq=False)
 class BasinBoundary(Result):
-    """A curve of starts in a plane from which a motion goes to the divergent equilibrium.
+    """A curve of starts in a plane from which a motion goes to the divergent equilibrium: its stable manifold.
+
+    Motions from both sides of the curve leave the equilibrium to different sides. Whether they come to different attractors is
+    another question, since a motion that is turned back at first may go over later: ``boundary`` is true only where they do.
 
     Attributes
     ----------
@@ -47,6 +55,11 @@ class BasinBoundary(Result):
         In order along the curve.
     error : ndarray, shape (n,)
         How much the last refinement moved them.
+    boundary : ndarray of bool, shape (n,)
+        Whether starts 1e-6 to either side of a point, across the curve, come to different attractors. What is not is manifold,
+        with one basin on both sides, or undecided.
+    sides : ndarray of str, shape (n, 2)
+        What they come to, in words: where the part along the saddle's direction of growth becomes negative, and where positive.
     saddle : ndarray, shape (m,)
         The equilibrium.
     growth : float
@@ -58,6 +71,8 @@ class BasinBoundary(Result):
     plane: tuple[str, str]
     points: FloatArray
     error: FloatArray
+    boundary: NDArray[np.bool_]
+    sides: NDArray[np.str_]
     saddle: FloatArray
     growth: float
     how: tuple[str, str]
@@ -69,7 +84,7 @@ def basin_boundary(
     to: tuple[tuple[float, float], tuple[float, float]] | None = None, step: float = 0.02, points: int = 80,
     backend: str | None = None,
 ) -> BasinBoundary:  # fmt: skip
-    """The stable manifold of the divergent equilibrium in a plane of starts.
+    """The stable manifold of the divergent equilibrium in a plane of starts, and where it is the boundary of a basin.
 
     Parameters
     ----------
@@ -100,9 +115,10 @@ def basin_boundary(
     Notes
     -----
     A start is on the manifold if its motion never leaves along the saddle's direction of growth: the part along it, which the
-    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the boundary;
-    others may be elsewhere in the plane, and far folds of the manifold are not followed. Where folds lie closer than ``step``,
-    the walk may pass from one to the next: a smaller step tells.
+    left eigenvector measures, is made zero at later and later times by Newton's method. Each point found is on the manifold,
+    and on the boundary of a basin where ``boundary`` says so; other sheets of the manifold may be elsewhere in the plane, and
+    far folds of it are not followed. Where folds lie closer than ``step``, the walk may pass from one to the next: a smaller
+    step tells.
 
     Examples
     --------
@@ -112,6 +128,8 @@ def basin_boundary(
     >>> found = ss.basin_boundary(p, V=0.5, d=10.0, step=0.1, points=1)
     >>> found.points.round(3).tolist()
     [[0.528, -0.017], [0.429, 0.0], [0.33, 0.014]]
+    >>> found.boundary.tolist(), found.sides[0].tolist()
+    ([False, False, False], ['a cycle of period 34.0235', 'a cycle of period 34.0235'])
     """
     values = p.given(V=V, d=d).scalars(*p.ranges)
     state = np.array([as_number("start", value, FINITE) for value in start])
@@ -136,10 +154,31 @@ def boundary_of(
     first, error, span = walk.begun(start)
     ways = [walk.follow(first, span, sign) for sign in (-1.0, 1.0)]
     found = [*reversed(ways[0][0]), (first, error), *ways[1][0]]
+    sides = [_sides(walk, name, each, span) for each, _ in found]
+    differ = np.array([_differ(field, values, *each, name) for each in sides])
     return BasinBoundary(
-        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]), saddle.state,
-        saddle.growth, (ways[0][1], ways[1][1]),
+        plane, np.array([each[list(axes)] for each, _ in found]), np.array([error for _, error in found]), differ,
+        np.array([[each.told() for each in both] for both in sides]), saddle.state, saddle.growth, (ways[0][1], ways[1][1]),
     )  # fmt: skip
+
+
+def _sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tuple[Verdict, Verdict]:
+    """What starts to either side of a point come to: where the part along the direction of growth is less, and more."""
+    normal = walk.off(state, span)[1]
+    across = np.zeros_like(state)
+    across[list(walk.axes)] = ASIDE * normal / np.linalg.norm(normal)
+    one, other = (judged(walk.field, walk.values, state + sign * across, backend) for sign in (-1, 1))
+    return one, other
+
+
+def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdict, backend: str) -> bool:
+    """Whether two motions are seen to come to different attractors."""
+    if not (one.decided and other.decided):
+        return False
+    try:
+        return not same(*(attractor(field, values, each, backend) for each in (one, other)))
+    except ConvergenceError:  # one that Newton's method does not find again decides nothing
+        return False
 
 
 def _divergent(p: Parameters, values: tuple[float, ...]) -> Saddle:

@@ -1,35 +1,25 @@
-"""Lyapunov exponents of a motion: whether it is periodic, quasi-periodic or chaotic, and how far that is settled."""
+"""Lyapunov exponents of a motion: what it is, as far as they, or the attractor that it comes to, prove it."""
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier
-from ..dynamics.shooting import rate
-from ..errors import ConvergenceError, ParameterError
+from ..dynamics.regimes import Regime
+from ..errors import ConvergenceError
 from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
+from .attractors import attractor, judged, limiting
+from .growth_rates import PROVED, rates_along
 from .sprag import SPRAG
 
-#: Time between two orthonormalizations.
-STRETCH = 5.0
-
-#: Deviations of which one is smaller than another by more than this in a stretch are lost in rounding: it is halved.
-LOST = 1e-10
-
-#: Most often.
-HALVINGS = 12
-
-#: Blocks of the second half of the motion, by whose scatter the error is judged.
-BLOCKS = 8
-
-#: Standard errors within which an exponent counts as 0.
-DOUBT = 4.0
+#: What a motion is called by its attractor.
+KINDS = {Regime.EQUILIBRIUM: "at rest", Regime.LIMIT_CYCLE: "periodic", Regime.LIFT_OFF: "lifted off"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,9 +31,11 @@ class Lyapunov(Result):
     exponents : ndarray, shape (m,)
         Largest first, over the second half of the motion.
     error : ndarray, shape (m,)
-        Standard error by the scatter among eight equal parts of that half; no bound: what a motion does later is not known.
+        Half-widths of their 95 % intervals, by the scatter among parts of that half; of the trivial exponent a bound.
     zero : ndarray of bool, shape (m,)
-        Whether an exponent can't be told from 0: it is below four standard errors, or below that of a growth by e over that half.
+        Whether an exponent is the trivial one, that of the flow's own direction, or is not told from 0 by twice its error.
+    trivial : int
+        Which one is the trivial one; −1 at rest, where there is none.
     trace : float
         Mean divergence of the field, which the exponents add up to.
     t : ndarray, shape (n,)
@@ -51,18 +43,26 @@ class Lyapunov(Result):
     running : ndarray, shape (n, m)
         The means from the middle of the motion to these times: how they converge.
     kind : str
-        "periodic or at rest", "quasi-periodic", "chaotic" or "undecided", as far as it is settled.
+        "at rest", "periodic", "lifted off", "chaotic" or "undecided".
+    why : str
+        What decides that, or would.
+    limit : ndarray, shape (m,)
+        Exponents of the equilibrium or cycle that the motion comes to, from its eigenvalues or multipliers; NaN where none is
+        found.
     end : ndarray, shape (m,)
         Where the motion ends.
     """
 
     exponents: FloatArray
     error: FloatArray
-    zero: FloatArray
+    zero: NDArray[np.bool_]
+    trivial: int
     trace: float
     t: FloatArray
     running: FloatArray
     kind: str
+    why: str
+    limit: FloatArray
     end: FloatArray
 
 
@@ -70,10 +70,11 @@ def lyapunov(
     p: Parameters, *, V: float | None = None, d: float | None = None, start: Any = (0.0, 0.0, 0.0, 0.0), t_end: float = 4000.0,
     backend: str | None = None,
 ) -> Lyapunov:  # fmt: skip
-    """The Lyapunov exponents of a motion, with their convergence.
+    """The Lyapunov exponents of a motion with their errors, and what they prove.
 
-    The variational equations are carried along and orthonormalized every five time units; the first half of the motion is
-    left out.
+    The first half of the motion is left out. Where the motion comes to an equilibrium or to a cycle, the eigenvalues or
+    multipliers of that decide what it is. It is chaotic if an exponent is positive, every other one but the trivial one is told
+    from 0, and the motion has settled; else it is undecided, and ``why`` says what would decide it.
 
     Parameters
     ----------
@@ -98,7 +99,8 @@ def lyapunov(
 
     Notes
     -----
-    Source: Benettin's method on (8)–(11); the field is continuous, so that its kinks need nothing special.
+    Source: Benettin's method on (8)–(11), the flow itself as the first direction; the field is continuous, so that its kinks need
+    nothing special. A chaotic transient that lasts longer than the motion was followed is not told from a chaotic attractor.
 
     Examples
     --------
@@ -117,46 +119,35 @@ def exponents_of(
     field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str | None = None
 ) -> Lyapunov:
     """As :func:`lyapunov`, of any field."""
-    fly, _ = carrier(field, backend)
-    constants, none = field.constants(values), np.zeros((2, len(field.parameters)))
-    m, count = field.size, max(2 * BLOCKS, math.ceil(t_end / STRETCH))
-    stretch = t_end / count
-    frame, logs, volumes = np.eye(m), np.empty((count, m)), np.empty(count)
-    if not np.isfinite(rate(field, state, constants)).all():
-        raise ParameterError(f"start = {state.tolist()}: the motion is not defined there; start anywhere else")
-
-    def carried(
-        state: FloatArray, frame: FloatArray, span: float, halvings: int
-    ) -> tuple[FloatArray, FloatArray, FloatArray, float]:
-        """State and frame after a while, with the logarithms of growth along the frame and of volumes."""
-        passage = fly(state, constants, span, none)
-        turned, triangle = np.linalg.qr(passage.by_state @ frame)
-        sizes = np.abs(np.diag(triangle))
-        if sizes.min() > LOST * sizes.max():
-            return passage.state, turned, np.log(sizes), float(np.linalg.slogdet(passage.by_state)[1])
-        if halvings == 0:
-            raise ConvergenceError(f"small deviations shrink by more than {1 / LOST:g} in {span:g} time units: too stiff")
-        middle, frame, first, shrunk = carried(state, frame, span / 2, halvings - 1)
-        end, frame, second, more = carried(middle, frame, span / 2, halvings - 1)
-        return end, frame, first + second, shrunk + more
-
-    for i in range(count):
-        state, frame, logs[i], volumes[i] = carried(state, frame, stretch, HALVINGS)
-    late = logs[count // 2 :]
-    times = stretch * np.arange(1, len(late) + 1)
-    running = np.cumsum(late, axis=0) / times[:, None]
-    parts = np.array([block.sum(axis=0) / (len(block) * stretch) for block in np.array_split(late, BLOCKS)])
-    error = parts.std(axis=0, ddof=1) / math.sqrt(BLOCKS)
-    exponents = running[-1]
-    zero = np.abs(exponents) <= np.maximum(DOUBT * error, 1 / times[-1])
-    order = np.argsort(-exponents)
+    fly, name = carrier(field, backend)
+    whole = rates_along(field, fly, values, state, t_end)
+    late = whole.late(len(whole.logs) // 2)
+    times = late.stretch * np.arange(1, len(late.logs) + 1)
+    order = np.argsort(-late.exponents, kind="stable")
+    zero = np.abs(late.exponents) <= PROVED * late.error
+    zero[0] |= late.moves
+    kind, why, limit = _kind(field, values, state, t_end, name)
+    if not kind:
+        why = late.undecided(t_end - late.span)
+        kind = "undecided" if why else "chaotic"
+        why = why or "every exponent but the trivial one is told from 0, and one at least is positive"
     return Lyapunov(
-        exponents[order], error[order], zero[order], float(volumes[count // 2 :].sum() / times[-1]),
-        t_end - times[-1] + times, running[:, order], _kind(exponents[order], zero[order]), state,
+        late.exponents[order], late.error[order], zero[order], int(np.flatnonzero(order == 0)[0]) if late.moves else -1,
+        float(late.volumes.sum() / late.span), np.asarray(t_end - late.span + times),
+        np.asarray(np.cumsum(late.logs, axis=0) / times[:, None])[:, order], kind, why, limit, late.end,
     )  # fmt: skip
 
 
-def _kind(exponents: FloatArray, zero: FloatArray) -> str:
-    if exponents[0] > 0 and not zero[0]:
-        return "chaotic"
-    return {0: "periodic or at rest", 1: "periodic or at rest", 2: "quasi-periodic"}.get(int(zero.sum()), "undecided")
+def _kind(field: Field, values: tuple[float, ...], state: FloatArray, t_end: float, backend: str) -> tuple[str, str, FloatArray]:
+    """What a motion is by the attractor that it comes to, why, and the exponents of that; empty where none is found."""
+    none = np.full(field.size, np.nan)
+    verdict = judged(field, values, state, backend, times=(t_end,))
+    if not verdict.decided:
+        return "", "", none
+    why = f"it comes to {verdict.told()}"
+    if verdict.kind == Regime.LIFT_OFF:
+        return KINDS[verdict.kind], why, none
+    try:
+        return KINDS[verdict.kind], why, limiting(field, attractor(field, values, verdict, backend))
+    except ConvergenceError:
+        return "", "", none

@@ -2,35 +2,58 @@
 
 from __future__ import annotations
 
+from bisect import insort
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from dataclasses import field as attribute
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from ..display import Result
+from ..dynamics.cycles import same_orbit
 from ..dynamics.field import Field
-from ..dynamics.flows import carrier
-from ..dynamics.passage import Fly
-from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
+from ..dynamics.flows import carrier, follower
+from ..dynamics.regimes import Outcome
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, Parameters, as_number
-from .finding import cycle_near
-from .saddles import Saddle, saddle_near, side
+from .attractors import JUDGED, Verdict, attractor, followed, judged, same
+from .finding import cycle_at
+from .saddles import growth_of_cycle, saddle_near
 from .sprag import SPRAG
 
-#: A motion is judged at the first of these times, and again at the next as long as it is unsettled.
-JUDGED = (2000.0, 10_000.0)
+#: Shares of the bracket at which fates are looked at before it is narrowed, and where an end is undecided at these as well.
+LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
 
-#: Bisection by verdicts ends at this share of the bracket where the saddle is an equilibrium.
-NARROW = 1e-4
+#: Where to look next in a bracket, as far as motions are undecided.
+NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
 
-#: A motion that comes as close as this to an equilibrium hovers at it.
+#: Tolerances of the motions by which a bracket is narrowed, and by which that is done anew: the difference tells the error.
+ROUGH, FINE = 1e-12, 1e-13
+
+#: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
+NARROW, TOO_WIDE = 1e-13, 1e-8
+
+#: To either side of what was found it is looked whether fates alternate, and whether both tolerances come to the same.
+ASIDE = (1e-8, 1e-6)
+
+#: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its extent.
 CLOSE = 0.05
+
+#: Motions have parted beyond this.
+PARTED = 1e-3
+
+#: Pairs of states of a hovering motion from which a cycle is looked for.
+TRIES = 12
 
 
 @dataclass(frozen=True, eq=False)
 class FateBoundary(Result):
     """Where a start changes its fate.
+
+    Both attractors are there on both sides: each was followed to the other side, and is stable there. An attractor that itself
+    ends or loses its stability is no change of fate, but an event of its branch.
 
     Attributes
     ----------
@@ -38,17 +61,21 @@ class FateBoundary(Result):
     value : float
         Of that parameter.
     error : float
-        Estimate: how much the last refinement and another tolerance change it.
+        Estimate: the last bracket, and twice how much a tolerance ten times as small moves it.
     saddle : str
-        "equilibrium" or "cycle", or "unknown".
+        "equilibrium" or "cycle", of which it is proved by its eigenvalues or multipliers that it repels in one direction only; or
+        "unknown".
     state : ndarray, shape (m,)
-        The saddle's: of a cycle, where its first coordinate is largest.
+        The saddle's: of a cycle, where its first coordinate is largest; of an unknown one, where the motions begin to part.
     growth : float
-        The saddle's eigenvalue, or for a cycle the logarithm of its multiplier over its period.
+        The saddle's eigenvalue, or for a cycle the logarithm of its multiplier over its period. NaN for an unknown one.
     distance : float
         How near the motion comes to that.
     below, above : Outcome
         What the start comes to on either side.
+    others : ndarray, shape (k, 2)
+        Other intervals of the bracket, as far as was looked, at whose ends the fates differ: where there are any, fates
+        alternate. Those may be several fates on one side, none of which is on the other: an irregular transient ends anywhere.
     """
 
     vary: str
@@ -60,6 +87,7 @@ class FateBoundary(Result):
     distance: float
     below: Outcome
     above: Outcome
+    others: FloatArray
 
 
 def fate_boundary(
@@ -68,8 +96,8 @@ def fate_boundary(
 ) -> FateBoundary:  # fmt: skip
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers at.
 
-    Bisection on what the classifier says of the motion; then, where the saddle is an equilibrium, the value at which the
-    motion never leaves along the direction of growth, followed to longer and longer times.
+    Bisection on the attractors that the motion comes to, which are proved by Newton's method and their eigenvalues or
+    multipliers, and followed from one side to the other. What has not settled by t = 40 000 is no fate.
 
     Parameters
     ----------
@@ -78,7 +106,8 @@ def fate_boundary(
     vary : str
         theta0, mu0, kappa, alpha, sigma, beta, V or d.
     bracket : tuple of float
-        Two values with different fates. Where there are several changes between them, one is found.
+        Two values with different fates. Where there are several changes between them, one is found, and ``others`` tells of those
+        that were seen.
     V, d : float, optional
         In place of those of ``p``.
     start : array_like of 4 numbers
@@ -92,10 +121,14 @@ def fate_boundary(
     ------
     ParameterError
         Where both ends have the same fate.
+    ConvergenceError
+        Where the motion is undecided at an end and nothing is seen to change between; where what changes is the attractor
+        itself, which ends or loses its stability; where motions between stay undecided; and where fates alternate on both sides
+        more closely than rounding can tell. It says what the start comes to on either side.
 
     Notes
     -----
-    Source: (8)–(11) with (10) as the friction law; a saddle's stable manifold separates the fates.
+    Source: (8)–(11) with (10) as the friction law; the stable manifold of a saddle separates the fates.
 
     Examples
     --------
@@ -120,127 +153,223 @@ def boundary_of(
 ) -> FateBoundary:  # fmt: skip
     """As :func:`fate_boundary`, of any field."""
     index = field.parameters.index(vary)
-    fly, name = carrier(field, backend)
+    _, name = carrier(field, backend)
 
     def at(value: float) -> tuple[float, ...]:
         field.check(vary, value)
         return (*values[:index], value, *values[index + 1 :])
 
-    def judged(value: float) -> Outcome:
-        return verdict(field, at(value), start, name)
-
     low, high = sorted(bracket)
-    below, above = judged(low), judged(high)
-    if fate(below) == fate(above):
+    asked = _Asked(field, at, vary, start, name)
+    ends = asked.ask(low), asked.ask(high)
+    for share in LOOKED_AT:
+        asked.ask(low + share * (high - low))
+    if ends[0].label == ends[1].label >= 0:
+        between = [each for each, _ in asked.changes() if each.label != ends[0].label]
         raise ParameterError(
-            f"bracket = ({low:g}, {high:g}): the start comes to {below.regime.name} at both ends; give values of different fates"
+            f"bracket = ({low:g}, {high:g}): the start comes to {ends[0].verdict.told()} at both ends, which is one attractor"
+            + "".join(f", and to {each.verdict.told()} at {each.value:g} between" for each in between[:1])
+            + "; give values of different fates"
         )
-    width = high - low
+    for share in MORE:
+        if next(asked.changes(), None) is None:
+            asked.ask(low + share * (high - low))
+    if next(asked.changes(), None) is None:
+        raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {asked.told(*ends)}; give values at which the motion settles")
+    why = []
+    for one, other in list(asked.changes()):
+        for kept in (one.label, other.label):
+            try:
+                return _boundary(asked, one, other, kept)
+            except ConvergenceError as error:
+                why.append(str(error))
+    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): " + "; ".join(dict.fromkeys(why)))
 
-    def narrowed(share: float) -> None:
-        nonlocal low, high, below, above
-        while high - low > share * width and low < (low + high) / 2 < high:
-            middle = (low + high) / 2
-            outcome = judged(middle)
-            if fate(outcome) == fate(below):
-                low, below = middle, outcome
+
+@dataclass(frozen=True)
+class _Fate:
+    """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided."""
+
+    value: float
+    rtol: float
+    verdict: Verdict
+    label: int
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """Fates by value, as far as was asked."""
+
+    field: Field
+    at: Callable[[float], tuple[float, ...]]
+    vary: str
+    start: FloatArray
+    backend: str
+    known: list[_Fate] = attribute(default_factory=list)
+
+    def ask(self, value: float, rtol: float = ROUGH) -> _Fate:
+        """The fate at a value."""
+        before = next((each for each in self.known if (each.value, each.rtol) == (value, rtol)), None)
+        if before is not None:
+            return before
+        verdict = judged(self.field, self.at(value), self.start, self.backend, rtol=rtol)
+        found = _Fate(value, rtol, verdict, self._label(value, verdict) if verdict.decided else -1)
+        insort(self.known, found, key=lambda each: each.value)
+        return found
+
+    def _label(self, value: float, verdict: Verdict) -> int:
+        """That of the attractor among those that are known, or a new one."""
+        alike = [each for each in self.known if each.verdict.kind == verdict.kind]
+        nearest = {each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))}
+        for label, each in nearest.items():
+            if _seems(each.verdict.outcome, verdict.outcome):
+                return label
+        for label, each in nearest.items():
+            try:
+                if same(self.followed(each, value), attractor(self.field, self.at(value), verdict, self.backend)):
+                    return label
+            except ConvergenceError:
+                continue
+        return 1 + max((each.label for each in self.known), default=-1)
+
+    def followed(self, fate: _Fate, value: float) -> Any:
+        """The attractor of a fate, at another value."""
+        return followed(self.field, self.attractor(fate), self.at(value), self.backend)
+
+    def attractor(self, fate: _Fate) -> Any:
+        """The attractor of a fate."""
+        return attractor(self.field, self.at(fate.value), fate.verdict, self.backend)
+
+    def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
+        """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
+        decided = [each for each in self.known if each.label >= 0]
+        pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
+        yield from sorted(pairs, key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known))
+
+    def narrowed(self, low: _Fate, high: _Fate, kept: int, width: float, rtol: float = ROUGH) -> tuple[_Fate, _Fate]:
+        """A narrower bracket, as far as motions are decided: one side of it has the fate ``kept``, the other one not."""
+        while high.value - low.value > width:
+            for share in NEXT:
+                middle = low.value + share * (high.value - low.value)
+                if not low.value < middle < high.value:
+                    return low, high
+                found = self.ask(middle, rtol)
+                if found.label >= 0:
+                    break
             else:
-                high, above = middle, outcome
+                return low, high
+            low, high = (found, high) if (found.label == kept) == (low.label == kept) else (low, found)
+        return low, high
 
-    narrowed(NARROW)
-    nearest, duration, distance = _hovering(field, fly, at(low), start, 400.0)
-    saddle = saddle_near(field, at(low), nearest) if distance < CLOSE else None
-    if saddle is not None:
-        value, error = _polished(field, fly, at, (low, high), start, duration, saddle)
-        saddle = saddle_near(field, at(value), saddle.state) or saddle  # it moves with the parameter
-        return FateBoundary(vary, value, error, "equilibrium", saddle.state, saddle.growth, distance, below, above)
-    narrowed(1e-14)
-    try:
-        apart = _apart(field, at(low), at(high), start, name)
-        cycle = cycle_near(field, at(low), apart, name, patient=False)
-    except ConvergenceError:
-        return FateBoundary(vary, (low + high) / 2, high - low, "unknown", nearest, float("nan"), distance, below, above)
-    growth = float(np.log(np.abs(cycle.multipliers[1])) / cycle.period)
-    off = float(np.abs(apart - cycle.state).max())
-    return FateBoundary(vary, (low + high) / 2, high - low, "cycle", cycle.state, growth, off, below, above)
+    def told(self, low: _Fate, high: _Fate) -> str:
+        """What the start comes to on two sides."""
+        return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
+
+    def lost(self, low: _Fate, high: _Fate, value: float) -> str:
+        """That no value can be told, and why."""
+        return (
+            f"{self.told(low, high)}, and between the two fates alternate: near {self.vary} = {value:.12g} motions come to "
+            f"either on both sides, and to different ones at the tolerances {ROUGH:g} and {FINE:g}"
+        )
 
 
-def fate(outcome: Outcome) -> tuple[Regime, int, float]:
-    """What makes two motions' ends the same: kind, equilibrium, period."""
-    kind = ATTRACTOR.get(outcome.regime, outcome.regime)
-    return kind, outcome.equilibrium, round(outcome.period, 2) if outcome.period > 0 else 0.0
+def _seems(one: Outcome, other: Outcome) -> bool:
+    """Whether two limits are hardly apart."""
+    if one.period > 0 and other.period > 0:
+        return same_orbit(one, other)
+    apart = [abs(a - b) for a, b in ((one.rest_x, other.rest_x), (one.rest_y, other.rest_y)) if np.isfinite(a)]
+    return max(apart, default=0.0) < 1e-6
 
 
-def verdict(field: Field, values: tuple[float, ...], start: FloatArray, backend: str) -> Outcome:
-    """What a motion comes to, judged later where it is unsettled."""
-    outcome = Outcome()
-    for t_end in JUDGED:
-        outcome = field.simulate(values, start, t_end, backend=backend, rtol=1e-12).outcome(0.5 * t_end)
-        if outcome.regime not in (Regime.UNSETTLED, Regime.FAILED):
-            break
-    return outcome
-
-
-def _hovering(
-    field: Field, fly: Fly, values: tuple[float, ...], start: FloatArray, span: float
-) -> tuple[FloatArray, float, float]:
-    """The state nearest to an equilibrium that the motion passes, when, and how far from it: among its turns."""
-    best = (np.array(start), 0.0, np.inf)
-    none = np.zeros((2, len(field.parameters)))
-    for turn in fly(start, field.constants(values), span, none).turns:
+def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary:
+    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary."""
+    low, high = asked.narrowed(low, high, kept, NARROW * (1 + abs(low.value) + abs(high.value)))
+    if high.value - low.value > TOO_WIDE * (1 + abs(low.value)):
+        raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
+    for one, other in ((low, high), (high, low)):
         try:
-            saddle = saddle_near(field, values, turn.state)
+            met = same(asked.followed(one, other.value), asked.attractor(other))
+        except ConvergenceError as why:
+            raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
+        if met:
+            raise ConvergenceError(f"{asked.told(low, high)}, which is one attractor")
+    value, error = _anew(asked, low, high, kept)
+    first, last = asked.known[0].value, asked.known[-1].value
+    sides = [{asked.ask(value + sign * aside, rtol).label for aside in ASIDE for rtol in (ROUGH, FINE)
+              if first < value + sign * aside < last} - {-1} for sign in (-1, 1)]  # fmt: skip
+    if sides[0] & sides[1]:
+        raise ConvergenceError(asked.lost(low, high, value))
+    kind, state, growth, distance = _saddle(asked, low.value, high.value)
+    others = {(a.value, b.value) for a, b in asked.changes() if a.value < b.value and not a.value <= value <= b.value}
+    return FateBoundary(
+        asked.vary, value, error, kind, state, growth, distance, low.verdict.outcome, high.verdict.outcome,
+        np.array(sorted(others)).reshape(-1, 2),
+    )  # fmt: skip
+
+
+def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, float]:
+    """The middle of the bracket by a finer tolerance, and how much that has changed it, with a margin."""
+    rough = (low.value + high.value) / 2
+    half = max(high.value - low.value, NARROW * (1 + abs(rough)))
+    while half < TOO_WIDE * (1 + abs(rough)):
+        one, other = asked.ask(rough - half, FINE), asked.ask(rough + half, FINE)
+        if min(one.label, other.label) >= 0 and [one.label == kept, other.label == kept] == [
+            low.label == kept,
+            high.label == kept,
+        ]:
+            one, other = asked.narrowed(one, other, kept, 1e-15 * (1 + abs(rough)), FINE)
+            fine = (one.value + other.value) / 2
+            return fine, other.value - one.value + 2 * abs(fine - rough) + 4 * float(np.spacing(abs(fine)))
+        half *= 8
+    raise ConvergenceError(asked.lost(low, high, rough))
+
+
+def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:
+    """At what the motions of a narrow bracket hover before they part: its kind, a state of it, its growth, how near they come."""
+    field, values = asked.field, asked.at((low + high) / 2)
+    hovering, parted = _hovering(asked, low, high)
+    best: tuple[str, FloatArray, float, float] = ("unknown", hovering[-1], float("nan"), float("inf"))
+    for state in hovering:
+        try:
+            saddle = saddle_near(field, values, state)
         except ConvergenceError:
             continue
-        if saddle is not None:
-            off = float(np.abs(turn.state - saddle.state).max())
-            if off < best[2]:
-                best = (turn.state, turn.t, off)
-    return best
+        if saddle is not None and saddle.attracts and (off := float(np.abs(state - saddle.state).max())) < best[3]:
+            best = ("equilibrium", saddle.state, saddle.growth, off)
+    if best[3] < CLOSE:
+        return best
+    extent = float(np.ptp(hovering, axis=0).max())
+    for state, period, off in _returns(hovering, parted, extent):
+        try:
+            cycle = cycle_at(field, values, state, period, asked.backend)
+        except ConvergenceError:
+            continue
+        growth = growth_of_cycle(cycle)
+        near = float(np.abs(cycle.samples.states - state[:, None]).max(axis=0).min())
+        if growth is not None and near < CLOSE * extent:
+            return "cycle", cycle.state, growth, max(off, near)
+    return "unknown", hovering[-1], float("nan"), float("nan")
 
 
-def _polished(
-    field: Field, fly: Fly, at: Any, bracket: tuple[float, float], start: FloatArray, duration: float, near: Saddle
-) -> tuple[float, float]:  # fmt: skip
-    """The value at which the motion does not leave along the direction of growth, for longer and longer times."""
-
-    def off(value: float, span: float) -> float:
-        values = at(value)
-        saddle = saddle_near(field, values, near.state)
-        if saddle is None:
-            raise ConvergenceError("the saddle has gone")
-        return side(field, fly, values, start, span, saddle if saddle.measure @ near.direction > 0 else _turned(saddle))[0]
-
-    low, high = bracket
-    value, change = (low + high) / 2, high - low
-    span = duration
-    for _ in range(60):
-        one, other = value, value + max(1e-3 * change, 4e-16 * (1 + abs(value)))
-        a, b = off(one, span), off(other, span)
-        for _ in range(8):
-            if a == b or abs(other - one) <= 2e-16 * abs(other):
-                break
-            one, other, a = other, other - b * (other - one) / (b - a), b
-            if abs(other - value) > 100 * (change + 1e-12):
-                return value, change
-            b = off(other, span)
-        moved, value = abs(other - value), other
-        change = max(moved, 1e-16)
-        if moved < 1e-13 * (1 + abs(value)):
-            return value, max(moved, 1e-14 * (1 + abs(value)))
-        span += 2 / near.growth
-    return value, change
+def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:
+    """States where the first coordinate is largest while motions of the two values are on one way, and the times of these."""
+    span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE}
+    one, other = (asked.field.simulate(asked.at(value), asked.start, span, **settings) for value in (low, high))
+    times = np.linspace(0.0, span, int(10 * span) + 1)
+    apart = np.abs(one(times) - other(times)).max(axis=0) > PARTED
+    until = float(times[int(np.argmax(apart))]) if apart.any() else span
+    none = np.zeros((2, len(asked.field.parameters)))
+    passage = follower(asked.field, asked.backend).fly(asked.start, asked.field.constants(asked.at(low)), until, none)
+    tops = [turn for turn in passage.turns if turn.border == -1 and turn.direction < 0]
+    if not tops:
+        return passage.state[None], np.array([until])
+    return np.array([turn.state for turn in tops]), np.array([turn.t for turn in tops])
 
 
-def _turned(saddle: Saddle) -> Saddle:
-    return Saddle(saddle.state, saddle.growth, -saddle.direction, -saddle.measure)
-
-
-def _apart(field: Field, low: tuple[float, ...], high: tuple[float, ...], start: FloatArray, backend: str) -> FloatArray:
-    """Where two motions are shortly before they part."""
-    one, other = (field.simulate(values, start, 2000.0, backend=backend, rtol=1e-12) for values in (low, high))
-    times = np.linspace(0.0, 2000.0, 20001)
-    off = np.abs(one(times) - other(times)).max(axis=0)
-    parted = int(np.argmax(off > 1e-4)) if (off > 1e-4).any() else len(times) - 1
-    state: FloatArray = one(times[max(parted - 400, 0)])
-    return state
+def _returns(states: FloatArray, times: FloatArray, extent: float) -> list[tuple[FloatArray, float, float]]:
+    """States of a hovering motion that are alike, with the time between them and by how much they differ: nearest first."""
+    found = [
+        (states[i], float(times[j] - times[i]), float(np.abs(states[j] - states[i]).max()))
+        for j in range(len(states) // 2, len(states)) for i in range(max(0, j - 12), j)
+    ]  # fmt: skip
+    return sorted((each for each in found if each[2] < CLOSE * extent), key=lambda each: each[2])[:TRIES]

@@ -151,6 +151,16 @@ def cycle_near(
     raise ConvergenceError(_why(field, values, start, stage))
 
 
+def cycle_at(field: Field, values: Sequence[float], state: FloatArray, period: float, backend: str | None = None) -> Cycle:
+    """The cycle of about a period near a state: Newton's method and nothing else."""
+    fly, name = carrier(field, backend)
+    guess = Guess(np.asarray(state, dtype=float)[None], period, tuple(float(value) for value in values))
+    rough = scout(field, name)
+    if rough is not None:
+        guess = _from_guess(field, rough, guess, NEAR).guess
+    return _checked(_from_guess(field, fly, guess), fly, name)
+
+
 def _steep(field: Field, values: tuple[float, ...]) -> str:
     """What may be too much for an integrator."""
     value, name = max((abs(value), name) for name, value in zip(field.parameters, values, strict=True))

@@ -1,10 +1,11 @@
-"""Equilibria of a field that repel in one direction: where they are, and on which side of its stable manifold a motion passes."""
+"""Saddles: equilibria and cycles that repel in exactly one direction, and on which side of them a motion passes."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -12,28 +13,32 @@ from ..dynamics.field import Field
 from ..dynamics.passage import Fly
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
+from .orbit import Cycle
 
-#: A real part beyond this, against the largest rate, is growth that decides a motion's fate.
-GROWS = 1e-2
+#: Of a matrix of the motion about an equilibrium: relative error, with a margin.
+ROUNDING = 1e-13
 
 
 @dataclass(frozen=True)
 class Saddle:
-    """An equilibrium with one real direction of growth.
+    """An equilibrium with one real direction of growth, and no other that is proved.
 
     Attributes
     ----------
     state : ndarray, shape (m,)
     growth : float
-        Its one large eigenvalue.
+        Its one eigenvalue with a positive real part.
     direction, measure : ndarray, shape (m,)
         Right and left eigenvectors of that, the product of which is 1: ``measure @ (state − saddle)`` grows as exp(growth τ).
+    attracts : bool
+        Whether all other eigenvalues are proved to have negative real parts; not so where nothing damps.
     """
 
     state: FloatArray
     growth: float
     direction: FloatArray
     measure: FloatArray
+    attracts: bool
 
 
 def equilibrium_near(field: Field, values: Sequence[float], state: FloatArray) -> FloatArray:
@@ -66,19 +71,43 @@ def linearization(field: Field, values: Sequence[float], state: FloatArray) -> F
     return np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), lower])
 
 
+def rounding_of(matrix: FloatArray) -> float:
+    """What rounding may add to a real part of an eigenvalue of a matrix of well separated eigenvalues."""
+    return float(ROUNDING * max(1.0, np.abs(matrix).max()))
+
+
 def saddle_near(field: Field, values: Sequence[float], state: FloatArray) -> Saddle | None:
-    """The saddle near a state; None where the equilibrium there has no such direction, or several."""
+    """The saddle near a state; None where the equilibrium there has no direction of growth, or several."""
     place = equilibrium_near(field, values, state)
     matrix = linearization(field, values, place)
     eigenvalues, vectors = np.linalg.eig(matrix)
-    growing = np.flatnonzero(eigenvalues.real > GROWS * np.abs(eigenvalues).max())
+    error = rounding_of(matrix) * sensitivities(vectors)
+    growing = np.flatnonzero(eigenvalues.real > error)
     if len(growing) != 1 or abs(eigenvalues[growing[0]].imag) > 0:
         return None
     which = int(growing[0])
     left = np.linalg.inv(vectors)[which].real
     right = vectors[:, which].real
     size = float(np.linalg.norm(right))
-    return Saddle(place, float(eigenvalues[which].real), right / size, left * size)
+    attracts = bool((np.delete(eigenvalues.real + error, which) < 0).all())
+    return Saddle(place, float(eigenvalues[which].real), right / size, left * size, attracts)
+
+
+def sensitivities(vectors: Any) -> FloatArray:
+    """By how much more than a matrix each of its eigenvalues moves, from its eigenvectors; infinite for a double one."""
+    try:
+        return np.asarray(np.linalg.norm(np.linalg.inv(vectors), axis=1) * np.linalg.norm(vectors, axis=0))
+    except np.linalg.LinAlgError:
+        return np.full(len(vectors), np.inf)
+
+
+def growth_of_cycle(cycle: Cycle) -> float | None:
+    """ln μ / T of the one multiplier beyond the unit circle; None unless it is proved that there is one, and one only."""
+    sizes, error = np.abs(cycle.multipliers[1:]), cycle.multiplier_errors
+    which = int(np.argmax(sizes))
+    if not sizes[which] - error[which] > 1 or not (np.delete(sizes + error, which) < 1).all():
+        return None
+    return float(np.log(sizes[which]) / cycle.period)
 
 
 def side(

@@ -39,7 +39,7 @@ from .models import (
 )
 from .motion_pictures import draw_motion, draw_phase, draw_spectrum, motion_figure
 from .motions import figure_3, figure_7
-from .oscillation import branch_figure, figure_cycles, figure_cycles_plane
+from .oscillation import branch_figure, fate_map_figure, figure_cycles, figure_cycles_plane
 from .style import Sheet
 from .trajectories import figure_6, figure_13
 
@@ -72,6 +72,7 @@ __all__ = [
     "Sheet",
     "bifurcation_figure",
     "branch_figure",
+    "fate_map_figure",
     "branches",
     "diagram_figure",
     "draw_bifurcation_set_of",

@@ -8,11 +8,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap, LogNorm
+from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from ..assumed import D, V
 from ..catastrophe import BifurcationSet, bifurcation_set, folds, sliding_friction
-from ..cycles import CycleBranch, cycle, cycle_branch, cycle_events, fate_boundary
+from ..cycles import CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
+from ..cycles.maps import Kind
+from ..errors import ParameterError
 from ..parameters import FloatArray, Parameters
 from ..statics.solver import Stability, equilibria
 from .captions import BASE_TEXT
@@ -254,6 +258,49 @@ def _words(curves: tuple[str, ...]) -> str:
     return "Blue: period doublings of the cycle of period 34; orange: its folds; each as far as it was followed."
 
 
+#: Kinds of a map that have one colour, and its name.
+PLAIN = {Kind.REST: ("#d9d9d9", "rest"), Kind.CHAOTIC: (VERMILION, "chaotic"), Kind.LIFT_OFF: (SKY, "lift-off"),
+         Kind.UNDECIDED: ("white", "undecided")}  # fmt: skip
+
+
+@styled
+def fate_map_figure(found: FateMap) -> Sheet:
+    """What motions come to over θ₀ and μ₀: rest, cycles coloured by their period, chaos, undecided ones with a cross."""
+    shape = found.kind.shape
+    angles, frictions = np.unique(np.degrees(found.inputs["theta0"])), np.unique(found.inputs["mu0"])
+    if found.kind.size != angles.size * frictions.size:
+        raise ParameterError(f"a map of the shape {shape} is not one over theta0 and mu0 alone")
+    along = np.broadcast_to(found.inputs["theta0"], shape).ravel(), np.broadcast_to(found.inputs["mu0"], shape).ravel()
+    order = np.lexsort(along)  # friction by friction
+    kind, period, positive = (
+        values.ravel()[order].reshape(frictions.size, angles.size)
+        for values in (found.kind, found.period, found.exponent > found.exponent_error)
+    )
+    figure, ((ax,),) = panels(1, 1, DOUBLE, 3.2)
+    for code, (colour, _) in PLAIN.items():
+        ax.pcolormesh(angles, frictions, np.where(kind == code, 1.0, np.nan), cmap=ListedColormap([colour]))
+    image = ax.pcolormesh(angles, frictions, np.where(kind == Kind.CYCLE, period, np.nan), cmap="viridis", norm=LogNorm())
+    for marker, colour, irregular in (("x", GREY, False), ("+", VERMILION, True)):
+        rows, columns = np.nonzero((kind == Kind.UNDECIDED) & (positive == irregular))
+        ax.plot(angles[columns], frictions[rows], marker, color=colour, markersize=3 + 2 * irregular, linestyle="none")
+    if (kind == Kind.CYCLE).any():
+        figure.colorbar(image, ax=ax, label="period of the cycle", pad=0.02)
+    shown = [code for code in PLAIN if (kind == code).any()]
+    patches = [Patch(facecolor=PLAIN[code][0], edgecolor=GREY, label=PLAIN[code][1]) for code in shown]
+    ax.legend(handles=patches, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(patches), frameon=False)
+    angle_axis(ax)
+    ax.set(ylabel=r"$\mu_0$")
+    counts = ", ".join(f"{count} {name}" for name, count in found.count().items() if count)
+    return figure.describe(
+        f"""What the motion comes to by τ = {found.t_end:g}, over inclination and friction: {counts}. Cycles, by their colour the
+        period, and rest are found by Newton's method and attract by their multipliers or eigenvalues; chaos is proved by Lyapunov
+        exponents, as far as the motion was followed; crosses are undecided, upright
+        ones in colour with an exponent above its 95 % interval: irregular so far.""",
+        a={"theta0_deg": np.tile(angles, frictions.size), "mu0": np.repeat(frictions, angles.size), "kind": kind.ravel(),
+           "period": period.ravel()},
+    )  # fmt: skip
+
+
 def _draw_statics(ax: Axes, still: BifurcationSet) -> Table:
     columns: list[tuple[FloatArray, FloatArray]] = []
     for curve in still.curves:
@@ -262,4 +309,4 @@ def _draw_statics(ax: Axes, still: BifurcationSet) -> Table:
     return {"theta0_deg": np.concatenate([a for a, _ in columns]), "mu0": np.concatenate([b for _, b in columns])}
 
 
-__all__ = ["branch_figure", "figure_cycles", "figure_cycles_plane"]
+__all__ = ["branch_figure", "fate_map_figure", "figure_cycles", "figure_cycles_plane"]

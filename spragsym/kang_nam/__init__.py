@@ -13,8 +13,8 @@ _ROOMS = {
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
     "dynamics": ("simulate",),
-    "cycles": ("cycle", "lyapunov", "fate_boundary", "basin_boundary"),
-    "sweeps": ("rms_sweep", "basin", "sensitivity"),
+    "cycles": ("cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary"),
+    "sweeps": ("rms_sweep",),
     "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip
 #: What may vary, where that is not any parameter.

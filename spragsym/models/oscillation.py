@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..cycles import basin_boundaries, exponents, fates, finding
+from ..cycles import basin_boundaries, exponents, fates, finding, verdicts
 from ..cycles.saddles import Saddle, equilibrium_near, saddle_near
 from ..dynamics.field import Field
 from ..dynamics.sprag import REACH
@@ -17,7 +17,7 @@ from .field import field_of
 from .trajectory import start_of
 
 if TYPE_CHECKING:
-    from ..cycles import BasinBoundary, Cycle, FateBoundary, Lyapunov
+    from ..cycles import BasinBoundary, Cycle, Fate, FateBoundary, Lyapunov
     from .model import Model
 
 
@@ -30,6 +30,12 @@ def lyapunov(model: Model, p: ParameterSet, *, start: Any = None, t_end: float =
     """As :meth:`spragsym.Model.lyapunov`."""
     field, values = field_of(model, REACH), p.scalars(*model.parameters)
     return exponents.exponents_of(field, values, _state(model, start), as_number("t_end", t_end, POSITIVE), backend)
+
+
+def fate(model: Model, p: ParameterSet, *, start: Any = None, t_end: float = 40_000.0, backend: str | None = None) -> Fate:
+    """As :meth:`spragsym.Model.fate`."""
+    field, values = field_of(model, REACH), p.scalars(*model.parameters)
+    return verdicts.fate_of(field, values, _state(model, start), as_number("t_end", t_end, POSITIVE), backend)
 
 
 def fate_boundary(

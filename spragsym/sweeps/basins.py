@@ -13,7 +13,6 @@ from ..dynamics.cycles import same_orbit
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ParameterTypeError
 from ..parameters import FloatArray, Parameters, as_numbers
-from .many import rms_sweep
 from .measure import LIMITS
 from .result import Sweep
 
@@ -58,7 +57,7 @@ def basin(
     Parameters
     ----------
     p : Parameters
-        Scalars.
+        Scalars; of any model with a coordinate x.
     V, d : float, optional
         In place of those of ``p``.
     x, vx : array_like, one axis each
@@ -66,8 +65,8 @@ def basin(
     y0, vy0 : float
         Initial state across the belt.
     **options
-        As for :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is ``Regime.UNSETTLED``: damping is weak
-        where exp(−d V) is small, so that it can take tens of thousands of time units.
+        As for :func:`rms_sweep`. A motion that by ``t_end`` approaches nothing is ``Regime.UNSETTLED``: deviations die
+        out at a rate of μ₀ d exp(−d V) n, n the contact force, so that it can take tens of thousands of time units.
 
     Returns
     -------
@@ -96,7 +95,8 @@ def basin(
     for name, values in zip(("x", "vx"), starts, strict=True):
         if values.ndim != 1:
             raise ParameterTypeError(f"{name} has the shape {values.shape}; give one axis of numbers")
-    sweep = rms_sweep(p, x0=starts[0][:, None], vx0=starts[1], y0=y0, vy0=vy0, **options)
+    across = {name: value for name, value in (("y0", y0), ("vy0", vy0)) if name[:-1] in (*p.model.coordinates, *p.model.rates)}
+    sweep = p.model.rms_sweep(p, x0=starts[0][:, None], vx0=starts[1], **across, **options)
     labels, attractors = _attractors(sweep)
     return Basin(starts[0], starts[1], labels, attractors, sweep)
 

@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..display import Result
-from ..errors import ParameterError
+from ..errors import ModelError, ParameterError
 from ..parameters import FloatArray, Parameters, as_numbers
-from .many import rms_sweep
 from .result import Sweep
 
 
@@ -50,7 +49,7 @@ def sensitivity(
     Parameters
     ----------
     p : Parameters
-        With ``theta0`` an ascending axis of at least two angles, and the rest scalars, but V and d.
+        Of a model with these three: ``theta0`` an ascending axis of at least two angles, and the rest scalars, but V and d.
     V, d : array_like, one axis each, optional
         Every V with every d; those of ``p`` where left out.
     refine : int
@@ -82,6 +81,9 @@ def sensitivity(
     >>> np.round(np.degrees(table.theta0), 1)
     array([[41.3]])
     """
+    missing = [name for name in ("theta0", "V", "d") if name not in p.ranges]
+    if missing:
+        raise ModelError(f"{p.model.name} has no {missing[0]}, along which sensitivity looks; rms_sweep(p) takes any axes")
     p.require("theta0")
     angles = p.theta0
     if angles.ndim != 1 or len(angles) < 2 or (np.diff(angles) <= 0).any():
@@ -89,14 +91,14 @@ def sensitivity(
     p.require(*(name for name, value in (("V", V), ("d", d)) if value is None))
     speeds, creeps = np.atleast_1d(p.V if V is None else as_numbers("V", V), p.d if d is None else as_numbers("d", d))
     p = p.replace(V=speeds[:, None, None], d=creeps[None, :, None])
-    sweep = rms_sweep(p, **options)
+    sweep = p.model.rms_sweep(p, **options)
     ratio = sweep.rms[..., 1:] / sweep.rms[..., :-1]
     at = np.argmax(np.where(np.isnan(ratio), 0.0, ratio), axis=-1)[..., None]
     low, high = angles[at], angles[at + 1]
     before, after = (np.take_along_axis(sweep.rms, at + k, axis=-1) for k in (0, 1))
     for _ in range(refine):
         middle = (low + high) / 2
-        between = rms_sweep(p.replace(theta0=middle), **options).rms
+        between = p.model.rms_sweep(p.replace(theta0=middle), **options).rms
         upper = after * before > between**2
         low, before = np.where(upper, middle, low), np.where(upper, between, before)
         high, after = np.where(upper, high, middle), np.where(upper, after, between)

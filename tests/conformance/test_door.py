@@ -23,7 +23,7 @@ from spragsym.parameters import NAMES
 #: Questions that only closed forms answer so far.
 UNANSWERED = (
     "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign", "critical_friction", "cusp_friction",
-    "critical_value", "flutter_boundary", "surface", "linear_sprag", "linear_critical_friction", "basin", "sensitivity",
+    "critical_value", "flutter_boundary", "surface", "linear_sprag", "linear_critical_friction"
 )  # fmt: skip
 
 
@@ -111,7 +111,7 @@ def test_every_question_is_a_method_and_goes_through_the_door() -> None:
     asked = {name for name, method in vars(ss.Model).items() if getattr(method, "__module__", "") and _is_question(method)}
     assert asked == door.INTERFACE
     assert door.INTERFACE <= set(ss.__all__)
-    assert set(ss.load("kang_nam").closed) == door.INTERFACE - {"onset_curves", "diagram"}
+    assert set(ss.load("kang_nam").closed) == door.INTERFACE - {"onset_curves", "diagram", "basin", "sensitivity"}
     assert {name for name in asked if not ss.load("stick_slip").search.closed} == asked
     for name in door.INTERFACE:
         assert _is_question(getattr(ss, name))
@@ -183,3 +183,16 @@ def test_figures_of_closed_forms_are_not_drawn_for_another_model() -> None:
     for name, more in drawn.items():
         with pytest.raises(ss.ModelError, match=f"{name} is not there yet for the model two_springs; "):
             getattr(figures, name)(p, *more)
+
+
+def test_basins_and_sensitivity_are_those_of_the_model() -> None:
+    p = ss.load("stick_slip").Parameters()
+    found = ss.basin(p, x=[0.0, 1.0], vx=[0.0], t_end=200.0)
+    assert np.array_equal(found.sweep.rms, ss.rms_sweep(p, x0=[[0.0], [1.0]], vx0=[0.0], t_end=200.0).rms)
+    with pytest.raises(ss.ModelError, match="stick_slip has no theta0, along which sensitivity looks"):
+        ss.sensitivity(p)
+    angles, options = np.radians([38.0, 42.0, 46.0]), dict(t_end=200.0, refine=1)
+    undamped = ss.load("damped").Parameters(theta0=angles, zeta_x=0.0, zeta_y=0.0, zeta_s=0.0)
+    theirs, ours = ss.sensitivity(undamped, **options), ss.sensitivity(ss.Parameters(theta0=angles), **options)
+    assert theirs.theta0 == pytest.approx(ours.theta0, abs=1e-12)
+    assert theirs.sweep.rms == pytest.approx(ours.sweep.rms, rel=1e-6)

@@ -1,0 +1,176 @@
+"""Attractors: the limit of a motion as a solution of an equation, and the same limit followed as a parameter varies.
+
+What a motion comes to is told by the classifier (:mod:`spragsym.dynamics.classify`). Here it becomes an equilibrium or a closed
+orbit by Newton's method, which can be followed to other values of the parameters and compared with another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..dynamics.field import Field
+from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
+from .finding import cycle_at, cycle_near
+from .orbit import Cycle
+from .saddles import equilibrium_near, linearization, rounding_of
+
+#: A motion is judged at the first of these times, and again at the next as long as it is undecided.
+JUDGED = (2000.0, 10_000.0, 40_000.0)
+
+#: What a motion comes to, where that is told.
+DECIDED = (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE, Regime.LIFT_OFF)
+
+#: Equilibria, and averages over cycles, that differ by less than this are one.
+SAME = 1e-6
+
+#: A cycle's state lies on another one, of the same averages, if it is nearer to its samples than this share of its extent.
+ON = 0.05
+
+#: An equilibrium that is followed moves by no more than this in one step.
+NEAR = 0.1
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a motion comes to, and when that was seen.
+
+    Attributes
+    ----------
+    outcome : Outcome
+    end : ndarray, shape (m,)
+        Where the motion is at ``t``.
+    t : float
+    """
+
+    outcome: Outcome
+    end: FloatArray
+    t: float
+
+    @property
+    def kind(self) -> Regime:
+        """EQUILIBRIUM, LIMIT_CYCLE, LIFT_OFF or UNSETTLED."""
+        return ATTRACTOR.get(self.outcome.regime, self.outcome.regime)
+
+    @property
+    def decided(self) -> bool:
+        """Whether it is seen to come to an attractor."""
+        return self.kind in DECIDED
+
+    def told(self) -> str:
+        """In words."""
+        found = self.outcome
+        if self.kind == Regime.EQUILIBRIUM:
+            return f"rest at x = {found.rest_x:.6g}" + (f", y = {found.rest_y:.6g}" if np.isfinite(found.rest_y) else "")
+        if self.kind == Regime.LIMIT_CYCLE:
+            return f"a cycle of period {found.period:.6g}"
+        return "lift-off" if self.kind == Regime.LIFT_OFF else f"nothing that is decided by t = {self.t:g}"
+
+
+def judged(
+    field: Field, values: tuple[float, ...], start: FloatArray, backend: str, *, times: Sequence[float] = JUDGED,
+    rtol: float = 1e-12,
+) -> Verdict:  # fmt: skip
+    """What the motion from a state comes to, looked at later and later as long as that is undecided."""
+    state, begun = np.asarray(start, dtype=float), 0.0
+    for t_end in times:
+        motion = field.simulate(values, state, t_end - begun, backend=backend, rtol=rtol)
+        verdict = Verdict(motion.outcome(0.5 * (t_end - begun)), motion.state[:, -1].copy(), t_end)
+        if verdict.decided:
+            break
+        state, begun = verdict.end, t_end
+    return verdict
+
+
+@dataclass(frozen=True)
+class Attractor:
+    """A stable equilibrium or cycle; of lift-off the kind alone, which all of it shares."""
+
+    kind: Regime
+    values: tuple[float, ...]
+    state: FloatArray
+    orbit: Cycle | None = None
+
+
+def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend: str) -> Attractor:
+    """The attractor of a verdict, by Newton's method; ConvergenceError where that does not find the one that was told."""
+    found, n = verdict.outcome, len(field.coordinates)
+    if verdict.kind == Regime.LIFT_OFF:
+        return Attractor(verdict.kind, values, verdict.end)
+    if verdict.kind == Regime.EQUILIBRIUM:
+        place = [found.rest_x, found.rest_y][:n] if n < 3 else verdict.end[:n].tolist()
+        return _at_rest(field, values, equilibrium_near(field, values, np.array([*place, *[0.0] * n])))
+    if verdict.kind != Regime.LIMIT_CYCLE:
+        raise ConvergenceError(f"the motion comes to {verdict.told()}")
+    if n > 2:
+        orbit = cycle_near(field, values, verdict.end, backend, patient=False)
+    else:
+        state = np.array([found.cycle_x, found.cycle_y, 0.0, found.cycle_vy][: 4 if n == 2 else 1] + [0.0] * (n == 1))
+        orbit = cycle_at(field, values, state, found.period, backend)
+    if abs(orbit.period / found.period - 1) > 1e-3:
+        raise ConvergenceError(f"Newton's method finds a cycle of period {orbit.period:.6g} beside that of {found.period:.6g}")
+    return _stable(Attractor(verdict.kind, values, orbit.state, orbit))
+
+
+def followed(field: Field, known: Attractor, values: tuple[float, ...], backend: str) -> Attractor:
+    """The same attractor at other values of the parameters; ConvergenceError where it ends or is lost on the way."""
+    if known.kind == Regime.LIFT_OFF:
+        return Attractor(known.kind, values, known.state)
+    if known.orbit is not None:
+        orbit = cycle_near(field, values, known.orbit, backend)
+        return _stable(Attractor(known.kind, values, orbit.state, orbit))
+    begin, end = np.array(known.values), np.array(values)
+    state, share, step = known.state, 0.0, 1.0
+    while share < 1:
+        ahead = min(share + step, 1.0)
+        try:
+            place = equilibrium_near(field, tuple(((1 - ahead) * begin + ahead * end).tolist()), state)
+        except ConvergenceError:
+            place = np.full_like(state, np.inf)
+        if np.abs(place - state).max() <= NEAR:
+            state, share = place, ahead
+        elif step < 1e-3:
+            raise ConvergenceError("the equilibrium ends on the way")
+        else:
+            step /= 2
+    return _at_rest(field, values, state)
+
+
+def limiting(field: Field, known: Attractor) -> FloatArray:
+    """The Lyapunov exponents of an equilibrium or a cycle, largest first: real parts of eigenvalues, or ln |μ| / T."""
+    if known.orbit is None:
+        rates = np.linalg.eigvals(linearization(field, known.values, known.state)).real
+    else:
+        with np.errstate(divide="ignore"):
+            rates = np.log(np.abs(known.orbit.multipliers)) / known.orbit.period
+        rates[0] = 0.0
+    return np.sort(rates)[::-1]
+
+
+def same(one: Attractor, other: Attractor) -> bool:
+    """Whether two attractors at the same values of the parameters are one."""
+    if one.kind != other.kind:
+        return False
+    if one.orbit is None or other.orbit is None:
+        return one.kind == Regime.LIFT_OFF or bool(np.abs(one.state - other.state).max() < SAME * (1 + np.abs(one.state).max()))
+    a, b = one.orbit, other.orbit
+    size = max(a.amplitude, b.amplitude)
+    alike = abs(a.period / b.period - 1) < SAME and max(abs(a.rms - b.rms), abs(a.mean - b.mean)) < SAME * size
+    return bool(alike and np.abs(a.samples.states - b.state[:, None]).max(axis=0).min() < ON * size)
+
+
+def _at_rest(field: Field, values: tuple[float, ...], state: FloatArray) -> Attractor:
+    matrix = linearization(field, values, state)
+    if np.linalg.eigvals(matrix).real.max() > rounding_of(matrix):
+        raise ConvergenceError("the equilibrium loses its stability on the way")
+    return Attractor(Regime.EQUILIBRIUM, values, state)
+
+
+def _stable(found: Attractor) -> Attractor:
+    if found.orbit is None or not found.orbit.stable:
+        raise ConvergenceError("the cycle loses its stability on the way")
+    return found

@@ -1,0 +1,186 @@
+"""The verdict that there is on a motion: its attractor, chaos by its exponents, or what would decide it."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..display import Result
+from ..dynamics.field import Field
+from ..dynamics.flows import carrier
+from ..dynamics.regimes import Outcome, Regime
+from ..errors import ConvergenceError, ParameterError
+from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
+from .attractors import JUDGED, Verdict, attractor, judged, limiting
+from .finding import cycle_near
+from .growth_rates import rates_along
+from .saddles import equilibrium_near, linearization
+from .sprag import SPRAG
+
+#: What a motion is called by its attractor.
+KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
+
+#: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
+SHARES = (0.2, 0.8)
+
+#: Motions beside an irregular one that are followed as well, and how far off they begin: one that settles tells of a transient.
+BESIDE, OFF = 4, 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Fate(Result):
+    r"""What a motion comes to.
+
+    Attributes
+    ----------
+    kind : str
+        "rest", "cycle", "lift-off", "chaotic" or "undecided".
+    why : str
+        What decides that; of an undecided motion, what would.
+    t : float
+        How long the motion was followed.
+    outcome : Outcome
+        The attractor, reached or approached.
+    exponents, error : ndarray, shape (m,)
+        Lyapunov exponents, largest first: of the attractor, by its eigenvalues or multipliers; else measured, with half-widths of
+        95 % intervals. NaN for lift-off.
+    time_scale : float
+        On which deviations die out: 1 / \|divergence of the field\| at steady sliding, for the article's model
+        exp(d V) / (μ₀ d n), n the force of the contact there. A motion settles in some ten of these.
+    near : str
+        What Newton's method finds near the end of an undecided motion; that is not to say that it comes to that.
+    end : ndarray, shape (m,)
+        Where the motion is at ``t``.
+    """
+
+    kind: str
+    why: str
+    t: float
+    outcome: Outcome
+    exponents: FloatArray
+    error: FloatArray
+    time_scale: float
+    near: str
+    end: FloatArray
+
+
+def fate(
+    p: Parameters, *, V: float | None = None, d: float | None = None, start: Any = (0.0, 0.0, 0.0, 0.0),
+    t_end: float = 40_000.0, backend: str | None = None,
+) -> Fate:  # fmt: skip
+    """What a motion comes to, as far as that can be told.
+
+    An equilibrium or a cycle is found by Newton's method, and its eigenvalues or multipliers decide. Where none is found, the
+    motion is chaotic if its Lyapunov exponents prove that: one is positive, every other one but the trivial one is told from 0,
+    and the motion has settled. Else it is undecided.
+
+    Parameters
+    ----------
+    p : Parameters
+        Scalars.
+    V, d : float, optional
+        In place of those of ``p``.
+    start : array_like of 4 numbers
+        x, y, x', y'.
+    t_end : float
+        How long to follow the motion. Exponents are looked at after that, for a fifth of it, and for as long as it where one may
+        be positive.
+    backend : {"heyoka", "scipy"}, optional
+
+    Returns
+    -------
+    Fate
+
+    Raises
+    ------
+    ParameterError, ParameterTypeError
+        For arguments that make no sense.
+
+    Notes
+    -----
+    Source: (8)–(11). No finite time tells a chaotic transient from chaos for good: of a chaotic motion four neighbours are
+    followed as well, none of which may settle, and ``why`` says how long a transient would have to last.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import spragsym as ss
+    >>> p = ss.Parameters.article(theta0=np.radians(42.0))
+    >>> ss.fate(p, V=0.5, d=10.0).why
+    'it comes to a cycle of period 34.2674'
+    >>> round(ss.fate(p.replace(theta0=np.radians(30.0)), V=0.5, d=10.0).time_scale)
+    3026
+    """
+    values = p.given(V=V, d=d).scalars(*p.ranges)
+    state = np.array([as_number("start", value, FINITE) for value in start])
+    return fate_of(SPRAG, values, state, as_number("t_end", t_end, POSITIVE), backend)
+
+
+def fate_of(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str | None = None) -> Fate:
+    """As :func:`fate`, of any field."""
+    fly, name = carrier(field, backend)
+    times = (*(t for t in JUDGED if t < t_end / 2), t_end)
+    verdict = judged(field, values, start, name, times=times)
+    scale = _time_scale(field, values, verdict)
+    none = np.full(field.size, np.nan)
+    if verdict.decided:
+        why = f"it comes to {verdict.told()}"
+        try:
+            known = none if verdict.kind == Regime.LIFT_OFF else limiting(field, attractor(field, values, verdict, name))
+            error = none if verdict.kind == Regime.LIFT_OFF else np.zeros(field.size)
+            return Fate(KINDS[verdict.kind], why, verdict.t, verdict.outcome, known, error, scale, "", verdict.end)
+        except ConvergenceError as failed:
+            why = f"{why}, which Newton's method does not find again: {failed}"
+            return Fate("undecided", why, verdict.t, Outcome(), none, none, scale, "", verdict.end)
+    rates = rates_along(field, fly, values, verdict.end, SHARES[0] * t_end)
+    why, end, t = rates.undecided(t_end), rates.end, verdict.t + rates.span
+    if why and (rates.exponents[1:] > rates.error[1:]).any():  # others are no chaos, however long
+        more = rates_along(field, fly, values, end, SHARES[1] * t_end)
+        rates = rates.joined(more)
+        why, end, t = rates.undecided(t_end), more.end, t + more.span
+    if not why:
+        why = _transient(field, values, start, t_end, name)
+    order = np.argsort(-rates.exponents)
+    near = _near(field, values, end, name) if why else ""
+    if why and scale < np.inf:
+        why += f"; deviations die out as exp(−τ / {scale:.3g}) at steady sliding"
+    lasting = (BESIDE + 1) * t_end / 3  # none of so many has settled: with 95 %, the mean life is above a third of their time
+    told = why or (
+        "every exponent but the trivial one is told from 0, and one at least is positive; as a transient it would live for more "
+        f"than {lasting:.2g} on the average (95 %)"
+    )
+    return Fate(
+        "undecided" if why else "chaotic", told, t, verdict.outcome, rates.exponents[order], rates.error[order], scale, near, end
+    )
+
+
+def _time_scale(field: Field, values: tuple[float, ...], verdict: Verdict) -> float:
+    """1 / |divergence| at an equilibrium near no displacement, or near the end; infinite where none damps."""
+    for near in (np.zeros(field.size), verdict.end):
+        with suppress(ConvergenceError, ParameterError, ArithmeticError):
+            divergence = float(np.trace(linearization(field, values, equilibrium_near(field, values, near))))
+            if divergence < 0:
+                return -1 / divergence
+    return float("inf")
+
+
+def _transient(field: Field, values: tuple[float, ...], start: FloatArray, t_end: float, backend: str) -> str:
+    """Whether motions that begin beside an irregular one settle, in words; empty where none does."""
+    for i in range(1, BESIDE + 1):
+        beside = judged(field, values, start + i * OFF, backend, times=(t_end,))
+        if beside.decided:
+            return f"it is a transient: a motion that begins {i * OFF:.0e} beside it comes to {beside.told()} by t = {t_end:g}"
+    return ""
+
+
+def _near(field: Field, values: tuple[float, ...], end: FloatArray, backend: str) -> str:
+    """The cycle near a state, in words."""
+    try:
+        found = cycle_near(field, values, end, backend, patient=False)
+    except ConvergenceError:
+        return "no cycle"
+    away = float(np.abs(found.samples.states - end[:, None]).max(axis=0).min())
+    return f"a cycle of period {found.period:.6g}, {'stable' if found.stable else 'unstable'}, {away:.2g} away"

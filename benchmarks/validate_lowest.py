@@ -31,11 +31,11 @@ def first_jumps(p: ss.Parameters, angles: np.ndarray) -> np.ndarray:
     return np.where(np.isnan(value), np.inf, value)
 
 
-def scanned(p: ss.Parameters) -> tuple[float, float]:
+def scanned(p: ss.Parameters, times: int = TIMES) -> tuple[float, float]:
     """The least friction of a first jump that a scan over all angles finds, refined about it, and its angle; infinite for none."""
     angles = np.unique(np.concatenate([np.geomspace(1e-9, 0.01, 8), np.linspace(0.01, np.pi - 0.01, COARSE)]))
     value = first_jumps(p, angles)
-    for _ in range(TIMES):
+    for _ in range(times):
         least = int(np.argmin(value))
         if not np.isfinite(value[least]):
             break
@@ -103,11 +103,11 @@ def balance(x: Any, y: Any, theta0: Any, mu0: Any, fixed: tuple[Any, ...]) -> tu
     return (*force, xx * yy - xy * yx, (-xy, xx), yy * turned[0] - xy * turned[1])
 
 
-def in_digits(p: ss.Parameters, digits: int = 50) -> Any:
+def in_digits(p: ss.Parameters, digits: int = 50, times: int = 2 * TIMES) -> Any:
     """The friction of the lowest fold by Newton's method on the balance of forces, from where a scan finds the least jump."""
     found = ss.critical_friction(p)
     values = p.scalars(*FIXED)
-    friction, angle = scanned(p)
+    friction, angle = scanned(p, times)
     path = ss.quasi_static_path(p.replace(theta0=angle), "mu0", [0.0, friction])
     with mpmath.workdps(digits + 10):
         fixed = tuple(map(mpmath.mpf, values))
@@ -120,7 +120,12 @@ def in_digits(p: ss.Parameters, digits: int = 50) -> Any:
             return [fx, fy, det, across]
 
         start = float(path.x[-1]), float(path.y[-1]), angle, friction
-        return mpmath.findroot(system, tuple(map(mpmath.mpf, start)), tol=mpmath.mpf(10) ** (-2 * digits), maxsteps=60)[3]
+        try:
+            return mpmath.findroot(system, tuple(map(mpmath.mpf, start)), tol=mpmath.mpf(10) ** (-2 * digits), maxsteps=60)[3]
+        except ValueError:  # from where it began Newton's method does not converge: nearer, once or twice
+            if times > 4 * TIMES:
+                raise
+    return in_digits(p, digits, 2 * times)
 
 
 def digits(number: int, seed: int = 1, store: str = "", seconds: float = np.inf) -> int:

@@ -32,18 +32,25 @@ def difference(left: sp.Expr, right: sp.Expr, circles: Circles) -> sp.Expr:
     """``left − right`` in normal form: 0 exactly when the two are equal as functions on the unit circles.
 
     Every exponential, absolute value, sign or other function is treated as an independent unknown, and so is one root of every base,
-    of which its powers are powers. An equality that holds only because of a relation between two of them is not recognised.
+    of which its powers are powers. An equality that holds only because of a relation between two of them is not recognised; arguments
+    and bases that are equal as polynomials on the circles are the same.
     """
+
+    def normal(argument: sp.Expr) -> sp.Expr:
+        return reduce_circles(argument, circles) if argument.is_polynomial(*argument.free_symbols) else argument
+
     unknowns: dict[sp.Expr, sp.Dummy] = {}
     gap = (sp.sympify(left) - sp.sympify(right)).replace(
         lambda node: isinstance(node, sp.Function | sp.Piecewise),
-        lambda node: unknowns.setdefault(node, sp.Dummy(f"u{len(unknowns)}")),
+        lambda node: unknowns.setdefault(
+            node.func(*map(normal, node.args)) if isinstance(node, sp.Function) else node, sp.Dummy(f"u{len(unknowns)}")
+        ),
     )
     order = math.lcm(*(node.exp.q for node in gap.atoms(sp.Pow) if node.exp.is_Rational))
     roots: dict[sp.Expr, sp.Dummy] = {}
     gap = gap.replace(
         lambda node: isinstance(node, sp.Pow) and not node.exp.is_Integer,
-        lambda node: roots.setdefault(node.base, sp.Dummy(f"r{len(roots)}")) ** (order * node.exp),
+        lambda node: roots.setdefault(normal(node.base), sp.Dummy(f"r{len(roots)}")) ** (order * node.exp),
     )
     numerator, denominator = sp.fraction(sp.together(gap))
     for base, root in reversed(roots.items()):

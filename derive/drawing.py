@@ -1,6 +1,7 @@
 """The drawing of a page's mechanism, from its statements: ``python -m derive.drawing`` writes those of all pages to ``docs/images``.
 
-The mass stands in the middle. What is tied along the direction of sliding goes to a wall on its left, what is tied across it to a
+What a page says of one mass on a belt, with anchors that stand still or run along the belt, is drawn; of any other mechanism the
+docstring's own drawing is shown. The mass stands in the middle. What is tied along the direction of sliding goes to a wall on its left, what is tied across it to a
 ceiling on its right; springs and dampers with two ends go where their ends are at the base values, with θ₀ = 55°.
 """
 
@@ -8,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import math
+import textwrap
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +17,7 @@ from pathlib import Path
 import sympy as sp
 
 from . import pages
-from .model import Coordinate, Page
+from .model import Coordinate, Page, Point
 from .shapes import Axis, Place, Sheet, arrow, damper, spring, wall
 
 _MASS = 48.0, 30.0  #: half its width and half its height
@@ -38,11 +40,16 @@ class _Part:
         (damper if self.viscous else spring)(sheet, axis)
 
 
-def render(page: Page) -> str:
-    """The SVG file of a page."""
+def render(page: Page, docstring: str = "") -> str:
+    """The SVG file of a page: its mechanism where that is one that can be drawn, else the drawing in its docstring."""
     sheet = Sheet()
+    if not is_drawn(page):
+        for row, line in enumerate(typed(docstring) or [page.summary]):
+            sheet.typed(line, row)
+        return sheet.svg(page.summary)
     names = [str(it.symbol) for it in page.coordinates]
-    _belt(sheet, page)
+    if page.normal is not None or page.sliding is not None:
+        _belt(sheet, page)
     for it in page.coordinates:
         _tied_to_ground(sheet, page, it)
     _between_ends(sheet, page)
@@ -51,6 +58,59 @@ def render(page: Page) -> str:
     _forces(sheet, page)
     _axes(sheet, names[: 2 if page.normal is not None and page.normal.gap is not None else 1])
     return sheet.svg(page.summary)
+
+
+def typed(docstring: str) -> list[str]:
+    """The lines of the drawing in a docstring: the block that follows ``::``, without its margin."""
+    _, _, rest = docstring.partition("::\n")
+    lines = rest.strip("\n").split("\n")
+    end = next((row for row, line in enumerate(lines) if line.strip() and not line.startswith(" ")), len(lines))
+    return textwrap.dedent("\n".join(lines[:end])).strip("\n").split("\n") if rest.strip() else []
+
+
+def is_drawn(page: Page) -> bool:
+    """Whether every statement of the page is one of a mass on a belt, which is what can be drawn."""
+    if any(it.unit == "rad" for it in page.coordinates):
+        return False
+    symbols = [it.symbol for it in page.coordinates]
+    x, mass = symbols[0], tuple(symbols[:2])
+    ends = [it.ends for it in (*page.springs, *page.torsions, *page.dampers) if it.ends is not None]
+    points = [end for both in ends for end in both] + [force.at for force in page.forces if force.at is not None]
+    gap = None if page.normal is None else page.normal.gap
+    uncoupled = all(_ratio(page, energy) in (0, sp.oo, None) for energy, _ in page.energies)
+    across = len(symbols) < 2 or gap == symbols[1] or (gap is None and (mass in points or uncoupled))
+    cars = {symbol for both in ends for end in both for symbol in symbols[2:] if symbol in end[0].free_symbols}
+    return (
+        across
+        and (page.normal is None or gap in (None, *symbols[1:2]))
+        and (page.sliding is None or page.sliding.along == x)
+        and set(symbols[2:]) == cars
+        and all(mass in both and _is_anchor(both[both[0] == mass], symbols) for both in ends)
+        and all(it.along is None or it.along in symbols for it in (*page.springs, *page.dampers))
+        and all(force.at == mass or (force.at is not None and len(symbols) == 1 and force.at[0] == x) for force in page.forces)
+        and all(_weight(page, energy) or _ratio(page, energy) is not None for energy, _ in page.energies)
+        and _has_one_mass(page)
+    )
+
+
+def _is_anchor(end: Point, symbols: list[sp.Symbol]) -> bool:
+    """A point that stands still, or runs along the belt with one of the further coordinates."""
+    moving = end[0].free_symbols & set(symbols)
+    return not end[1].free_symbols & set(symbols) and (
+        not moving or (len(moving) == 1 and not moving & set(symbols[:2]) and sp.diff(end[0], *moving) == 1)
+    )
+
+
+def _has_one_mass(page: Page) -> bool:
+    """Whether the first two coordinates are those of one mass, and the others have masses of their own."""
+    if page.inertia is None:
+        return True
+    M = sp.hessian(page.inertia[0], [it.rate for it in page.coordinates])
+    return bool(
+        M.is_diagonal()
+        and not M.free_symbols & {it.symbol for it in page.coordinates}
+        and M[0, 0] == M[min(1, M.rows - 1), min(1, M.rows - 1)]
+    )
 
 
 def _values(page: Page) -> dict[sp.Symbol, float]:
@@ -93,7 +153,7 @@ def _body(sheet: Sheet, page: Page) -> None:
         sheet.circle((0.0, 0.0), width, style="ink body")
     else:
         sheet.line((-width, -height), (width, -height), (width, height), (-width, height), style="ink body", closed=True)
-    sheet.name("m", (0.0, 7.0))
+    sheet.name("m" if page.inertia is None else _letter(sp.diff(page.inertia[0], page.coordinates[0].rate, 2)), (0.0, 7.0))
 
 
 def _belt(sheet: Sheet, page: Page) -> None:
@@ -103,8 +163,9 @@ def _belt(sheet: Sheet, page: Page) -> None:
     top = height + (_CONTACT if elastic else 0.0)
     left, right = -130.0, 150.0
     sheet.line((left, top), (right, top), (right, top + 14), (left, top + 14), style="ink belt", closed=True)
-    arrow(sheet, (60.0, top + 34), (140.0, top + 34))
-    sheet.name(_letter(page.sliding.belt) if page.sliding is not None else "V", (152.0, top + 40), anchor="start")
+    if page.sliding is not None:
+        arrow(sheet, (60.0, top + 34), (140.0, top + 34))
+        sheet.name(_letter(page.sliding.belt), (152.0, top + 40), anchor="start")
     if page.normal is None or not elastic:
         return
     for x in (-16.0, 16.0):
@@ -242,17 +303,21 @@ def _weight(page: Page, energy: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     return -slopes[0], -slopes[1]
 
 
+def _ratio(page: Page, energy: sp.Expr) -> sp.Expr | None:
+    """∂/∂y over ∂/∂x of a potential that depends on one combination of x and y."""
+    slopes = [sp.diff(energy, it.symbol) for it in page.coordinates]
+    if len(slopes) < 2 or slopes[:2] == [0, 0] or any(slopes[2:]):
+        return None
+    ratio = sp.simplify(slopes[1] / slopes[0]) if slopes[0] != 0 else sp.oo  # across the belt alone
+    return ratio if ratio.is_number else None
+
+
 def _leaning(sheet: Sheet, page: Page) -> None:
     """A potential that depends on one combination of x and y: a spring along it that keeps its direction."""
     symbols = [it.symbol for it in page.coordinates[:2]]
-    if any(it.unit == "rad" for it in page.coordinates[:2]):
-        return
     for energy, _ in page.energies:
-        slopes = [sp.diff(energy, symbol) for symbol in symbols]
-        if len(symbols) < 2 or slopes == [0, 0] or _weight(page, energy):
-            continue
-        ratio = sp.simplify(slopes[1] / slopes[0]) if slopes[0] != 0 else sp.oo  # across the belt alone
-        if not ratio.is_number:
+        ratio = _ratio(page, energy)
+        if ratio is None or _weight(page, energy):
             continue
         along = math.atan2(float(ratio), 1.0)
         along += math.pi * (math.sin(along) < 0)  # upwards
@@ -312,10 +377,16 @@ def main(arguments: list[str] | None = None) -> int:
     )
     options = parser.parse_args(arguments)
     options.out.mkdir(parents=True, exist_ok=True)
-    for name, page in every_page().items():
-        (options.out / f"{name}.svg").write_text(render(page), encoding="utf-8", newline="\n")
+    for name, svg in every_drawing().items():
+        (options.out / f"{name}.svg").write_text(svg, encoding="utf-8", newline="\n")
         print(options.out / f"{name}.svg")
     return 0
+
+
+def every_drawing() -> dict[str, str]:
+    """The drawings of the shipped pages, by name."""
+    models = {path.stem: pages.read(path) for path in pages.shipped()}
+    return {name: render(model.page, model.docstring) for name, model in models.items()}
 
 
 def every_page() -> dict[str, Page]:

@@ -18,7 +18,7 @@ from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
 from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
-from .model import Page, PageError
+from .model import Page
 from .pages import Model
 
 #: Text of a function → the model and the module that have it first.
@@ -61,10 +61,7 @@ def _module(model: Model, module: Module, header: str, shared: Shared | None) ->
     own: list[str] = []
     borrowed: dict[tuple[str, str], list[str]] = {}
     for function in module.functions:
-        try:
-            text = algebra.definition(function)
-        except algebra.RoundedError as error:
-            raise _unnamed(model, function.name, error) from error
+        text = algebra.definition(function)
         home = (model.name, module.name) if shared is None else shared.setdefault(text, (model.name, module.name))
         if home == (model.name, module.name):
             own.append(text)
@@ -75,17 +72,6 @@ def _module(model: Model, module: Module, header: str, shared: Shared | None) ->
     local += [f"from ..{home}.{part} import {', '.join(sorted(names))}" for (home, part), names in sorted(borrowed.items())]
     head = algebra.head(module, meanings(model.mechanics), header, "\n".join([*imports, *local]))
     return "\n\n\n".join([head, *own]) + "\n"
-
-
-def _unnamed(model: Model, function: str, error: Exception) -> PageError:
-    """What is said of a fraction that stands by itself in a stiffness, a mass or a coefficient of damping."""
-    inertia = model.page.inertia
-    return PageError(
-        inertia[1] if inertia is not None and function == "mass_matrix" else 0,
-        f"in {function} {str(error).partition(':')[0]}, since it stands there by itself; make it a parameter, as "
-        'r = page.parameter("r", "1", "its meaning", "> 0", 1 / 3). Halves and quarters may stay',
-        f"{model.name}.py",
-    )
 
 
 def meanings(model: Mechanics) -> Mapping[str, str]:

@@ -42,9 +42,23 @@ def _layers(model: Mechanics) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
         argument = node.args[0]
         if isinstance(node, sp.exp):
             found.append((node, sp.S.Zero, -argument))
-        elif (end := sp.limit(argument, SLIP, sp.oo)).is_infinite:
+        elif (end := limit(model, argument, SLIP, sp.oo)).is_infinite:
             found.append((node, sp.sign(end), 2 * sp.sign(end) * argument))
     return found
+
+
+def limit(model: Mechanics, law: sp.Expr, speed: sp.Symbol, end: sp.Expr) -> sp.Expr:
+    """The limit of the friction law, or of a part of it, at an end of the sliding speed."""
+    sliding = model.page.sliding
+    try:
+        return sp.limit(law, speed, end)
+    except NotImplementedError as error:
+        where = "at rest" if end == 0 else "at fast sliding"
+        raise PageError(
+            sliding.line if sliding is not None else 0,
+            f"what {law} comes to {where} can't be told: {str(error)[:1].lower()}{str(error)[1:]}; give its parameters domains that "
+            'decide it, as "> 0"',
+        ) from error
 
 
 def layers(model: Mechanics) -> tuple[sp.Expr, ...]:
@@ -102,10 +116,10 @@ def friction_at_rest(model: Mechanics) -> sp.Expr:
     ahead, _ = _sides(model)
     if sliding.at_rest is None:
         return friction_at_speed(model)
-    limit, named = sp.limit(ahead, SLIP, sp.oo), model.scaled(sliding.at_rest)
-    if sp.simplify(limit - named) != 0:
+    fast, named = limit(model, ahead, SLIP, sp.oo), model.scaled(sliding.at_rest)
+    if sp.simplify(fast - named) != 0:
         raise PageError(
             sliding.line,
-            f"at_rest is {named}, and the friction law at fast sliding is {limit}; name that limit, or leave at_rest out for μ(V)",
+            f"at_rest is {named}, and the friction law at fast sliding is {fast}; name that limit, or leave at_rest out for μ(V)",
         )
     return named

@@ -278,12 +278,8 @@ def number(datum: Datum) -> sp.Symbol:
 
 def of(page: Page) -> Mechanics:
     """The mechanics of a page; a :class:`~derive.model.PageError` where the page can't be carried through."""
-    if not page.coordinates or len(page.coordinates) > 4:
-        raise PageError(
-            page.line, f"a model has one to four coordinates, and this page has {len(page.coordinates)}; add page.coordinate(...)"
-        )
     if page.inertia is None:
-        raise PageError(page.line, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
+        raise PageError(0, "there is no kinetic energy; add page.kinetic(m * page.rate(x)**2 / 2)")
     scaled = _Scaled(page)
     coordinates = tuple(entry.symbol for entry in page.coordinates)
     rates = tuple(entry.rate for entry in page.coordinates)
@@ -385,7 +381,7 @@ def _lines(page: Page, scaled: _Scaled) -> tuple[tuple[Line, ...], tuple[sp.Expr
     for damper in page.dampers:
         coefficient = scaled(damper.coefficient)
         if damper.ends is None:
-            speed = page.rate(damper.along)
+            speed = page.rate(scaled(damper.along))
         else:
             line = line_of(damper.ends, None, damper.line)
             speed = line.c * page.rate(line.dx) + line.s * page.rate(line.dy)
@@ -413,7 +409,7 @@ def _applied(page: Page, scaled: _Scaled, coordinates: tuple[sp.Symbol, ...]) ->
         place = force.at if force.at is not None else (force.along,)
         for component, where in zip(force.components, place, strict=True):
             for row, symbol in enumerate(coordinates):
-                forces[row] += scaled(component) * sp.diff(scaled(sp.sympify(where)), symbol)
+                forces[row] += scaled(component) * sp.diff(scaled(where), symbol)
     return tuple(map(sp.expand, forces))
 
 

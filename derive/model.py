@@ -15,6 +15,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 from sympy import Abs, atan, cos, cosh, exp, log, pi, sign, sin, sinh, sqrt, tanh
 
+from . import limits
 from .emit.quantities import interval
 
 __all__ = [
@@ -186,7 +187,6 @@ class Page:
     inertia: tuple[sp.Expr, int] | None = None
     normal: Contact | None = None
     sliding: Friction | None = None
-    line: int = 0
 
     # ------------------------------------------------------------------------------------------------ quantities
 
@@ -267,7 +267,8 @@ class Page:
             raise PageError(
                 line, f"the undeformed length of this spring depends on {growing}; say its energy with page.potential"
             )
-        self.springs.append(Spring(expression_of(stiffness), _ends(ends, along, line), expression_of(length), along, line))
+        both, way = _ends(ends, along, line), _along(along)
+        self.springs.append(Spring(expression_of(stiffness), both, expression_of(length), way, line))
 
     def torsion(self, stiffness: sp.Expr, *ends: Point, rest: sp.Expr) -> None:
         """A torsion spring: it resists the turning φ of the line from the first end to the second, from the inclination ``rest``.
@@ -283,7 +284,10 @@ class Page:
     def damper(self, coefficient: sp.Expr, *ends: Point, along: sp.Expr | None = None) -> None:
         """A viscous damper: straight between two ``ends``, or along a coordinate."""
         line = _line()
-        self.dampers.append(Damper(expression_of(coefficient), _ends(ends, along, line), along, line))
+        held = [str(entry.rate) for entry in self.coordinates if expression_of(coefficient).has(entry.rate)]
+        if held:
+            raise PageError(line, f"the coefficient {coefficient} holds the speed {', '.join(held)}: {limits.NONLINEAR_DAMPER}")
+        self.dampers.append(Damper(expression_of(coefficient), _ends(ends, along, line), _along(along), line))
 
     def force(self, *components: sp.Expr, at: Point | None = None, along: sp.Expr | None = None) -> None:
         """An applied force: two components at a point, or one along a coordinate."""
@@ -295,21 +299,24 @@ class Page:
         if at is not None and (not isinstance(at, tuple | list) or len(at) != 2):
             raise PageError(line, f"at = {at} is no point of the plane; give its two coordinates, as at=(x, y)")
         point = None if at is None else (expression_of(at[0]), expression_of(at[1]))
-        self.forces.append(Force(point, tuple(map(expression_of, components)), along, line))
+        self.forces.append(Force(point, tuple(map(expression_of, components)), _along(along), line))
 
     # ------------------------------------------------------------------------------------------------ laws
 
     def contact(self, gap: sp.Expr, law: Law, unilateral: bool = True) -> None:
         """The normal force as a ``law`` of the penetration −gap; where the gap is positive there is none, if ``unilateral``."""
         line = _line()
-        self._first(self.normal.line if self.normal else None, "contact", "a model has one")
+        self._first(self.normal.line if self.normal else None, "contact", str(limits.SECOND_CONTACT))
         self._check_law(law, "contact", "penetration", line)
-        self.normal = Contact(expression_of(gap), law, unilateral, line)
+        distance = expression_of(gap)
+        self._check_speeds(distance, "the gap", line)
+        self.normal = Contact(distance, law, unilateral, line)
 
     def normal_force(self, force: sp.Expr) -> None:
         """A given normal force, in the place of a contact law."""
         given = expression_of(force)
-        self._first(self.normal.line if self.normal else None, "contact", "a model has one")
+        self._first(self.normal.line if self.normal else None, "contact", str(limits.SECOND_CONTACT))
+        self._check_speeds(given, "the normal force", _line())
         self.normal = Contact(None, lambda depth: given, False, _line())
 
     def friction(self, along: sp.Expr, belt: sp.Expr, law: Law, at_rest: sp.Expr | None = None) -> None:
@@ -319,15 +326,16 @@ class Page:
         speed.
         """
         line = _line()
-        self._first(self.sliding.line if self.sliding else None, "friction", "a model has one")
+        self._first(self.sliding.line if self.sliding else None, "friction", str(limits.SECOND_CONTACT))
         self._check_law(law, "friction", "sliding speed", line)
         limit = None if at_rest is None else expression_of(at_rest)
         self.sliding = Friction(expression_of(along), expression_of(belt), law, limit, line)
 
     def _check_law(self, law: Law, kind: str, of: str, line: int) -> None:
         """A law is one of expressions, and of its own variable alone."""
+        self._check_arguments(law, kind, of, line)
         try:
-            moving = self._moving(expression_of(law(sp.Symbol("u", positive=True))))
+            moving = self._moving(expression_of(law(sp.Dummy(positive=True))))
         except PageError:
             raise
         except Exception as error:  # whatever the page's own code raises
@@ -337,7 +345,33 @@ class Page:
                 f"made of {', '.join(FUNCTIONS)}, sqrt of spragsym.derive.model",
             ) from error
         if moving:
-            raise PageError(line, f"the {kind} law depends on {moving}; it is a law of the {of} alone")
+            limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
+            rates = kind == "friction" or any(str(entry.rate) in moving.split(", ") for entry in self.coordinates)
+            raise PageError(
+                line, f"the {kind} law depends on {moving}; it is a law of the {of} alone{f': {limit}' if rates else ''}"
+            )
+
+    def _check_arguments(self, law: Law, kind: str, of: str, line: int) -> None:
+        """A law is a function of one argument."""
+        if not callable(law):
+            raise PageError(line, f"the {kind} law is {law!r}, no function; give one of the {of}, as lambda {kind[0]}: …")
+        try:
+            needed = [
+                it.name
+                for it in inspect.signature(law).parameters.values()
+                if it.default is it.empty and it.kind in (it.POSITIONAL_ONLY, it.POSITIONAL_OR_KEYWORD)
+            ]
+        except ValueError:  # a function of a library that does not say what it takes
+            return
+        if len(needed) > 1:
+            limit = limits.FRICTION_STATE if kind == "friction" else limits.CONTACT_DAMPING
+            raise PageError(line, f"the {kind} law takes {', '.join(needed)}; it is a law of the {of} alone: {limit}")
+
+    def _check_speeds(self, expression: sp.Expr, what: str, line: int) -> None:
+        """The normal force follows from the place."""
+        held = [str(entry.rate) for entry in self.coordinates if expression.has(entry.rate)]
+        if held:
+            raise PageError(line, f"{what} {expression} holds the speed {', '.join(held)}: {limits.CONTACT_DAMPING}")
 
     def _first(self, line: int | None, what: str, remedy: str) -> None:
         """A statement that a page has once."""
@@ -361,6 +395,10 @@ def _line() -> int:
     while frame is not None and frame.f_code.co_filename == __file__:
         frame = frame.f_back
     return frame.f_lineno if frame else 0
+
+
+def _along(along: sp.Expr | None) -> sp.Expr | None:
+    return None if along is None else expression_of(along)
 
 
 def _ends(ends: tuple[Point, ...], along: sp.Expr | None, line: int) -> tuple[Point, Point] | None:

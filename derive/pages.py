@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import mechanics, sense, smoothness, soundness
+from . import limits, mechanics, sense, smoothness, soundness
 from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
@@ -88,12 +88,25 @@ def _run(path: Path, text: str) -> tuple[Page, str]:
         what = str(error).partition(" (")[0]  # without the place of the package
         raise PageError(line, f"{what}; {offered}") from error
     except (Exception, SystemExit) as error:
+        remark = _remark(error)
         lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
-        raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}") from error
+        raise PageError(lines[-1] or 0 if lines else 0, f"{type(error).__name__}: {error}{remark}") from error
     page = names.get("page")
     if not isinstance(page, Page):
         raise PageError(0, "the file makes no page; begin it with page = Page('…')")
     return page, ast.get_docstring(tree) or ""
+
+
+def _remark(error: BaseException) -> str:
+    """What to do about a name that is not there."""
+    if isinstance(error, NameError):
+        if error.name in ("t", "time"):
+            return f": {limits.FORCING}"
+        return f"; define it above, or import it: spragsym.derive.model offers {', '.join(vocabulary.__all__)}"
+    if isinstance(error, AttributeError) and isinstance(error.obj, Page):
+        offered = ", ".join(name for name, value in vars(Page).items() if callable(value) and not name.startswith("_"))
+        return (f": {limits.FORCING}" if error.name in ("t", "time") else "") + f"; a page has {offered}"
+    return ""
 
 
 class _Imports(ast.NodeTransformer):

@@ -19,9 +19,30 @@ OF_MOTIONS = frozenset((
 
 #: Words of C99, JavaScript and MATLAB, and functions that generated code calls.
 WORDS = frozenset((
+    "HUGE_VAL", "INFINITY", "M_PI", "NAN", "NULL",
     "abs", "arguments", "auto", "await", "break", "case", "catch", "char", "classdef", "const", "continue", "debugger", "default", "delete",
     "do", "double", "else", "elseif", "end", "enum", "eval", "exp", "export", "extends", "extern", "fabs", "float", "for", "function", "global",
     "goto", "if", "implements", "inline", "instanceof", "int", "interface", "let", "log", "long", "new", "numpy", "otherwise", "package", "parfor",
     "persistent", "private", "protected", "public", "register", "restrict", "return", "short", "sign", "signed", "sizeof", "spmd", "sqrt",
     "square", "static", "struct", "super", "switch", "this", "throw", "typedef", "typeof", "union", "unsigned", "var", "void", "volatile", "while",
+))  # fmt: skip
+
+#: What the commands of a model call their options, and the values of these: `spragsym folds --vary`. A test holds this list against them.
+OF_COMMANDS = frozenset((
+    "along", "backend", "between", "diagram", "error", "estimate_error", "force", "from", "help", "high", "json", "json_output", "low", "model",
+    "model_name", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "t_end", "to", "transient", "vary", "whole", "within", "workers",
+))  # fmt: skip
+
+#: What sets of parameters have besides their values.
+OF_SETS = frozenset(
+    ("broadcast", "given", "model", "origin", "ranges", "replace", "require", "scalars", "self", "shape", "spanned", "where")
+)
+
+#: Keys of a file with a user's own data, where quantities stand by their names on the page.
+OF_FILES = frozenset(("friction", "model"))
+
+#: What generated functions call what they are made of.
+OF_CODE = frozenset((
+    "Number", "ModuleType", "below", "broadcasting", "depth", "determinant", "one", "overlap", "result", "slip",
+    *(f"inverse_{row}{column}" for row in range(1, 5) for column in range(row, 5)),
 ))  # fmt: skip

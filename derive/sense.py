@@ -12,13 +12,15 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from . import reserved
+from . import limits, reserved
 from .emit.quantities import interval
 from .laws import near
 from .model import Contact, Damper, Datum, Friction, Page, PageError, Spring, Torsion, expression_of
 
 #: What a coordinate is called in errors.
 COORDINATE = "this coordinate"
+#: And a parameter.
+PARAMETER = "this parameter"
 #: So many exponentials of the sliding speed can a friction law have.
 NEAR = 9
 #: Places at which the sign of a coefficient is looked at, and where a range without an end is ended for it.
@@ -29,15 +31,32 @@ def check(page: Page, docstring: str) -> None:
     """All of it; a :class:`~derive.model.PageError` names the first line that makes no sense."""
     if not docstring.strip():
         raise PageError(1, 'the page has no docstring; begin it with r"""…""": what the model is, and its drawing')
+    _check_coordinates(page)
     _check_names(page)
     _check_elements(page)
     _check_places(page)
+
+
+def _check_coordinates(page: Page) -> None:
+    if not page.coordinates:
+        raise PageError(0, f"the page has no coordinate, and a model has 1 to {limits.MOST_COORDINATES}; add page.coordinate(…)")
+    if len(page.coordinates) > limits.MOST_COORDINATES:
+        excess = page.coordinates[limits.MOST_COORDINATES]
+        raise PageError(
+            excess.line,
+            f"{excess.symbol} is coordinate {limits.MOST_COORDINATES + 1} of {len(page.coordinates)}: {limits.FIFTH_COORDINATE}",
+        )
 
 
 # ------------------------------------------------------------------------------------------------ names
 
 
 def _check_names(page: Page) -> None:
+    for datum in (*page.units, *page.parameters):
+        if str(datum.symbol) in reserved.OF_FILES:
+            raise PageError(
+                datum.line, f"this quantity is named {datum.symbol.name!r}, as a key of files of data is; give it another name"
+            )
     taken: dict[str, tuple[str, int]] = {}
     for name, what, line in _names(page):
         if not name.isidentifier() or keyword.iskeyword(name):
@@ -47,7 +66,16 @@ def _check_names(page: Page) -> None:
                 line,
                 f"{what} is named {name!r}, which C can't spell; give it a name of Latin letters, and its symbol with latex=",
             )
-        if name in reserved.RESULTS or (what == COORDINATE and name in reserved.OF_MOTIONS):
+        if what == PARAMETER and name in reserved.OF_COMMANDS:
+            raise PageError(
+                line,
+                f"{what} is named {name!r}, as an option of the commands is; give it another name, here or with becomes",
+            )
+        if (
+            name in reserved.RESULTS | reserved.OF_CODE
+            or (what == COORDINATE and name in reserved.OF_MOTIONS)
+            or (what == PARAMETER and name in reserved.OF_SETS)
+        ):
             raise PageError(line, f"{what} is named {name!r}, which results and generated functions use; give it another name")
         if name in reserved.WORDS:
             raise PageError(
@@ -79,7 +107,7 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
         yield f"{entry.symbol}0", f"the start of {entry.symbol}", entry.line
         yield f"{entry.rate}0", f"the start of the rate of {entry.symbol}", entry.line
     for datum in page.parameters:
-        yield datum.becomes, "this parameter", datum.line
+        yield datum.becomes, PARAMETER, datum.line
         if datum.unit == "rad" and datum.becomes.isidentifier():
             for part, name in zip(("cos", "sin"), datum.cosine_and_sine, strict=True):
                 yield name, f"the {part} of {datum.becomes}", datum.line
@@ -186,7 +214,11 @@ def _check_places(page: Page) -> None:
             )
     for force in page.forces:
         if any(part.free_symbols & rates for part in force.components):
-            raise PageError(force.line, "this force holds a speed; say it with page.damper(...) or page.friction(...)")
+            raise PageError(
+                force.line,
+                "this force holds a speed; one in proportion to it is page.damper(c, along=x), and friction is page.friction(…): "
+                f"{limits.NONLINEAR_DAMPER}",
+            )
     contact, sliding = page.normal, page.sliding
     if contact is not None and contact.gap is not None and not contact.gap.free_symbols & moving:
         raise PageError(
@@ -225,11 +257,13 @@ def check_used(page: Page) -> None:
 
 def _expressions(page: Page) -> Iterator[sp.Expr]:
     """All that statements are made of."""
-    u = sp.Symbol("u", positive=True)
+    u = sp.Dummy(positive=True)
     yield sp.S.Zero
     for element in (*page.springs, *page.torsions, *page.dampers):
         yield element.coefficient if isinstance(element, Damper) else element.stiffness
         yield from (part for end in element.ends or () for part in end)
+        if not isinstance(element, Torsion):
+            yield element.along or sp.S.Zero
         if isinstance(element, Spring):
             yield element.length
         if isinstance(element, Torsion):
@@ -238,7 +272,7 @@ def _expressions(page: Page) -> Iterator[sp.Expr]:
     if page.inertia is not None:
         yield page.inertia[0]
     for force in page.forces:
-        yield from (*force.components, *(force.at or ()))
+        yield from (*force.components, *(force.at or ()), force.along or sp.S.Zero)
     if page.normal is not None:
         yield from _of_law(page.normal, u)
     if page.sliding is not None:

@@ -14,6 +14,7 @@ STYLE = """
 .card{fill:#fff}.ink{stroke:#24292f;fill:none;stroke-width:2;stroke-linecap:round;stroke-linejoin:round}
 .thin{stroke-width:1}.body{fill:#dbe7f5}.belt{fill:#eceff2}.force{stroke:#b3261e}.dash{stroke-dasharray:4 4}
 text{fill:#24292f;font:italic 20px 'STIX Two Text','Times New Roman',serif}.force-name{fill:#b3261e}.index{font-size:14px}
+.typed{font:15px 'DejaVu Sans Mono',Menlo,Consolas,monospace}
 @media(prefers-color-scheme:dark){.card{fill:#161b22}.ink{stroke:#e6edf3}.body{fill:#1f3a5c}.belt{fill:#2b323b}
 .force{stroke:#ff8a80}text{fill:#e6edf3}.force-name{fill:#ff8a80}}
 """.strip()
@@ -66,6 +67,16 @@ class Sheet:
         width = 11.0 * len(text.replace("_", ""))
         left = x - width * {"start": 0.0, "middle": 0.5, "end": 1.0}[anchor]
         self.places += [(left, y - 16), (left + width, y + 8)]
+
+    def typed(self, text: str, row: int) -> None:
+        """A line of a drawing that is made of letters, each in its column whatever the font."""
+        width, y = 9.0 * len(text), 18.0 * row
+        if text.strip():
+            kept = escape(text).replace(" ", "\N{NO-BREAK SPACE}")
+            self.elements.append(
+                f'<text class="typed" x="0" y="{_number(y)}" textLength="{_number(width)}" lengthAdjust="spacingAndGlyphs">{kept}</text>'
+            )
+        self.places += [(0.0, y - 16), (width, y + 8)]
 
     def svg(self, title: str) -> str:
         """The file."""

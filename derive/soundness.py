@@ -11,15 +11,15 @@ from typing import TypeAlias
 
 import sympy as sp
 
-from . import laws, units
+from . import laws, limits, units
 from .mechanics import DEPTH, Mechanics, number
 from .model import Damper, Datum, Page, PageError, Spring, expression_of
 from .units import Dimension, UnitsError, spelled
 
-#: Raises unless an expression has a dimension: what it is in words, and its line.
-Expect: TypeAlias = Callable[[object, Dimension, str, int], None]
+#: Raises unless an expression has a dimension, or any where that is None: what it is in words, and its line. Gives the dimension.
+Expect: TypeAlias = Callable[[object, Dimension | None, str, int], Dimension]
 
-_SPEED = sp.Symbol("v", positive=True)
+_SPEED = laws.SLIP
 
 #: Penetrations and speeds at which a law that can't be decided by its form is looked at.
 _PLACES = tuple(sp.Rational(10) ** power for power in range(-6, 3))
@@ -29,20 +29,22 @@ def check_units(page: Page) -> None:
     """Every sum of the page adds like to like, and every statement is what it says: an energy, a force, a length, a number."""
     known = _dimensions(page)
 
-    def expect(expression: object, dimension: Dimension, what: str, line: int) -> None:
+    def expect(expression: object, dimension: Dimension | None, what: str, line: int) -> Dimension:
         value = expression_of(expression)
         unknown = sorted(str(symbol) for symbol in value.free_symbols if symbol not in known)
         if unknown:
-            raise PageError(line, f"{what} holds {', '.join(unknown)}, which the page does not define; define it above")
+            time = f": {limits.FORCING}" if {"t", "time"} & set(unknown) else ""
+            raise PageError(line, f"{what} holds {', '.join(unknown)}, which the page does not define; define it above{time}")
         try:
             found = units.of(value, known)
         except UnitsError as error:
             raise PageError(line, f"{what}: {error}") from error
-        if found not in (None, dimension):
+        if dimension is not None and found not in (None, dimension):
             raise PageError(line, f"{what} = {value} is in {spelled(found)}; expected is {spelled(dimension)}")
+        return dimension or found or units.NONE
 
     for spring in page.springs:
-        square = _square(spring, known, expect)
+        square = _square(spring, expect)
         expect(spring.stiffness, units.times(units.ENERGY, square, -1), "the stiffness of this spring", spring.line)
     for torsion in page.torsions:
         expect(torsion.stiffness, units.ENERGY, "the stiffness of this torsion spring", torsion.line)
@@ -53,7 +55,7 @@ def check_units(page: Page) -> None:
                 torsion.line, "the inclination at rest of a torsion spring is made of angles of the page; give rest=theta0"
             )
     for damper in page.dampers:
-        square = _square(damper, known, expect)
+        square = _square(damper, expect)
         power = units.times(units.times(units.ENERGY, square, -1), units.TIME)
         expect(damper.coefficient, power, "the coefficient of this damper", damper.line)
     for energy, line in page.energies:
@@ -61,10 +63,9 @@ def check_units(page: Page) -> None:
     if page.inertia is not None:
         expect(page.inertia[0], units.ENERGY, "the kinetic energy", page.inertia[1])
     for force in page.forces:
-        place = force.at if force.at is not None else (expression_of(force.along),)
+        place = force.at if force.at is not None else (force.along,)
         for component, where in zip(force.components, place, strict=True):
-            length = units.LENGTH if force.at is not None else known.get(where, units.LENGTH)
-            expect(where, length, "the place of this force", force.line)
+            length = expect(where, None if force.at is None else units.LENGTH, "the place of this force", force.line)
             expect(component, units.times(units.ENERGY, length, -1), "this force", force.line)
     _laws(page, known, expect)
 
@@ -84,10 +85,14 @@ def _laws(page: Page, known: dict[sp.Symbol, Dimension], expect: Expect) -> None
             expect(page.sliding.at_rest, units.NONE, "at_rest", page.sliding.line)
 
 
-def _square(element: Spring | Damper, known: dict[sp.Symbol, Dimension], expect: Expect) -> Dimension:
+def _square(element: Spring | Damper, expect: Expect) -> Dimension:
     """The dimension of the square that a stiffness multiplies, after a look at both ends."""
     if element.ends is None:
-        along = units.of(element.along, known) or units.LENGTH
+        along = expect(
+            element.along, None, f"along of this {'spring' if isinstance(element, Spring) else 'damper'}", element.line
+        )
+        if isinstance(element, Spring):
+            expect(element.length, along, "the undeformed length of this spring", element.line)
         return units.times(units.NONE, along, 2)
     for end in element.ends:
         for part in end:
@@ -230,12 +235,11 @@ def _check_friction(model: Mechanics) -> None:
         return
     ahead, behind = (model.scaled(expression_of(sliding.law(sign * _SPEED))) for sign in (1, -1))
     for side, value in (("ahead", ahead), ("behind", -behind)):
-        at_zero = sp.limit(value, _SPEED, 0)
+        at_zero = laws.limit(model, value, _SPEED, sp.S.Zero)
         if at_zero != 0:
             raise PageError(
                 sliding.line,
-                f"the friction law drives at rest: where the belt is just {side} of the mass it is {at_zero}, not 0; write one that "
-                "is continuous, as mu0*(1 - exp(-d*Abs(v)))*sgn(v). Statics alone would do with at_rest",
+                f"the friction law drives at rest: where the belt is just {side} of the mass it is {at_zero}, not 0: {limits.STICKING}",
             )
         witness = _negative(model, value, _SPEED)
         if witness:

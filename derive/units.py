@@ -95,6 +95,10 @@ def of(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension |
             return None if base is None else times(NONE, base, Fraction(expression.exp.p, expression.exp.q))
         case sp.Abs():
             return of(expression.args[0], known)
+        case sp.Max() | sp.Min():
+            return _of_sum(expression, known)
+        case sp.Piecewise():
+            return _of_sum(sp.Add(*(value for value, _ in expression.args), evaluate=False), known)
         case sp.sign():
             of(expression.args[0], known)
             return NONE

@@ -14,6 +14,8 @@ import numpy as np
 
 from .exact.decimals import upward
 
+#: Longer arrays and tuples stand in ``repr`` by their shapes.
+WHOLE = 6
 #: Most rows that a table shows; of a longer table it shows the first and the last ones.
 ROWS = 20
 
@@ -41,10 +43,30 @@ class Shown:
 
 
 class Result(Shown):
-    """A result: ``print`` gives its table as well; ``repr`` stays that of the dataclass."""
+    """A result: ``print`` gives its table as well; ``repr`` is that of the dataclass, long arrays by their shapes."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        super().__init_subclass__(**options)
+        if "__repr__" not in cls.__dict__:
+            # In the class itself, so that the dataclass of it makes no other.
+            cls.__repr__ = _short  # type: ignore[method-assign]
 
     def __str__(self) -> str:
         return "\n\n".join(_text(table) for table in tables(self))
+
+
+def _short(result: Any) -> str:
+    """The dataclass's own text, but for what would fill pages."""
+    given = ((field.name, getattr(result, field.name)) for field in fields(result) if field.repr)
+    return f"{type(result).__name__}({', '.join(f'{name}={_named(value)}' for name, value in given)})"
+
+
+def _named(value: Any) -> str:
+    if isinstance(value, np.ndarray) and value.size > WHOLE:
+        return f"array{value.shape}"
+    if isinstance(value, tuple | list) and len(value) > WHOLE:
+        return f"({len(value)} of {type(value[0]).__name__})"
+    return " ".join(repr(value).split())
 
 
 def tables(thing: Any) -> Iterator[Table]:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import importlib
+import inspect
+import math
 import os
 import subprocess
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from fractions import Fraction
 from pathlib import Path
 from types import ModuleType
@@ -92,6 +94,18 @@ def results_of_c(
     subprocess.run(build, cwd=folder, check=True, timeout=120)
     shown = subprocess.run(["./try"], cwd=folder, check=True, capture_output=True, text=True, timeout=60).stdout
     return [float(line) for line in shown.split()]
+
+
+def with_angles(model: Any, function: Callable[..., Any], given: Sequence[float]) -> list[float]:
+    """Arguments of a generated function as exported C takes them: an angle in the place of its cosine and sine."""
+    code = inspect.unwrap(function).__code__
+    values = dict(zip(code.co_varnames[: code.co_argcount], given, strict=True))
+    named: dict[str, float] = {}
+    angle_of = {part: (angle, pair) for angle, pair in model.about["angles"].items() for part in pair}
+    for name, value in values.items():
+        angle, (cosine, sine) = angle_of.get(name, (name, ("", "")))
+        named.setdefault(angle, value if angle == name else math.atan2(values[sine], values[cosine]))
+    return list(named.values())
 
 
 def lowest_sets(number: int) -> list[Any]:

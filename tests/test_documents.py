@@ -187,14 +187,27 @@ DOCS = ROOT / "docs"
 
 def test_the_theory_names_what_exists() -> None:
     """Each function of derive/ and each test that the theory page names."""
+    assert _named_in("theory") > 30
+
+
+def test_every_absolute_statement_names_its_proof_and_its_test() -> None:
+    """A row without a test would be a statement that nothing can make fail."""
+    rows = [line for line in (DOCS / "statements.md").read_text(encoding="utf-8").splitlines() if line.startswith("| ")][1:]
+    assert len(rows) > 15
+    assert all(re.search(r"`test_\w+\.test_\w+` \|$", row) for row in rows)
+    assert _named_in("statements") > 30
+
+
+def _named_in(page: str) -> int:
+    """How many functions of derive/ and tests a page names, all of which exist."""
     pytest.importorskip("sympy")
-    named = re.findall(r"`(test_)?(\w+)\.(\w+)`", (DOCS / "theory.md").read_text(encoding="utf-8"))
-    assert len(named) > 30
+    named = re.findall(r"`(test_)?(\w+)\.(\w+)`", (DOCS / f"{page}.md").read_text(encoding="utf-8"))
     for test, module, name in named:
         if test:
             assert f"def {name}(" in (ROOT / f"tests/test_{module}.py").read_text(encoding="utf-8"), name
         else:
             assert callable(getattr(importlib.import_module(f"spragsym.derive.kang_nam.{module}"), name)), name
+    return len(named)
 
 
 @pytest.mark.parametrize(

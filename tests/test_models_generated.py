@@ -16,7 +16,7 @@ FOLDER = Path(__file__).resolve().parent.parent / "generated/models"
 NAMES = sorted(path.parent.name for path in FOLDER.glob("*/model.json"))
 
 mp.mp.dps = 15  # tests raise it where they need more
-XP: Any = SimpleNamespace(sqrt=mp.sqrt, exp=mp.exp, sign=mp.sign)
+XP: Any = SimpleNamespace(sqrt=mp.sqrt, exp=mp.exp, sign=mp.sign, cos=mp.cos, sin=mp.sin, atan2=mp.atan2, pi=mp.pi, log=mp.log)
 
 
 class Generated:
@@ -52,7 +52,10 @@ class Generated:
         for dx, dy, _ in self.statics.geometry(*q, *taken, xp=XP):
             length = mp.hypot(dx, dy)
             directions += [dx / length, dy / length, length]
-        return [*q, *directions, *taken]
+        turned = []
+        if self.about["torsions"]:
+            turned = [mp.atan2(sine, cosine) for cosine, sine in self.statics.turnings(*q, *directions, *taken, xp=XP)]
+        return [*q, *directions, *turned, *taken]
 
     def forces(self, q: list[Any], p: dict[str, Any], mu: Any, pushing: int, name: str = "forces") -> Any:
         return getattr(self.statics, name)(*self.state(q, p), mu, pushing, xp=XP)
@@ -111,7 +114,7 @@ def test_derivatives_are_those_of_the_motion(model: Generated, pushing: int, sid
         z, p = moving(model, 2)
         if side < 0:  # the mass is ahead
             z[model.n] = p["V"] + mp.mpf("0.3")
-        felt = [1] * model.about["layers"]
+        felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
 
         def accelerations(z: list[Any], p: dict[str, Any], name: str = "regime_rhs") -> Any:
             return getattr(model.motion, name)(*z, *model.arguments("motion", p), pushing, side, *felt, xp=XP)
@@ -138,7 +141,7 @@ def test_the_kinked_field_is_that_of_the_regime(model: Generated) -> None:
             taken = model.arguments("motion", p)
             gap, slip = model.motion.borders(*z, *taken, xp=XP)
             pushing = 1 if gap < 0 or not model.about["contact"]["unilateral"] else 0
-            felt = [1] * model.about["layers"]
+            felt = [1] * (model.about["layers"] + len(model.about["torsions"]))
             regime = model.motion.regime_rhs(*z, *taken, pushing, int(mp.sign(slip)), *felt, xp=XP)
             for ours, theirs in zip(model.motion.rhs(*z, *taken, xp=XP), regime, strict=True):
                 assert abs(ours - theirs) < 1e-45
@@ -151,7 +154,7 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
         p["V"] = mp.mpf("0.7")
         taken, felt = model.arguments("motion", p), [1] * model.about["layers"]
         q, v = z[: model.n], z[model.n :]
-        a = model.motion.regime_rhs(*z, *taken, 1, 1, *felt, xp=XP)
+        a = model.motion.regime_rhs(*z, *taken, 1, 1, *felt, *[1] * len(model.about["torsions"]), xp=XP)
 
         def energy(time: Any) -> Any:
             state = [x + time * speed for x, speed in zip(q, v, strict=True)]
@@ -163,7 +166,7 @@ def test_the_energy_changes_by_the_powers_only(model: Generated) -> None:
         applied = model.motion.applied_power(*z, *taken, xp=XP)
         assert abs(slope(energy, mp.mpf(0)) - friction - dampers - applied) < 1e-25
         assert dampers <= 0
-        assert (dampers < 0) == (model.about["name"] in ("damped", "stick_slip"))
+        assert (dampers < 0) == (model.about["dampers"])
 
 
 @pytest.mark.parametrize("pushing", [0, 1])

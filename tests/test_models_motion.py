@@ -6,7 +6,6 @@ import copy
 import importlib
 import importlib.util
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -252,20 +251,6 @@ def test_help_names_the_unit_of_time_of_the_model(capsys: pytest.CaptureFixture[
     unit = model.about["scales"]["time"].replace("**", "^")
     assert "k_c" not in unit
     assert f"in {unit}" in " ".join(capsys.readouterr().out.split())
-
-
-def test_a_parameter_named_as_an_option_is_refused_by_its_name(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    model = ss.load("stick_slip")
-    first = model.about["parameters"][0]
-    mine = SimpleNamespace(
-        name="mine", about={**model.about, "parameters": [{**first, "name": "t_end"}]}, parameters=("t_end",), coordinates=(),
-        rates=(), base={}, Parameters=SimpleNamespace(ranges={"t_end": model.Parameters.ranges[first["name"]]}),
-    )  # fmt: skip
-    monkeypatch.setattr(importlib.import_module("spragsym.models"), "load", lambda name: SimpleNamespace(search=mine))
-    assert command("simulate", "--model", "mine") == 2
-    assert "the parameter t_end of mine has the name of an option of spragsym simulate" in capsys.readouterr().err
 
 
 def test_a_motion_can_be_copied_and_sent_to_another_process() -> None:

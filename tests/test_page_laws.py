@@ -16,7 +16,7 @@ pytest.importorskip("sympy")
 
 import spragsym as ss
 from spragsym.derive import export, folder, pages
-from tests.support import few, results_of_c
+from tests.support import few, results_of_c, with_angles
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
 OFFERED = "from spragsym.derive.model import Abs, Page, atan, cos, cosh, exp, log, pi, sgn, sin, sinh, sqrt, tanh"
@@ -171,6 +171,6 @@ def test_c_gives_the_numbers_of_python(model: Any) -> None:
         given = [0.1, -0.05, 0.7, 0.02, *taken, *sides]
         values = np.array(getattr(it.motion, function)(*given), dtype=float).ravel()
         want.append(values)
-        calls.append((function, given, values.size))
+        calls.append((function, with_angles(it, getattr(it.motion, function), given), values.size))
     got = results_of_c(out, name, calls)
     np.testing.assert_allclose(got, np.concatenate(want), rtol=1e-12, atol=1e-15)

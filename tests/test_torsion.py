@@ -27,7 +27,7 @@ from spragsym.exact.polynomials import Undecided
 from spragsym.models.balance import Balance
 from spragsym.models.precise import ball
 from tests.conftest import Once
-from tests.support import results_of_c
+from tests.support import results_of_c, with_angles
 from tests.test_documents import ROOT
 
 pytest.importorskip("sympy")
@@ -392,7 +392,7 @@ def test_c_has_the_same_turning(model: Any, numbers: dict[str, list[float]], tmp
     for function, given in numbers.items():
         result = np.array(getattr(model.motion, function)(*given), dtype=float).ravel()
         want += result.tolist()
-        calls.append((function, given, result.size))
+        calls.append((function, with_angles(model, getattr(model.motion, function), given), result.size))
     got = results_of_c(tmp_path, "soft", calls)
     np.testing.assert_allclose(got, want, rtol=1e-13, atol=1e-15)
 

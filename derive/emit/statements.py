@@ -37,7 +37,9 @@ def straight_line(function: Function) -> Body:
     leaves = tuple(powers.replace(leaf) for leaf in leaves)
     definitions = dict(powers.definitions)
     everything = [*expressions, *definitions.values(), *leaves]
-    temporaries, reduced = sp.cse(everything, symbols=sp.numbered_symbols("w")) if function.share else ([], everything)
+    # Not by equality of symbols, to which assumptions belong.
+    free = (symbol for symbol in sp.numbered_symbols("w") if str(symbol) not in powers.taken)
+    temporaries, reduced = sp.cse(everything, symbols=free) if function.share else ([], everything)
     # Of exp(x) and exp(2 x) sharing makes powers again.
     again = _Powers({str(symbol) for symbol in (*function.accepted, *function.shorthands, *definitions)})
     temporaries = [(symbol, again.rest(expression)) for symbol, expression in temporaries]

@@ -68,8 +68,8 @@ def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: flo
         print_table(title, header, [[row[column] for column in header] for row in summary[name]])
     print_table("Critical frictions", ("", "mu"), [
         ("mu_cr, linear sprag model: poles above it", _or(summary["mu_cr"], "out of range")),
-        ("mu_lowest, the lowest fold: no jump from small deformation below it", _or(summary["mu_lowest"], "none")),
-        ("mu_cusp, the lowest cusp", _or(summary["mu_cusp"], "none")),
+        ("mu_lowest: no jump from small deformation below it", _or(summary["mu_lowest"], "none")),
+        ("mu_cusp: the lowest cusp", _or(summary["mu_cusp"], "none")),
     ])  # fmt: skip
 
 

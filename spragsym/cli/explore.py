@@ -134,7 +134,8 @@ def _derived(model: Model) -> Derived:
         from ..derive import drawing, pages
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym explore --model", error.name or "sympy", "derive") from error
-    page = pages.read(page_of(model, pages.SHIPPED), model.name).page
+    read = pages.read(page_of(model, pages.SHIPPED), model.name)
+    page = read.page
     names = {entry["quantity"]: entry["name"] for entry in model.about["parameters"]}
     along, across = (
         tuple(
@@ -145,7 +146,8 @@ def _derived(model: Model) -> Derived:
         )
         for coordinate in (*model.coordinates, "")[:2]
     )
-    return Derived(of_model(model, "javascript")[f"{model.name}.mjs"], drawing.render(page), (along, across))
+    algebra = of_model(model, "javascript")[f"{model.name}.mjs"]
+    return Derived(algebra, drawing.render(page, read.docstring), drawing.is_drawn(page), (along, across))
 
 
 def _units(study: Study) -> Units:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from ..errors import ParameterError
-from .model_statics import axes, box_of, json_option, optional, points_of, print_points, within_option
+from .model_statics import box_of, json_option, optional, points_of, print_points, within_option
 from .options import Number
 from .tables import busy, print_json, print_path, print_table
 from .with_model import parameter_options, without
@@ -107,7 +107,7 @@ def critical_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], s
 
 def _common(model: Model, meaning: str) -> list[click.Option]:
     """The parameters, none of which is required, and what varies."""
-    first = "mu0" if "mu0" in model.parameters else axes(model)[0]
+    first = model.axes[-1]
     vary = click.Option(["--vary"], default=first, show_default=True, help=meaning)
     return [*(optional(option) for option in parameter_options(model, Number)), vary]
 

@@ -124,7 +124,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
 
     def bifurcation(
         vary: str,
-        along: str,
+        along: str | None,
         between: tuple[str, ...],
         within: tuple[str, ...],
         json_output: bool,
@@ -133,18 +133,23 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         force: bool,
         **values: Any,
     ) -> None:
+        if along is None:  # the other one of the two
+            along = {second: first}.get(vary, second)
+        both = (vary, along)
+        if vary == along:
+            raise ParameterError(f"--along {along} and --vary are the same; give another parameter, or --along '' for none")
         box = box_of(model, within)
-        spans = _spans(model, between, (vary, along) if along else (vary,))
+        spans = _spans(model, between, both if along else (vary,))
         if plot is not None:
             check(plot, along, force)
-        one, both = without(model, (vary,), dict(values)), (vary, along)
+        one, two = (without(model, which, dict(values)) for which in ((vary,), both if along else (vary,)))
         span = {name: ends for name, ends in spans.items() if name == vary}
         asked: dict[str, Callable[[], Any]] = {
             "folds": lambda: model.folds(one, vary, between=span, within=box),
             "flutter onsets": lambda: model.flutter_onsets(one, vary, between=span, within=box),
         }
         if along:
-            asked["cusps"] = lambda: model.cusps(without(model, both, dict(values)), both, between=spans, within=box)
+            asked["cusps"] = lambda: model.cusps(two, both, between=spans, within=box)
         found: dict[str, Any] = {}
         for title, search in asked.items():
             with busy(f"searching for {title} along {vary if title != 'cusps' else f'{vary} and {along}'}"):
@@ -154,7 +159,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         if json_output:
             print_json({"model": model.name, **{title: points_of(model, points) for title, points in found.items()}})
         if plot is not None:
-            draw(plot, without(model, both, dict(values)), both, spans, found["cusps"], n)
+            draw(plot, two, both, spans, found["cusps"], n)
 
     def check(plot: Path, along: str, force: bool) -> None:
         if plot.suffix not in (".pdf", ".png", ".svg"):
@@ -174,7 +179,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
             figure.savefig(plot, format=kind, metadata=FORMATS[kind])
         click.echo(f"drew {plot}", err=True)
 
-    first, second = axes(model)
+    first, second = (*model.axes, "", "")[:2]
     plot = click.Option(
         ["--plot"],
         type=click.Path(dir_okay=False, path_type=Path),
@@ -186,9 +191,7 @@ def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any]
         click.Option(
             ["--vary", "vary"], default=first, show_default=True, help="Parameter along which folds and onsets are looked for."
         ),
-        click.Option(
-            ["--along", "along"], default=second, show_default=True, help="Second parameter, for cusps; empty for none."
-        ),
+        click.Option(["--along", "along"], help=f"Second parameter, for cusps; empty for none. Default: {second or 'none'}."),
         click.Option(
             ["--between"],
             multiple=True,
@@ -220,13 +223,6 @@ def _spans(model: Model, texts: Sequence[str], vary: Sequence[str]) -> Spans:
         unit = math.degrees(1.0) if name in model.about["angles"] else 1.0
         spans[name] = (low / unit, high / unit)
     return spans
-
-
-def axes(model: Model) -> tuple[str, str]:
-    """The parameters that vary unless told otherwise: θ₀ and μ₀ where they are."""
-    known = model.parameters
-    first = "theta0" if "theta0" in known else "mu0" if "mu0" in known else known[0]
-    return first, "mu0" if first == "theta0" and "mu0" in known else ""
 
 
 def optional(option: click.Option) -> click.Option:

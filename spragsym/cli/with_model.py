@@ -11,15 +11,13 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import click
 
 from ..errors import ParameterError
+from ..models.parameters import options_of
 from ..parameters import Range, degrees
 
 if TYPE_CHECKING:
     from ..models import Model
 
 F = TypeVar("F", bound=Callable[..., Any])
-
-#: Options whose names are not those of their parameters, the same as for the article's model.
-_FLAGS = {"V": ("--speed", "-V", "V"), "d": ("--creep", "-d", "d")}
 
 TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
 
@@ -75,7 +73,7 @@ def parameter_options(model: Model, kind: Callable[[Range], Any], start: bool = 
         if name in model.about["angles"]:
             allowed = Range(math.degrees(allowed.low), math.degrees(allowed.high), allowed.open_low, "", allowed.closed_high)
             meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
-        flags = _FLAGS.get(name, (f"--{name}", name))
+        flags = (*options_of(model.about, name), name)
         given: dict[str, Any] = {"required": True}
         if default is not None:
             exact = float(f"{default:.7g}") == default
@@ -107,8 +105,9 @@ def without(model: Model, vary: Sequence[str], values: dict[str, Any]) -> Any:
             raise ParameterError(f"{name} is not a parameter of {model.name}; choose among {', '.join(model.parameters)}")
     for name in model.parameters:
         if values[name] is None and name not in vary:
-            flag = _FLAGS.get(name, (f"--{name}",))[0]
-            raise ParameterError(f"{name} has no base value in {model.name}, and does not vary here; give {flag}")
+            raise ParameterError(
+                f"{name} has no base value in {model.name}, and does not vary here; give {options_of(model.about, name)[0]}"
+            )
     return model.Parameters(**{name: None if name in vary else value for name, value in parameters_of(model, values).items()})
 
 
@@ -122,13 +121,6 @@ def made_for(command: Any, module: str, function: str) -> None:
 
     def build(model: Model) -> click.Command:
         options, done, text = getattr(importlib.import_module(f".{module}", __package__), function)(model)
-        names = [option.name for option in options]
-        for name in model.parameters:
-            if names.count(name) > 1:
-                raise ParameterError(
-                    f"the parameter {name} of {model.name} has the name of an option of spragsym {command.name}; "
-                    "give it another one on the page, with becomes, and derive the page again; in Python it can be used as it is"
-                )
         summary = f"{text}\n\nOf the model {model.name}: {model.about['summary']}"
         return click.Command(
             command.name, params=list(options), callback=done, help=summary, context_settings=command.context_settings

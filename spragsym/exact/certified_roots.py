@@ -87,16 +87,17 @@ def roots(system: System, outcome: Outcome, region: FloatArray, low: FloatArray,
     point, alone, ends = point[order], alone[:, :, order], ends[:, :, order]
     with np.errstate(all="ignore"):
         ends, gone = _refined(system, ends, Intervals(np.stack([-low, high])), point)
-        if gone.any():  # can't happen: each holds a root
-            raise ArithmeticError("a box with a root has none")
+        # Each holds a root; where a law ends at the root itself, as a contact's at the touch, refinement may lose it: undecided.
+        lost, lost_point = alone[:, :, gone], point[gone]
+        ends, alone, point = ends[:, :, ~gone], alone[:, :, ~gone], point[~gone]
         keep, unclear = once(ends, alone, point)
         around = np.broadcast_to(region, (*region.shape[:2], low.shape[1]))
         keep = keep[~contractors.apart(ends[:, :, keep], around[:, :, point[keep]])]
         border = ~contractors.within(ends[:, :, keep], around[:, :, point[keep]])
         keep, unclear = keep[~border], np.concatenate([unclear, keep[border]])
     place, left_point = outcome.points.below(outcome.undecided.nodes)
-    left = np.concatenate([outcome.undecided.ends[:, :, place], ends[:, :, unclear]], axis=2).reshape(2, n, -1)
-    left_point = np.concatenate([left_point, point[unclear]])
+    left = np.concatenate([outcome.undecided.ends[:, :, place], ends[:, :, unclear], lost], axis=2).reshape(2, n, -1)
+    left_point = np.concatenate([left_point, point[unclear], lost_point])
     return Roots(ends[:, :, keep], alone[:, :, keep], point[keep], left, left_point)
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import ParameterError
+from ..models.parameters import options_of
 from .page import asset, escaped, filled, motion_part, page, parameter_part, points
 from .presets import Preset
 from .units import Units
@@ -36,6 +37,8 @@ class Derived:
         The model's algebra and motion as an ES module.
     drawing : str
         The mechanism as SVG.
+    drawn : bool
+        Whether it is a mass on a belt, which the page draws to scale and lets move; of others it shows the drawing.
     ties : tuple of tuple of str
         For each of the first two coordinates the stiffnesses of springs that tie it to the ground: parameters, or ``"1"`` for
         one that is a unit of the model.
@@ -43,6 +46,7 @@ class Derived:
 
     module: str
     drawing: str
+    drawn: bool
     ties: tuple[tuple[str, ...], tuple[str, ...]]
 
 
@@ -83,7 +87,7 @@ def model_page(model: Model, derived: Derived, presets: Sequence[Preset] = (), u
         derived.module,
         "explorer.start({ algebra });",
         {
-            "model": _described(model, derived.ties),
+            "model": _described(model, derived),
             "presets": points((*presets, _base(model))),
             "units": units and units.data(),
         },
@@ -124,21 +128,20 @@ def _words(text: str) -> str:
     return "\n".join(f"<{name}>{escaped(block)}</{name}>" for name, block in zip(elements, blocks, strict=True))
 
 
-def _described(model: Model, ties: Sequence[Sequence[str]]) -> dict[str, Any]:
+def _described(model: Model, derived: Derived) -> dict[str, Any]:
     """What the page's script is told of the model."""
     about = model.about
-    flags = {"V": "--speed", "d": "--creep"}
     return {
         "name": model.name,
         "where": model.where,
-        "coordinates": [{"name": name} for name in model.coordinates],
+        "coordinates": [{"name": one["name"], "turns": bool(one.get("comes_around"))} for one in about["coordinates"]],
         "parameters": [
             {
                 "name": entry["name"],
                 "meaning": entry["meaning"],
                 "role": entry["role"],
                 "angle": entry["name"] in about["angles"],
-                "flag": flags.get(entry["name"], f"--{entry['name']}"),
+                "flag": options_of(about, entry["name"])[0],
                 "range": {key: entry[key] for key in ("low", "high", "low_open", "high_open") if entry[key] is not None},
                 **_slider(entry, entry["name"] in about["angles"]),
             }
@@ -152,7 +155,8 @@ def _described(model: Model, ties: Sequence[Sequence[str]]) -> dict[str, Any]:
         "layers": about["layers"],
         "torsions": len(about.get("torsions", ())),
         "belt": about["friction"] and about["friction"]["belt"],
-        "ties": ties,
+        "ties": derived.ties,
+        "drawn": derived.drawn,
     }
 
 

@@ -15,33 +15,18 @@ from ..models.hopf_curves import OnsetCurves
 from ..models.points import ModelPoints
 from ..models.trajectory import ModelTrajectory
 from ..statics.solver import Stability
+from .labels import label
 from .motion_pictures import draw_motion
 from .style import BLACK, BLUE, DOUBLE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled
 
 #: Range of a parameter, by its name.
 Between = Mapping[str, tuple[float, float]]
-#: Names that are letters.
-GREEK = {
-    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
-}  # fmt: skip
 #: Colours of equilibria, which lie too densely for dashes.
 COLOURS: Mapping[Stability, str] = {
     Stability.STABLE: BLACK,
     Stability.DIVERGENT: VERMILION,
     Stability.FLUTTER: BLUE,
 }
-
-
-def label(model: Model, name: str) -> str:
-    """A parameter or coordinate as an axis names it; the page's own symbol is that of a quantity with its unit."""
-    entries = {entry["name"]: entry for entry in model.about["parameters"]}
-    if name in entries and entries[name]["quantity"] == name:
-        symbol = entries[name]["symbol"]
-    else:
-        base, _, index = name.partition("_")
-        symbol = rf"\{base}" if base in GREEK else base
-        symbol += rf"_{{\rm {index}}}" if index else ""
-    return f"${symbol}$ (deg)" if name in model.about["angles"] else f"${symbol}$"
 
 
 #: What is shown beyond the farthest cusp.

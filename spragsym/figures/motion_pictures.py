@@ -11,24 +11,33 @@ from matplotlib.axes import Axes
 from ..dynamics import Trajectory
 from ..dynamics.pictures import LABELS, course_over_time
 from ..dynamics.recorded import Recorded
+from ..errors import ParameterError
+from ..models.trajectory import ModelTrajectory
+from .labels import label
 from .style import BLUE, DOUBLE, GREY, Sheet, own_axes, panels, styled
 
 
-def draw_motion(motion: Recorded, of: str = "x", ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
+def draw_motion(motion: Recorded, of: str | None = None, ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
                 labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
     """A component of a motion over time; returns the line.
 
     Parameters
     ----------
     motion : Trajectory or ModelTrajectory
-    of : str
-        One of its components: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a coordinate of the model or its rate.
+    of : str, optional
+        One of its components, by default the first: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a coordinate of the model or
+        its rate.
     ax : Axes, optional
     length, time : float
         What one unit of the component and of time is in the units of the axes.
     labels : (str, str), optional
         Of the axes.
     """
+    of = motion.components[0] if of is None else of
+    if of not in motion.components:
+        raise ParameterError(f"of = {of!r} is not one of {', '.join(motion.components)}")
+    if labels is None and isinstance(motion, ModelTrajectory):
+        labels = "$t$", label(motion.model, of)
     return course_over_time(
         motion, of, own_axes(ax), scale=(time, length), labels=labels, style={"color": BLUE, "linewidth": 0.8}
     )

@@ -22,6 +22,7 @@ _SET = "Two equilibria in contact meet on the lines; the dot is the cusp."
 _CAPTIONS = {
     "stribeck": "Two equilibria in contact meet on the lines.",
     "mode_coupling": "Flutter without damping begins on the dots: at the friction that the closed form above gives.",
+    "sprag_rod": "Two equilibria in contact meet on the lines; the stiffer the wall, the closer the upper one to tan θ₀ = μ₀.",
     "stick_slip": "Sliding gets unstable on the dots, a Hopf bifurcation: below them it is.",
 }
 

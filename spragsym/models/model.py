@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..door import question, unanswered
-from ..errors import ConvergenceError
+from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
 from .describe import described
@@ -108,6 +108,13 @@ class Model:
         """Base values; a parameter without one, as the article's θ₀, is not among them."""
         return _parameters.base(self.about)
 
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """What varies unless told otherwise: θ₀ and μ₀ where the model has them, else its first parameter of the balance."""
+        known = [name for name in ("theta0", "mu0") if name in self.parameters]
+        balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
+        return tuple(known or balanced[:1] or self.parameters[:1])
+
     def describe(self) -> str:
         """The drawing, the coordinates and the parameters, as text."""
         return described(self.about)
@@ -154,28 +161,28 @@ class Model:
         return found.count
 
     @question
-    def folds(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> ModelPoints:
+    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
         """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
 
         Source: det K = 0 at an equilibrium; see :func:`spragsym.models.folds.folds`.
         """
         from .folds import folds
 
-        return folds(self, p, vary, **options)
+        return folds(self, p, self._one(vary), **options)
 
     @question
-    def cusps(self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), **options: Any) -> ModelPoints:
+    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
         """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
 
         See :func:`spragsym.models.cusps.cusps`.
         """
         from .cusps import cusps
 
-        return cusps(self, p, vary, **options)
+        return cusps(self, p, self._two(vary), **options)
 
     @question
     def bifurcation_set(
-        self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 60, **options: Any
+        self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any
     ) -> ModelBifurcationSet:
         """Folds on ``n`` lines of either parameter, joined to curves, and all cusps, in the plane of both.
 
@@ -183,7 +190,7 @@ class Model:
         """
         from .bifurcation import bifurcation_set
 
-        return bifurcation_set(self, p, vary, n, **options)
+        return bifurcation_set(self, p, self._two(vary), n, **options)
 
     @question
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
@@ -196,7 +203,7 @@ class Model:
         return quasi_static_path(self, p, vary, values, **options)
 
     @question
-    def flutter_onsets(self, p: ParameterSet, vary: str = "theta0", **options: Any) -> Onsets:
+    def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
         """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
@@ -212,7 +219,7 @@ class Model:
         """
         from .flutter import flutter_onsets
 
-        return flutter_onsets(self, p, vary, **options)
+        return flutter_onsets(self, p, self._one(vary), **options)
 
     @question
     def diagram(self, p: ParameterSet, vary: str, to: tuple[float, float], **options: Any) -> Diagram:
@@ -223,12 +230,12 @@ class Model:
 
     @question
     def onset_curves(
-        self, p: ParameterSet, vary: Sequence[str] = ("theta0", "mu0"), n: int = 30, **options: Any
+        self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 30, **options: Any
     ) -> OnsetCurves:  # fmt: skip
         """Curves of Hopf points in the plane of two parameters, gentle or dangerous: see :func:`spragsym.onset_curves`."""
         from .hopf_curves import onset_curves
 
-        return onset_curves(self, p, vary, n, **options)
+        return onset_curves(self, p, self._two(vary), n, **options)
 
     @question
     def cycle(
@@ -380,6 +387,16 @@ class Model:
         from ..sweeps import sensitivity
 
         return sensitivity(p, V, d, **options)  # type: ignore[arg-type]  # a set of any model
+
+    def _one(self, vary: str | None) -> str:
+        if not self.parameters:
+            raise ParameterError(f"{self.name} has no parameters, so that nothing can vary")
+        return self.axes[0] if vary is None else vary
+
+    def _two(self, vary: Sequence[str] | None) -> Sequence[str]:
+        if vary is None and len(self.axes) < 2:
+            raise ParameterError(f"{self.name} has not both theta0 and mu0; give vary, two of {', '.join(self.parameters)}")
+        return self.axes if vary is None else vary
 
     def __repr__(self) -> str:
         return f"load({self.where!r})"

@@ -9,6 +9,9 @@ from typing import Any
 
 from ..parameters import RANGES, ParameterSet, Range, named
 
+#: Options whose names are not those of their parameters.
+_OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
+
 
 def ranges(about: Mapping[str, Any]) -> dict[str, Range]:
     """Allowed values of every parameter, in order."""
@@ -18,6 +21,12 @@ def ranges(about: Mapping[str, Any]) -> dict[str, Range]:
 def base(about: Mapping[str, Any]) -> dict[str, float]:
     """The base value of every parameter that has one."""
     return {entry["name"]: entry["base"] for entry in about["parameters"] if entry["base"] is not None}
+
+
+def options_of(about: Mapping[str, Any], name: str) -> tuple[str, ...]:
+    """What commands call a parameter: as for the article's model, unless another parameter has that name."""
+    known = _OPTIONS.get(name)
+    return known if known and known[0][2:] not in ranges(about) else (f"--{name}",)
 
 
 def parameter_class(about: Mapping[str, Any], where: str) -> type[ParameterSet]:

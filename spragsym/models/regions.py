@@ -171,7 +171,8 @@ def _near_anchors(balance: Balance, ends: FloatArray, values: Mapping[str, Any])
         chart = balance.model.about["springs"][spring]["chart"]
         places = [balance.coordinates.index(name) for name in chart or ()]
         if len(places) < balance.n:
-            return np.full(ends.shape, np.inf)
+            hull[:] = np.inf
+            break
         q: list[Any] = [0] * balance.n
         anchor = balance.anchors(q, values, ends.shape[2:])[spring]
         for place, end in zip(places, anchor, strict=True):

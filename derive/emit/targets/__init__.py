@@ -44,6 +44,8 @@ class Material:
     summary: str = ""  #: one sentence: what the library computes
     #: By target language, the model's own files: what it offers besides algebra, with ``@name@`` where emitted text goes.
     runtime: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    #: Angles by their names, and the arguments of the algebra that stand for one: its cosine and sine, itself before them if it is used.
+    angles: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     arithmetic: Source = NOTHING  #: double-double numbers
     widened: Source = NOTHING  #: the kernel a second time, on these
 

@@ -60,10 +60,18 @@ export function start({ algebra }) {
   const rest = names.map(() => 0);
   const angles = fields.filter(({ angle }) => angle);
   const count = at(presets[0].point).vectors(rest).length;
-  const mechanism = createMechanism($("mechanism"), {
+  const mechanism = !about.drawn ? shownAsWritten() : createMechanism($("mechanism"), {
     anchor: (angle, i) => now && pinned(now.point, names.map(() => 0))[i].name && store.move({ [pinned(now.point, rest)[i].name]: Math.min(Math.PI - 1e-4, Math.max(1e-4, angle)) }),
     mass: thrown,
   }, count);
+
+  /** Of a mechanism that is no mass on a belt: the drawing of its page, which stands still. */
+  function shownAsWritten() {
+    $("mechanism").className = "drawing";
+    $("mechanism").append(document.querySelector("#space_part .drawing svg"));
+    $("mechanism_note").textContent = "As its page draws it, not to scale. Its states and its motion are below, in numbers.";
+    return { draw() {}, roll() {} };
+  }
 
   /** Anchors of the springs as they are drawn, with the parameter that turns each, if there is one. */
   function pinned(point, q) {
@@ -84,6 +92,9 @@ export function start({ algebra }) {
   const ties = (point) => about.ties.map((ones) => ones.some((name) => name === "1" || point[name] > 0));
 
   function draw(q, more) {
+    if (!about.drawn) {
+      return;
+    }
     const [x, y] = position(q);
     const others = now.states.filter((one) => one !== now.state && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], stability: one.stability }));
     mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others, ...more });

@@ -70,8 +70,11 @@ function aroundAnchors(balance, rest) {
 function starts(balance, about, contact) {
   const rest = about.coordinates.map(({ name }) => (name === about.gap ? (contact ? -0.01 : 0.01) : 0));
   const springs = balance.vectors(rest).length;
+  // Directions that a rod has, and no mass on a belt, do not make the balance linear.
+  const plain = springs && about.drawn ? [] : products(rest.map(() => (rest.length > 2 ? FEW : PLAIN)));
+  const places = plain.map((q) => q.map((value, k) => value + rest[k]));
   if (!springs) {
-    return products(rest.map(() => (rest.length > 2 ? FEW : PLAIN))).map((q) => q.map((value, k) => value + rest[k]));
+    return places;
   }
   const each = Math.max(8, Math.round(STARTS ** (1 / springs)));
   const angles = Array.from({ length: each }, (_, k) => (2 * Math.PI * (k + 0.5)) / each - Math.PI);
@@ -84,7 +87,7 @@ function starts(balance, about, contact) {
     return [at + (((place + 1) % each) - place) * stride, at + (((place + each - 1) % each) - place) * stride];
   });
   const chosen = nodes.filter(({ q, far }, at) => q && (far < CLOSE || neighbours(at).every((other) => far <= nodes[other].far))).map(({ q }) => q);
-  return [...chosen, ...aroundAnchors(balance, rest)];
+  return [...places, ...chosen, ...aroundAnchors(balance, rest)];
 }
 
 /** Whether a state lies on the side of the contact that it was searched on. */
@@ -94,6 +97,11 @@ export function belongs(balance, about, q, contact) {
   }
   const gap = balance.gap(q);
   return contact ? gap <= 0 : gap > 0;
+}
+
+/** A place with the angles that come around in their first turn. */
+function once({ coordinates }, q) {
+  return q && q.map((value, k) => (coordinates[k].turns ? value - 2 * Math.PI * Math.round(value / (2 * Math.PI)) : value));
 }
 
 /** One state with its kind. */
@@ -111,7 +119,7 @@ export function search(balance, about) {
   for (const contact of about.unilateral && about.gap !== null ? [true, false] : [true]) {
     const mine = [];
     for (const start of starts(balance, about, contact)) {
-      const q = newton(balance, about, start, contact);
+      const q = once(about, newton(balance, about, start, contact));
       const far = (other) => Math.max(...q.map((value, k) => Math.abs(value - other[k]) / Math.max(1, Math.abs(value))));
       if (q && belongs(balance, about, q, contact) && !mine.some((other) => far(other) < SAME)) {
         mine.push(q);

@@ -33,8 +33,8 @@ def render(material: Material) -> dict[str, str]:
         "kernel": _kernel(material) if material.kernel.routines else "",
         "declarations": own.get("declarations.h", ""),
         "definitions": "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE),
-        "wrappers": "\n".join(algebra.wrapper(function, library) for function in public),
-        "prototypes": "".join(algebra.prototype(function, library) for function in public),
+        "wrappers": "\n".join(algebra.wrapper(function, library, material.angles) for function in public),
+        "prototypes": "".join(algebra.prototype(function, library, material.angles) for function in public),
     }
     names = {"library": library, "LIBRARY": library.upper()}
     header, source = (
@@ -53,7 +53,7 @@ def _words(material: Material) -> dict[str, str]:
         "source": material.digest[:16],
         "header": textwrap.fill(material.header.replace("``", ""), 118, subsequent_indent=" * "),
         "summary": textwrap.fill(plain(material.summary), 118, subsequent_indent=" * "),
-        "symbols": algebra.symbols((material.algebra[name] for name in material.public), material.quantities),
+        "symbols": algebra.symbols((material.algebra[name] for name in material.public), material.quantities, material.angles),
     }
     for name, quantity in material.quantities.items():
         words[f"meaning:{name}"] = plain(quantity.meaning)

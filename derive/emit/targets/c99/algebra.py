@@ -16,6 +16,9 @@ from ...statements import flatten, straight_line
 from ..python.algebra import NAMES, AlgebraPrinter
 from .layout import broken, comment, plain
 
+#: Angles by their names, and the arguments of the algebra that stand for one, cosine and sine last.
+Angles = Mapping[str, tuple[str, ...]]
+
 _LARGEST_EXACT = 2**53
 
 
@@ -80,9 +83,15 @@ def _result(function: Function) -> str:
     return f"double result[{count}]" if isinstance(function.results, tuple) else "double *result"
 
 
-def _signature(start: str, function: Function, result: str | None) -> str:
-    arguments = [f"double {_name(symbol)}" for symbol in function.arguments] + ([] if result is None else [result])
+def _signature(start: str, names: Iterable[str], result: str | None) -> str:
+    arguments = [f"double {name}" for name in names] + ([] if result is None else [result])
     return broken(f"{start}({', '.join(arguments)})")
+
+
+def taken(function: Function, angles: Angles) -> list[str]:
+    """Arguments of the public function: those of the algebra, an angle in the place of its cosine and sine."""
+    angle_of = {part: angle for angle, parts in angles.items() for part in parts}
+    return list(dict.fromkeys(c_name(angle_of.get(str(symbol), str(symbol))) for symbol in function.arguments))
 
 
 def static(name: str, function: Function) -> Emitted:
@@ -95,7 +104,7 @@ def static(name: str, function: Function) -> Emitted:
     start = f"INLINE {'double' if single else 'void'} {name}"
     lines = [
         comment(f"{function.summary} Source: {function.equations}. Operations: {body.operations}.").rstrip(),
-        _signature(start, function, None if single else _result(function)) + " {",
+        _signature(start, map(_name, function.arguments), None if single else _result(function)) + " {",
         *(f"    (void){_name(symbol)};" for symbol in function.arguments if symbol not in used),
         *(_statement(f"const double {_name(symbol)} =", expression) for symbol, expression in body.assignments),
         *(_statement(target, expression) for target, expression in zip(targets, results, strict=True)),
@@ -112,35 +121,45 @@ def _spaced(expression: str) -> str:
     return re.sub(r"([*/])", r" \1 ", expression)
 
 
-def wrapper(function: Function, library: str) -> str:
+def wrapper(function: Function, library: str, angles: Angles) -> str:
     """The public function: no null pointer in, no NaN out."""
     count = len(list(flatten(function.results)))
     arguments = ", ".join(_name(symbol) for symbol in function.arguments)
+    names = taken(function, angles)
+    listed = ", ".join(names)
+    turned = [
+        f"    const double {part} = {turn}({angle});\n"
+        for angle, parts in angles.items() if angle in names
+        for turn, part in zip(("cos", "sin"), parts[-2:], strict=True)
+    ]  # fmt: skip
     several = isinstance(function.results, tuple)
     name = f"algebra_{function.name}"
     call = f"{name}({arguments}, value);" if several else f"value[0] = {name}({arguments});"
     return (
-        _signature(f"{library}_status {library}_{function.name}", function, _result(function)) + " {\n"
-        f"{broken(f'    const double given[] = {{{arguments}}};')}\n"
+        _signature(f"{library}_status {library}_{function.name}", names, _result(function)) + " {\n"
+        f"{broken(f'    const double given[] = {{{listed}}};')}\n"
         f"    double value[{count}];\n"
-        f"    if (!result || !finite_all({len(function.arguments)}, given)) {{\n"
+        f"    if (!result || !finite_all({len(names)}, given)) {{\n"
         f"        return {library.upper()}_BAD_INPUT;\n"
         "    }\n"
+        f"{''.join(turned)}"
         f"{broken(f'    {call}')}\n"
         f"    return deliver({count}, value, result);\n"
         "}\n"
     )
 
 
-def prototype(function: Function, library: str) -> str:
+def prototype(function: Function, library: str, angles: Angles) -> str:
     """The declaration of the public function."""
     operations = straight_line(function).operations
     text = f"{function.summary} Result: {function.returns}. Source: {function.equations}. Operations: {operations}."
     said = textwrap.fill(plain(text), 114, initial_indent="/** ", subsequent_indent=" * ")
-    return f"\n{said} */\n" + _signature(f"{library}_status {library}_{function.name}", function, _result(function)) + ";\n"
+    start = f"{library}_status {library}_{function.name}"
+    return f"\n{said} */\n" + _signature(start, taken(function, angles), _result(function)) + ";\n"
 
 
-def symbols(functions: Iterable[Function], quantities: Mapping[str, Quantity]) -> str:
+def symbols(functions: Iterable[Function], quantities: Mapping[str, Quantity], angles: Angles) -> str:
     """What every argument of the public functions is, as lines of a comment."""
-    names = dict.fromkeys(symbol for function in functions for symbol in function.arguments)
-    return "\n * ".join(f"{_name(symbol)}: {plain(quantities[str(symbol)].meaning)}" for symbol in names)
+    known = {c_name(name): quantity for name, quantity in quantities.items()}
+    names = dict.fromkeys(name for function in functions for name in taken(function, angles))
+    return "\n * ".join(f"{name}: {plain(known[name].meaning)}" for name in names)

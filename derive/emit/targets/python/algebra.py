@@ -11,7 +11,7 @@ from sympy.printing.str import StrPrinter
 
 from ...function import Function, Module, Results
 from ...quantities import Quantity
-from ...statements import straight_line
+from ...statements import Body, straight_line
 
 #: What is printed: algebra, and functions by their names in each language.
 KNOWN = (sp.Symbol, sp.Rational, sp.Float, sp.Add, sp.Mul, sp.Pow, sp.core.numbers.Pi, sp.core.numbers.Exp1)
@@ -33,6 +33,8 @@ class RoundedError(ArithmeticError):
 class AlgebraPrinter(StrPrinter):
     """Python source in which a rational coefficient stays a multiplication and a division by integers."""
 
+    #: A name for 1 in the number type of the arguments, of which a fraction that stands by itself is made; without it none may.
+    one = ""
     #: What functions are called in the language.
     functions: ClassVar[Mapping[str, str]] = {name: f"xp.{name}" for name in NAMES} | {"abs": "abs"}
 
@@ -50,6 +52,8 @@ class AlgebraPrinter(StrPrinter):
         # x/2 is printed by the product that holds the 1/2; a fraction on its own would be a float, which some are exactly.
         if expression.q & (expression.q - 1) == 0 and abs(expression.p) < 2**53 and expression.q < 2**53:
             return repr(expression.p / expression.q)
+        if self.one:
+            return f"({expression.p}*{self.one}/{expression.q})"
         raise RoundedError(f"the rational {expression.p}/{expression.q} would be rounded: bring the sum over one denominator")
 
     def _print_Add(self, expression: sp.Add, order: str | None = None) -> str:
@@ -157,18 +161,37 @@ def definition(function: Function) -> str:
         "@broadcasting",
         signature,
         textwrap.indent(_docstring(function, body.operations), "    "),
-        *(_wrap(f"    {symbol} = {_assigned(expression)}") for symbol, expression in body.assignments),
-        _return(body.results),
+        *_statements(function, body),
     ]
     return "\n".join(lines)
 
 
-def _assigned(expression: sp.Expr) -> str:
+def _statements(function: Function, body: Body) -> list[str]:
+    """Assignments and the return statement; where a fraction stands by itself, after a 1 of the arguments' number type."""
+    try:
+        return _printed(body, _PRINTER)
+    except RoundedError:
+        if not function.accepted:
+            raise
+    printer = AlgebraPrinter({"order": None})
+    printer.one = "one"
+    while printer.one in {str(symbol) for symbol in (*function.accepted, *(symbol for symbol, _ in body.assignments))}:
+        printer.one += "_"
+    total = " + ".join(map(str, function.accepted))
+    return [_wrap(f"    {printer.one} = 0*({total}) + 1"), *_printed(body, printer)]
+
+
+def _printed(body: Body, printer: AlgebraPrinter) -> list[str]:
+    assigned = [_wrap(f"    {symbol} = {_assigned(expression, printer)}") for symbol, expression in body.assignments]
+    return [*assigned, _return(body.results, printer)]
+
+
+def _assigned(expression: sp.Expr, printer: AlgebraPrinter) -> str:
     """The right side of an assignment; a square is always a whole right side, and is printed as a product."""
     if isinstance(expression, sp.Pow) and expression.exp == 2:
-        factor = _PRINTER.doprint(expression.base)
+        factor = printer.doprint(expression.base)
         return f"{factor}*{factor}"
-    return str(_PRINTER.doprint(expression))
+    return str(printer.doprint(expression))
 
 
 def _annotation(results: Results) -> str:
@@ -177,19 +200,19 @@ def _annotation(results: Results) -> str:
     return f"tuple[{', '.join(_annotation(item) for item in results) or '()'}]"
 
 
-def _tuple(results: Results) -> str:
+def _tuple(results: Results, printer: AlgebraPrinter) -> str:
     if not isinstance(results, tuple):
-        return str(_PRINTER.doprint(results))
+        return str(printer.doprint(results))
     comma = "," if len(results) == 1 else ""
-    return f"({', '.join(_tuple(item) for item in results)}{comma})"
+    return f"({', '.join(_tuple(item, printer) for item in results)}{comma})"
 
 
-def _return(results: Results) -> str:
+def _return(results: Results, printer: AlgebraPrinter) -> str:
     """The return statement, on one line or one result a line."""
-    line = f"    return {_tuple(results)}"
+    line = f"    return {_tuple(results, printer)}"
     if len(line) <= _WIDTH or not isinstance(results, tuple):
         return _wrap(line)
-    return "    return (\n" + "".join(f"{_wrap(' ' * 8 + _tuple(item))},\n" for item in results) + "    )"
+    return "    return (\n" + "".join(f"{_wrap(' ' * 8 + _tuple(item, printer))},\n" for item in results) + "    )"
 
 
 def _wrap(line: str) -> str:

@@ -1,0 +1,52 @@
+"""What a page can't say, each with what can be done instead: the list of the guide, and the words of the refusals."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+#: So many coordinates has a model at most.
+MOST_COORDINATES = 4
+
+
+@dataclass(frozen=True)
+class Limit:
+    """One entry of the list."""
+
+    what: str
+    instead: str
+
+    def __str__(self) -> str:
+        return f"a page can't say {self.what}; {self.instead}"
+
+
+SECOND_CONTACT = Limit(
+    "a second contact or a second friction",
+    "keep the one that jams; a support that neither lifts off nor rubs is a spring, as page.spring(k, along=y)",
+)
+CONTACT_DAMPING = Limit(
+    "damping in the contact",
+    "a damper beside it, page.damper(c, along=y), takes the same energy, in lift-off too, and adds nothing to the normal force",
+)
+NONLINEAR_DAMPER = Limit(
+    "a damper that is nonlinear in speed",
+    "take the coefficient at the speeds that matter, page.damper(c, along=x); it may depend on the place, as c*(1 + x**2/L_0**2)",
+)
+STICKING = Limit(
+    "sticking, a friction that is not 0 at speed 0",
+    "write a law that is steep there, as mu0*tanh(d*v): what sticks then creeps, the slower the larger d is",
+)
+FORCING = Limit(
+    "forcing in time",
+    "let a heavy mass on a spring, a coordinate of its own, swing at that frequency and pull by a weak spring: its start is its amplitude",
+)
+FRICTION_STATE = Limit(
+    "friction with a state of its own",
+    "write its steady value as a law of the sliding speed; a bristle may be a light mass that slides, on a spring and a damper",
+)
+FIFTH_COORDINATE = Limit(
+    "more than four coordinates",
+    "hold still what is stiffest, or join what moves together",
+)
+
+#: All of them, in the order of the guide.
+LIMITS = (SECOND_CONTACT, CONTACT_DAMPING, NONLINEAR_DAMPER, STICKING, FORCING, FRICTION_STATE, FIFTH_COORDINATE)

@@ -1,0 +1,347 @@
+"""What a page can't say is refused by its line, in the words of the guide, and what it can say goes through."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("sympy")
+
+import importlib
+
+import numpy as np
+
+import spragsym as ss
+from spragsym.cli import COMMANDS
+from spragsym.cli.with_model import ForModels
+from spragsym.derive import folder, limits, pages, reserved
+from spragsym.derive.model import PageError
+from tests.support import few
+
+ROOT = Path(__file__).parent.parent
+
+PAGE = '''r"""A mass on a belt."""
+import sympy as sp
+from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin, sqrt, tanh
+
+page = Page("A mass on a belt.")
+m = page.unit("m", "kg", "mass")
+k_c = page.unit("k_c", "N/m", "contact stiffness")
+L_0 = page.unit("L_0", "m", "length")
+mu0 = page.parameter("mu0", "1", "friction", ">= 0", 0.5)
+F_L = page.parameter("F_L", "N", "preload", "> 0", 0.05, becomes="kappa")
+k = page.parameter("k", "N/m", "stiffness", ">= 0", 0.3, becomes="sigma")
+c = page.parameter("c", "N s/m", "damping", ">= 0", 0.02, becomes="zeta")
+a = page.parameter("a", "1", "share", "real", 0.5)
+psi = page.parameter("psi", "rad", "angle", "(-pi, pi)", 0.4)
+V = page.parameter("V", "m/s", "speed", ">= 0", 0.5)
+d = page.parameter("d", "s/m", "steepness", "> 0", 10.0)
+x = page.coordinate("x", "m", "along")
+y = page.coordinate("y", "m", "across")
+more = []
+page.kinetic(m * (page.rate(x)**2 + page.rate(y)**2) / 2 + sum(more))
+page.spring(k + k_c * a**2, along=x)
+page.damper(c, along=y)
+page.force(0, -F_L * (1 + sin(psi) * a), at=(x, y))
+page.contact(y, lambda depth: k_c * depth)
+page.friction(x, V, lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0)
+'''  # fmt: skip
+
+
+def written(tmp_path: Path, *changes: tuple[str, str]) -> Path:
+    text = PAGE
+    for before, after in changes:
+        assert text.count(before) == 1, before
+        text = text.replace(before, after)
+    path = tmp_path / "mine.py"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def loaded(tmp_path: Path, *changes: tuple[str, str]) -> ss.models.Model:
+    folder.write_page(written(tmp_path, *changes), tmp_path / "mine")
+    return ss.load(tmp_path / "mine")
+
+
+def accelerations(model: ss.models.Model, state: tuple[float, ...], **changes: float) -> np.ndarray:
+    p = model.Parameters(**changes)
+    return np.array(model.motion.rhs(*state, *(float(value) for value in model.arguments(p, "motion"))))
+
+
+# ------------------------------------------------------------------------------------------------ what a page can't say
+
+#: Entry of the list → the statement that is replaced, what stands in its place, and a piece of the line that is named.
+DAMPER, CONTACT = "page.damper(c, along=y)", "page.contact(y, lambda depth: k_c * depth)"
+LAW = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
+BEYOND: dict[str, tuple[limits.Limit, str, str, str]] = {
+    "two contacts": (limits.SECOND_CONTACT, DAMPER, "page.contact(x, lambda depth: k_c * depth)", CONTACT),
+    "a contact and a force": (limits.SECOND_CONTACT, DAMPER, "page.normal_force(F_L)", CONTACT),
+    "two frictions": (limits.SECOND_CONTACT, DAMPER, "page.friction(y, V, lambda v: mu0 * tanh(d * v))", "page.friction(x"),
+    "a gap with speeds": (limits.CONTACT_DAMPING, "page.contact(y,", "page.contact(y + page.rate(y) / d / V,", "page.contact("),
+    "a law with speeds": (limits.CONTACT_DAMPING, "k_c * depth)", "k_c * depth - c * page.rate(y))", "page.contact("),
+    "a law of two": (limits.CONTACT_DAMPING, "lambda depth: k_c", "lambda depth, speed: c * speed + k_c", "page.contact("),
+    "a force with speeds": (limits.CONTACT_DAMPING, CONTACT, "page.normal_force(F_L + c * page.rate(x))", "page.normal_force("),
+    "a coefficient with speeds": (limits.NONLINEAR_DAMPER, DAMPER, "page.damper(c * page.rate(y)**2 / V**2, along=y)",
+                                  "page.damper("),
+    "a force of the square": (limits.NONLINEAR_DAMPER, DAMPER, "page.force(-c * page.rate(y)**3 / V**2, along=y)",
+                              "page.force(-c"),
+    "Coulomb": (limits.STICKING, LAW, "lambda v: mu0 * sgn(v), at_rest=mu0", "page.friction("),
+    "a jump at rest": (limits.STICKING, LAW, "lambda v: mu0 * (1 + exp(-d * Abs(v))) * sgn(v), at_rest=mu0", "page.friction("),
+    "time": (limits.FORCING, DAMPER, "page.force(F_L * cos(t), along=y)", "cos(t)"),
+    "time of the page": (limits.FORCING, DAMPER, "page.force(F_L * cos(page.time), along=y)", "page.time"),
+    "time as a symbol": (limits.FORCING, DAMPER, "page.force(F_L * cos(sp.Symbol('t')), along=y)", "sp.Symbol"),
+    "friction of a place": (limits.FRICTION_STATE, LAW, "lambda v: mu0 * tanh(d * v) * (1 + y / L_0)", "page.friction("),
+    "friction of a state": (limits.FRICTION_STATE, LAW, "lambda v, z: mu0 * tanh(d * v) * z", "page.friction("),
+    "five coordinates": (limits.FIFTH_COORDINATE, "more = []",
+                         "more = [m * page.rate(page.coordinate(f'z{i}', 'm', 'z'))**2 for i in range(3)]",
+                         "more = ["),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", BEYOND)
+def test_what_a_page_cannot_say_is_refused_in_the_words_of_the_list(case: str, tmp_path: Path) -> None:
+    limit, before, after, place = BEYOND[case]
+    path = written(tmp_path, (before, after))
+    lines = path.read_text(encoding="utf-8").splitlines()
+    (number,) = [number for number, line in enumerate(lines, 1) if place in line]
+    with pytest.raises(PageError) as refused:
+        pages.read(path)
+    assert str(refused.value).startswith(f"mine.py, line {number}: ")
+    assert str(limit) in str(refused.value)
+
+
+def test_the_list_is_that_of_the_guide() -> None:
+    """Every entry stands there with what can be done instead, and every entry is refused above."""
+    guide = " ".join((ROOT / "docs" / "howto_model.md").read_text(encoding="utf-8").replace("`", "").split())
+    for limit in limits.LIMITS:
+        assert f"{limit.what}: {limit.instead}" in guide, limit.what
+    assert {limit for limit, *_ in BEYOND.values()} == set(limits.LIMITS)
+
+
+#: What the list says to do instead, done.
+INSTEAD = {
+    "a spring for a support": (DAMPER, "page.spring(k, along=y); page.damper(c, along=x)"),
+    "a damper beside the contact": (DAMPER, "page.damper(c, along=y)"),
+    "a damper by the place": (DAMPER, "page.damper(c*(1 + x**2/L_0**2), along=x)"),
+    "a steep law": (LAW, "lambda v: mu0*tanh(d*v)"),
+    "a mass that swings": (
+        "more = []", "z = page.coordinate('z', 'm', 'heavy mass')\n"
+        "more = [1000 * m * page.rate(z)**2]\npage.spring(k, along=x - z)\npage.spring(1000 * k_c, along=z)",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", INSTEAD)
+def test_what_can_be_done_instead_can_be_done(case: str, tmp_path: Path) -> None:
+    pages.read(written(tmp_path, INSTEAD[case]))
+
+
+def test_a_heavy_mass_forces_the_body(tmp_path: Path) -> None:
+    """Weakly tied to a heavy mass that swings, the body moves as a forced oscillator does: held against its closed form."""
+    more = INSTEAD["a mass that swings"]
+    model = loaded(tmp_path, more, (CONTACT, "page.normal_force(F_L)"))
+    p = model.Parameters(mu0=0.0, sigma=1e-3, zeta=0.3, kappa=1.0)
+    tr = model.simulate(p, z0=1.0, t_end=40.0)
+    t = tr.t
+    stiff, drive = 0.25 + 2e-3, 1e-3  # of x, and of the tie
+    free = np.sqrt(stiff)
+    swing = np.sqrt(0.5)  # 2000 m z'' = −1000 k_c z
+    forced = drive / (stiff - swing**2) * (np.cos(swing * t) - np.cos(free * t))
+    assert np.abs(tr.x - forced).max() < 0.02 * np.abs(forced).max()
+
+
+# ------------------------------------------------------------------------------------------------ what a page can say
+
+STATE = (0.1, -0.2, 0.3, 0.4)
+
+
+def test_a_damper_along_a_sum_of_coordinates(tmp_path: Path) -> None:
+    """A viscous force −c n nᵀ v, by hand; the parameters of n are dimensionless there, as anywhere."""
+    model = loaded(tmp_path, (DAMPER, "page.damper(c, along=x*cos(psi) + 2*a*y*sin(psi))"))
+    without = accelerations(model, STATE, zeta=0.0)
+    n = np.array([np.cos(0.4), 2 * 0.5 * np.sin(0.4)])
+    np.testing.assert_allclose(accelerations(model, STATE, zeta=0.1) - without, -0.1 * n * (n @ STATE[2:]), rtol=1e-13)
+
+
+def test_a_spring_along_a_sum_of_coordinates(tmp_path: Path) -> None:
+    model = loaded(
+        tmp_path, (DAMPER, "page.spring(k, along=x + 3*psi*y, length=L_0*psi); page.damper(c, along=x)"), ("sin(psi) * a", "a")
+    )
+    without = accelerations(model, STATE, sigma=0.0)
+    n = np.array([1.0, 3 * 0.4])
+    pulled = -0.1 * n * (n @ STATE[:2] - 0.4) - np.array([0.1 * STATE[0], 0.0])
+    np.testing.assert_allclose(accelerations(model, STATE, sigma=0.1) - without, pulled, rtol=1e-12)
+
+
+@pytest.mark.parametrize("statement", ["spring(k*a, along=x + psi*y)", "force(F_L*a, along=y + psi*x)",
+                                       "torsion(k*L_0**2*a, (x, y), (0, L_0), rest=psi)"])  # fmt: skip
+def test_a_parameter_that_stands_beside_a_coordinate_only_is_used(statement: str, tmp_path: Path) -> None:
+    pages.read(written(tmp_path, (DAMPER, f"page.damper(c, along=y); page.{statement}"), ("sin(psi) * a", "1")))
+
+
+def test_a_third_is_exact(tmp_path: Path) -> None:
+    """A rod's inertia m l²/3, as it stands; its number is an enclosure where intervals are asked for."""
+    model = loaded(tmp_path, ("page.rate(x)**2 +", "page.rate(x)**2 / 3 +"))
+    given = [float(value) for value in model.arguments(model.Parameters(), "motion")]
+    assert model.linearization.mass_matrix(*STATE[:2], *given)[0][0] == pytest.approx(1 / 3, rel=1e-15)
+    mp = pytest.importorskip("mpmath")
+    with mp.workdps(40):
+        (third, _), _ = model.linearization.mass_matrix(*map(mp.mpf, (*STATE[:2], *given)), xp=mp)
+        assert abs(3 * third - 1) < mp.mpf(10) ** -39
+    intervals = [mp.iv.mpf(value) for value in (*STATE[:2], *given)]
+    (third, _), _ = model.linearization.mass_matrix(*intervals, xp=mp.iv)
+    assert 1 in 3 * third
+    assert third.delta > 0
+
+
+def test_a_greatest_of_two_is_refused_for_its_kink(tmp_path: Path) -> None:
+    with pytest.raises(PageError, match=r"holds Max.*not smooth"):
+        pages.read(written(tmp_path, (DAMPER, "page.potential(k * sp.Max(x, y)**2)")))
+
+
+@pytest.mark.parametrize(("said", "words"), [
+    ("page.spring(k, along=x + V)", "adds what can't be added"),
+    ("page.spring(k, along=x, length=V)", "undeformed length"),
+    ("page.damper(c, along=x * y)", "expected is kg m.-2 s.-1"),
+    ("page.force(F_L, along=x * V)", "expected is"),
+    ("page.force(F_L, along=x + V)", "adds what"),
+    ("page.spring(k, along=x + sp.Symbol('b'))", "does not define"),
+    ("page.push(F_L, along=x)", "a page has .*kinetic, .*force"),
+    ("page.spring(K, along=x)", "offers Abs"),
+    ("page.contact(y, 3)", "no function"),
+])  # fmt: skip
+def test_a_statement_that_does_not_fit_is_refused_by_its_line(said: str, words: str, tmp_path: Path) -> None:
+    path = written(tmp_path, (CONTACT if "contact" in said else DAMPER, said))
+    (number,) = [number for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1) if said in line]
+    with pytest.raises(PageError, match=rf"line {number}: .*{words}"):
+        pages.read(path)
+
+
+def test_a_limit_that_depends_on_a_sign_is_refused_by_its_line(tmp_path: Path) -> None:
+    with pytest.raises(PageError, match=r'line 25: .*domains that decide it, as "> 0"'):
+        pages.read(written(tmp_path, ("exp(-d * Abs(v))", "exp(-a * d * Abs(v))")))
+
+
+# ------------------------------------------------------------------------------------------------ names
+
+
+def test_names_that_commands_take_are_those_of_the_command_line() -> None:
+    """Every option of a command for models, by what is typed and by what it is called inside."""
+    model = ss.load("stick_slip")
+    own = {*model.parameters, *(f"{name}0" for name in (*model.coordinates, *model.rates))}
+    typed = {"help"}
+    for command, (module, _) in COMMANDS.items():
+        made = getattr(importlib.import_module(f"spragsym.cli.{module}"), command)
+        if isinstance(made, ForModels):
+            options = [option for option in made.of_model(model).params if option.name not in own]
+            typed |= {option.name for option in options}
+            typed |= {flag[2:].replace("-", "_") for option in options for flag in option.opts if flag.startswith("--")}
+    assert typed == reserved.OF_COMMANDS
+    public = {name for name in dir(ss.parameters.sets.ParameterSet) if not name.startswith("_")}
+    assert reserved.OF_SETS == public | {"self"}
+
+
+@pytest.mark.parametrize(
+    "name", few(sorted(reserved.OF_COMMANDS | reserved.OF_SETS | reserved.OF_CODE), "json", "model", "depth")
+)
+def test_a_name_of_an_option_is_refused_by_its_line(name: str, tmp_path: Path) -> None:
+    if name == "from":
+        pytest.skip("no name in Python")
+    with pytest.raises(PageError, match=r"line 13: .*give it another name"):
+        pages.read(written(tmp_path, ('"a", "1"', f'"{name}", "1"')))
+
+
+def test_a_parameter_may_be_named_speed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Then the belt's speed V goes by its own letter."""
+    from spragsym.cli import main
+
+    folder.write_page(written(tmp_path, ('"a", "1"', '"speed", "1"')), tmp_path / "mine")
+    with pytest.raises(SystemExit) as ended:
+        main(["simulate", "--model", str(tmp_path / "mine"), "--speed", "0.25", "--V", "0.3", "--t-end", "1"])
+    assert ended.value.code == 0
+    assert "rms" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("name", few(["w0", "w1", "v", "u", "x_2", "root0", "base0", "speed", "creep"], "w0", "v"))
+def test_no_name_of_a_parameter_changes_the_model(name: str, tmp_path: Path) -> None:
+    """Generated code names its own shorthands around it."""
+    law = ("1 - exp(-d * Abs(v))", "(1 + a**2 * exp(-a * d * Abs(v))) * (1 - exp(-d * Abs(v)))")
+    positive = ('"share", "real"', '"share", "> 0"')
+    mine, plain = tmp_path / "one", tmp_path / "two"
+    for place in (mine, plain):
+        place.mkdir()
+    found = [
+        accelerations(loaded(place, law, positive, *more), STATE)
+        for place, more in ((mine, (('"a", "1"', f'"{name}", "1"'),)), (plain, ()))
+    ]
+    np.testing.assert_array_equal(*found)
+
+
+# ------------------------------------------------------------------------------------------------ what varies, and what is drawn
+
+
+def without_mu0(tmp_path: Path) -> ss.models.Model:
+    """A page of an angle, whose parameters have names of their own."""
+    text = PAGE.replace("mu0", "mu_s").replace('coordinate("x"', 'coordinate("u"')
+    path = tmp_path / "mine.py"
+    path.write_text(text, encoding="utf-8")
+    folder.write_page(path, tmp_path / "mine")
+    return ss.load(tmp_path / "mine")
+
+
+def test_what_varies_by_itself_is_a_parameter_of_the_model(tmp_path: Path) -> None:
+    model = without_mu0(tmp_path)
+    assert model.axes == ("mu_s",)
+    assert model.folds(model.Parameters()).vary == ("mu_s",)
+    assert model.flutter_onsets(model.Parameters(), damping=False).vary == ("mu_s",)
+    with pytest.raises(ss.ParameterError, match="give vary, two of"):
+        model.cusps(model.Parameters())
+    assert ss.load("two_springs").axes == ("theta0", "mu0")
+    assert ss.load("mode_coupling").axes == ("mu0",)
+
+
+@pytest.mark.parametrize("name", ["two_springs", "mode_coupling"])
+def test_along_what_varies_already_is_refused_at_once(name: str, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
+    """Before anything is searched; with nothing said, the second parameter is the other one."""
+    from spragsym.cli import main
+    from spragsym.models.model import Model
+
+    asked = []
+    for search in ("folds", "flutter_onsets", "cusps"):
+        monkeypatch.setattr(Model, search, lambda model, p, vary, between: asked.append(vary) or 1 / 0)
+    with pytest.raises(SystemExit) as ended:
+        main(["bifurcation", "--model", name, "--vary", "mu0", "--along", "mu0"])
+    assert ended.value.code == 2
+    assert "give another parameter" in capsys.readouterr().err
+    with pytest.raises(SystemExit) as ended:
+        main(["bifurcation", "--model", name, "--vary", "mu0", "--along", "nothing"])
+    assert ended.value.code == 2
+    assert not asked
+
+
+def test_a_motion_without_x_is_drawn(tmp_path: Path) -> None:
+    figures = pytest.importorskip("spragsym.figures")
+    model = without_mu0(tmp_path)
+    tr = model.simulate(model.Parameters(), t_end=5.0)
+    line = figures.draw_motion(tr)
+    assert line.axes.get_ylabel() == "$u$"
+    assert figures.draw_motion(tr, "vu").axes.get_ylabel() == r"$\dot{u}$"
+    np.testing.assert_allclose(line.get_ydata()[-1], tr.u[-1], atol=1e-9)
+    with pytest.raises(ss.ParameterError, match="is not one of u, y"):
+        figures.draw_motion(tr, "x")
+
+
+def test_a_mass_that_nothing_presses_is_on_the_border(tmp_path: Path) -> None:
+    """Its contact law ends where it rests: what can't be decided there is a box, and no error."""
+    law = ("k_c * depth)", "k_c * depth / (1 + depth / L_0))")
+    model = loaded(
+        tmp_path,
+        law,
+        ("page.force(0, -F_L * (1 + sin(psi) * a), at=(x, y))", "page.force(-F_L * (1 + sin(psi) * a), 0, at=(x, y))"),
+    )
+    eq = model.equilibria(model.Parameters())
+    assert not eq.complete
+    assert len(eq.undecided) == 1
+    assert eq.undecided[0].low[1] <= 0 <= eq.undecided[0].high[1]
+    assert eq.remarks

@@ -1,0 +1,54 @@
+"""Pages at random, from all of the vocabulary, against mechanics assembled from their energies in numbers."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+
+pytest.importorskip("sympy")
+
+from benchmarks.random_pages import draw
+from benchmarks.validate_random_pages import Reference, judge
+from tests.support import few
+
+#: Of the seed 2: one coordinate or more, gaps and slides that are expressions, angles, dampers.
+SEED, NUMBERS = 2, (0, 1, 2, 5, 6, 7, 8, 9)
+
+
+@pytest.mark.parametrize("number", few(NUMBERS, 1, 2))
+def test_a_page_at_random_is_as_it_is_written(number: int) -> None:
+    """Accelerations, states with their gaps, growth; by Newton's method from many starts no state is missed."""
+    outcome = judge(SEED, number)
+    assert outcome["kind"] == "right", outcome
+
+
+def test_pages_are_the_same_wherever_they_are_drawn() -> None:
+    texts = [draw(SEED, number).text() for number in range(40)]
+    assert texts == [draw(SEED, number).text() for number in range(40)]
+    assert len(set(texts)) == 40
+    for text in texts:
+        ast.parse(text)
+    drawn = [draw(SEED, number) for number in range(300)]
+    assert {len(page.coordinates) for page in drawn} == {1, 2, 3, 4}
+    for part in (
+        "springs",
+        "lines",
+        "torsions",
+        "dampers",
+        "line_dampers",
+        "potentials",
+        "forces",
+        "contact",
+        "normal",
+        "friction",
+    ):
+        assert sum(bool(getattr(page, part)) for page in drawn) > 10, part
+
+
+def test_the_reference_can_find_a_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With the gap's force turned round nothing is as it is written."""
+    right = Reference.gap
+    monkeypatch.setattr(Reference, "gap", lambda self, q: right(self, q) * (1 + q[0] / 50))
+    number = next(number for number in NUMBERS if draw(SEED, number).contact)
+    assert judge(SEED, number)["kind"] == "wrong"

@@ -155,10 +155,13 @@ def _takes(
 ) -> bool:
     """Whether a closed form has arguments of these names, and knows what varies, if that is of the model at all."""
     try:
-        vary = _signature(closed).bind(*args, **options).arguments.get("vary")
+        given = _signature(closed).bind(*args, **options).arguments
     except TypeError:
         return False
-    if not along or vary is None:
+    if not along or "vary" not in given:
         return True
+    vary = given["vary"]
+    if vary is None:
+        return False
     names = (vary,) if isinstance(vary, str) else tuple(vary)
     return (vary if isinstance(vary, str) else names) in along or not set(names) <= set(model.parameters)

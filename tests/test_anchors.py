@@ -14,7 +14,7 @@ from benchmarks.model_references import turned_spring
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.balance import Balance
 from spragsym.models.regions import region
-from spragsym.models.remarks import remarks
+from spragsym.models.remarks import of_boxes
 from tests.conftest import Once
 from tests.support import few
 from tests.test_documents import ROOT
@@ -156,13 +156,13 @@ def test_what_is_open_is_said_in_words(model: Any) -> None:
     balance = Balance(model, False)
     given = np.array([[model.base[name]] for name in balance.parameters])
     region(balance, Intervals.point(given))
-    low = np.array([[np.cos(0.8) - 0.1, 0.2, 0.2, 0.1], [np.sin(0.8) - 0.1, -1e-3, 0.3, 0.2]])
-    high = low + np.array([0.2, 2e-3, 1e-12, 0.1])
-    told = remarks(balance, given, np.stack([-low, high]), np.zeros(4, dtype=np.int64))
-    assert [text[:6] for text in told] == ["1 of 4"] * 4
-    for text, word in zip(told, ("anchor", "touches", "one place", "along"), strict=True):
+    low = np.array([[np.cos(0.8) - 1e-4, 0.2, 0.2, 0.1, 0.1], [np.sin(0.8) - 1e-4, -1e-4, 0.3, 0.2, 0.2]])
+    high = low + np.array([2e-4, 2e-4, 1e-12, 1e-4, 0.1])
+    told = of_boxes(balance, np.repeat(given, 5, axis=1), np.stack([-low, high]))
+    assert [text[:6] for text in told] == ["1 of 5"] * 5
+    for text, word in zip(told, ("anchor", "touches", "one place", "along", "ended before"), strict=True):
         assert word in text
-    assert not remarks(balance, given, np.empty((2, 2, 0)), np.zeros(0, dtype=np.int64))
+    assert not of_boxes(balance, given[:, :0], np.empty((2, 2, 0)))
 
 
 STIFF = [

@@ -14,7 +14,7 @@ import sympy as sp
 
 import spragsym as ss
 from spragsym.catastrophe import cusp_proofs, fold_proofs
-from spragsym.catastrophe.enclosures import Angles, Point, in_contact
+from spragsym.catastrophe.enclosures import Angles, Point, SineRoot, in_contact
 from spragsym.exact import charts, escalation, polynomials
 from spragsym.exact.intervals import Arithmetic, Balls
 from spragsym.exact.polynomials import Undecided
@@ -314,23 +314,27 @@ def test_sines_of_cusps_at_both_ends(values: str) -> None:
 
 
 def test_a_function_that_vanishes_at_a_root_is_known_to() -> None:
-    """At sin θ = 1/√3 and 3/5, which no interval of dyadic ends is: numerators of degree 10 over (3 s² − 2)²."""
+    """At sin θ = 1/√3 and 3/5, which no interval of dyadic ends is: polynomials of degree 10."""
     polynomial = (Fraction(-3), Fraction(5), Fraction(9), Fraction(-15))  # (5 s − 3)(1 − 3 s²)
-    third = cusp_proofs._Sine(polynomial, Fraction(577, 1000), Fraction(578, 1000))
-    rational = cusp_proofs._Sine(polynomial, Fraction(599, 1000), Fraction(601, 1000))
+    third = SineRoot(polynomial, Fraction(577, 1000), Fraction(578, 1000))
+    rational = SineRoot(polynomial, Fraction(599, 1000), Fraction(601, 1000))
+    exact = SineRoot(polynomial, Fraction(3, 5), Fraction(3, 5))
 
-    def over(numerator: Any) -> Any:
-        return lambda s: (2 + s**8) * numerator(s) / (3 * s * s - 2) ** 2
+    def is_zero(root: SineRoot, numerator: Any) -> bool:
+        arith = Balls()
+        with arith.precision(100):
+            try:
+                open_ = arith.between(Fraction(-1), Fraction(1))
+                return root.sign_of(arith, open_, lambda s: (2 + s**8) * numerator(s), 10, "it") == 0
+            except Undecided:
+                return False
 
     for numerator, zeros in (
-        (lambda s: 1 - 3 * s * s, (True, False)),
-        (lambda s: s * (5 * s - 3), (False, True)),
-        (lambda s: s * s - 1, (False, False)),
+        (lambda s: 1 - 3 * s * s, (True, False, False)),
+        (lambda s: s * (5 * s - 3), (False, True, True)),
+        (lambda s: s * s - 1, (False, False, False)),
     ):
-        assert (third._is_zero(over(numerator)), rational._is_zero(over(numerator))) == zeros
-    exact = cusp_proofs._Sine(polynomial, Fraction(3, 5), Fraction(3, 5))
-    assert exact._is_zero(lambda s: s - Fraction(3, 5))
-    assert not exact._is_zero(lambda s: s)
+        assert tuple(is_zero(root, numerator) for root in (third, rational, exact)) == zeros
 
 
 @pytest.mark.parametrize("side", [-1, 1])
@@ -370,7 +374,7 @@ def test_what_may_be_upright_is_open() -> None:
         polynomial = cusp_proofs.cusp_sines(*exact, bits=300)[0]
         for low, high in ((-1, -1 + Fraction(1, 2**100)), (-1 - Fraction(1, 2**100), -1)):
             with pytest.raises(Undecided):
-                list(cusp_proofs._cusps_at(arith, exact, cusp_proofs._Sine(polynomial, Fraction(low), Fraction(high))))
+                list(cusp_proofs._cusps_at(arith, exact, SineRoot(polynomial, Fraction(low), Fraction(high))))
 
 
 def test_what_may_be_degenerate_is_not_versal(arith: Arithmetic) -> None:

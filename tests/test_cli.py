@@ -165,6 +165,7 @@ WRITING = {
     "simulate": (["simulate", *MOTION, "-o"], "a.csv"),
     "cycles": (["cycles", "--theta0", "42", "--vary", "theta0", "--from", "41.9", "--to", "42.1", "--plot"], "a.svg"),
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
+    "fates": (["fates", "--theta0", "30,35", "--quiet", "-o"], "a.csv"),
     "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),
     "explore": (["explore", "--no-open", "--out"], "a.html"),
     "export": (["export", "--out"], "spragsym.c"),

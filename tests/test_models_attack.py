@@ -101,7 +101,7 @@ WRONG: dict[str, tuple[Callable[[Any, Any], Any], str]] = {
     "a regime by name": (lambda m, p: m.equilibria(p, contact="lift-off"), "contact = 'lift-off' is neither True"),
     "a regime by number": (lambda m, p: m.equilibria(p, contact=2), "contact = 2 is neither True"),
     "a list of names": (lambda m, p: m.folds(p, vary=["theta0"]), "is not a parameter of this model"),
-    "no names": (lambda m, p: m.cusps(p, None), "give two different parameters"),
+    "one name": (lambda m, p: m.cusps(p, ("mu0", "mu0")), "give two different parameters"),
     "a range by itself": (lambda m, p: m.folds(p, between=(0.5, 1.0)), "between = .* is no mapping"),
     "one end": (lambda m, p: m.folds(p, between={"theta0": (1,)}), "is no range"),
     "a range of text": (lambda m, p: m.folds(p, between={"theta0": "ab"}), "not text"),

@@ -76,7 +76,7 @@ def test_states_far_away_are_found_or_not_complete(coupled: Any, mu: float) -> N
 
 def test_a_box_by_hand_holds_what_it_holds(coupled: Any) -> None:
     """Beyond it nothing is said to be none."""
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     p = model.Parameters(theta0=np.radians(30.0))
     every = model.equilibria(p)
     some = model.equilibria(p, within={"x": (0.0, 0.5)})
@@ -98,16 +98,16 @@ def test_a_box_by_hand_holds_what_it_holds(coupled: Any) -> None:
     ],
 )
 def test_a_box_that_makes_no_sense(within: Any, error: type[Exception]) -> None:
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     with pytest.raises(error, match="within"):
         model.equilibria(model.Parameters(theta0=1.0), within=within)
 
 
 def test_a_range_that_was_cut_is_not_complete() -> None:
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     p = model.Parameters(theta0=1.0)
     cut, asked = model.folds(p, "mu0"), model.folds(p, "mu0", between={"mu0": (0.0, 10.0)})
-    assert cut.mu0.tolist() == asked.mu0.tolist()
+    assert cut.mu0.tolist() == asked.mu0.tolist()  # both by search
     assert (cut.complete, asked.complete) == (False, True)
     assert any("mu0 from 0 to 10" in text for text in cut.remarks)
     assert "from 0 to 10" in str(asked)
@@ -129,7 +129,7 @@ def test_commands_say_what_was_searched() -> None:
 
 @pytest.mark.parametrize("name", ["kang_nam", "stribeck", "hertz_contact", "trolley", "mode_coupling", "stick_slip", "damped"])
 def test_nothing_is_incomplete_without_a_reason(name: str) -> None:
-    model = ss.load(name)
+    model = ss.load(name).search
     p = model.Parameters(**({"theta0": 1.1} if "theta0" in model.parameters else {}))
     for vary in model.parameters:
         for search in (model.folds, model.flutter_onsets):

@@ -33,7 +33,7 @@ def eigenvalues(model: object, eq: ss.models.ModelEquilibria, slot: int, p: obje
 
 @pytest.mark.parametrize("name", ["kang_nam", "damped", "stribeck", "trolley", "two_springs", "mode_coupling", "stick_slip"])
 def test_stable_is_only_what_does_not_grow(name: str) -> None:
-    model, rng = ss.load(name), np.random.default_rng(5)
+    model, rng = ss.load(name).search, np.random.default_rng(5)
     seen = set()
     for _ in range(8):
         values = {key: float(base * 10 ** rng.uniform(-0.7, 0.7)) for key, base in model.base.items()}
@@ -68,7 +68,7 @@ def test_zieglers_paradox() -> None:
 
 def test_the_sign_is_proved_where_floats_see_nothing() -> None:
     """A slope of the friction law of 1e-40 decides what floats call 0."""
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     eq = model.equilibria(model.Parameters(theta0=np.radians(30.0), V=9.0))
     assert (eq.stability[:3] == [Stability.STABLE, Stability.DIVERGENT, Stability.STABLE]).all()
     assert eq.kind.tolist() == ["stable", "divergent", "flutter"]
@@ -76,7 +76,7 @@ def test_the_sign_is_proved_where_floats_see_nothing() -> None:
 
 
 def test_without_damping_it_is_27() -> None:
-    model = ss.load("kang_nam")
+    model = ss.load("kang_nam").search
     p = model.Parameters(theta0=np.radians(30.0), mu0=0.0)
     eq = model.equilibria(p)
     assert (eq.stable == (eq.stability == Stability.STABLE)).all()

@@ -274,19 +274,16 @@ def test_a_curved_gap_pushes_along_its_gradient(models: dict[str, Any]) -> None:
     assert np.allclose(states(model, eq), want, atol=1e-12)
 
 
-def test_a_fraction_by_itself_is_refused_by_its_line(tmp_path: Path) -> None:
-    """A rod's mass of 1/3 would be rounded before any interval encloses it; one half is a float."""
+def test_a_fraction_by_itself_is_exact(tmp_path: Path) -> None:
+    """A rod's mass of 1/3 is a fraction in the arguments' number type; one quarter is a float."""
     from spragsym.derive import folder
-    from spragsym.derive.model import PageError
 
     text = HEAD + "x = page.coordinate('x', 'm', 'along')\npage.kinetic(m * page.rate(x)**2 / 6)\npage.spring(k_c / 2, along=x)\n"
-    (tmp_path / "rod.py").write_text(text, encoding="utf-8")
-    with pytest.raises(PageError, match=r"rod\.py, line 8: .*1/3 would be rounded.*make it a parameter"):
-        folder.write_page(tmp_path / "rod.py", tmp_path / "rod")
-    (tmp_path / "rod.py").write_text(text.replace("/ 6", "/ 8"), encoding="utf-8")
-    folder.write_page(tmp_path / "rod.py", tmp_path / "rod")
-    eq = ss.load(tmp_path / "rod").equilibria(ss.load(tmp_path / "rod").Parameters())
-    assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(2))
+    for number, squared in (("6", 1.5), ("8", 2.0)):
+        (tmp_path / "rod.py").write_text(text.replace("/ 6", f"/ {number}"), encoding="utf-8")
+        folder.write_page(tmp_path / "rod.py", tmp_path / number)
+        eq = ss.load(tmp_path / number).equilibria(ss.load(tmp_path / number).Parameters())
+        assert np.allclose(np.abs(eq.eigenvalues[0]), math.sqrt(squared))
 
 
 def test_a_law_whose_slope_is_a_quotient_of_an_angle(models: dict[str, Any]) -> None:

@@ -13,7 +13,7 @@ from ..parameters import Parameters
 from .commands import command
 from .motion import BACKEND, axes, open_grid, start
 from .options import workers
-from .targets import force, refuse
+from .targets import force, refuse, resumed
 
 
 @command()
@@ -49,12 +49,11 @@ def fates(
     if plot is not None and (plot.suffix not in (".pdf", ".png", ".svg") or min(grid["theta0"].size, grid["mu0"].size) < 2):
         raise ParameterError(f"--plot {plot}: it draws a map over --theta0 and --mu0, and the ending is .pdf, .png or .svg")
     refuse([] if plot is None else [plot], force)
-    if force:
-        output.unlink(missing_ok=True)
     opened = dict(zip(grid, open_grid(list(grid.values())), strict=True))
-    found = fate_map(
-        Parameters(**opened), start=begin, t_end=t_end, backend=backend, workers=workers, progress=not quiet, store=output
-    )
+    with resumed(output, force):
+        found = fate_map(
+            Parameters(**opened), start=begin, t_end=t_end, backend=backend, workers=workers, progress=not quiet, store=output
+        )
     if plot is not None:
         from ..figures import FORMATS, fate_map_figure
         from ..figures.style import house_style

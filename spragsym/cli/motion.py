@@ -5,20 +5,19 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Callable
-from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 import numpy as np
 
-from ..errors import ParameterError, TargetError
+from ..errors import ParameterError
 from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
 from .commands import command
 from .data import current, data, in_units, length, own_units
 from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
 from .tables import print_json
-from .targets import force, refuse, set_aside
+from .targets import force, refuse, resumed
 from .with_model import ForModels, made_for, model_option
 
 if TYPE_CHECKING:
@@ -230,12 +229,9 @@ def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:
     """Run a sweep to its file, and say what its motions came to."""
     from ..sweeps import Regime
 
-    try:
-        with set_aside(output) if force else nullcontext(), warnings.catch_warnings():
-            warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
-            result = run()
-    except TargetError as error:
-        raise TargetError(f"{error}, or use --force to overwrite") from error
+    with resumed(output, force), warnings.catch_warnings():
+        warnings.showwarning = lambda message, *_: click.echo(f"spragsym: warning: {message}", err=True)
+        result = run()
     counts = {regime: int(np.count_nonzero(result.regime == regime)) for regime in Regime}
     click.echo(f"{output}: " + ", ".join(f"{count} {regime.name.lower()}" for regime, count in counts.items() if count))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -47,3 +47,13 @@ def set_aside(path: Path) -> Iterator[None]:
             before.unlink()
         else:
             before.replace(path)
+
+
+@contextmanager
+def resumed(path: Path, force: bool) -> Iterator[None]:
+    """Work that goes on in its file where it stopped; with ``force`` from the beginning, the old file kept until that is done."""
+    try:
+        with set_aside(path) if force else nullcontext():
+            yield
+    except TargetError as error:
+        raise TargetError(f"{error}, or use --force to overwrite") from error

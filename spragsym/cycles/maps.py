@@ -19,7 +19,7 @@ from ..dynamics import integrators
 from ..errors import ConvergenceError, ModelError, ParameterError, TargetError
 from ..files import storage
 from ..files.journal import Record, clear, journal
-from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number, common_shape, degrees
+from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, ParameterSet, as_number, common_shape, degrees
 from ..sweeps import code
 from ..sweeps import workers as processes
 from ..sweeps.many import advance
@@ -140,8 +140,9 @@ def fate_map(
     >>> found.kind, found.period.round(3)
     (array([1, 2], dtype=int8), array([   nan, 34.267]))
     """
-    if not isinstance(p, Parameters):
+    if isinstance(p, ParameterSet) and not isinstance(p, Parameters):
         raise ModelError(f"p = {type(p).__name__}: a map is of the article's model; model.fate(p) has the verdict on one motion")
+    p.require()  # of what is no set, too, its error
     p = p.given(V=V, d=d)
     inputs = {name: np.asarray(getattr(p, name), dtype=float) for name in p.ranges}
     shape = common_shape({name: values.shape for name, values in inputs.items()})

@@ -148,7 +148,7 @@ def diagram(p: ParameterSet, vary: str, to: tuple[float, float], **options: Any)
     >>> import spragsym as ss
     >>> model = ss.load("stick_slip")
     >>> found = ss.diagram(model.Parameters(), "V", (0.05, 0.3), points=60)
-    >>> [(label.label, round(label.value, 4)) for label in found.labels]
+    >>> [(label.label, round(float(label.value), 4)) for label in found.labels]
     [('H', 0.101), ('GR', 0.1591)]
     >>> len(found.equilibria), len(found.cycles), bool(found.cycles[0].stable.any())
     (1, 1, True)

@@ -170,8 +170,8 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
         return
     places = f"from x = {found.from_mm:.4g} mm to {found.to_mm:.4g} mm"
     yield ("the states before and after", f"at friction {found.friction:.4g}, {places}")
-    yield ("displacement along the belt", f"{found.x_mm[0]:.4g} mm to {found.x_mm[1]:.4g} mm")
-    yield ("displacement across the belt", f"{found.y_mm[0]:.4g} mm to {found.y_mm[1]:.4g} mm")
+    yield ("range of x", f"{found.x_mm[0]:.4g} mm to {found.x_mm[1]:.4g} mm")
+    yield ("range of y", f"{found.y_mm[0]:.4g} mm to {found.y_mm[1]:.4g} mm")
     for name, ends in (("force of the spring", found.spring_force_N), ("force of the contact", found.contact_force_N)):
         yield (name, f"{ends[0]:.5g} N to {ends[1]:.5g} N")
     ends_in = {

@@ -160,7 +160,7 @@ def test_what_is_open_is_said_in_words(model: Any) -> None:
     high = low + np.array([2e-4, 2e-4, 1e-12, 1e-4, 0.1])
     told = of_boxes(balance, np.repeat(given, 5, axis=1), np.stack([-low, high]))
     assert [text[:6] for text in told] == ["1 of 5"] * 5
-    for text, word in zip(told, ("anchor", "touches", "one place", "along", "ended before"), strict=True):
+    for text, word in zip(told, ("resists turning", "touches", "one place", "along", "ended before"), strict=True):
         assert word in text
     assert not of_boxes(balance, given[:, :0], np.empty((2, 2, 0)))
 

@@ -148,7 +148,7 @@ def test_torsion_springs_on_two_lines_are_decided_or_said_to_be_open(
     two = derived(once, tmp_path_factory, "two_torsions", page)
     eq = two.equilibria(two.Parameters(), contact=False)
     assert eq.whole.all()
-    assert eq.complete or any("anchor" in remark for remark in eq.remarks)
+    assert eq.complete or any("resists turning" in remark for remark in eq.remarks)
 
 
 def test_what_is_open_is_said_in_words(model: Any) -> None:

@@ -146,7 +146,11 @@ def main() -> None:
     if not 2 <= len(sys.argv) <= 4:
         sys.exit(__doc__)
     path, count, first = Path(sys.argv[1]), *(int(text) for text in (*sys.argv[2:], *("300", "0")[len(sys.argv) - 2 :]))
-    kept = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")] if path.is_file() else []
+    kept = (
+        [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+        if path.is_file()
+        else []
+    )
     lines = [json.loads(line) for line in kept]
     done = {line["number"] for line in lines}
     path.write_text("".join(kept), encoding="utf-8")  # without a line that was cut short

@@ -148,7 +148,11 @@ def main() -> None:
     if not 2 <= len(sys.argv) <= 3:
         sys.exit(__doc__)
     path, count = Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 100
-    kept = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")] if path.is_file() else []
+    kept = (
+        [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+        if path.is_file()
+        else []
+    )
     lines = [json.loads(line) for line in kept]
     path.write_text("".join(kept), encoding="utf-8")  # without a line that was cut short
     done = {line["number"] for line in lines}

@@ -22,6 +22,7 @@ import numpy as np
 from spragsym.cli import main as command
 from spragsym.exact.interval_arrays import Intervals
 from spragsym.models.laws import XP
+from tests.support import with_angles
 
 from .attack_models import load
 from .attack_references import DRAWN
@@ -72,7 +73,7 @@ def library(name: str, model: Any, folder: Path) -> Any:
     except SystemExit as ended:
         if ended.code:
             raise
-    (source,) = folder.glob("*.c")
+    (source,) = (path for path in folder.glob("*.c") if path.name != "main.c")
     build = [
         "cc",
         "-std=c99",
@@ -115,7 +116,7 @@ def compare(name: str, count: int, seed: int, folder: Path) -> list[str]:
                 wrong.append(f"{name}.{called}: floats {floats} and 50 digits {exact} at {dict(zip(names, given, strict=True))}")
             if in_c is not None:
                 room = (ctypes.c_double * floats.size)()
-                in_c(*map(ctypes.c_double, given), room)
+                in_c(*map(ctypes.c_double, with_angles(model, function, given)), room)
                 if not np.abs(np.array(room[:]) - floats).max() <= CLOSE * size:
                     wrong.append(f"{name}.{called}: C {room[:]} and Python {floats} at {dict(zip(names, given, strict=True))}")
             wrong += enclosed(f"{name}.{called}", plain, given, wide, {"xp": XP} if taken else {})

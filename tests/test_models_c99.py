@@ -42,17 +42,18 @@ def numbers(model: Any, function: str) -> list[float]:
     state = [0.1, -0.02, 0.05, 0.07][:n]
     rates = [0.03, -0.04, 0.02, -0.01][:n]
     felt = [1.0] * model.about["layers"]
+    torsions = len(model.about["torsions"])
     taken = [float(value) for value in model.arguments(p, "motion")]
     if function == "rhs":
         return [*state, *rates, *taken]
     if function.startswith("regime"):
-        return [*state, *rates, *taken, 1.0, 1.0, *felt]
+        return [*state, *rates, *taken, 1.0, 1.0, *felt, *[1.0] * torsions]
     directions = []
     of_statics = [float(value) for value in model.arguments(p)]
     for dx, dy, _ in model.statics.geometry(*state, *of_statics):
         length = float(np.hypot(dx, dy))
         directions += [float(dx) / length, float(dy) / length, length]
-    return [*state, *directions, *of_statics, 0.4, 1.0]
+    return [*state, *directions, *[0.3] * torsions, *of_statics, 0.4, 1.0]
 
 
 @pytest.mark.skipif(COMPILER is None, reason="there is no C compiler")

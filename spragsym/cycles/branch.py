@@ -361,7 +361,7 @@ class _Trace:
             return End("end", loop, abs(self.value(loop) - self.value(point.loop)), how="it shrinks onto an equilibrium")
         error = abs(self.value(loop) - self.value(point.loop)) + 1e-15 * (1 + abs(self.value(loop)))
         if loop.guess.period > LONG * self.setting.period and slowest(loop) < STILL:
-            return End("homoclinic", loop, error, how=f"it comes to rest near {np.round(stillest(loop), 6).tolist()}")
+            return End("homoclinic", loop, error, how=_rests(loop))
         if count > 10 and self._passes(start, point, ahead):
             return End("closed", loop, 0.0)
         return None
@@ -380,7 +380,7 @@ class _Trace:
     def _lost(self, point: Point, error: ConvergenceError) -> End:
         loop = point.loop
         if slowest(loop) < STILL and loop.guess.period > 2 * self.setting.period:
-            return End("homoclinic", loop, 1e-6, how=f"it comes to rest near {np.round(stillest(loop), 6).tolist()}")
+            return End("homoclinic", loop, 1e-6, how=_rests(loop))
         return End("end", loop, SHORTEST, how=f"it could not be followed farther: {error}")
 
 
@@ -392,3 +392,8 @@ def slowest(loop: Loop) -> float:
 def stillest(loop: Loop) -> FloatArray:
     """Where that is."""
     return min(loop.turns(), key=lambda turn: float(np.linalg.norm(rate(loop.field, turn.state, loop.constants)))).state
+
+
+def _rests(loop: Loop) -> str:
+    """Where an orbit of a very long period hardly moves, without the sign of a zero."""
+    return f"it comes to rest near {(np.round(stillest(loop), 6) + 0.0).tolist()}"

@@ -7,7 +7,7 @@ their elementary symmetric functions is. Signs come from intervals around the st
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -54,9 +54,9 @@ def classified(
     conservative = symmetric & ((friction <= NOTHING) | (balance.opens and not balance.contact))
     codes, proved = _told(elementary, minors, conservative)
     for row in np.flatnonzero(~proved).tolist():
-        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row])
+        again = _with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row], lambda M, K, damping: invariants(K, M))
         if again is not None:
-            codes[row : row + 1], proved[row : row + 1] = _told(*again, conservative[row : row + 1])
+            codes[row : row + 1], proved[row : row + 1] = _told(again[0], again[1], conservative[row : row + 1])
     return codes, proved
 
 
@@ -80,8 +80,10 @@ def decay(
         without = C.magnitude.max(axis=(0, 1)) <= NOTHING
     found = np.where(without & undamped, 1, _told_to_decay(signs)).astype(np.int8)
     for row in np.flatnonzero(found == 0).tolist():
-        again = _decay_with_digits(balance, given[:, row], ends[:, :, row], alone[:, :, row])
-        found[row] = 0 if again is None else _told_to_decay(again)[0]
+        again = _with_digits(
+            balance, given[:, row], ends[:, :, row], alone[:, :, row], lambda M, K, damping: [_routh(M, damping(), K)]
+        )
+        found[row] = 0 if again is None else _told_to_decay(again[0])[0]
     return found
 
 
@@ -93,22 +95,6 @@ def _routh(M: Sequence[Sequence[Any]], C: Sequence[Sequence[Any]], K: Sequence[S
 
 def _told_to_decay(signs: NDArray[np.int8]) -> NDArray[np.int8]:
     return np.where((signs > 0).all(axis=0), 1, np.where((signs < 0).any(axis=0), -1, 0)).astype(np.int8)
-
-
-def _decay_with_digits(balance: Balance, given: FloatArray, box: FloatArray, alone: FloatArray) -> NDArray[np.int8] | None:
-    """The signs at one state with many digits; None where the box around it can't be made smaller."""
-    precise = PreciseBalance(balance, given, BITS)
-    try:
-        q = narrowed(precise, box, alone)
-        if q is None:
-            return None
-        directions = balance.plain_directions(q, precise.arguments, BALLS)
-        K = balance.by_coordinate("forces_jacobian", q, directions, precise.arguments, BALLS)
-        C = balance.damping(q, directions, precise.arguments, xp=BALLS)
-        rows = _routh(*(as_balls(part, BITS) for part in (balance.mass(q, precise.arguments, BALLS), C, K)))
-    except (Undecided, ZeroDivisionError):
-        return None
-    return np.array([[Balls().sign(value)] for value in rows], dtype=np.int8)
 
 
 def invariants(K: Sequence[Sequence[Any]], M: Sequence[Sequence[Any]]) -> tuple[list[Any], list[Any]]:
@@ -147,18 +133,26 @@ def _told(
 
 
 def _with_digits(
-    balance: Balance, given: FloatArray, box: FloatArray, alone: FloatArray
-) -> tuple[NDArray[np.int8], NDArray[np.int8]] | None:
-    """The signs at one state with many digits; None where the box around it can't be made smaller."""
+    balance: Balance,
+    given: FloatArray,
+    box: FloatArray,
+    alone: FloatArray,
+    ask: Callable[[Any, Any, Callable[[], Any]], Sequence[Sequence[Any]]],
+) -> list[NDArray[np.int8]] | None:
+    """Signs at one state with many digits, of what ``ask`` makes of M, K and C, the last only if it is called.
+
+    None where the box around the state can't be made smaller.
+    """
     precise = PreciseBalance(balance, given, BITS)
     try:
         q = narrowed(precise, box, alone)
         if q is None:
             return None
-        directions = balance.plain_directions(q, precise.arguments, BALLS)
-        K = balance.by_coordinate("forces_jacobian", q, directions, precise.arguments, BALLS)
-        parts = invariants(as_balls(K, BITS), as_balls(balance.mass(q, precise.arguments, BALLS), BITS))
+        values = precise.arguments
+        directions = balance.plain_directions(q, values, BALLS)
+        K = balance.by_coordinate("forces_jacobian", q, directions, values, BALLS)
+        M, K = (as_balls(part, BITS) for part in (balance.mass(q, values, BALLS), K))
+        parts = ask(M, K, lambda: as_balls(balance.damping(q, directions, values, xp=BALLS), BITS))
     except (Undecided, ZeroDivisionError):
         return None
-    elementary, minors = (np.array([[Balls().sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts)
-    return elementary, minors
+    return [np.array([[Balls().sign(value)] for value in part], dtype=np.int8).reshape(-1, 1) for part in parts]

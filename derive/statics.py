@@ -49,12 +49,12 @@ def module(model: Mechanics) -> Module:
     """The generated module."""
     place = (*model.coordinates, *arguments(model))
     state = (*model.coordinates, *model.directions, *model.turned, *arguments(model), MU, PUSHING)
-    depth = {DEPTH: model.depth}
+    shorthands = {DEPTH: model.depth, **{line.l: sp.sqrt(line.dx**2 + line.dy**2) for line in model.lines}}
     friction = laws.friction_at_rest(model)
     mirror = symmetry.mirror(model)
 
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
-        return Function(name, summary, "the page", taken, results, returns, depth, transcendental=True)
+        return Function(name, summary, "the page", taken, results, returns, shorthands, transcendental=True)
 
     T = rows.sums(model)
     apart = () if T.is_Identity else (
@@ -84,6 +84,9 @@ def module(model: Mechanics) -> Module:
             *_torsions(model, place, function),
             function("forces", "Minus the sum of forces along each coordinate.", state, model.residuals, "(F_1, …)"),
             function("stiffnesses", "The stiffness of every spring.", place, model.stiffnesses, "(k_1, …)"),
+            function("spring_forces", "The tension of every spring, negative where it pushes.", place,
+                     tuple(k * (line.l - line.rest) for k, line in zip(model.stiffnesses, model.lines, strict=True)), "(T_1, …)"),
+            function("contact_force", "The normal force of the contact.", (*place, PUSHING), model.normal, "N"),
             function("forces_apart", _apart(model), state,
                      model.residuals_apart, "(F_1, …)"),
             function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,

@@ -188,7 +188,6 @@ _KINDS = {
     "ModelEquilibria": _equilibria_of_a_model,
     "ModelPoints": _points_of_a_model,
     "Onsets": _points_of_a_model,
-    "ModelTrajectory": _trajectory,
     "Trajectory": _trajectory,
 }
 

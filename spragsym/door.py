@@ -7,7 +7,7 @@ A model must bring
 A model may bring
     closed forms, in a room of its name: ``CLOSED`` there says for a public function in which room its closed form stands, under
     the same name, and along which parameters it is known. It answers first (``method="auto"`` or ``"closed"``) wherever it
-    takes the arguments that are given.
+    takes the arguments that are given. So for a step of :data:`PARTS`, as the motion that compiled code integrates.
 
 A model gets for nothing
     every question of :data:`INTERFACE` that has a general way, the methods of :class:`spragsym.Model`: by search over boxes
@@ -40,6 +40,8 @@ INTERFACE = frozenset((
     "onset_curves", "diagram",
     "simulate", "rms_sweep", "basin", "sensitivity", "cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary",
 ))  # fmt: skip
+#: Steps on the way to answers: a motion as a problem for an integrator, many of them, and the equilibrium that one rests at.
+PARTS = frozenset(("prepare", "motions", "rest_index"))
 #: Ways to an answer.
 WAYS = ("auto", "closed", "search")
 
@@ -61,9 +63,22 @@ def question(general: Callable[..., Any]) -> Callable[..., Any]:
                 return closed(*args, **options)
         if method == "closed":
             raise ModelError(f"{model.name} has no closed form for this {name}; leave method out, or give method='search'")
-        return general(model, *args, **options)
+        return general(model.search if method == "search" else model, *args, **options)
 
     return ask
+
+
+def part(general: Callable[..., Any]) -> Callable[..., Any]:
+    """A step on the way to answers that a model may bring in a faster form: its own where there is one, else ``general``."""
+    name = general.__name__
+
+    @functools.wraps(general)
+    def taken(model: Any, *args: Any, **options: Any) -> Any:
+        if name in model.closed:
+            return _closed(model.closed[name][0], name)(*args, **options)
+        return general(model, *args, **options)
+
+    return taken
 
 
 def unanswered(instead: str) -> Callable[..., Any]:

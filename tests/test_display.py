@@ -102,7 +102,6 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "ModelPoints": lambda: _folds_of_a_model(),
     "Onsets": lambda: ss.load("stick_slip").flutter_onsets(ss.load("stick_slip").Parameters(), vary="V"),
     "ModelPath": lambda: MODEL.quasi_static_path(MODEL.Parameters(), "theta0", [0.5, 0.6]),
-    "ModelTrajectory": lambda: MODEL.simulate(MODEL.Parameters(theta0=0.5), t_end=20.0, backend="scipy"),
     "Diagram": lambda: ss.diagram(ss.load("stick_slip").Parameters(), "V", (0.05, 0.3), points=60),
     "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),
 }

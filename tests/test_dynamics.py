@@ -308,7 +308,7 @@ def _wave(omega: float, centre: float, steps: int = 120, step: float = 0.9) -> T
     t = np.append((np.arange(steps)[:, None] + unit[:-1]).ravel(), steps) * step
     zero = np.zeros_like(t)
     x, vx = centre + np.cos(omega * t), -omega * np.sin(omega * t)
-    return Trajectory(t, x, zero, vx, zero, None, BASE, 1e-10, "none")
+    return Trajectory(BASE.model, BASE, t, np.array([x, zero, vx, zero]), None, 1e-10, "none")
 
 
 @pytest.mark.parametrize("omega", [0.3, 1.1])

@@ -205,12 +205,12 @@ def test_a_store_of_another_sweep_is_left_alone(tmp_path: Path) -> None:
 def test_a_store_made_by_other_code_is_another(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "rms.nc"
     _interrupt(path, 2)
-    monkeypatch.setattr(code, "digest", lambda: "of other code")
+    monkeypatch.setattr(code, "digest", lambda *_: "of other code")
     with pytest.raises(ss.ParameterError, match="other code"):
         rms_sweep(P, **SHORT, store=path)
     monkeypatch.undo()
     rms_sweep(P, **SHORT, store=path)
-    monkeypatch.setattr(code, "digest", lambda: "of other code")
+    monkeypatch.setattr(code, "digest", lambda *_: "of other code")
     with pytest.raises(ss.ParameterError, match="other code"):
         rms_sweep(P, **SHORT, store=path)
 

@@ -193,7 +193,7 @@ def _summary(found: Cycle) -> dict[str, Any]:
         "period": found.period, "stable": found.stable, "state": found.state.tolist(),
         "multipliers": [[float(value.real), float(value.imag)] for value in found.multipliers], "error": found.error,
         "residual": found.residual, "rms": found.rms, "mean": found.mean, "amplitude": found.amplitude,
-        **{name: list(getattr(found, name)) for name, _ in found.field.forces}, "crossings": len(found.events),
+        **{name: list(ends) for name, ends in found.forces.items()}, "crossings": len(found.events),
         "backend": found.backend,
     }  # fmt: skip
 

@@ -17,8 +17,8 @@ from .targets import force
 from .with_model import parameter_options, parameters_of
 
 if TYPE_CHECKING:
+    from ..dynamics import Trajectory
     from ..models import Model
-    from ..models.trajectory import ModelTrajectory
 
 
 def _more(*decorators: Callable[[Any], Any]) -> list[click.Option]:
@@ -66,7 +66,7 @@ def _window(model: Model) -> Callable[[Any], Any]:
     return partial(window, unit=model.about["scales"]["time"].replace("**", "^"))
 
 
-def _draw(tr: ModelTrajectory, path: Path) -> None:
+def _draw(tr: Trajectory, path: Path) -> None:
     from ..figures import FORMATS, model_motion_figure
     from ..figures.style import house_style
 

@@ -119,11 +119,16 @@ class Cycle(Result):
         """Least and largest force of the contact, over k_c L_0."""
         return self._range("contact_force")
 
+    @cached_property
+    def forces(self) -> dict[str, tuple[float, float]]:
+        """Least and largest of every force of the model: of its contact, and of its springs, ``spring_force_1``, … of several."""
+        return {name: self._range(name) for name, _ in self.field.forces}
+
     def _range(self, name: str) -> tuple[float, float]:
         force = dict(self.field.forces).get(name)
         if force is None:
             raise ParameterError(
-                f"{name} is a force of the article's model; this model has none of that name, but generated functions for its own"
+                f"{name} is no force of this model, which has {', '.join(dict(self.field.forces)) or 'none'}; see forces"
             )
         return _range(self.samples, lambda states: force(states, self.loop.constants))
 

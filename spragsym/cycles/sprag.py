@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
+from ..door import model_of
 from ..dynamics import forces, simulate, sprag
 from ..dynamics.field import Field
 from ..dynamics.problem import constants_of
@@ -28,11 +29,11 @@ def _simulate(values: Sequence[float], state: Sequence[float], t_end: float, **o
 
 
 def _spring_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:
-    return forces.spring_force(states[0], states[1], constants[0], constants[1], constants[5])
+    return forces.spring_forces(model_of(Parameters()), states, constants)[0]
 
 
-def _contact_force(states: FloatArray, _: Sequence[float]) -> FloatArray:
-    return forces.contact_force(states[1])
+def _contact_force(states: FloatArray, constants: Sequence[float]) -> FloatArray:
+    return forces.contact_force(model_of(Parameters()), states, constants)
 
 
 #: The field that integrators have, with what the search for cycles needs besides.

@@ -41,7 +41,7 @@ def classify(course: Course, problem: Problem, onward: Onward, tol: float = SETT
     Returns
     -------
     Outcome
-        Without ``equilibrium``, which :func:`~spragsym.dynamics.rest.index_of` finds for many at once.
+        Without ``equilibrium``, which :func:`~spragsym.dynamics.rest.rest_index` finds for many at once.
     """
     if lifted_for_good(course, problem):
         return Outcome(Regime.LIFT_OFF)

@@ -94,10 +94,3 @@ def course_of(samples: PiecewisePolynomial, events: NDArray[np.intp]) -> Course:
         samples.integrals_to(np.append(late, t[-1]), integrands), minima[-KEPT:], events,
         (float(extrema.min()), float(extrema.max())),
     )  # fmt: skip
-
-
-def event_counts(samples: PiecewisePolynomial, V: float) -> NDArray[np.intp]:
-    """The number of events of each kind, from the samples alone, which include all events."""
-    _, y, vx, _ = samples.states
-    above, ahead = np.diff((y > 0).astype(int)), np.diff((vx > V).astype(int))
-    return np.array([np.count_nonzero(change == sign) for change in (above, ahead) for sign in (1, -1)])

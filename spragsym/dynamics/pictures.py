@@ -2,25 +2,46 @@
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 if TYPE_CHECKING:
-    from .recorded import Recorded
+    from .trajectory import Trajectory
 
-#: What an axis says of a component.
-LABELS = {"x": r"$x$ / $L_0$", "y": r"$y$ / $L_0$", "vx": r"$x'$ / $L_0\sqrt{k_c/m}$", "vy": r"$y'$ / $L_0\sqrt{k_c/m}$"}
-TIME = r"$t$ / $\sqrt{m/k_c}$"
+#: Names that are letters.
+GREEK = {
+    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
+}  # fmt: skip
+
+
+def symbol(name: str) -> str:
+    """A name as mathematics writes it, without the dollars: ``\\kappa``, ``k_{\\rm c}``."""
+    base, _, index = name.partition("_")
+    return (rf"\{base}" if base in GREEK else base) + (rf"_{{\rm {index}}}" if index else "")
+
+
+def axis_label(model: Any, name: str) -> str:
+    """What an axis says of a coordinate, of its rate, or of the time ``t``: the symbol over its unit."""
+    unit = model.quantities[name][0]
+    written = rf"{symbol(model.coordinates[model.rates.index(name)])}'" if name in model.rates else symbol(name)
+    return f"${written}$" if unit in ("1", "rad") else f"${written}$ / ${_unit(unit)}$"
+
+
+def _unit(scale: str) -> str:
+    """The scale of a quantity, as ``L_0*sqrt(k_c)/sqrt(m)``, as mathematics writes it."""
+    merged = re.sub(r"sqrt\((\w+)\)/sqrt\((\w+)\)", r"\\sqrt{\1/\2}", scale)
+    return re.sub(r"(?<!\\)sqrt\((.+?)\)", r"\\sqrt{\1}", merged).replace("**", "^").replace("*", r"\,")
 
 
 def course_over_time(
-    motion: Recorded, of: str, ax: Any, *, scale: tuple[float, float] = (1.0, 1.0), labels: tuple[str, str] | None = None,
+    motion: Trajectory, of: str, ax: Any, *, scale: tuple[float, float] = (1.0, 1.0), labels: tuple[str, str] | None = None,
     style: dict[str, Any] | None = None,
 ) -> Any:  # fmt: skip
     """A component over time, both times their scale, with labels on the axes; returns the line."""
     t = np.linspace(motion.t[0], motion.t[-1], 4000)
     (line,) = ax.plot(scale[0] * t, scale[1] * motion(t)[motion.components.index(of)], **(style or {}))
-    across, up = labels or (TIME, LABELS.get(of, of))
+    across, up = labels or (axis_label(motion.model, "t"), axis_label(motion.model, of))
     ax.set(xlabel=across, ylabel=up)
     return line

@@ -75,7 +75,7 @@ def _solved(matrix: list[Any], pull: Any) -> list[float] | None:
     return solved
 
 
-def index_of(p: Parameters, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+def rest_index(p: Parameters, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
     """Index among ``equilibria`` at the friction μ(V), (10), of those at x, y; −1 where there is none."""
     from ..statics.solver import equilibria
 

@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
+from ..dynamics.pictures import symbol
 from ..models import Model
-
-#: Names that are letters.
-GREEK = {
-    "alpha", "beta", "gamma", "delta", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "rho", "sigma", "tau", "phi", "psi",
-}  # fmt: skip
 
 
 def label(model: Model, name: str) -> str:
@@ -15,10 +11,6 @@ def label(model: Model, name: str) -> str:
     if name in model.rates:
         return rf"$\dot{{{label(model, model.coordinates[model.rates.index(name)])[1:-1]}}}$"
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
-    if name in entries and entries[name]["quantity"] == name:
-        symbol = entries[name]["symbol"]
-    else:
-        base, _, index = name.partition("_")
-        symbol = rf"\{base}" if base in GREEK else base
-        symbol += rf"_{{\rm {index}}}" if index else ""
-    return f"${symbol}$ (deg)" if name in model.about["angles"] else f"${symbol}$"
+    own = name in entries and entries[name]["quantity"] == name
+    written = entries[name]["symbol"] if own else symbol(name)
+    return f"${written}$ (deg)" if name in model.about["angles"] else f"${written}$"

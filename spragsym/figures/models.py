@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..dynamics import Trajectory
 from ..models import Model
 from ..models.bifurcation import ModelBifurcationSet
 from ..models.describe import units_of
 from ..models.hopf_curves import OnsetCurves
 from ..models.points import ModelPoints
-from ..models.trajectory import ModelTrajectory
 from ..statics.solver import Stability
 from .labels import label
 from .motion_pictures import draw_motion
@@ -46,12 +46,12 @@ def window(model: Model, vary: Sequence[str], between: Between, cusps: ModelPoin
 
 
 @styled
-def model_motion_figure(motion: ModelTrajectory) -> Sheet:
+def model_motion_figure(motion: Trajectory) -> Sheet:
     """Each coordinate of a motion of a model over time, as a figure.
 
     Parameters
     ----------
-    motion : ModelTrajectory
+    motion : Trajectory
         Of ``model.simulate``.
     """
     model = motion.model

@@ -9,21 +9,18 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..dynamics import Trajectory
-from ..dynamics.pictures import LABELS, course_over_time
-from ..dynamics.recorded import Recorded
+from ..dynamics.pictures import axis_label, course_over_time
 from ..errors import ParameterError
-from ..models.trajectory import ModelTrajectory
-from .labels import label
 from .style import BLUE, DOUBLE, GREY, Sheet, own_axes, panels, styled
 
 
-def draw_motion(motion: Recorded, of: str | None = None, ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
+def draw_motion(motion: Trajectory, of: str | None = None, ax: Axes | None = None, *, length: float = 1.0, time: float = 1.0,
                 labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
     """A component of a motion over time; returns the line.
 
     Parameters
     ----------
-    motion : Trajectory or ModelTrajectory
+    motion : Trajectory
     of : str, optional
         One of its components, by default the first: ``"x"``, ``"y"``, ``"vx"`` or ``"vy"``, or a coordinate of the model or
         its rate.
@@ -36,8 +33,6 @@ def draw_motion(motion: Recorded, of: str | None = None, ax: Axes | None = None,
     of = motion.components[0] if of is None else of
     if of not in motion.components:
         raise ParameterError(f"of = {of!r} is not one of {', '.join(motion.components)}")
-    if labels is None and isinstance(motion, ModelTrajectory):
-        labels = "$t$", label(motion.model, of)
     return course_over_time(
         motion, of, own_axes(ax), scale=(time, length), labels=labels, style={"color": BLUE, "linewidth": 0.8}
     )
@@ -45,13 +40,16 @@ def draw_motion(motion: Recorded, of: str | None = None, ax: Axes | None = None,
 
 def draw_phase(motion: Trajectory, ax: Axes | None = None, *, length: float = 1.0, speed: float = 1.0,
                labels: tuple[str, str] | None = None) -> Any:  # fmt: skip
-    """x′ over x, and the speed of the belt as a line; returns the curve."""
+    """x′ over x, the first coordinate, and the speed of the belt along it as a line; returns the curve."""
     ax = own_axes(ax)
     t = np.linspace(motion.t[0], motion.t[-1], 6000)
-    x, _, vx, _ = motion(t)
+    states, (name, *_), (rate, *_) = motion(t), motion.model.coordinates, motion.model.rates
+    x, vx = states[0], states[len(states) // 2]
     (line,) = ax.plot(length * x, speed * vx, color=BLUE, linewidth=0.8)
-    ax.axhline(speed * motion.V, color=GREY, linewidth=0.6, linestyle=":")
-    across, up = labels or (LABELS["x"], LABELS["vx"])
+    friction = motion.model.about["friction"]
+    if friction is not None and friction["along"] == name and friction["belt"] is not None:
+        ax.axhline(speed * float(getattr(motion.p, friction["belt"])), color=GREY, linewidth=0.6, linestyle=":")
+    across, up = labels or (axis_label(motion.model, name), axis_label(motion.model, rate))
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -64,7 +62,7 @@ def draw_spectrum(motion: Trajectory, of: str = "x", ax: Axes | None = None, *, 
     (line,) = ax.plot(frequency * found.frequency, length * found.amplitude, color=BLUE, linewidth=0.9)
     large = np.flatnonzero(found.amplitude > 0.01 * found.amplitude.max())
     ax.set(xlim=(0, frequency * found.frequency[min(2 * int(large[-1]) + 8, found.frequency.size - 1)]), ylim=(0, None))
-    across, up = labels or (r"frequency $\times\ \sqrt{m/k_c}$", f"amplitude of {LABELS[of]}")
+    across, up = labels or (r"frequency $\times\ \sqrt{m/k_c}$", f"amplitude of {axis_label(motion.model, of)}")
     ax.set(xlabel=across, ylabel=up)
     return line
 
@@ -86,12 +84,13 @@ def motion_figure(motion: Trajectory, transient: float = 0.0, units: Units | Non
     late = motion.after(transient)
     length, time = (1.0, 1.0) if units is None else (units.length, units.time)
     over_time = phase = spectrum = None
-    belt, after = f"belt speed V = {motion.V:g}, steepness d = {motion.d:g}", f"{transient:g}"
+    V, d = motion.p.scalars("V", "d")
+    belt, after = f"belt speed V = {V:g}, steepness d = {d:g}", f"{transient:g}"
     if units is not None:
         x, t = f"$x$ ({units.length_name})", units.time_name
         over_time, phase = (f"$t$ ({t})", x), (x, f"$x'$ ({units.length_name}/{t})")
         spectrum = "frequency (Hz)" if t == "s" else f"frequency (1/{t})", f"amplitude of {x}"
-        belt, after = f"belt speed {motion.V * length / time:.4g} {units.length_name}/{t}", f"{transient * time:.4g} {t}"
+        belt, after = f"belt speed {V * length / time:.4g} {units.length_name}/{t}", f"{transient * time:.4g} {t}"
     draw_motion(motion, ax=axes[0], length=length, time=time, labels=over_time)
     draw_phase(late, ax=axes[1], length=length, speed=length / time, labels=phase)
     draw_spectrum(late, ax=axes[2], length=length, frequency=1 / time, labels=spectrum)

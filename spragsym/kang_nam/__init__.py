@@ -1,4 +1,4 @@
-"""The article's model: where its closed forms stand, each under the name of the public function that it answers."""
+"""The article's model: where its closed forms stand, each under the name of the public function or the step that it answers."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ _ROOMS = {
         "folds", "cusps", "flutter_onsets", "flutter_boundary", "bifurcation_set", "surface", "quasi_static_path",
         "critical_friction", "cusp_friction", "critical_value", "linear_sprag", "linear_critical_friction",
     ),
-    "dynamics": ("simulate",),
+    "dynamics": ("prepare", "rest_index"),
     "cycles": ("cycle", "lyapunov", "fate", "fate_boundary", "basin_boundary"),
-    "sweeps": ("rms_sweep",),
+    "sweeps": ("motions",),
     "design": ("jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign"),
 }  # fmt: skip
 #: What may vary, where that is not any parameter.
@@ -22,5 +22,5 @@ _ALONG = {
     "folds": NAMES, "quasi_static_path": NAMES, "flutter_onsets": ("theta0",),
     "cusps": (("theta0", "mu0"),), "bifurcation_set": (("theta0", "mu0"),),
 }  # fmt: skip
-#: Public function → room of its closed form, and along what it is known; nothing there for anything.
+#: Public function or step → room of its closed form, and along what it is known; nothing there for anything.
 CLOSED = {name: (room, _ALONG.get(name, ())) for room, names in _ROOMS.items() for name in names}

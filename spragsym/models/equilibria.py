@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
+from ..dynamics.regimes import SETTLED
 from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
@@ -194,28 +195,32 @@ def equilibria(
     return _arranged(balance, p, found, around, whole)
 
 
-def index_of(model: Model, given: FloatArray, states: FloatArray, near: float) -> NDArray[np.int64]:
+def rest_index(model: Model, p: Any, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
     """Slots of motions that have come to rest, among the equilibria at the friction μ(V); −1 where there is none.
 
     Parameters
     ----------
-    given : ndarray
-        Parameters, shape (parameters, points).
-    states : ndarray
-        The first coordinates of each, shape (coordinates or fewer, points).
-    near : float
-        How far a motion may be from its equilibrium, over 1 + its size.
+    x, y : ndarray
+        The first coordinates of each, in the shape of ``p``; NaN for motions that do not rest.
     """
+    x, y = (np.broadcast_to(values, np.broadcast_shapes(p.shape, np.shape(x))) for values in (x, y))
+    out = np.full(x.shape, -1, dtype=np.int8)
+    rows = np.isfinite(x)
+    if not rows.any():
+        return out
     balance = Balance(model, True, "friction_at_speed")
-    found, _, _ = solved(balance, given)
+    given = np.array([np.broadcast_to(getattr(p, name), x.shape)[rows] for name in balance.parameters])
+    states = np.array([x[rows], y[rows]][: balance.n])
+    found, _, _ = solved(balance, given.reshape(len(balance.parameters), states.shape[1]))
     order = np.lexsort((found.middle[0], found.point))
     point, middle = found.point[order], found.middle[: states.shape[0], order]
     slot = np.arange(point.size) - np.searchsorted(point, point)
     away = np.linalg.norm(middle - states[:, point], axis=0) / (1 + np.linalg.norm(states[:, point], axis=0))
-    out = np.full(given.shape[1], -1)
+    index = np.full(states.shape[1], -1)
     for row in np.argsort(-away, kind="stable"):  # the nearest last
-        if away[row] <= near:
-            out[point[row]] = slot[row]
+        if away[row] <= SETTLED:
+            index[point[row]] = slot[row]
+    out[rows] = index
     return out
 
 

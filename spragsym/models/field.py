@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..dynamics import forces
 from ..dynamics.field import GAP, Border, Field, Mode
 from ..dynamics.sprag import REACH, WIDTH
 from ..errors import ParameterError
@@ -54,6 +55,7 @@ def field_of(model: Model, reach: float) -> Field:
         lambda mode: (*mode[:2], *(1 for _ in range(layers)), *mode[2 + layers :]),
         again=(__name__, "exact_field", model.where),
         ways=torsions,
+        forces=tuple(forces.told_of(model).items()),
         curved=model.about.get("curved", False),
     )
 

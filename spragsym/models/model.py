@@ -10,15 +10,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..door import question, unanswered
+from ..door import part, question, unanswered
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, ParameterSet
 from . import parameters as _parameters
-from .describe import described
+from .describe import described, explained
 
 if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
+    from ..dynamics import Trajectory
+    from ..dynamics.motions import Motions
+    from ..dynamics.problem import Problem
     from ..sweeps import Basin, Sensitivity, Sweep
+    from ..sweeps.measure import Settings
     from .bifurcation import ModelBifurcationSet
     from .diagram import Diagram
     from .equilibria import ModelEquilibria
@@ -26,7 +30,6 @@ if TYPE_CHECKING:
     from .onsets import Onsets
     from .paths import ModelPath
     from .points import ModelPoints
-    from .trajectory import ModelTrajectory
 
 
 class Model:
@@ -114,6 +117,20 @@ class Model:
         known = [name for name in ("theta0", "mu0") if name in self.parameters]
         balanced = [entry["name"] for entry in self.about["parameters"] if entry["role"] == "both"]
         return tuple(known or balanced[:1] or self.parameters[:1])
+
+    @property
+    def backends(self) -> tuple[str, ...]:
+        """Integrators that take its motion: what is compiled on installation is that of a model that brings its own."""
+        from ..dynamics.integrators import BACKENDS, OF_ANY_MODEL
+
+        return BACKENDS if "prepare" in self.closed else OF_ANY_MODEL
+
+    @cached_property
+    def quantities(self) -> Mapping[str, tuple[str, str]]:
+        """Unit and meaning of everything that files of motions hold, by its name."""
+        from ..files.storage import QUANTITIES
+
+        return {**QUANTITIES, **explained(self.about)}
 
     def describe(self) -> str:
         """The drawing, the coordinates and the parameters, as text."""
@@ -289,76 +306,39 @@ class Model:
         return basin_boundary(self, p.given(V=V, d=d), **options)
 
     @question
-    def simulate(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> ModelTrajectory:
-        """Integrate the motion from an initial state, restarted at every kink of the model's laws.
+    def simulate(self, p: ParameterSet, *, V: float | None = None, d: float | None = None, **options: Any) -> Trajectory:
+        """Integrate the motion from an initial state: see :func:`spragsym.simulate`."""
+        from ..dynamics.trajectory import follow
 
-        Parameters
-        ----------
-        p : Parameters of the model
-            Scalars.
-        V, d : float, optional
-            In place of those of ``p``.
-        start : array_like, shape (2 n,), optional
-            Coordinates, then rates. Or one by one: ``x0``, ``y0``, …, ``vx0``, …; 0 where nothing is given.
-        t_end, rtol, events, estimate_error, backend, max_steps
-            As for :func:`spragsym.simulate`.
-
-        Returns
-        -------
-        ModelTrajectory
-
-        Raises
-        ------
-        ParameterError, ParameterTypeError
-            For arguments that make no sense, and a start where a spring has no length.
-        ConvergenceError
-            When the integrator cannot go on, or has made ``max_steps``.
-
-        Examples
-        --------
-        >>> import spragsym as ss
-        >>> model = ss.load("stick_slip")
-        >>> tr = model.simulate(model.Parameters(V=0.2), t_end=200.0)
-        >>> tr.components
-        ('x', 'vx')
-        >>> round(tr.amplitude(), 2)
-        0.61
-        """
-        from .trajectory import simulate
-
-        return simulate(self, p.given(V=V, d=d), **options)
+        return follow(self, p.given(V=V, d=d), **options)
 
     @question
     def rms_sweep(self, p: ParameterSet, V: ArrayLike | None = None, d: ArrayLike | None = None, **options: Any) -> Sweep:
-        """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
+        """Simulate every point of a broadcast, and tell what each comes to: see :func:`spragsym.rms_sweep`."""
+        from ..sweeps.many import run
 
-        Parameters
-        ----------
-        p : Parameters of the model
-            Any shape.
-        V, d : array_like, optional
-            In place of those of ``p``.
-        x0, vx0, … : array_like, optional
-            Initial state by the names of the model's coordinates; they broadcast with ``p``.
-        t_end, transient, rtol, backend, max_steps, workers, progress, store
-            As for :func:`spragsym.rms_sweep`.
+        return run(self, p.given(V=V, d=d), **options)
 
-        Returns
-        -------
-        Sweep
-            With ``model``; x is the first coordinate and y the second.
+    @part
+    def prepare(self, p: ParameterSet, **options: Any) -> Problem:
+        """A motion as a problem for an integrator."""
+        from .problems import prepare
 
-        Examples
-        --------
-        >>> import spragsym as ss
-        >>> model = ss.load("stick_slip")
-        >>> sweep = model.rms_sweep(model.Parameters(zeta=[0.1, 0.5]), t_end=400.0)
-        >>> [ss.sweeps.Regime(code).name for code in sweep.regime]
-        ['LIMIT_CYCLE', 'EQUILIBRIUM']
-        """
-        from .sweep import rms_sweep
+        return prepare(self, p, **options)
 
-        return rms_sweep(self, p.given(V=V, d=d), **options)
+    @part
+    def motions(self, settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
+        """The motions of points of a sweep, parameters and initial state each, and why points have none."""
+        from .problems import motions
+
+        return motions(self, settings, points)
+
+    @part
+    def rest_index(self, p: ParameterSet, x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
+        """Slots, among the equilibria at the friction μ(V), of motions that rest at x, y, the first coordinates; −1 for none."""
+        from .equilibria import rest_index
+
+        return rest_index(self, p, x, y)
 
     jump_value = unanswered("quasi_static_path(p, vary, values) follows the state to its jump")
     jump_gradient = unanswered("folds(p, vary) at neighbouring values has the differences")

@@ -10,11 +10,11 @@ from ..cycles import basin_boundaries, exponents, fates, finding, verdicts
 from ..cycles.saddles import Saddle, equilibrium_near, saddle_near
 from ..dynamics.field import Field
 from ..dynamics.sprag import REACH
+from ..dynamics.trajectory import initial_state
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import POSITIVE, FloatArray, ParameterSet, as_number, as_numbers
 from .equilibria import equilibria
 from .field import field_of
-from .trajectory import start_of
 
 if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, Fate, FateBoundary, Lyapunov
@@ -65,7 +65,7 @@ def basin_boundary(
 
 
 def _state(model: Model, start: Any) -> FloatArray:
-    return np.array([float(value) for value in start_of(model, start, {}).values()])
+    return np.array([float(value) for value in initial_state(model, start, {}).values()])
 
 
 def _saddle(model: Model, field: Field, p: ParameterSet, values: tuple[float, ...], near: Any) -> Saddle:

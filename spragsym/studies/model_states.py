@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ..dynamics import forces
 from ..models.balance import Balance
 from ..models.stability import linearization, roots
 from ..parameters import FloatArray
@@ -38,18 +39,6 @@ def model_states(model: Any, p: Any, scales: Mapping[str, float], current: Mappi
     return found
 
 
-def _values(model: Any, p: Any) -> dict[str, Any]:
-    """The arguments of the generated functions, by name."""
-    names = model.about["arguments"]["motion"]
-    values = dict(zip(names, (float(one) for one in model.arguments(p, "motion")), strict=True))
-    return values | dict(zip(model.about["arguments"]["statics"], (float(one) for one in model.arguments(p)), strict=True))
-
-
-def _directions(model: Any, place: Mapping[str, float], values: Mapping[str, Any]) -> list[float]:
-    """Cosine, sine and length of every spring, then turnings."""
-    return [float(part) for part in Balance(model, True).plain_directions(list(place.values()), values, np)]
-
-
 def _rates(model: Any, p: Any, place: Mapping[str, float]) -> FloatArray:
     """Roots of the motion linearized about a state, the damping of dampers and of the friction law included."""
     given = np.array([[float(value)] for value in p.scalars(*model.parameters)])
@@ -59,57 +48,20 @@ def _rates(model: Any, p: Any, place: Mapping[str, float]) -> FloatArray:
 
 
 def contact_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | None:
-    """The contact's share of the balance: with it less without it, and without friction; 0 where it is lifted off."""
-    if model.about["contact"]["gap"] is None:
-        return None
-    values = _values(model, p)
-    given = [values[name] for name in model.about["arguments"]["statics"]]
-    if model.about["contact"]["unilateral"] and float(model.statics.contact_gap(*place.values(), *given)) > 0:
-        return 0.0
-    taken = [*place.values(), *_directions(model, place, values), *given]
-    with_it, without = (np.array(model.statics.forces(*taken, 0.0, pushing), dtype=float) for pushing in (1, 0))
-    return float(np.linalg.norm(with_it - without)) * unit
+    """The normal force of the contact; 0 where it is lifted off, None where there is no contact."""
+    found = _told(model, p, place).get("contact_force")
+    return None if found is None else found * unit
 
 
 def spring_force(model: Any, p: Any, place: Mapping[str, float], unit: float) -> float | dict[str, float] | None:
-    """Tension of the inclined spring, negative where it pushes; of several by their names; None where there is none.
-
-    Notes
-    -----
-    Source: the share of the balance that is linear in a spring's stiffness acts along it, wherever it is.
-    """
-    if not model.about["springs"]:
-        return None
-    rows, directions, values = _shares(model, p, place)
-    found = {}
-    for j, (spring, name) in enumerate(zip(model.about["springs"], _stiffnesses(model, p), strict=True)):
-        if name is not None:
-            along = rows[:2, model.about["by_parameters"].index(name)] @ np.array(directions[3 * j : 3 * j + 2])
-            found[spring["name"]] = float(-along * values[name] * unit)
-    return found if len(found) > 1 else next(iter(found.values()), None)
+    """Tension of the inclined spring, negative where it pushes; of several by their names; None where there is none."""
+    told = [value * unit for name, value in _told(model, p, place).items() if name.startswith("spring_force")]
+    if len(told) < 2:
+        return next(iter(told), None)
+    return dict(zip((entry["name"] for entry in model.about["springs"]), told, strict=True))
 
 
-def _shares(model: Any, p: Any, place: Mapping[str, float]) -> tuple[FloatArray, list[float], dict[str, Any]]:
-    """Derivatives of the forces by the parameters in which they are linear, the springs' directions, and the arguments."""
-    values = _values(model, p)
-    directions = _directions(model, place, values)
-    given = [values[name] for name in model.about["arguments"]["statics"]]
-    rows = model.statics.forces_by_parameters(*place.values(), *directions, *given, 0.0, 1)
-    return np.array(rows, dtype=float), directions, values
-
-
-def _stiffnesses(model: Any, p: Any) -> list[str | None]:
-    """The parameter that is the stiffness of each spring: its share of the balance acts along the spring at any place."""
-    names = [entry["name"] for entry in model.about["parameters"]
-             if entry["quantity_unit"] == "N/m" and entry["name"] in model.about["by_parameters"]]  # fmt: skip
-    looked = [_shares(model, p, {name: size * (j + 1) for j, name in enumerate(model.coordinates)}) for size in (-0.013, -0.029)]
-
-    def acts(name: str, j: int) -> bool:
-        for rows, directions, _ in looked:
-            c, s = directions[3 * j : 3 * j + 2]
-            x, y = rows[:2, model.about["by_parameters"].index(name)]
-            if not abs(x * s - y * c) < 1e-9 * math.hypot(x, y):
-                return False
-        return True
-
-    return [next((name for name in names if acts(name, j)), None) for j in range(len(model.about["springs"]))]
+def _told(model: Any, p: Any, place: Mapping[str, float]) -> dict[str, float]:
+    """The forces of the model at a place, by their names."""
+    constants = [float(value) for value in model.arguments(p, "motion")]
+    return {name: float(force(list(place.values()), constants)) for name, force in forces.told_of(model).items()}

@@ -7,18 +7,21 @@ from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..door import model_of
 from ..dynamics import integrators, lanes
 from ..dynamics.problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
+from ..dynamics.trajectory import initial_state
 from ..errors import ParameterError
 from ..files import storage
 from ..files.journal import Record, clear, journal
-from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, Parameters, as_number, as_numbers, common_shape
+from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, ParameterSet, as_number, common_shape
 from . import workers as processes
-from .measure import INPUTS, MotionsOf, Settings, article_motions, measured
+from .measure import MotionsOf, Settings, measured
 from .result import Results, Sweep
 from .workers import Workers
 
@@ -30,14 +33,10 @@ PARTS = 16
 
 
 def rms_sweep(
-    p: Parameters,
+    p: ParameterSet,
     V: ArrayLike | None = None,
     d: ArrayLike | None = None,
     *,
-    x0: ArrayLike = 0.0,
-    y0: ArrayLike = 0.0,
-    vx0: ArrayLike = 0.0,
-    vy0: ArrayLike = 0.0,
     t_end: float = 2000.0,
     transient: float | None = None,
     rtol: float = 1e-10,
@@ -46,16 +45,17 @@ def rms_sweep(
     workers: Workers = 1,
     progress: bool = False,
     store: str | os.PathLike[str] | None = None,
+    **initial: ArrayLike,
 ) -> Sweep:
     """Simulate every point of a broadcast of parameters and initial states, and tell what each comes to.
 
     Parameters
     ----------
-    p : Parameters
+    p : Parameters of any model
         Any shape.
     V, d : array_like, optional
-        In place of those of ``p``. The article states neither.
-    x0, y0, vx0, vy0 : array_like
+        In place of those of ``p``, for models that have them. The article states neither.
+    x0, y0, vx0, vy0, … : array_like, optional
         As for :func:`~spragsym.simulate`; they broadcast with ``p``.
     t_end, transient : float
         Until when to integrate, and what to leave out of every result, by default three quarters of it.
@@ -78,6 +78,7 @@ def rms_sweep(
     Returns
     -------
     Sweep
+        x stands for the model's first coordinate, and y for the second.
 
     Raises
     ------
@@ -106,13 +107,23 @@ def rms_sweep(
     >>> [Regime(code).name for code in sweep.regime]
     ['APPROACHES_EQUILIBRIUM', 'APPROACHES_EQUILIBRIUM', 'UNSETTLED']
     """
-    p = p.given(V=V, d=d)
-    p.require(*p.ranges)
-    given = {name: getattr(p, name) for name in p.ranges}
-    given |= {name: as_numbers(name, value) for name, value in (("x0", x0), ("y0", y0), ("vx0", vx0), ("vy0", vy0))}
-    inputs = {name: given[name] for name in INPUTS}
-    settings = settings_of(t_end, transient, rtol, backend, max_steps)
-    return carried_out(Plan(inputs, settings, article_motions, Results()), workers, progress, store)
+    options: dict[str, Any] = {
+        "t_end": t_end, "transient": transient, "rtol": rtol, "backend": backend, "max_steps": max_steps, "workers": workers,
+        "progress": progress, "store": store, **initial,
+    }  # fmt: skip
+    return run(model_of(p), p.given(V=V, d=d), **options)
+
+
+def run(
+    model: Any, p: ParameterSet, *, t_end: float = 2000.0, transient: float | None = None, rtol: float = 1e-10,
+    backend: str | None = None, max_steps: int = MAX_STEPS, workers: Workers = 1, progress: bool = False,
+    store: str | os.PathLike[str] | None = None, **initial: ArrayLike,
+) -> Sweep:  # fmt: skip
+    """The sweep of a model's motions; arguments as :func:`rms_sweep`."""
+    p.require(*model.parameters)
+    inputs = {**{name: getattr(p, name) for name in model.parameters}, **initial_state(model, None, initial)}
+    settings = settings_of(t_end, transient, rtol, backend, max_steps, model.backends)
+    return carried_out(Plan(inputs, settings, model.motions, Results(model)), workers, progress, store)
 
 
 @dataclass(frozen=True)
@@ -154,7 +165,7 @@ def carried_out(plan: Plan, workers: Workers, progress: bool, store: str | os.Pa
 
 def settings_of(
     t_end: float, transient: float | None, rtol: float, backend: str | None, max_steps: int,
-    offered: tuple[str, ...] = integrators.BACKENDS,
+    offered: tuple[str, ...],
 ) -> Settings:  # fmt: skip
     """What all motions of a sweep share, each of it checked."""
     t_end = as_number("t_end", t_end, POSITIVE)

@@ -15,7 +15,7 @@ from ..dynamics.problem import MAX_STEPS, Constants, check_start, constants_of_m
 from ..dynamics.regimes import Regime
 from ..errors import ParameterError
 from ..files.journal import Record
-from ..parameters import FloatArray, Parameters
+from ..parameters import FloatArray
 
 #: What is measured of every motion after its transient.
 AVERAGES = ("rms", "spread", "amplitude", "mean", "mean_y", "contact_lost", "slip_reversed")
@@ -28,8 +28,6 @@ REPORTED = (*AVERAGES, *LIMITS)
 
 #: A record holds these numbers, then the code of the regime and the place of the equilibrium.
 MEASURED = (*REPORTED, "regime", "rest_x", "rest_y")
-
-INPUTS = (*Parameters.ranges, "x0", "y0", "vx0", "vy0")
 
 
 @dataclass(frozen=True)
@@ -50,11 +48,11 @@ MotionsOf: TypeAlias = Callable[[Settings, Sequence[tuple[float, ...]]], tuple[M
 
 def measured(motions_of: MotionsOf, settings: Settings, points: Sequence[tuple[float, ...]]) -> list[Record]:
     """A record each. What a motion itself makes impossible is its reason; whatever else goes wrong is raised."""
-    motions, reasons = motions_of(settings, points)
+    found, reasons = motions_of(settings, points)
     records: list[Record] = [_no_result(reasons[i]) if i in reasons else ([], "") for i in range(len(points))]
-    if motions is not None:
+    if found is not None:
         with np.errstate(all="ignore"):  # numbers out of range show in the result
-            table, errors = _values(motions, settings.backend)
+            table, errors = _values(found, settings.backend)
         places = (i for i in range(len(points)) if i not in reasons)
         for row, (i, values) in enumerate(zip(places, table.tolist(), strict=True)):
             records[i] = _no_result(errors[row]) if row in errors else (values, "")
@@ -66,7 +64,7 @@ def _no_result(error: Exception) -> Record:
     return [], f"{type(error).__name__}: {' '.join(str(error).split())}"
 
 
-def article_motions(settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
+def motions(settings: Settings, points: Sequence[tuple[float, ...]]) -> tuple[Motions | None, dict[int, Exception]]:
     """Motions of the article's model."""
     values = np.array(points, dtype=np.float64)
     constants, starts = np.array(constants_of_many(values[:, :8].T)).T, values[:, 8:]

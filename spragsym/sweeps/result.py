@@ -14,11 +14,10 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..dynamics import integrators
 from ..dynamics.regimes import Regime
-from ..dynamics.rest import index_of
 from ..errors import TargetError
 from ..files import storage
 from ..files.journal import Record
-from ..parameters import FloatArray, Parameters, degrees
+from ..parameters import FloatArray, degrees
 from . import code
 from .measure import MEASURED, REPORTED, Settings
 
@@ -30,7 +29,8 @@ class Sweep(Result):
     Attributes
     ----------
     inputs : dict of str to ndarray
-        θ₀, μ₀, κ, α, σ, β, V, d, x0, y0, vx0, vy0 as they were given, which broadcast together.
+        The model's parameters and initial state as they were given, which broadcast together; for the article's θ₀, μ₀, κ, α,
+        σ, β, V, d, x0, y0, vx0, vy0. In what follows x is the model's first coordinate, and y the second.
     rms, spread, amplitude, mean, mean_y : ndarray
         Of x after the transient, over L_0: root mean square about zero, and about the mean; largest \\|x\\|;
         means of x and y.
@@ -47,9 +47,12 @@ class Sweep(Result):
     regime : ndarray of int8
         Codes of :class:`Regime`.
     equilibrium : ndarray of int8
-        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its index among ``equilibria(p)``; −1 otherwise.
+        For ``Regime.EQUILIBRIUM`` and ``APPROACHES_EQUILIBRIUM`` its slot among ``equilibria(p)`` in contact at the friction
+        μ(V); −1 otherwise.
     reason : ndarray of str
         Why a motion failed.
+    model : Model
+        The model.
     """
 
     inputs: dict[str, FloatArray]
@@ -76,6 +79,7 @@ class Sweep(Result):
     regime: NDArray[np.int8]
     equilibrium: NDArray[np.int8]
     reason: NDArray[np.str_]
+    model: Any
 
     def to_dataset(self) -> Any:
         """An ``xarray.Dataset`` with units and provenance (extra ``sweep``).
@@ -109,17 +113,18 @@ class Sweep(Result):
     @property
     def angles(self) -> tuple[str, ...]:
         """Inputs that are angles."""
-        return ("theta0",)
+        return tuple(self.model.about["angles"])
 
     @property
     def explained(self) -> Mapping[str, tuple[str, str]]:
         """Unit and meaning of every input and result."""
-        return storage.QUANTITIES
+        explained: Mapping[str, tuple[str, str]] = self.model.quantities
+        return explained
 
     @property
     def how(self) -> Results:
         """How this sweep is made, fingerprinted and loaded."""
-        return Results()
+        return Results(self.model)
 
     def _columns(self) -> dict[str, NDArray[Any]]:
         inputs = {name: np.broadcast_to(values, self.rms.shape) for name, values in self._inputs().items()}
@@ -136,17 +141,25 @@ class Sweep(Result):
 
     def _attributes(self) -> dict[str, Any]:
         settings = Settings(self.t_end, self.transient, self.rtol, self.backend, self.max_steps)
-        return {**storage.provenance(), **vars(settings), "fingerprint": self.how.fingerprint(self.inputs, settings)}
+        return {
+            **storage.provenance(),
+            "model": self.model.name,
+            **vars(settings),
+            "fingerprint": self.how.fingerprint(self.inputs, settings),
+        }
 
 
+@dataclass(frozen=True)
 class Results:
-    """How the result of a sweep is made, fingerprinted and loaded: of the article's model; a subclass is for other models."""
+    """How the result of a sweep of a model is made, fingerprinted and loaded."""
+
+    model: Any
 
     def fingerprint(self, inputs: dict[str, FloatArray], settings: Settings) -> str:
         """A hash of everything that decides the bits of a result."""
         versions = {
             "integrator": integrators.version(settings.backend),
-            "code": code.digest(),
+            "code": code.digest("models"),
             "numpy": np.__version__,  # its eigenvalues tell what is approached
         }
         return storage.fingerprint(inputs, {**vars(settings), **versions, **self.identity()})
@@ -173,16 +186,19 @@ class Results:
         return self.sweep(inputs, settings, results)
 
     def identity(self) -> dict[str, Any]:
-        """What else decides the bits of a result."""
-        return {}
+        """What of the model decides the bits of a result."""
+        about = self.model.about
+        return {"model": about["name"], "files": about["files"], "page": about["source"], "own": sorted(self.model.closed)}
 
     def equilibrium(self, inputs: dict[str, FloatArray], x: FloatArray, y: FloatArray) -> NDArray[np.int8]:
-        """Indices of the equilibria that stand at x, y."""
-        return index_of(Parameters(**{name: inputs[name] for name in Parameters.ranges}), x, y)
+        """Slots of the equilibria that stand at x, y."""
+        p = self.model.Parameters(**{name: inputs[name] for name in self.model.parameters})
+        found: NDArray[np.int8] = self.model.rest_index(p, x, y)
+        return found
 
     def sweep(self, inputs: dict[str, FloatArray], settings: Settings, results: dict[str, Any]) -> Sweep:
         """The sweep itself."""
-        return Sweep(inputs, **vars(settings), **results)
+        return Sweep(inputs, **vars(settings), **results, model=self.model)
 
 
 def _dimensions(inputs: dict[str, FloatArray], shape: tuple[int, ...]) -> tuple[str, ...]:

@@ -1,0 +1,99 @@
+"""Motions and sweeps: one class and one function for every model, with forces held against formulas written by hand."""
+
+from __future__ import annotations
+
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.models.load import shipped
+
+MOVING = [name for name in shipped() if ss.load(name).about["friction"] is not None]
+
+
+def a_set(name: str) -> Any:
+    """Base values of a model; an angle of 40 degrees where there is none."""
+    model = ss.load(name)
+    return model.Parameters(**({"theta0": np.radians(40.0)} if "theta0" in model.parameters else {}))
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_a_motion_of_every_model_has_everything(name: str) -> None:
+    p = a_set(name)
+    tr = ss.simulate(p, t_end=30.0, rtol=1e-8, backend="scipy", estimate_error=True)
+    assert type(tr) is ss.Trajectory
+    assert tr.model is p.model
+    assert tr.state.shape == (len(tr.components), tr.t.size)
+    assert np.array_equal(getattr(tr, tr.components[-1]), tr.state[-1])
+    assert tr.error is not None
+    assert tr.error.max() < 1e-4
+    # The energy changes by the powers, and by nothing else.
+    gained = tr.energy()[-1] - tr.energy()[0]
+    assert gained == pytest.approx(tr.integral(tr.power()), abs=1e-4 * max(1.0, np.abs(tr.energy()).max()))
+    assert tr.rms() >= 0
+    assert tr.spectrum(0.0).frequency.size
+    assert tr.outcome().regime in set(ss.sweeps.Regime)
+    again = pickle.loads(pickle.dumps(tr))
+    assert np.array_equal(again.state, tr.state)
+    assert again.model.name == name
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_a_sweep_says_what_the_motion_says(name: str) -> None:
+    p = a_set(name)
+    sweep = ss.rms_sweep(p, t_end=30.0, rtol=1e-8, backend="scipy")
+    tr = ss.simulate(p, t_end=30.0, rtol=1e-8, backend="scipy")
+    found = tr.outcome()
+    assert type(sweep) is ss.Sweep
+    assert sweep.model is p.model
+    assert sweep.rms == pytest.approx(tr.rms(), abs=1e-9)
+    assert (sweep.regime, sweep.equilibrium) == (found.regime, found.equilibrium)
+
+
+def test_a_start_may_be_given_whole_or_by_names() -> None:
+    p = ss.Parameters(theta0=0.7)
+    whole = ss.simulate(p, start=[0.1, -0.01, 0.0, 0.02], t_end=20.0)
+    named = ss.simulate(p, x0=0.1, y0=-0.01, vy0=0.02, t_end=20.0)
+    assert np.array_equal(whole.state, named.state)
+    with pytest.raises(ss.ParameterError, match=r"start has the shape \(2,\); it is x0, y0, vx0, vy0"):
+        ss.simulate(p, start=[0.1, 0.0])
+    with pytest.raises(ss.ParameterTypeError, match="xO is no argument; the initial state is x0, y0, vx0, vy0"):
+        ss.simulate(p, xO=0.1)
+
+
+def test_two_ways_to_one_motion() -> None:
+    """The article's own field and that of its page."""
+    p = ss.Parameters(theta0=np.radians(49.0))
+    closed, search = (ss.simulate(p, t_end=200.0, rtol=1e-12, method=method) for method in ("auto", "search"))
+    t = np.linspace(0.0, 200.0, 300)
+    assert np.abs(closed(t) - search(t)).max() < 1e-8
+    assert len(closed.events) == len(search.events)
+
+
+def test_forces_of_springs_and_of_the_contact_are_those_written_by_hand() -> None:
+    p = ss.load("two_springs").Parameters(theta0=0.8, sigma_2=0.04, lambda_2=1.3, theta0_2=1.9)
+    tr = ss.simulate(p, t_end=40.0)
+    lengths = [np.hypot(size * np.cos(angle) - tr.x, size * np.sin(angle) - tr.y) for size, angle in ((1.0, 0.8), (1.3, 1.9))]
+    assert np.abs(tr.spring_force("spring 1") - float(p.sigma) * (lengths[0] - 1.0)).max() < 1e-14
+    assert np.abs(tr.spring_force("spring 2") - 0.04 * (lengths[1] - 1.3)).max() < 1e-14
+    assert np.array_equal(tr.contact_force(), np.maximum(-tr.y, 0.0))
+    with pytest.raises(ss.ParameterError, match="spring = None of two_springs is one of 'spring 1', 'spring 2'"):
+        tr.spring_force()
+    # Where the gap is no coordinate the normal force is the law of the depth, whatever share of it each coordinate feels.
+    rod = ss.load("sprag_rod").Parameters(theta0=0.7)
+    swing = ss.simulate(rod, start=[1.0, 0.0], t_end=20.0)
+    assert np.abs(swing.contact_force() - np.maximum(np.cos(swing.phi) - np.cos(0.7), 0.0)).max() < 1e-14
+    assert swing.contact_force().max() > 0
+
+
+def test_the_range_of_forces_over_a_cycle_is_that_of_its_motion() -> None:
+    p = ss.Parameters(theta0=np.radians(42.0))
+    cycle = ss.cycle(p, near=(2.54, 3.36, 0.0, 0.36))
+    tr = cycle.trajectory()
+    assert set(cycle.forces) == {"spring_force", "contact_force"}
+    assert cycle.forces["spring_force"] == pytest.approx((tr.spring_force().min(), tr.spring_force().max()), abs=1e-4)
+    belt = ss.load("stick_slip").Parameters(V=0.2)
+    assert ss.cycle(belt).forces == {}

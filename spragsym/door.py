@@ -56,10 +56,10 @@ def question(general: Callable[..., Any]) -> Callable[..., Any]:
             raise ParameterError(f"method = {method!r} is not one of {', '.join(WAYS)}")
         _check(model, args, options)
         if method != "search" and name in model.closed:
-            room, along = model.closed[name]
+            room, along, only = model.closed[name]
             closed = _closed(room, name)
-            alone = len(args) == 1 and not options  # one argument always fits
-            if alone or not answered or _takes(closed, along, model, args, options):
+            alone = len(args) == 1 and not options and not only  # one argument always fits
+            if alone or not answered or _takes(closed, along, only, model, args, options):
                 return closed(*args, **options)
         if method == "closed":
             raise ModelError(f"{model.name} has no closed form for this {name}; leave method out, or give method='search'")
@@ -166,9 +166,12 @@ def _signature(function: Callable[..., Any]) -> inspect.Signature:
 
 
 def _takes(
-    closed: Callable[..., Any], along: Collection[Any], model: Any, args: tuple[Any, ...], options: dict[str, Any]
-) -> bool:
-    """Whether a closed form has arguments of these names, and knows what varies, if that is of the model at all."""
+    closed: Callable[..., Any], along: Collection[Any], only: Mapping[str, Any], model: Any, args: tuple[Any, ...],
+    options: dict[str, Any],
+) -> bool:  # fmt: skip
+    """Whether a closed form has arguments of these names and values, and knows what varies, if that is of the model at all."""
+    if any(name not in options or options[name] != value for name, value in only.items()):
+        return False
     try:
         given = _signature(closed).bind(*args, **options).arguments
     except TypeError:

@@ -74,7 +74,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=600),
     "FoldCurve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
     "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 50),
-    "FlutterOnsets": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7)),
+    "FlutterOnsets": lambda: ss.flutter_onsets(ONE.replace(alpha=0.7), damping=False),
     "LinearSprag": lambda: ss.linear_sprag(P),
     "Path": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", np.radians(np.arange(1.0, 180.0))),
     "Jump": lambda: ss.quasi_static_path(ss.Parameters.article(mu0=0.7), "theta0", [0.5, 1.0]).jumps[0],

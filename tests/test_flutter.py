@@ -54,7 +54,7 @@ def _residuals(p: dict[str, mpmath.mpf]) -> Callable[..., list[mpmath.mpf]]:
 @pytest.mark.parametrize("arb", [False, True])
 def test_onsets_solve_the_equations_of_motion_within_their_error(p: ss.Parameters, arb: bool) -> None:
     arith = pytest.importorskip("benchmarks.arb").Arb() if arb else intervals.arithmetic()
-    found = ss.flutter_onsets(p, arith=arith)
+    found = ss.flutter_onsets(p, arith=arith, damping=False)
     assert len(found) >= 1
     assert (found.mu0 == float(p.mu0)).all()
     with mpmath.workdps(110):
@@ -74,14 +74,14 @@ def _mirrored(found: ss.FlutterOnsets) -> np.ndarray:
 
 
 def test_an_onset_next_to_90_degrees_is_found() -> None:
-    found = np.degrees(ss.flutter_onsets(NEXT_TO_90).theta0)
+    found = np.degrees(ss.flutter_onsets(NEXT_TO_90, damping=False).theta0)
     assert len(found) == 2
     assert 89.70 < found[0] < 89.78
 
 
 def test_without_alpha_each_onset_is_listed_once_with_its_mirror_image() -> None:
     for kappa in (0.0035, 0.02, 1e-4):
-        found = ss.flutter_onsets(WITHOUT_ALPHA.replace(kappa=kappa))
+        found = ss.flutter_onsets(WITHOUT_ALPHA.replace(kappa=kappa), damping=False)
         assert len(found)
         assert np.diff(found.theta0).min() > 1e-3
         np.testing.assert_allclose(found.theta0, _mirrored(found), rtol=0, atol=1e-14)
@@ -98,7 +98,7 @@ def test_random_sets_against_a_map_of_stability() -> None:
     listed = without_alpha = 0
     for _ in range(60):
         p = random_set(rng)
-        onsets = ss.flutter_onsets(p)
+        onsets = ss.flutter_onsets(p, damping=False)
         missed, extra, seen = compare(p, onsets)
         assert (missed, extra) == (0, 0), p
         assert seen == len(onsets), p
@@ -108,7 +108,7 @@ def test_random_sets_against_a_map_of_stability() -> None:
 
 
 def test_the_map_notices_a_missing_and_an_invented_onset() -> None:
-    found = ss.flutter_onsets(WITHOUT_ALPHA)
+    found = ss.flutter_onsets(WITHOUT_ALPHA, damping=False)
 
     def changed(keep: list[int], shift: float = 0.0) -> ss.FlutterOnsets:
         arrays = {name: getattr(found, name)[keep] for name in found.__dataclass_fields__}
@@ -124,11 +124,11 @@ def test_two_onsets_are_told_apart_down_to_the_last_float() -> None:
     """At the lowest friction with flutter two onsets are born; one float below there is none."""
     p = ss.Parameters.article(alpha=0.7)
     low, high = 0.40, 0.41
-    assert len(ss.flutter_onsets(p.replace(mu0=low))) == 0
+    assert len(ss.flutter_onsets(p.replace(mu0=low), damping=False)) == 0
     while math.nextafter(low, 1.0) < high:
         middle = 0.5 * (low + high)
-        low, high = (low, middle) if len(ss.flutter_onsets(p.replace(mu0=middle))) else (middle, high)
-    found = ss.flutter_onsets(p.replace(mu0=high))
+        low, high = (low, middle) if len(ss.flutter_onsets(p.replace(mu0=middle), damping=False)) else (middle, high)
+    found = ss.flutter_onsets(p.replace(mu0=high), damping=False)
     assert len(found) == 2
     assert found.side.tolist() == [1, -1]
     assert 0 < np.diff(found.theta0)[0] < 1e-6
@@ -137,13 +137,13 @@ def test_two_onsets_are_told_apart_down_to_the_last_float() -> None:
 def test_nothing_flutters_without_friction() -> None:
     """K is symmetric. With α = 2, σ = L = 1 its two eigenvalues coincide, which is no onset of anything."""
     for alpha in (0.0, 0.7, 2.0):
-        assert len(ss.flutter_onsets(ss.Parameters(mu0=0.0, kappa=0.007, alpha=alpha, sigma=1.0, beta=0.0))) == 0
+        assert len(ss.flutter_onsets(ss.Parameters(mu0=0.0, kappa=0.007, alpha=alpha, sigma=1.0, beta=0.0), damping=False)) == 0
 
 
 @pytest.mark.parametrize("alpha", [0.0, 1e-300, 1e-8])
 def test_small_alpha_tends_to_none(alpha: float) -> None:
-    found = ss.flutter_onsets(ss.Parameters.article(mu0=6.0, alpha=alpha))
-    without = ss.flutter_onsets(ss.Parameters.article(mu0=6.0, alpha=0.0))
+    found = ss.flutter_onsets(ss.Parameters.article(mu0=6.0, alpha=alpha), damping=False)
+    without = ss.flutter_onsets(ss.Parameters.article(mu0=6.0, alpha=0.0), damping=False)
     np.testing.assert_allclose(found.theta0, without.theta0, rtol=0, atol=20 * alpha + 1e-15)
     assert found.side.tolist() == without.side.tolist() == [1, -1, 1, -1]
 
@@ -193,7 +193,7 @@ def test_no_onset_is_a_fold() -> None:
     rng = np.random.default_rng(3)
     for _ in range(20):
         p = random_set(rng)
-        found = ss.flutter_onsets(p)
+        found = ss.flutter_onsets(p, damping=False)
         mu0, kappa, alpha, sigma, beta = p.scalars("mu0", "kappa", "alpha", "sigma", "beta")
         c, s, c0, s0 = np.cos(found.theta), np.sin(found.theta), np.cos(found.theta0), np.sin(found.theta0)
         slope = kernel.f_slope(c, s, *kernel.f_coefficients(c0, s0, mu0, kappa, alpha, sigma, beta, 1))
@@ -215,7 +215,7 @@ def test_the_boundary_has_every_onset_once_at_each_friction(changes: dict[str, f
     points = np.stack([along.theta0, along.theta], axis=-1)
     assert len(np.unique(points, axis=0)) == len(points)
     for mu0 in (0.03, 0.45, 0.75, 1.3, 6.0, 30.0):
-        found = ss.flutter_onsets(p.replace(mu0=mu0))
+        found = ss.flutter_onsets(p.replace(mu0=mu0), damping=False)
         same = along.curve[1:] == along.curve[:-1]
         above = along.mu0 > mu0
         crossings = np.flatnonzero(same & (above[1:] != above[:-1]))
@@ -229,7 +229,7 @@ def test_boundary_points_are_on_the_boundary_to_rounding() -> None:
         p = ss.Parameters.article(**changes)
         found = ss.flutter_boundary(p, n=300)
         for i in np.flatnonzero((found.mu0 < 20) & (found.count > 0))[::20]:
-            exact = ss.flutter_onsets(p.replace(mu0=found.mu0[i]))
+            exact = ss.flutter_onsets(p.replace(mu0=found.mu0[i]), damping=False)
             # Loose, since an onset is ill-conditioned in θ₀ where the boundary has a level of friction for a tangent.
             assert np.hypot(exact.theta0 - found.theta0[i], exact.theta - found.theta[i]).min(initial=np.inf) < 1e-6
             j = int(np.argmin(np.abs(exact.theta0 - found.theta0[i])))

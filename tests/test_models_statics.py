@@ -227,7 +227,7 @@ def test_a_root_where_the_column_in_use_vanishes_is_no_cusp():
 
 def test_flutter_without_damping_is_the_articles():
     p = ss.Parameters.article(alpha=0.7)
-    known = ss.flutter_onsets(p)
+    known = ss.flutter_onsets(p, damping=False)
     found = model("kang_nam").flutter_onsets(same_parameters("kang_nam", p.replace(theta0=1.0)), "theta0", damping=False)
     assert found.complete
     assert np.allclose(found.theta0, known.theta0, atol=1e-12)

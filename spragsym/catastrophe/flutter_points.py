@@ -48,8 +48,10 @@ class FlutterOnsets(Result):
         return int(self.theta0.size)
 
 
-def flutter_onsets(p: Parameters, vary: str = "theta0", *, arith: Arithmetic | None = None) -> FlutterOnsets:
-    """All onsets of flutter in contact along 0 < θ₀ < π at the friction μ₀ of ``p``: proved complete, to 1e-12 and better.
+def flutter_onsets(
+    p: Parameters, vary: str = "theta0", *, damping: bool = False, arith: Arithmetic | None = None
+) -> FlutterOnsets:
+    """All onsets of flutter by (27) in contact along 0 < θ₀ < π at the friction μ₀ of ``p``, proved complete.
 
     Parameters
     ----------
@@ -57,6 +59,9 @@ def flutter_onsets(p: Parameters, vary: str = "theta0", *, arith: Arithmetic | N
         Scalars μ₀, κ, α, σ, β, taken as the exact rationals that the floats are; ``theta0`` is not used.
     vary : str
         θ₀, along which there are closed forms; along others :class:`spragsym.Model` searches.
+    damping : bool
+        False is (27), without the slope of the friction law. ``ss.flutter_onsets(p)`` of every model takes dampers and that slope
+        in unless told otherwise, and searches.
 
     Returns
     -------

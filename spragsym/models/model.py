@@ -65,7 +65,7 @@ class Model:
 
     def __init__(
         self, where: str, about: Mapping[str, Any], modules: Callable[[str], ModuleType | None], parameters: Any,
-        closed: Mapping[str, tuple[str, Collection[Any]]] | None = None,
+        closed: Mapping[str, tuple[str, Collection[Any], Mapping[str, Any]]] | None = None,
     ) -> None:  # fmt: skip
         self.name: str = about["name"]
         self.where, self.about, self.Parameters, self.closed = where, about, parameters, closed or {}

@@ -131,6 +131,18 @@ def test_the_model_and_the_public_function_answer_alike() -> None:
     assert q.model.equilibria(q).x.tolist() == ss.equilibria(q).x.tolist()
 
 
+def test_an_onset_of_flutter_means_the_same_for_every_model() -> None:
+    """Dampers and the slope of the friction law are taken in unless told otherwise; without them the article has (27)."""
+    p = ss.Parameters(alpha=0.7, theta0=1.0)
+    closed, search = (ss.flutter_onsets(p, damping=False, method=method) for method in ("closed", "search"))
+    assert closed.theta0.tolist() == ss.flutter_onsets(p, damping=False).theta0.tolist()
+    assert closed.theta0 == pytest.approx(search.theta0, abs=1e-10)
+    asked = {"vary": "theta0", "between": {"theta0": (2.2, 3.0)}}
+    assert ss.flutter_onsets(p, **asked).theta0.tolist() == p.model.search.flutter_onsets(p, **asked).theta0.tolist()
+    with pytest.raises(ss.ModelError, match="no closed form"):
+        ss.flutter_onsets(p, method="closed")
+
+
 def test_two_ways_to_one_answer() -> None:
     p, one = ss.Parameters(theta0=np.radians([30.0, 49.0])), ss.Parameters()
     closed, search = (ss.equilibria(p, method=method) for method in ("closed", "search"))

@@ -36,7 +36,7 @@ def test_a_motion_of_every_model_has_everything(name: str) -> None:
     assert tr.rms() >= 0
     assert tr.spectrum(0.0).frequency.size
     assert tr.outcome().regime in set(ss.sweeps.Regime)
-    again = pickle.loads(pickle.dumps(tr))
+    again = pickle.loads(pickle.dumps(tr))  # noqa: S301  # written here
     assert np.array_equal(again.state, tr.state)
     assert again.model.name == name
 

@@ -15,7 +15,7 @@ from spragsym.cli import cli
 from spragsym.statics import Stability
 
 
-def eigenvalues(model: object, eq: ss.models.ModelEquilibria, slot: int, p: object) -> list[complex]:
+def eigenvalues(model: object, eq: ss.Equilibria, slot: int, p: object) -> list[complex]:
     """λ with 40 digits, from the matrices of floats."""
     from spragsym.models.balance import Balance
     from spragsym.models.stability import linearization

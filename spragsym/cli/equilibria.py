@@ -107,7 +107,7 @@ def _rows(values: dict[str, float]) -> tuple[list[dict[str, Any]], dict[str, str
     import numpy as np
 
     from ..errors import ConvergenceError
-    from ..statics.solver import Stability
+    from ..statics.results import Stability
     from ..statics.solver import equilibria as solve
 
     p = build(**values)

@@ -70,7 +70,9 @@ def _linearized(
     decay = spectrum.decay(balance, given, ends, alone, undamped)
     real = fastest.imag <= REAL * np.abs(fastest)
     grows = np.where(real, "divergent", "flutter")
-    return fastest.real, np.where(decay > 0, "stable", np.where(decay == 0, "marginal", grows))
+    # What rounding leaves is on the side that is proved.
+    growth = np.where(decay > 0, np.minimum(fastest.real, 0.0), np.where(decay < 0, np.maximum(fastest.real, 0.0), fastest.real))
+    return growth, np.where(decay > 0, "stable", np.where(decay == 0, "marginal", grows))
 
 
 def _fastest(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:

@@ -67,9 +67,10 @@ class Equilibria(Result):
     """Every equilibrium of every parameter point.
 
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
-    equilibria stand in one order for each model, that of the first coordinate or, in closed forms, of ``theta``; NaN beyond
-    ``count``. So are, for each inclined spring, its direction in radians and its length: ``theta`` and ``L`` where there is one,
-    ``theta_1``, ``L_1``, … where there are several. Columns are made when they are first asked for.
+    equilibria stand in ascending order of the first coordinate, NaN beyond ``count``; closed forms order them by ``theta``, which
+    in contact is the same and in lift-off is not. So are, for each inclined spring, its direction in radians and its length:
+    ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several. Columns are made when they are first
+    asked for.
 
     Attributes
     ----------

@@ -36,7 +36,7 @@ def rows_of(eq: Any) -> list[dict[str, Any]]:
 
 
 def unless_room(columns: Sequence[str]) -> tuple[str, ...]:
-    """Columns that a table without room for them leaves out: lengths of springs, which follow from their directions, and errors."""
+    """Columns that a table without room for them leaves out: lengths of springs, which follow from coordinates, and errors."""
     return (*(name for name in columns if name == "L" or name.startswith("L_")), "error")
 
 

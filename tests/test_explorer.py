@@ -200,7 +200,7 @@ def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) 
     explorer.open("".join(f"&{name}={value}" for name, value in changes.items())[1:])
     says = explorer.page.locator("#lowest")
     theirs = ss.critical_friction(BASE.replace(**changes))
-    words = {"cusp": ", a cusp.", "turn": ", where the curve of folds turns back.", "": "No fold:"}[theirs.kind]
+    words = {"cusp": ", a cusp.", "turn": ", where the curve of folds turns back.", "": "No fold ends"}[theirs.kind]
     says.filter(has_text=words).wait_for()
     if theirs.kind:
         friction, angle = re.findall(r"= ([\d.]+)", says.inner_text())

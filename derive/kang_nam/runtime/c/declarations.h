@@ -110,16 +110,16 @@ spragsym_status spragsym_step(const spragsym_model *model, double V, double d, d
 
 /** Where the lowest fold is: on the curve of folds in the plane of theta0 and mu0. */
 typedef enum {
-    SPRAGSYM_NO_FOLD = 0, /**< there is none */
+    SPRAGSYM_NO_FOLD = 0, /**< no fold ends the state of small deformation */
     SPRAGSYM_CUSP = 1,    /**< at a cusp */
     SPRAGSYM_TURN = 2,    /**< where the curve turns back in mu0 */
     SPRAGSYM_END = 3      /**< as theta0 goes to 0 */
 } spragsym_fold_kind;
 
-/** The lowest fold. */
+/** The lowest fold that ends the state of small deformation. */
 typedef struct {
-    double mu0;    /**< its friction; HUGE_VAL if there is no fold */
-    double theta0; /**< its inclination; 0 if there is no fold */
+    double mu0;    /**< its friction; HUGE_VAL if no fold ends that state */
+    double theta0; /**< its inclination; 0 if none does */
     spragsym_fold_kind kind;
 } spragsym_lowest_fold;
 

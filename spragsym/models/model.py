@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
+    from ..statics.results import Equilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
     from .bifurcation import ModelBifurcationSet
     from .diagram import Diagram
-    from .equilibria import ModelEquilibria
     from .hopf_curves import OnsetCurves
     from .onsets import Onsets
     from .paths import ModelPath
@@ -107,6 +107,14 @@ class Model:
         return tuple(entry["name"] for entry in self.about["parameters"])
 
     @property
+    def regimes(self) -> dict[bool, str]:
+        """What ``contact`` may be for equilibria, and what each is called."""
+        contact, friction = self.about["contact"], self.about["friction"]
+        if contact["gap"] is None:
+            return {True: "sliding" if friction else "rest"}
+        return {True: "contact", False: "lift-off"} if contact["unilateral"] else {True: "contact"}
+
+    @property
     def base(self) -> dict[str, float]:
         """Base values; a parameter without one, as the article's θ₀, is not among them."""
         return _parameters.base(self.about)
@@ -152,7 +160,7 @@ class Model:
     @question
     def equilibria(
         self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
-    ) -> ModelEquilibria:
+    ) -> Equilibria:
         """All equilibria in contact, or in lift-off, proved; ``p`` of any shape, ``within={"x": (-5, 5)}`` a box by hand.
 
         Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
@@ -170,7 +178,7 @@ class Model:
         ConvergenceError
             Where a point is not decided.
         """
-        found: ModelEquilibria = self.search.equilibria(p)
+        found: Equilibria = self.search.equilibria(p)
         if not found.complete:
             raise ConvergenceError(
                 f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them"

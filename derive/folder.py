@@ -18,7 +18,7 @@ from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
 from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
-from .model import Page
+from .model import Page, acceleration_of
 from .pages import Model
 
 #: Text of a function → the model and the module that have it first.
@@ -100,7 +100,7 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
         str(MU): "friction coefficient",
         str(PUSHING): "1 in contact, 0 in lift-off",
         str(SIDE): "1 where the belt is ahead, −1 where the mass is",
-        **{f"a{symbol}": f"acceleration of {symbol}" for symbol in model.coordinates},
+        **{acceleration_of(symbol): f"acceleration of {symbol}" for symbol in model.coordinates},
         **{str(symbol): "1 where an exponential of the friction law is felt, 0 where it is left out" for symbol in laws.near(9)},
     }
 

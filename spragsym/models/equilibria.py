@@ -27,7 +27,9 @@ from .precise import (
     at,
     boxes_of,
     hull_of_each,
+    lines,
     of_each,
+    of_points,
     precise_forces,
     replaced,
     settled,
@@ -252,15 +254,19 @@ def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     found = _searched(balance, given, around, *STAGES[0])
+    along = lines(found)
     for stage in STAGES[1:]:
-        points = unsettled(found)
+        points = np.setdiff1d(unsettled(found), along)
         if points.size:
             left, owner = boxes_of(found)
-            hulls = hull_of_each(left, np.searchsorted(points, owner), points.size)
+            mine = np.isin(owner, points)
+            hulls = hull_of_each(left[:, :, mine], np.searchsorted(points, owner[mine]), points.size)
             part = at(_searched(balance, given[:, points], hulls, *stage), points)
-            found = replaced(found, points, assembled(of_each(around, given), found, points, [part]))
+            along = np.union1d(along, lines(part))
+            points = np.setdiff1d(points, along)
+            found = replaced(found, points, assembled(of_each(around, given), found, points, [of_points(part, points)]))
     found = around_anchors(balance, given, around, found)
-    found = settled_by_digits(balance, given, around, found, precise_forces(balance))
+    found = settled_by_digits(balance, given, around, found, precise_forces(balance), along.tolist())
     return around_anchors(balance, given, around, found, 0.0)
 
 

@@ -145,8 +145,13 @@ def description(model: Model) -> dict[str, Any]:
         "by_parameters": [*(str(symbol) for symbol in statics.parameters(it)), str(MU)],
         "contact": {
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
+            **({} if it.page.normal is None else {"line": it.page.normal.line}),
         },
-        "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        "friction": (
+            None
+            if it.slide is None or it.page.sliding is None
+            else {"along": str(it.slide), "belt": str(it.belt), "line": it.page.sliding.line}
+        ),
         **({"waves": True} if mechanics.waves(sp.Tuple(*it.residuals)) else {}),
         **({"curved": True} if motion.Motion(it).curved else {}),
         "dampers": bool(it.page.dampers),

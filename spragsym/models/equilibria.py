@@ -45,6 +45,10 @@ from .turns import once_around
 #: so is searched anew, to narrower boxes.
 STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
 
+#: Boxes of a point that a second, narrower search leaves where roots form a line.
+ALL_OVER = 2000
+#: Boxes of a point that are looked at where floats only look for what is there.
+SEEN_BUDGET = 8000
 #: Imaginary part of a λ that is real to floats, over its size.
 REAL = 1e-9
 
@@ -226,6 +230,13 @@ def columns(p: Any, names: list[str]) -> FloatArray:
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
 
 
+def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> Roots:
+    """The roots of all points that one search in floats decides, on either side of the border; those it leaves are missing."""
+    around, _ = region(balance, Intervals.point(given), asked)
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits, budget=SEEN_BUDGET)
+    return certified_roots.roots(balance, outcome, around, given, given)
+
+
 def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
     around, whole = region(balance, Intervals.point(given), asked)
@@ -261,7 +272,7 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
             left, owner = boxes_of(found)
             mine = np.isin(owner, points)
             hulls = hull_of_each(left[:, :, mine], np.searchsorted(points, owner[mine]), points.size)
-            part = at(_searched(balance, given[:, points], hulls, *stage), points)
+            part = at(_searched(balance, given[:, points], hulls, *stage, again=True), points)
             along = np.union1d(along, lines(part))
             points = np.setdiff1d(points, along)
             found = replaced(found, points, assembled(of_each(around, given), found, points, [of_points(part, points)]))
@@ -270,11 +281,19 @@ def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     return around_anchors(balance, given, around, found, 0.0)
 
 
-def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int) -> Roots:
-    """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double."""
+def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int, again: bool = False) -> Roots:
+    """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double.
+
+    Where a search ``again`` still leaves boxes all over, there is a line of roots, and nothing is reduced.
+    """
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
     found = certified_roots.roots(balance, outcome, around, given, given)
-    return settled(balance, given, around, found, levels)
+    along = lines(found, ALL_OVER) if again else np.empty(0, dtype=np.int64)
+    if not along.size:
+        return settled(balance, given, around, found, levels)
+    rest = np.setdiff1d(np.arange(given.shape[1]), along)
+    some = settled(balance, given, around, of_points(found, rest), levels)
+    return certified_roots.concatenated([some, of_points(found, along)], balance.n)
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> ModelEquilibria:

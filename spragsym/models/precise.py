@@ -35,6 +35,8 @@ BITS = (160, 320)
 TOLERANCE = 1e-12
 #: Clusters of boxes of a point: more lie around no equilibria.
 CLUSTERS = 24
+#: Parts that are left all over a cluster: more bits do not help.
+ALL_OVER = 32
 #: Clusters of which double-double decides none: so many lie along a line.
 LINE = 500
 #: Next boxes of the same point that a box is compared with at once.
@@ -116,9 +118,9 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     return replaced(found, points, assembled(of_each(around, given), found, points, [part]))
 
 
-def lines(found: Roots) -> NDArray[np.int64]:
+def lines(found: Roots, most: int = LINE) -> NDArray[np.int64]:
     """Points of which more is left than lies around equilibria: where something is free to move they form lines."""
-    return np.flatnonzero(np.bincount(found.left_point) > LINE)
+    return np.flatnonzero(np.bincount(found.left_point) > most)
 
 
 def precise_forces(balance: Balance) -> Precise:
@@ -258,7 +260,7 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Cal
             out = reduced_roots(precise(bits), box, slopes, bits)
         except Undecided:
             continue
-        if not out.left:
+        if not out.left or len(out.left) > ALL_OVER:
             break
     return out
 

@@ -27,10 +27,10 @@ FRICTION = "lambda v: mu0 * (1 - exp(-d * Abs(v))) * sgn(v), at_rest=mu0"
 TANH = "lambda v: mu0 * tanh(d * v), at_rest=mu0"
 ATAN = "lambda v: 2 / pi * mu0 * atan(d * v)"
 STRIBECK = "lambda v: mu0 * (r + (1 - r) * exp(-f * Abs(v))) * tanh(d * v)"
-FALL = '''
+FALL = """
 r = page.parameter("r", "1", "what is left of friction", "[0, 1]", 0.5)
 f = page.parameter("f", "s/m", "how fast friction falls", "> 0", 1.0)
-'''
+"""
 
 
 @dataclass(frozen=True)

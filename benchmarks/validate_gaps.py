@@ -124,7 +124,14 @@ def states(model: Any, hand: Hand, p: Values, contact: int, rng: np.random.Gener
     """States of one set: residual, gap, growth; and whether one is missed."""
     eq = model.equilibria(model.Parameters(**p), contact=bool(contact))
     listed = np.array([eq.coordinates[name][: int(eq.count)] for name in model.coordinates]).T
-    counts = Counter(sets=1, states=len(listed), kinds=0, **{"not complete": int(not eq.complete), "undecided": int(not eq.decided.all())}, missed=0, wrong=0)
+    counts = Counter(
+        sets=1,
+        states=len(listed),
+        kinds=0,
+        **{"not complete": int(not eq.complete), "undecided": int(not eq.decided.all())},
+        missed=0,
+        wrong=0,
+    )
     counts["without a reason"] = int(not eq.complete and not eq.remarks)
     scale = 1 + max(map(abs, p.values()))
     for slot, q in enumerate(listed):
@@ -158,7 +165,13 @@ def points(model: Any, hand: Hand, p: Values, kind: str, rng: np.random.Generato
     search = model.folds if kind == "folds" else model.flutter_onsets
     found = search(model.Parameters(**p), vary, between={vary: span})
     listed = np.array([getattr(found, name) for name in (*model.coordinates, vary)]).reshape(len(model.coordinates) + 1, -1).T
-    counts = Counter(sets=1, points=len(listed), **{"not complete": int(not found.complete), "undecided": int(not found.decided)}, missed=0, wrong=0)
+    counts = Counter(
+        sets=1,
+        points=len(listed),
+        **{"not complete": int(not found.complete), "undecided": int(not found.decided)},
+        missed=0,
+        wrong=0,
+    )
     counts["without a reason"] = int(not found.complete and not found.remarks)
 
     def rows(z: np.ndarray) -> np.ndarray:

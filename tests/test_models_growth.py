@@ -80,3 +80,15 @@ def test_without_damping_it_is_27() -> None:
     p = model.Parameters(theta0=np.radians(30.0), mu0=0.0)
     eq = model.equilibria(p)
     assert (eq.stable == (eq.stability == Stability.STABLE)).all()
+
+
+def test_a_path_says_what_grows() -> None:
+    """Where the law of friction falls the state of `stribeck` grows, though (27) calls it stable."""
+    model = ss.load("stribeck")
+    path = model.quasi_static_path(model.Parameters(theta0=1.0), "V", [0.3, 0.6])
+    eq = model.equilibria(model.Parameters(theta0=1.0, V=path.values))
+    for row in range(2):
+        slot = int(np.abs(eq.x[row] - path.x[row]).argmin())
+        assert path.kind[row] == eq.kind[row, slot]
+    assert (path.stability == ss.Stability.STABLE).all()
+    assert "flutter" in path.kind

@@ -106,8 +106,8 @@ def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
 ) -> None:
     """A chain of three masses, with a search that ends long before all is decided."""
     p = chain.Parameters(
-        V=0.371, d=7.74, nu_1=0.957, nu_2=0.131, sigma_1=0.727, sigma_2=0.746, sigma_3=0.113, sigma=0.395, zeta=0.0, kappa=0.0459, a=0.393,
-        theta0=2.45,
+        V=0.371, d=7.74, nu_1=0.957, nu_2=0.131, sigma_1=0.727, sigma_2=0.746, sigma_3=0.113, sigma=0.395, zeta=0.0,
+        kappa=0.0459, a=0.393, theta0=2.45,
     )  # fmt: skip
     monkeypatch.setattr(points, "COSTLY_BUDGET", 40)
     found = chain.flutter_onsets(p, "mu0", between={"mu0": (0.0, 1.0)}, damping=damping)

@@ -25,6 +25,8 @@ from .seen import VALUES, with_seen
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
+#: Number of states at which it is looked at whether anything damps: some are in contact.
+PLACES = 64
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 
@@ -116,10 +118,12 @@ def flutter_onsets(
 
 
 def _is_damped(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
-    """Whether C is not 0 at a generic state."""
-    point = np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given)
-    state = -np.linspace(0.11, 0.23, balance.n)[:, None]
-    return bool(np.any(stability.linearization(balance, state, point)[1]))
+    """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
+    point = np.repeat(np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given), PLACES, axis=1)
+    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(0.01, 3.0, PLACES)
+    with np.errstate(all="ignore"):
+        C = stability.linearization(balance, states, point)[1]
+    return bool((np.isfinite(C) & (C != 0)).any())
 
 
 def _damped_by_friction_alone(balance: Balance, given: FloatArray, spans: FloatArray) -> int | None:

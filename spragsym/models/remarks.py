@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
-from .balance import Balance
+from .balance import NOTHING, Balance
 
 #: A box no wider than this, over the size of its coordinates, is one place to floats.
 ONE_PLACE = 1e-9
@@ -21,6 +21,7 @@ POLE = "hold an end of a spring that resists turning: its force has no bound the
 BORDER = "hold places where the contact just touches: whether what is there lies on this side of the border is not known"
 PLACE = "are one place each to floats: a double root may be there, two very near ones, or none"
 LINE = "lie along places where the equations hold to rounding: a line of roots, or a few on it that floats do not tell apart"
+FREE = "hold lines of states or none: at these parameters no force acts on one of the coordinates, wherever it is"
 WIDE = "are left from a search that ended before they were small enough to be decided: a smaller range or a smaller box helps"
 
 
@@ -48,10 +49,16 @@ def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         gap = stacked([balance.gap(q, values)], (count,))[0]
         border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
         relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
+        free = np.zeros(count, dtype=np.bool_)
+        if varied is None:
+            forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))
+            free = (forces.magnitude <= NOTHING).any(axis=0)
+    pole, anchor, border = pole & ~free, anchor & ~free, border & ~free
     anchor &= ~pole & (relative <= SMALL)
     border &= ~(pole | anchor) & (relative <= SMALL)
-    rest = ~(pole | anchor | border)
+    rest = ~(pole | anchor | border | free)
     kinds = (
+        (free, FREE),
         (pole, POLE), (anchor, ANCHOR), (border, BORDER), (rest & (relative <= ONE_PLACE), PLACE),
         (rest & (relative > ONE_PLACE) & (relative <= SMALL), LINE), (rest & ~(relative <= SMALL), WIDE),
     )  # fmt: skip

@@ -1,8 +1,8 @@
 """Onsets that floats see where a search over boxes ends before all is decided: each proved on its own if that succeeds.
 
 States are found at many values of the parameter, and where the growth of an oscillation changes its sign from one value to the
-next, Newton's method leads to the onset between them; where friction alone damps, or nothing, it is the condition's own value that
-changes its sign. Krawczyk's operator proves the onset in a small box; what it does not prove is listed as seen.
+next, Newton's method leads to the onset between them; where friction alone damps, or nothing, it is the condition's own value
+that changes its sign. Krawczyk's operator proves the onset in a small box; what it does not prove is listed as seen.
 """
 
 from __future__ import annotations
@@ -85,7 +85,8 @@ def _crossings(system: Augmented, given: FloatArray, span: FloatArray, asked: Fl
     q, point = found.middle, found.point
     out = []
     if point.size:
-        tested = _tested(system, q, columns[:, point])
+        with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
+            tested = _tested(system, q, columns[:, point])
         for one in range(point.size):
             following = np.flatnonzero(point == point[one] + 1)
             if not following.size:
@@ -104,8 +105,7 @@ def _tested(system: Augmented, q: FloatArray, given: FloatArray) -> FloatArray:
         every = stability.roots(*(np.moveaxis(part, -1, 0) for part in stability.linearization(system.balance, q, given)))
         return np.where(np.abs(every.imag) > OSCILLATES * np.abs(every), every.real, -np.inf).max(axis=1)
     z = np.concatenate([q, given[[system.balance.parameters.index(system.vary[0])]]])
-    with np.errstate(all="ignore"):
-        return system.residuals(Intervals.point(z), system.prepared(Intervals.point(given))).middle[-1]
+    return system.residuals(Intervals.point(z), system.prepared(Intervals.point(given))).middle[-1]
 
 
 def _converged(system: Augmented, fixed: FloatArray, start: FloatArray) -> FloatArray:

@@ -49,10 +49,10 @@ def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         gap = stacked([balance.gap(q, values)], (count,))[0]
         border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
         relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
-        free = np.zeros(count, dtype=np.bool_)
+        free: NDArray[np.bool_] = np.zeros(count, dtype=np.bool_)
         if varied is None:
             forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))
-            free = (forces.magnitude <= NOTHING).any(axis=0)
+            free = np.logical_or.reduce(forces.magnitude <= NOTHING)
     pole, anchor, border = pole & ~free, anchor & ~free, border & ~free
     anchor &= ~pole & (relative <= SMALL)
     border &= ~(pole | anchor) & (relative <= SMALL)

@@ -103,9 +103,11 @@ def _tested(system: Augmented, q: FloatArray, given: FloatArray) -> FloatArray:
     """What changes its sign at an onset, at states of shape (n, N)."""
     if isinstance(system.condition, Hopf):
         every = stability.roots(*(np.moveaxis(part, -1, 0) for part in stability.linearization(system.balance, q, given)))
-        return np.where(np.abs(every.imag) > OSCILLATES * np.abs(every), every.real, -np.inf).max(axis=1)
+        growth: FloatArray = np.where(np.abs(every.imag) > OSCILLATES * np.abs(every), every.real, -np.inf).max(axis=1)
+        return growth
     z = np.concatenate([q, given[[system.balance.parameters.index(system.vary[0])]]])
-    return system.residuals(Intervals.point(z), system.prepared(Intervals.point(given))).middle[-1]
+    value: FloatArray = system.residuals(Intervals.point(z), system.prepared(Intervals.point(given))).middle[-1]
+    return value
 
 
 def _converged(system: Augmented, fixed: FloatArray, start: FloatArray) -> FloatArray:

@@ -21,11 +21,13 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 import spragsym as ss
+from benchmarks import languages
 from benchmarks.families import EXTREMES, FAMILIES
 from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
 from spragsym.generated import equilibrium, motion, stability
 from spragsym.statics import kernel, ladder
+from tests.support import lowest_sets
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
 DRIVER = SOURCES.parents[1] / "derive" / "kang_nam" / "runtime" / "c" / "tests" / "driver.c"
@@ -90,6 +92,12 @@ class Equilibrium(ctypes.Structure):
         *((name, ctypes.c_double) for name in ("theta", "L", "x", "y", "error")),
         ("stability", ctypes.c_int),
     )
+
+
+class LowestFold(ctypes.Structure):
+    """``spragsym_lowest_fold``."""
+
+    _fields_ = (("mu0", ctypes.c_double), ("theta0", ctypes.c_double), ("kind", ctypes.c_int))
 
 
 def compile_driver(folder: Path, compiler: str, *flags: str) -> Path:
@@ -573,6 +581,43 @@ def test_random_points_are_vouched_for(library: ctypes.CDLL) -> None:
     assert sum(status != OK for status, _ in solved) < 100
     assert {len(found) for status, found in solved if status == OK} == {1, 3}
     assert all(math.isfinite(value) for _, found in solved for one in found for value in (one.theta, one.L, one.x, one.y))
+
+
+def lowest_folds(library: ctypes.CDLL, sets: list[dict[str, float]]) -> list[tuple[int, LowestFold]]:
+    points = np.array([[math.nan, math.nan, *(given[name] for name in ("kappa", "alpha", "sigma", "beta"))] for given in sets])
+    found = (LowestFold * len(sets))()
+    status = np.zeros(len(sets), dtype=np.int32)
+    library.lowest(ctypes.c_long(len(sets)), _pointer(points), found, _pointer(status))
+    return list(zip(status.tolist(), found, strict=True))
+
+
+def test_the_lowest_fold_is_that_python_proves(library: ctypes.CDLL) -> None:
+    """Certain for all but a few random sets; near alpha = 1 + beta and with hardly any alpha at least not wrong."""
+    names = ("kappa", "alpha", "sigma", "beta")
+    usual = [{name: float(getattr(p, name)) for name in names} for p in lowest_sets(60)]
+    hard = [{name: given[name] for name in names} for given in languages.fold_sets(40)]
+    kinds = {0: "", 1: "cusp", 2: "turn", 3: "end"}
+    found = lowest_folds(library, usual + hard)
+    certain = 0
+    for i, (given, (status, fold)) in enumerate(zip(usual + hard, found, strict=True)):
+        assert status in (OK, UNCERTAIN)
+        if status == OK:
+            certain += i < len(usual)
+            theirs = ss.critical_friction(ss.Parameters(**given))
+            assert kinds[fold.kind] == theirs.kind, given
+            assert fold.mu0 == pytest.approx(float(theirs), rel=1e-11, abs=1e-13), given
+            assert fold.theta0 == pytest.approx(theirs.theta0 if theirs.kind else 0.0, rel=1e-5), given
+    assert certain > 0.9 * len(usual)
+    assert {fold.kind for _, fold in found} >= {0, 1, 2}
+
+
+def test_the_lowest_fold_of_what_is_no_parameter_is_refused(library: ctypes.CDLL) -> None:
+    good = {"kappa": 0.007, "alpha": 0.007, "sigma": 0.1, "beta": 0.0}
+    sets = [good | {name: value} for name in ("kappa", "sigma") for value in (0.0, -1.0, math.nan, math.inf)]
+    assert {status for status, _ in lowest_folds(library, sets)} == {BAD_INPUT}
+    extreme = [good | {name: value} for name in good for value in (1e-300, 1e300, sys.float_info.max)]
+    assert not any(math.isnan(number) for _, fold in lowest_folds(library, extreme) for number in (fold.mu0, fold.theta0))
+    assert library.spragsym_critical_friction(None, LowestFold()) == BAD_INPUT
 
 
 @pytest.mark.parametrize(

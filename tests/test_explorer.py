@@ -191,6 +191,23 @@ def test_numbers_are_pythons_at_ten_thousand_points(explorer: Explorer) -> None:
     assert vouched > 0.99 * n
 
 
+@pytest.mark.parametrize(
+    "changes",
+    [{}, {"kappa": 0.02, "alpha": 0.5, "sigma": 2.0}, {"kappa": 0.5499, "alpha": 0.8771, "sigma": 0.022509, "beta": 4.455}],
+)
+def test_the_lowest_fold_is_said(explorer: Explorer, changes: dict[str, float]) -> None:
+    """A cusp, a point where the curve turns back, none; the marks are no more than a drawing of what is said."""
+    explorer.open("".join(f"&{name}={value}" for name, value in changes.items())[1:])
+    says = explorer.page.locator("#lowest")
+    theirs = ss.critical_friction(BASE.replace(**changes))
+    words = {"cusp": ", a cusp.", "turn": ", where the curve of folds turns back.", "": "No fold ends"}[theirs.kind]
+    says.filter(has_text=words).wait_for()
+    if theirs.kind:
+        friction, angle = re.findall(r"= ([\d.]+)", says.inner_text())
+        assert float(friction) == pytest.approx(float(theirs), rel=1e-5)
+        assert float(angle) == pytest.approx(math.degrees(theirs.theta0), rel=1e-4)
+
+
 def test_a_fold_crossed_by_mouse_in_both_directions(explorer: Explorer) -> None:
     """Low sheet → jump over the upper fold → back without a return → home over the other fold."""
     fold = math.degrees(float(ss.folds(BASE).theta0[0]))

@@ -51,7 +51,7 @@ export function createAsking(solver) {
     try {
       // A plain script: Chromium loads no module into a worker of a page that was opened from a file.
       const code = document.getElementById("code").textContent.split(BEGIN)[0].replace(/^export /gm, "");
-      const text = `"use strict";\n${document.getElementById("worker").textContent}\n${code}\nexplorer.serve({ equilibria, bifurcation_set, flutter_boundary, surface });`;
+      const text = `"use strict";\n${document.getElementById("worker").textContent}\n${code}\nexplorer.serve({ equilibria, bifurcation_set, critical_friction, flutter_boundary, surface });`;
       box.thread = new Worker(URL.createObjectURL(new Blob([text], { type: "text/javascript" })));
       box.thread.onmessage = ({ data }) => arrived(data);
       box.thread.onerror = (event) => {

@@ -8,7 +8,7 @@ import { copied, linked, unlinked } from "./link.js";
 import { createMechanism } from "./mechanism.js";
 import { radians } from "./numbers.js";
 import { createPanel } from "./panel.js";
-import { createPlane } from "./plane.js";
+import { createPlane, lowestFold } from "./plane.js";
 import { createSpace } from "./space.js";
 import { createStates, story, undecided } from "./states.js";
 import { createStore, current } from "./store.js";
@@ -156,11 +156,12 @@ export function start(solver) {
     const { contact, liftoff } = store.get().found;
     if ([contact, liftoff].some(({ status }) => status === "out_of_range")) {
       plane.show(null);
+      $("lowest").textContent = "";
       space?.hide();
       $("plane_says").textContent = "Not drawn: numbers of this size are beyond double precision.";
       return;
     }
-    ask("curves", point, top, (found, error) => { plane.show(found); space?.curves(found); $("plane_says").textContent = error ?? ""; });
+    ask("curves", point, top, (found, error) => { plane.show(found); $("lowest").textContent = lowestFold(found); space?.curves(found); $("plane_says").textContent = error ?? ""; });
     if (space) {
       ask("surface", point, top, (found) => (found ? space.show(found) : space.hide()));
     }

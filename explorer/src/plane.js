@@ -1,4 +1,4 @@
-// The plane of theta0 and mu0: folds, cusps, flutter onsets, counts, and the point, to be dragged by mouse, touch and keys.
+// The plane of theta0 and mu0: folds, cusps, the lowest fold, flutter onsets, counts, and the point, to be dragged by mouse, touch and keys.
 
 import uPlot from "uplot";
 import { colours } from "./colours.js";
@@ -95,8 +95,26 @@ export function createPlane(box, store) {
         ctx.fill();
         ctx.fillText("cusp", x + 8 * dpr, y + 4 * dpr);
       }
+      lowest(ctx, dpr);
       label(ctx, dpr);
     });
+  }
+
+  /** Where the lowest fold is no cusp, a mark of its own. */
+  function lowest(ctx, dpr) {
+    const { theta0, mu0, kind } = shapes.lowest;
+    if (kind && kind !== "cusp" && mu0 < top) {
+      const [[x, y], r] = [px(theta0, mu0), 5.5 * dpr];
+      ctx.beginPath();
+      [[0, -r], [r, 0], [0, r], [-r, 0]].forEach(([a, b], i) => ctx[i ? "lineTo" : "moveTo"](x + a, y + b));
+      ctx.closePath();
+      ctx.lineWidth = 2 * dpr;
+      ctx.strokeStyle = colour.ink;
+      ctx.stroke();
+      ctx.textBaseline = "top";
+      ctx.fillText("lowest fold", x + 4 * dpr, y + 6 * dpr);
+      ctx.textBaseline = "alphabetic";
+    }
   }
 
   /** How many equilibria there are, once in each half: in the middle of the columns that have them over most of their height. */
@@ -195,6 +213,19 @@ export function createPlane(box, store) {
     resize: () => { plot.setSize(size(box)); draw(); },
     recolour: () => { colour = colours(); plot.redraw(false); draw(); },
   };
+}
+
+const KINDS = { cusp: "a cusp", turn: "where the curve of folds turns back", end: "as θ₀ goes to 0" };
+
+/** What the lowest fold means, in a sentence; `shapes` may be null. */
+export function lowestFold(shapes) {
+  if (!shapes) {
+    return "";
+  }
+  const { theta0, mu0, kind } = shapes.lowest;
+  return kind
+    ? `Lowest fold that ends the state of small deformation: μ₀ = ${written(mu0, 6)} at θ₀ = ${written(degrees(theta0), 5)}°, ${KINDS[kind]}. Below that friction it jumps at no inclination (in double precision, not proved).`
+    : "No fold ends the state of small deformation, at any inclination and friction (in double precision, not proved).";
 }
 
 function size(box) {

@@ -14,11 +14,12 @@ const OUTSIDE = 0.2;
 /** Of the set's finer features none is visible beyond this many directions of the spring. */
 const FINE = 120;
 
-/** Curves of folds and flutter onsets, cusps, and where there are how many equilibria, for friction up to `top`. */
+/** Curves of folds and flutter onsets, cusps, the lowest fold, and where there are how many equilibria, for friction up to `top`. */
 export function curvesOf(solver, point, top) {
   const { curves, cusps } = solver.bifurcation_set(point, { n: FINE });
   const flutter = solver.flutter_boundary(point, { n: FINE });
-  return { curves, cusps, flutter, strips: strips(solver, point, curves, top) };
+  const lowest = solver.critical_friction(point);
+  return { curves, cusps, lowest, flutter, strips: strips(solver, point, curves, top) };
 }
 
 /** Friction at which a polyline meets a column. */

@@ -28,8 +28,8 @@ class CriticalFriction(Shown, NDArrayOperatorsMixin):
     Numbers for one point, arrays of the shape of the parameters for many; angles are radians.
 
     ``kind`` is ``"cusp"``, or ``"turn"`` where the curve of folds turns back in μ₀, or ``"end"`` where it is lowest as θ₀
-    goes to 0; it is empty where there is no fold, and then ``mu0`` is infinite and ``theta0`` NaN. ``error`` bounds \\|error\\| /
-    max(1, \\|value\\|) of ``mu0`` and ``theta0``.
+    goes to 0; it is empty where no fold ends that state, and then ``mu0`` is infinite and ``theta0`` NaN. ``error`` bounds
+    \\|error\\| / max(1, \\|value\\|) of ``mu0`` and ``theta0``.
     """
 
     mu0: Any
@@ -84,7 +84,7 @@ def critical_friction(p: Parameters) -> CriticalFriction:
     Returns
     -------
     CriticalFriction
-        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where there is no fold: then no
+        To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no fold ends that state: then no
         friction makes that state jump.
 
     Raises

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import insort
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
 from typing import Any
@@ -43,6 +43,9 @@ CLOSE = 0.05
 
 #: Motions have parted beyond this.
 PARTED = 1e-3
+
+#: Time units that the motions of a call are followed in all; what is open by then stays open.
+LONGEST = 5e6
 
 #: Pairs of states of a hovering motion from which a cycle is looked for.
 TRIES = 12
@@ -123,8 +126,9 @@ def fate_boundary(
         Where both ends have the same fate.
     ConvergenceError
         Where the motion is undecided at an end and nothing is seen to change between; where what changes is the attractor
-        itself, which ends or loses its stability; where motions between stay undecided; and where fates alternate on both sides
-        more closely than rounding can tell. It says what the start comes to on either side.
+        itself, which ends or loses its stability; where motions between stay undecided; where fates alternate on both sides
+        more closely than rounding can tell; and where 5e6 time units of motion leave it open. It says what the start comes to on
+        either side, of each change that was seen.
 
     Notes
     -----
@@ -165,25 +169,18 @@ def boundary_of(
     for share in LOOKED_AT:
         asked.ask(low + share * (high - low))
     if ends[0].label == ends[1].label >= 0:
-        between = [each for each, _ in asked.changes() if each.label != ends[0].label]
-        raise ParameterError(
-            f"bracket = ({low:g}, {high:g}): the start comes to {ends[0].verdict.told()} at both ends, which is one attractor"
-            + "".join(f", and to {each.verdict.told()} at {each.value:g} between" for each in between[:1])
-            + "; give values of different fates"
-        )
+        raise asked.no_change(*ends)
     for share in MORE:
         if next(asked.changes(), None) is None:
             asked.ask(low + share * (high - low))
-    if next(asked.changes(), None) is None:
-        raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {asked.told(*ends)}; give values at which the motion settles")
-    why = []
-    for one, other in list(asked.changes()):
-        for kept in (one.label, other.label):
-            try:
-                return _boundary(asked, one, other, kept)
-            except ConvergenceError as error:
-                why.append(str(error))
-    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): " + "; ".join(dict.fromkeys(why)))
+    found = _first(asked)
+    if isinstance(found, FateBoundary):
+        return found
+    ends = asked.ask(low), asked.ask(high)  # with what has turned out to be one attractor
+    if not found and ends[0].label == ends[1].label >= 0:
+        raise asked.no_change(*ends)
+    why = "; ".join(dict.fromkeys(found)) or f"{asked.told(*ends)}; give values at which the motion settles"
+    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {why}")
 
 
 @dataclass(frozen=True)
@@ -212,6 +209,8 @@ class _Asked:
         before = next((each for each in self.known if (each.value, each.rtol) == (value, rtol)), None)
         if before is not None:
             return before
+        if sum(each.verdict.t for each in self.known) > LONGEST:
+            raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
         verdict = judged(self.field, self.at(value), self.start, self.backend, rtol=rtol)
         found = _Fate(value, rtol, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
@@ -240,6 +239,17 @@ class _Asked:
         """The attractor of a fate."""
         return attractor(self.field, self.at(fate.value), fate.verdict, self.backend)
 
+    def merge(self, one: int, other: int) -> None:
+        """Two attractors have turned out to be one."""
+        self.known[:] = [replace(each, label=one) if each.label == other else each for each in self.known]
+
+    def change(self, low: float, high: float) -> tuple[_Fate, _Fate] | None:
+        """Two values that differ in their fates, if they still do, or the first such neighbours between."""
+        ends = self.ask(low), self.ask(high)
+        if ends[0].label != ends[1].label:
+            return ends
+        return next((pair for pair in self.changes() if low <= pair[0].value and pair[1].value <= high), None)
+
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
         """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
         decided = [each for each in self.known if each.label >= 0]
@@ -261,6 +271,15 @@ class _Asked:
             low, high = (found, high) if (found.label == kept) == (low.label == kept) else (low, found)
         return low, high
 
+    def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
+        """That both ends of the bracket have one fate."""
+        other = next((each for each in self.known if each.label not in (-1, low.label)), None)
+        return ParameterError(
+            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {low.verdict.told()} at both ends, which is one "
+            "attractor" + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
+            + "; give values of different fates"
+        )  # fmt: skip
+
     def told(self, low: _Fate, high: _Fate) -> str:
         """What the start comes to on two sides."""
         return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
@@ -281,8 +300,33 @@ def _seems(one: Outcome, other: Outcome) -> bool:
     return max(apart, default=0.0) < 1e-6
 
 
-def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary:
-    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary."""
+class _TooLong(ConvergenceError):
+    """Motions were followed for longer than one call may take."""
+
+
+def _first(asked: _Asked) -> FateBoundary | list[str]:
+    """The first of the changes that are seen which is a boundary, or why each of them is none."""
+    why: list[str] = []
+    for low, high in [(one.value, other.value) for one, other in asked.changes()]:
+        for side in (0, 1):  # either fate may be the one whose end is looked for
+            while (change := asked.change(low, high)) is not None:
+                try:
+                    found = _boundary(asked, *change, change[side].label)
+                except ConvergenceError as error:
+                    why.append(str(error))
+                    if isinstance(error, _TooLong):
+                        return why
+                    break
+                if found is not None:
+                    return found
+    return why
+
+
+def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary | None:
+    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary.
+
+    None where both sides turn out to have one attractor, which is known from then on.
+    """
     low, high = asked.narrowed(low, high, kept, NARROW * (1 + abs(low.value) + abs(high.value)))
     if high.value - low.value > TOO_WIDE * (1 + abs(low.value)):
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
@@ -292,7 +336,8 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
         except ConvergenceError as why:
             raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
         if met:
-            raise ConvergenceError(f"{asked.told(low, high)}, which is one attractor")
+            asked.merge(low.label, high.label)
+            return None
     value, error = _anew(asked, low, high, kept)
     first, last = asked.known[0].value, asked.known[-1].value
     sides = [{asked.ask(value + sign * aside, rtol).label for aside in ASIDE for rtol in (ROUGH, FINE)

@@ -11,7 +11,7 @@ from .presets import Preset, article_presets
 from .units import Units
 
 _START = """explorer.start({
-  BASE, NAMES, RANGES, algebra, equilibria, surface, cusps, bifurcation_set, flutter_boundary, folds, motion,
+  BASE, NAMES, RANGES, algebra, equilibria, surface, cusps, bifurcation_set, critical_friction, flutter_boundary, folds, motion,
 });"""
 _SOURCE = "Model: J. Kang and J. Nam, Applied Sciences 10 (2020) 2748."
 

@@ -21,8 +21,9 @@ def render(material: Material) -> dict[str, str]:
     """The header and the source, and for a model that has an example the example with its makefile."""
     library = material.library
     own = material.runtime.get("c", {})
+    definitions = "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE)
     known = material.algebra
-    used = _called(material, known)
+    used = _called(material, known) | {name for name in re.findall(r"\balgebra_(\w+)\(", definitions) if name in known}
     statics = [
         algebra.static(f"algebra_{name}", known[name]) for name in (*material.public, *sorted(used - set(material.public)))
     ]
@@ -32,7 +33,7 @@ def render(material: Material) -> dict[str, str]:
         "primitives": runtime(__file__, "kernel.c") if material.kernel.routines else "",
         "kernel": _kernel(material) if material.kernel.routines else "",
         "declarations": own.get("declarations.h", ""),
-        "definitions": "\n".join(text for name, text in sorted(own.items()) if name.endswith(".c") and name != _EXAMPLE),
+        "definitions": definitions,
         "wrappers": "\n".join(algebra.wrapper(function, library, material.angles) for function in public),
         "prototypes": "".join(algebra.prototype(function, library, material.angles) for function in public),
     }

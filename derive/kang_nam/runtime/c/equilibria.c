@@ -4,6 +4,7 @@
  * - spragsym_prepare: @cost:spragsym_prepare@
  * - spragsym_equilibria: @cost:spragsym_equilibria@
  * - spragsym_equilibria_batch: @cost:spragsym_equilibria_batch@
+ * - spragsym_critical_friction: @cost:spragsym_critical_friction@
  * - spragsym_step: @cost:spragsym_step@
  * - balance: @cost:balance@
  * - guesses: @cost:guesses@

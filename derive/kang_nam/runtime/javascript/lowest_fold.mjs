@@ -5,7 +5,7 @@
  * f'' < 0 and 0 < theta0 < pi/2. It is a cusp, a point where the curve of folds turns back in mu0, or at the end theta0 = 0.
  *
  * @param {object} parameters kappa, alpha, sigma and beta; theta0 and mu0 are not used
- * @returns {object} mu0, theta0 and kind, "cusp", "turn" or "end"; Infinity, NaN and "" where there is no fold
+ * @returns {object} mu0, theta0 and kind, "cusp", "turn" or "end"; Infinity, NaN and "" where no fold ends that state
  */
 export function critical_friction(parameters) {
   const given = fold_parameters(parameters, ["theta0", "mu0"]);

@@ -3,7 +3,7 @@ function [mu0, theta0, kind] = critical_friction(p)
 %  [mu0, theta0, kind] = spragsym.critical_friction(p) with kappa, alpha, sigma and beta, one number each
 %
 %  kind is 'cusp', 'turn' where the curve of folds turns back in mu0, 'end' where it is lowest as theta0 goes to 0, or '' where
-%  there is no fold: then mu0 is Inf and theta0 NaN. In double precision and without proof; the Python package proves.
+%  no fold ends it: then mu0 is Inf and theta0 NaN. In double precision and without proof; the Python package proves.
   given = spragsym.fold_set(p, {'theta0', 'mu0'});
   found = spragsym.cusps(p);
   ahead = found.theta0 < 0.5 * pi;

@@ -36,6 +36,13 @@ int steps(const spragsym_parameters *in, double V, double d, double h, long coun
     return status;
 }
 
+void lowest(long points, const spragsym_parameters *in, spragsym_lowest_fold *out, int *status);
+void lowest(long points, const spragsym_parameters *in, spragsym_lowest_fold *out, int *status) {
+    for (long i = 0; i < points; i++) {
+        status[i] = (int)spragsym_critical_friction(&in[i], &out[i]);
+    }
+}
+
 /* The parameters on stdin, through everything; for the sanitizers, which can't be loaded into Python. */
 int main(void) {
     static spragsym_parameters many[BATCH];
@@ -43,6 +50,7 @@ int main(void) {
     static int counts[BATCH];
     static int statuses[BATCH];
     spragsym_parameters one;
+    spragsym_lowest_fold fold;
     double numbers[16] = {0.0};
     double results[16];
     long read = 0;
@@ -54,6 +62,7 @@ int main(void) {
         double state[4] = {0.1, -0.01, 0.0, 0.0};
         equilibria(1, &one, 0, found, &count, &status);
         equilibria(1, &one, 1, found, &count, &status);
+        lowest(1, &one, &fold, &status);
         steps(&one, 0.5, 10.0, 0.1, 20, state);
         for (int i = 0; i < 16; i++) {
             numbers[i] = (&one.theta0)[0] * (i % 5 - 2) + one.kappa;

@@ -607,7 +607,7 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
 @pytest.mark.parametrize(
     ("degrees", "start", "t_end", "kind"),
     [
-        (42.0, (0, 0, 0, 0), 4000.0, "periodic"), (35.0, (0, 0, 0, 0), 4000.0, "at rest"),
+        (42.0, (0, 0, 0, 0), 4000.0, "cycle"), (35.0, (0, 0, 0, 0), 4000.0, "rest"),
         (60.0, (0, 0, 0, 0), 4000.0, "undecided"), (70.0, (0, 0, 0, 0), 4000.0, "undecided"),
     ],
 )  # fmt: skip

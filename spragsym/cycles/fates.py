@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import insort
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -46,6 +47,9 @@ PARTED = 1e-3
 
 #: Time units that the motions of a call are followed in all; what is open by then stays open.
 LONGEST = 5e6
+
+#: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is followed after so many failures.
+UNLIKE, LOST = 0.5, 8
 
 #: Pairs of states of a hovering motion from which a cycle is looked for.
 TRIES = 12
@@ -195,7 +199,7 @@ class _Fate:
 
 @dataclass(frozen=True)
 class _Asked:
-    """Fates by value, as far as was asked."""
+    """Fates by value, as far as was asked; to which values no attractor could be followed."""
 
     field: Field
     at: Callable[[float], tuple[float, ...]]
@@ -203,6 +207,7 @@ class _Asked:
     start: FloatArray
     backend: str
     known: list[_Fate] = attribute(default_factory=list)
+    lost: list[float] = attribute(default_factory=list)
 
     def ask(self, value: float, rtol: float = ROUGH) -> _Fate:
         """The fate at a value."""
@@ -217,18 +222,23 @@ class _Asked:
         return found
 
     def _label(self, value: float, verdict: Verdict) -> int:
-        """That of the attractor among those that are known, or a new one."""
+        """That of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
+
+        To follow an attractor in vain takes seconds: only the likeliest is, and not any more after some failures.
+        """
         alike = [each for each in self.known if each.verdict.kind == verdict.kind]
         nearest = {each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))}
         for label, each in nearest.items():
             if _seems(each.verdict.outcome, verdict.outcome):
                 return label
-        for label, each in nearest.items():
-            try:
-                if same(self.followed(each, value), attractor(self.field, self.at(value), verdict, self.backend)):
-                    return label
-            except ConvergenceError:
-                continue
+        likely = sorted(nearest, key=lambda label: _unlike(nearest[label].verdict.outcome, verdict.outcome))
+        for label in likely[:1] if len(self.lost) < LOST else ():
+            if _unlike(nearest[label].verdict.outcome, verdict.outcome) < UNLIKE:
+                try:
+                    if same(self.followed(nearest[label], value), attractor(self.field, self.at(value), verdict, self.backend)):
+                        return label
+                except ConvergenceError:
+                    self.lost.append(value)
         return 1 + max((each.label for each in self.known), default=-1)
 
     def followed(self, fate: _Fate, value: float) -> Any:
@@ -284,12 +294,17 @@ class _Asked:
         """What the start comes to on two sides."""
         return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
 
-    def lost(self, low: _Fate, high: _Fate, value: float) -> str:
+    def alternating(self, low: _Fate, high: _Fate, value: float) -> str:
         """That no value can be told, and why."""
         return (
             f"{self.told(low, high)}, and between the two fates alternate: near {self.vary} = {value:.12g} motions come to "
             f"either on both sides, and to different ones at the tolerances {ROUGH:g} and {FINE:g}"
         )
+
+
+def _unlike(one: Outcome, other: Outcome) -> float:
+    """How far apart two periods are, as a logarithm; 0 for what has none."""
+    return abs(math.log(one.period / other.period)) if one.period > 0 and other.period > 0 else 0.0
 
 
 def _seems(one: Outcome, other: Outcome) -> bool:
@@ -343,7 +358,7 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
     sides = [{asked.ask(value + sign * aside, rtol).label for aside in ASIDE for rtol in (ROUGH, FINE)
               if first < value + sign * aside < last} - {-1} for sign in (-1, 1)]  # fmt: skip
     if sides[0] & sides[1]:
-        raise ConvergenceError(asked.lost(low, high, value))
+        raise ConvergenceError(asked.alternating(low, high, value))
     kind, state, growth, distance = _saddle(asked, low.value, high.value)
     others = {(a.value, b.value) for a, b in asked.changes() if a.value < b.value and not a.value <= value <= b.value}
     return FateBoundary(
@@ -366,7 +381,7 @@ def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, flo
             fine = (one.value + other.value) / 2
             return fine, other.value - one.value + 2 * abs(fine - rough) + 4 * float(np.spacing(abs(fine)))
         half *= 8
-    raise ConvergenceError(asked.lost(low, high, rough))
+    raise ConvergenceError(asked.alternating(low, high, rough))
 
 
 def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:

@@ -376,7 +376,8 @@ def _missed(
         apart = np.where(around, (apart + np.pi) % (2 * np.pi) - np.pi, apart) if len(listed) else apart
         if len(listed) and (np.abs(apart).max(axis=1) < 1e-5 * (1 + np.abs(turned).max())).any():
             continue
-        if any((turned >= low - 1e-6).all() and (turned <= high + 1e-6).all() for low, high in boxes):
+        turns = turned + np.where(around, 2 * np.pi * np.arange(-1, 2)[:, None], 0.0)
+        if any(((turns >= low - 1e-6) & (turns <= high + 1e-6)).any(axis=0).all() for low, high in boxes):
             continue
         inside = (turned >= region[:, 0] - 1e-9).all() and (turned <= region[:, 1] + 1e-9).all()
         if not inside and not found.complete:

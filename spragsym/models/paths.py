@@ -285,7 +285,11 @@ class _Way:
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
-                raise ConvergenceError(f"nothing stable is left at {self.vary} = {end.value!r}; give after_jump")
+                how = "leaves the contact" if end.kind == "border" else "ends in a fold"
+                raise ConvergenceError(
+                    f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path before "
+                    "it, or say in Python by after_jump where it goes"
+                )
             slot = min(stable, key=lambda k: sum((float(eq.coordinates[name][k]) - before[name]) ** 2 for name in before))
         else:
             slot = choose(eq, before)

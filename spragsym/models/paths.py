@@ -287,8 +287,8 @@ class _Way:
             if not stable:
                 how = "leaves the contact" if end.kind == "border" else "ends in a fold"
                 raise ConvergenceError(
-                    f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path before "
-                    "it, or say in Python by after_jump where it goes"
+                    f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path "
+                    "before it, or say in Python by after_jump where it goes"
                 )
             slot = min(stable, key=lambda k: sum((float(eq.coordinates[name][k]) - before[name]) ** 2 for name in before))
         else:

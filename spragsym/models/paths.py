@@ -58,7 +58,11 @@ class ModelEnd(Result):
 
 @dataclass(frozen=True, eq=False)
 class ModelPath(Columns, held_in="coordinates"):
-    """States along the values of the parameter, in the order in which they are passed, and the jumps between them."""
+    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
+
+    ``stability`` has the codes of (27), ``growth``, ``stable`` and ``kind`` are those of the full linearization, as
+    :class:`spragsym.Equilibria` has them; on a fold ``kind`` is ``"marginal"`` unless something else grows there.
+    """
 
     vary: str
     values: FloatArray
@@ -237,7 +241,7 @@ class _Way:
             # The float of the fold lies just beyond the states that meet there.
             stable = [MET, *stable] if self._stability_met(met) == Stability.STABLE else (stable or [MET])
         if not stable:
-            raise ParameterError(f"the first value, {self.vary} = {self.stops[0]:.17g}, has no equilibrium in contact")
+            raise ParameterError(f"the first value, {self.vary} = {float(self.stops[0])!r}, has no equilibrium in contact")
         return (min if start == "small" else max)(stable, key=lambda slot: abs(self.state(0, slot)[0][0]))
 
     def _met(self, stop: int) -> int | None:
@@ -291,7 +295,11 @@ class _Way:
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
-                raise ConvergenceError(f"nothing stable is left at {self.vary} = {end.value:.17g}; give after_jump")
+                how = "leaves the contact" if end.kind == "border" else "ends in a fold"
+                raise ConvergenceError(
+                    f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path "
+                    "before it, or say in Python by after_jump where it goes"
+                )
             slot = min(stable, key=lambda k: sum((float(eq.coordinates[name][k]) - before[name]) ** 2 for name in before))
         else:
             slot = choose(eq, before)

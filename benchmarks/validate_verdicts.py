@@ -144,7 +144,7 @@ def examined(number: int) -> dict[str, Any]:
     found = ss.fate(ss.Parameters(*values), start=start, t_end=T_END if number < RANDOM else LONGER)
     line: dict[str, Any] = {"number": number, "kind": found.kind, "why": found.why, "seconds": time.process_time() - begun}
     right, how = holds(values, found)
-    line |= {"confirmed": right, "how": how}
+    line |= {"confirmed": bool(right), "how": how}
     if found.kind == "cycle":
         cycle = found.outcome
         told = ss.lyapunov(ss.Parameters(*values), start=[cycle.cycle_x, cycle.cycle_y, 0.0, cycle.cycle_vy], t_end=4000.0)

@@ -17,7 +17,7 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
-from ..statics.results import Equilibria, Stability
+from ..statics.results import Equilibria, Stability, one_each
 from .balance import Balance
 from .branches import Along, links
 from .columns import Columns
@@ -58,13 +58,33 @@ class ModelEnd(Result):
 
 @dataclass(frozen=True, eq=False)
 class ModelPath(Columns, held_in="coordinates"):
-    """States along the values of the parameter, in the order in which they are passed, and the jumps between them."""
+    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
+
+    ``stability`` has the codes of (27), ``growth``, ``stable`` and ``kind`` are those of the full linearization, as
+    :class:`spragsym.Equilibria` has them; on a fold ``kind`` is ``"marginal"`` unless something else grows there.
+    """
 
     vary: str
     values: FloatArray
     stability: NDArray[np.int8]
     jumps: tuple[ModelJump, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
+    _along: Equilibria = field(repr=False)
+
+    @property
+    def growth(self) -> FloatArray:
+        """Largest real part of all λ of the full linearization, as of :class:`spragsym.Equilibria`."""
+        return self._along.growth[:, 0]
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where it is proved that nothing grows."""
+        return self._along.stable[:, 0]
+
+    @property
+    def kind(self) -> NDArray[np.str_]:
+        """What grows, in a word."""
+        return self._along.kind[:, 0]
 
 
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
@@ -122,7 +142,9 @@ def quasi_static_path(
         if way.wanted[stop]:
             out.append(way.state(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
-    return ModelPath(vary, along, np.array([state[1] for state in out], dtype=np.int8), tuple(jumps), coordinates)
+    stability, error = np.array([state[1] for state in out], dtype=np.int8), np.array([state[2] for state in out])
+    eq = one_each(p.replace(**{vary: along}), coordinates, stability, error)
+    return ModelPath(vary, along, stability, tuple(jumps), coordinates, eq)
 
 
 def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
@@ -219,7 +241,7 @@ class _Way:
             # The float of the fold lies just beyond the states that meet there.
             stable = [MET, *stable] if self._stability_met(met) == Stability.STABLE else (stable or [MET])
         if not stable:
-            raise ParameterError(f"the first value, {self.vary} = {self.stops[0]:.17g}, has no equilibrium in contact")
+            raise ParameterError(f"the first value, {self.vary} = {float(self.stops[0])!r}, has no equilibrium in contact")
         return (min if start == "small" else max)(stable, key=lambda slot: abs(self.state(0, slot)[0][0]))
 
     def _met(self, stop: int) -> int | None:
@@ -254,14 +276,15 @@ class _Way:
             return links[place]
         return MET if self._met(stop) is not None else None
 
-    def state(self, stop: int, slot: int) -> tuple[list[float], int]:
-        """Coordinates and stability."""
+    def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
+        """Coordinates, stability, and a bound on the error."""
         if slot == MET:
             number = self._met(stop)
             assert number is not None  # MET is returned where there is one
-            return [float(self._column(name)[number]) for name in self.balance.coordinates], self._stability_met(number)
+            values = [float(self._column(name)[number]) for name in self.balance.coordinates]
+            return values, self._stability_met(number), float(self._column("error")[number])
         values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
-        return values, int(self.eq.stability[stop, slot])
+        return values, int(self.eq.stability[stop, slot]), float(self.eq.error[stop, slot])
 
     def jump(self, stop: int, choose: Choice | None) -> tuple[int, ModelJump]:
         """The slot behind the fold that ends the branch."""
@@ -272,7 +295,11 @@ class _Way:
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
-                raise ConvergenceError(f"nothing stable is left at {self.vary} = {end.value:.17g}; give after_jump")
+                how = "leaves the contact" if end.kind == "border" else "ends in a fold"
+                raise ConvergenceError(
+                    f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path "
+                    "before it, or say in Python by after_jump where it goes"
+                )
             slot = min(stable, key=lambda k: sum((float(eq.coordinates[name][k]) - before[name]) ** 2 for name in before))
         else:
             slot = choose(eq, before)

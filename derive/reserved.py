@@ -13,8 +13,8 @@ RESULTS = frozenset((
 
 #: What else a motion and its sweep are asked for; a coordinate would hide it.
 OF_MOTIONS = frozenset((
-    "after", "backend", "components", "converged", "course", "energy", "events", "explained", "how", "inputs", "integral", "max_steps",
-    "outcome", "p", "power", "rtol", "samples", "save", "state", "t", "t_end", "to_dataset", "transient", "weights",
+    "after", "backend", "components", "contact_force", "converged", "course", "decay_rate", "energy", "events", "explained", "friction_power", "how", "inputs", "integral", "max_steps",
+    "outcome", "p", "plot", "power", "rtol", "samples", "save", "spectrum", "spring_force", "state", "t", "t_end", "to_dataset", "transient", "weights",
 ))  # fmt: skip
 
 #: Words of C99, JavaScript and MATLAB, and functions that generated code calls.

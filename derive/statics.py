@@ -86,7 +86,7 @@ def module(model: Mechanics) -> Module:
             function("stiffnesses", "The stiffness of every spring.", place, model.stiffnesses, "(k_1, …)"),
             function("spring_forces", "The tension of every spring, negative where it pushes.", place,
                      tuple(k * (line.l - line.rest) for k, line in zip(model.stiffnesses, model.lines, strict=True)), "(T_1, …)"),
-            function("contact_force", "The normal force of the contact.", (*place, PUSHING), model.normal, "N"),
+            function("contact_force", "The normal force of the contact.", (*model.coordinates, *model.arguments, PUSHING), model.normal, "N"),
             function("forces_apart", _apart(model), state,
                      model.residuals_apart, "(F_1, …)"),
             function("forces_jacobian", "K: derivatives of the forces by the coordinates, directions following.", state,

@@ -897,9 +897,9 @@ def test_a_loaded_model_on_the_command_line(tmp_path: Any) -> None:
     assert "2 numbers" in str(refused.exception)
 
 
-def test_forces_are_told_of_the_article_only() -> None:
+def test_a_force_that_a_model_has_not_is_named() -> None:
     model = ss.load("stick_slip")
-    with pytest.raises(ss.ParameterError, match="spring_force is a force of the article's model"):
+    with pytest.raises(ss.ParameterError, match="spring_force is no force of this model, which has none"):
         _ = model.cycle(model.Parameters(V=0.2)).spring_force
 
 

@@ -29,7 +29,7 @@ OTHERS: dict[str, Any] = {
 
 
 def functions_of_parameters() -> dict[str, Callable[..., Any]]:
-    """Every public function with an argument of type Parameters."""
+    """Every public function with an argument of type Parameters, or of a set of any model."""
     modules = ["spragsym", "spragsym.precise", "spragsym.sweeps"]
     if importlib.util.find_spec("matplotlib"):
         modules.append("spragsym.figures")
@@ -41,7 +41,7 @@ def functions_of_parameters() -> dict[str, Callable[..., Any]]:
                 function = getattr(module, public)
             except ImportError:  # of an extra that is not installed
                 continue
-            if inspect.isfunction(function) and "Parameters" in [str(v) for v in inspect.get_annotations(function).values()]:
+            if inspect.isfunction(function) and {"Parameters", "ParameterSet"} & {str(v) for v in inspect.get_annotations(function).values()}:
                 found[f"{name}.{public}"] = function
     return found
 
@@ -59,7 +59,7 @@ def test_the_list_is_whole() -> None:
 def test_physical_parameters_are_told_what_to_do(name: str) -> None:
     function = FUNCTIONS[name]
     needed = [p for p in inspect.signature(function).parameters.values() if p.default is p.empty and p.kind != p.VAR_KEYWORD]
-    arguments = {p.name: BRAKE if p.annotation == "Parameters" else OTHERS[p.name] for p in needed}
+    arguments = {p.name: BRAKE if p.annotation in ("Parameters", "ParameterSet") else OTHERS[p.name] for p in needed}
     with pytest.raises(ss.ParameterTypeError, match=r"call \.dimensionless\(\)"):
         function(**arguments)
 

@@ -20,10 +20,10 @@ def spring_forces(model: Any, states: Any, constants: Sequence[Any]) -> tuple[Fl
 
 def contact_force(model: Any, states: Any, constants: Sequence[Any]) -> FloatArray:
     """The normal force of the contact: 0 where the gap is open."""
-    q, taken = states[: len(model.coordinates)], _taken(model, constants)
-    gap = model.statics.contact_gap(*q, *taken)
+    q = states[: len(model.coordinates)]
+    gap = model.statics.contact_gap(*q, *_taken(model, constants))
     closed = np.asarray(gap) <= 0 if model.about["contact"]["unilateral"] else np.ones(np.shape(gap), dtype=bool)
-    force: FloatArray = model.statics.contact_force(*q, *taken, closed.astype(int)) + 0.0  # without the sign of a zero
+    force: FloatArray = model.statics.contact_force(*q, *constants, closed.astype(int)) + 0.0  # without the sign of a zero
     return force
 
 

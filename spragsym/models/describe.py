@@ -42,7 +42,7 @@ def explained(about: Mapping[str, Any]) -> dict[str, tuple[str, str]]:
     for entry in about["parameters"]:
         found[entry["name"]] = (entry["unit"], entry["meaning"])
     for name in about["angles"]:
-        found[f"{name}_deg"] = ("deg", found[name][1])
+        found[f"{name}_deg"] = ("degree", found[name][1])
     return found
 
 

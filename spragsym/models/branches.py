@@ -22,8 +22,8 @@ from .equilibria import ModelEquilibria, columns, equilibria
 from .regions import region
 from .stability import linearization
 
-#: Times a step is halved.
-HALVINGS = 40
+#: Times a step is halved, and steps beyond which nothing more is hoped for.
+HALVINGS, MANY = 40, 500
 #: Boxes looked at for one step, and their least width, before it is halved.
 BUDGET, NARROW = 300, 2.0**-10
 #: Values of the parameter at the beginning and the end of a step.
@@ -66,6 +66,8 @@ def links(along: Along, stops: FloatArray, eq: ModelEquilibria) -> list[dict[int
         failed = [step for step in pending if step not in found]
         if not failed:
             return [_joined(step, proved, halved) for step in steps]
+        if len(failed) > MANY:
+            break
         # Not in the middle, where the fold is.
         middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
         halved |= middles

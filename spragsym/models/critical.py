@@ -11,15 +11,17 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..statics.solver import Stability
 from .balance import Balance
 from .conditions import FoldOnBorder, Touch, TouchTurn, Turn
 from .cusps import cusps
 from .equilibria import equilibria
 from .folds import folds
 from .forces import Model
-from .paths import OVER_BORDER, first_end, quasi_static_path
+from .paths import OVER_BORDER, ModelEnd, first_end
 from .points import ModelPoints, arranged, endless, given_column, ranges, search
 from .remarks import of_ranges
+from .tubes import carried
 
 #: How far inside an end that does not belong to a range it is looked at, over its width.
 INSIDE = 2.0**-40
@@ -97,10 +99,10 @@ def critical_friction(
     Notes
     -----
     The state followed is the stable one of smallest first coordinate at the lower end of both ranges, and what it becomes along
-    ``over`` there. Where it ends is on curves of folds, and on curves on which it leaves the contact. The least value on a piece of
-    them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece ends on the border, or at an end
-    of ``over``: all of these are isolated. From the least on it is asked, by following the state along ``vary`` there, whether it
-    ends: below the first one at which it does, no piece has begun on which it could.
+    ``over`` there, by a chain of boxes. Where it ends is on curves of folds, and on curves on which it leaves the contact. The
+    least value on a piece of them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece ends on
+    the border, or at an end of ``over``: all of these are isolated. From the least on it is asked, by following the state along
+    ``vary`` there, whether it ends: below the first one at which it does, no piece has begun on which it could.
     """
     if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")
@@ -117,7 +119,9 @@ def critical_friction(
     complete = not remarks and found.kind != "undecided"
     if found.value > open_from:
         complete = False
-        remarks += (f"candidates from {vary} = {open_from:.6g} on are not all decided: the state may end at a lower value than that",)
+        remarks += (
+            f"candidates from {vary} = {open_from:.6g} on are not all decided: the state may end at a lower value than that",
+        )
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
 
 
@@ -139,7 +143,9 @@ class _Search:
         offsets = self.spans[0, 1] - self.spans[0, 0]
         places = {float(end) for end in self.spans[0]}
         for one in candidates:
-            places |= {one.where} if one.kind != "cusp" else {one.where + sign * far * offsets for far in ASIDE for sign in (-1, 1)}
+            places |= (
+                {one.where} if one.kind != "cusp" else {one.where + sign * far * offsets for far in ASIDE for sign in (-1, 1)}
+            )
         places = {place for place in places if self.spans[0, 0] <= place <= self.spans[0, 1]}
         self.begin(sorted(places))
         for one in candidates:
@@ -178,7 +184,10 @@ class _Search:
         yield "cusp", cusps(self.model, self.p, both, between=between)
         yield "turn", self.of(self.balance, Turn(), both)
         for end in self.spans[0]:
-            yield "end", folds(self.model, self.p.replace(**{self.over: float(end)}), self.vary, between={self.vary: between[self.vary]})
+            yield (
+                "end",
+                folds(self.model, self.p.replace(**{self.over: float(end)}), self.vary, between={self.vary: between[self.vary]}),
+            )
         if self.balance.opens:
             beyond = Balance(self.model, contact=True, room=OVER_BORDER)
             yield "border", self.of(beyond, FoldOnBorder(), both)
@@ -186,7 +195,9 @@ class _Search:
             for end in self.spans[0]:
                 yield "border", self.of(beyond, Touch(), (self.vary,), {self.over: float(end)})
 
-    def of(self, balance: Balance, condition: Any, vary: Sequence[str], changed: Mapping[str, float] | None = None) -> ModelPoints:
+    def of(
+        self, balance: Balance, condition: Any, vary: Sequence[str], changed: Mapping[str, float] | None = None
+    ) -> ModelPoints:
         """Points of one condition."""
         given = given_column(self.p.replace(**(changed or {})), balance.parameters, vary)
         spans = self.spans[[(self.over, self.vary).index(name) for name in vary]]
@@ -195,33 +206,45 @@ class _Search:
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""
-        path = quasi_static_path(self.model, self.p.replace(**{self.vary: self.low}), self.over, np.array(places))
-        if path.jumps:
-            jump = path.jumps[0]
+        here = self.p.replace(**{self.vary: self.low})
+        eq = equilibria(self.model, here.replace(**{self.over: places[0]}))
+        stable = np.flatnonzero(eq.stability[: int(eq.count)] == Stability.STABLE)
+        if not eq.decided or not stable.size:
             raise ConvergenceError(
-                f"at {self.vary} = {self.low:.6g} the state ends at {self.over} = {jump.value:.6g} already; give between another lower end"
+                f"no state at {self.over} = {places[0]:.6g}, {self.vary} = {self.low:.6g} is known to be stable"
             )
-        self.beginning = {
-            place: [float(path.coordinates[name][k]) for name in self.balance.coordinates] for k, place in enumerate(places)
-        }
+        states = np.array([eq.coordinates[name][stable] for name in self.balance.coordinates])
+        way = self.carried(here, self.over, np.array(places), states[:, np.abs(states[0]).argmin()])
+        self.beginning = dict(zip(places, way.T, strict=True))
 
-    def end_at(self, place: float, limit: float) -> tuple[float, float] | None:
-        """Where the state ends there below a limit, with the error; None if it does not."""
+    def carried(self, p: Any, name: str, values: Any, q: Any) -> Any:
+        """The state at values of a parameter, from that at the first one."""
+        given = given_column(p, self.balance.parameters, (name,))
+        way = carried(self.balance, given, self.balance.parameters.index(name), values, q)
+        if way is None:
+            raise ConvergenceError(f"the state can't be followed from {name} = {values[0]:.6g} to {values[-1]:.6g}")
+        return way
+
+    def end_at(self, place: float, one: _Candidate, limit: float) -> ModelEnd | None:
+        """Where the state ends there below a limit, from a little below a candidate; None if it does not."""
         here = self.p.replace(**{self.over: place})
-        eq = equilibria(self.model, here.replace(**{self.vary: self.low}))
+        below = max(self.low, one.value - BEYOND * max(1.0, abs(one.value)))
+        state = self.beginning[place]
+        if below > self.low:
+            state = self.carried(here, self.vary, np.array([self.low, below]), state)[:, -1]
+        eq = equilibria(self.model, here.replace(**{self.vary: below}))
         states = np.array([eq.coordinates[name][: int(eq.count)] for name in self.balance.coordinates])
-        slot = int(np.linalg.norm(states - np.array(self.beginning[place])[:, None], axis=0).argmin())
-        end = first_end(self.model, here, self.vary, (self.low, limit), start=slot)
-        return None if end is None else (end.value, end.error)
+        slot = int(np.linalg.norm(states - state[:, None], axis=0).argmin())
+        return first_end(self.model, here, self.vary, (below, limit), start=slot)
 
     def ends_at(self, one: _Candidate, above: float) -> bool | None:
         """Whether the state ends at a candidate, below which it does nowhere; None where that is not decided."""
-        limit = min(one.value + 0.5 * (above - one.value), one.value + BEYOND * max(1.0, abs(one.value)))
+        limit = min(one.value + BEYOND * max(1.0, abs(one.value)), self.high)
         try:
             if one.kind != "cusp":
-                end = self.end_at(one.where, limit)
-                return end is not None and _Candidate(end[0], one.where, "", end[1]).ties(one)
-            return self.ends_at_cusp(one, limit)
+                end = self.end_at(one.where, one, limit)
+                return end is not None and _Candidate(end.value, one.where, "", end.error).ties(one)
+            return self.ends_at_cusp(one, min(limit, 0.5 * (one.value + above)))
         except ConvergenceError:
             return None
 
@@ -229,12 +252,9 @@ class _Search:
         """Beside a cusp, where its two folds are: no other piece begins between it and the next candidate."""
         for far in ASIDE:
             sides = [one.where + sign * far * float(self.spans[0, 1] - self.spans[0, 0]) for sign in (-1, 1)]
-            ends = [self.end_at(side, limit) for side in sides if side in self.beginning]
-            if any(ends):
-                return True
-            counts = [self.folds_below(side, limit) for side in sides if side in self.beginning]
-            if len(counts) == 2 and abs(counts[0] - counts[1]) == 2:
-                return False
+            counts = {side: self.folds_below(side, limit) for side in sides if side in self.beginning}
+            if len(counts) == 2 and abs(counts[sides[0]] - counts[sides[1]]) == 2:
+                return self.end_at(max(sides, key=counts.__getitem__), one, limit) is not None
         return None
 
     def folds_below(self, place: float, limit: float) -> int:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
     from ..sweeps import Basin, Sensitivity, Sweep
     from .bifurcation import ModelBifurcationSet
+    from .critical import LowestEnd
     from .diagram import Diagram
     from .equilibria import ModelEquilibria
     from .hopf_curves import OnsetCurves
@@ -191,6 +192,28 @@ class Model:
         from .bifurcation import bifurcation_set
 
         return bifurcation_set(self, p, self._two(vary), n, **options)
+
+    @question
+    def critical_friction(self, p: ParameterSet, vary: str | None = None, over: str | None = None, **options: Any) -> LowestEnd:
+        """The least friction at which the followed state ends, over a range of another parameter, proved or undecided.
+
+        ``vary`` is mu0 and ``over`` is theta0 unless told otherwise; ``between={"mu0": (0, 1)}`` for their ranges. See
+        :func:`spragsym.models.critical.critical_friction`.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("inclined_belt")
+        >>> found = model.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
+        >>> round(found.mu0, 6), found.kind, found.complete
+        (0.207376, 'cusp', True)
+        """
+        from .critical import critical_friction
+
+        if vary is None or over is None:
+            first, second = self._two(None)
+            vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
+        return critical_friction(self, p, vary, over, **options)
 
     @question
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
@@ -366,7 +389,6 @@ class Model:
     jump_probability = unanswered("quasi_static_path(p, vary, values) answers for one point")
     certify = unanswered("count(p) and equilibria(p) answer for points")
     redesign = unanswered("folds(p, vary) says how far a parameter has to go")
-    critical_friction = unanswered("cusps(p) has all cusps in a range of friction")
     cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
     critical_value = unanswered("cusps(p) has all cusps at each value of a parameter")
     flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")

@@ -100,9 +100,9 @@ def critical_friction(
     -----
     The state followed is the stable one of smallest first coordinate at the lower end of both ranges, and what it becomes along
     ``over`` there, by a chain of boxes. Where it ends is on curves of folds, and on curves on which it leaves the contact. The
-    least value on a piece of them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece ends on
-    the border, or at an end of ``over``: all of these are isolated. From the least on it is asked, by following the state along
-    ``vary`` there, whether it ends: below the first one at which it does, no piece has begun on which it could.
+    least value on a piece of them is at a cusp, at a turn, F = 0, det K = 0, w · ∂F/∂over = 0 with w K = 0, where the piece
+    ends on the border, or at an end of ``over``: all of these are isolated. From the least on it is asked, by following the state
+    along ``vary`` there, whether it ends: below the first one at which it does, no piece has begun on which it could.
     """
     if not isinstance(vary, str) or not isinstance(over, str) or vary == over:
         raise ParameterError(f"vary = {vary!r}, over = {over!r}; give two different parameters")

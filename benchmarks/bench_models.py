@@ -104,7 +104,7 @@ def families(points: int) -> None:
         values = {key: np.broadcast_to(getattr(p, key), p.shape)[::every] for key in NAMES}
         spent, eq = seconds(model.equilibria, model.Parameters(**values))
         time_of, known = seconds(ss.equilibria, ss.Parameters(**values))
-        other = eq.decided & ~known.undecided & ~known.fold & (eq.count != known.count)
+        other = eq.decided & known.decided & ~known.fold & (eq.count != known.count)
         print(
             f"| {name} | {1e3 * spent / points:.3f} | {1e3 * time_of / points:.4f} | {int((~eq.decided).sum())} "
             f"| {int(other.sum())} |",

@@ -40,3 +40,29 @@ def run(parts: Iterable[str], work: Callable[[str], Any], store: str = "", secon
         print(f"\r{len(done)} of {len(names)} parts, {time.monotonic() - begin:.0f} s", end="", file=sys.stderr, flush=True)
     print(file=sys.stderr)
     return done
+
+
+def journal(path: Path) -> list[dict[str, Any]]:
+    """The finished lines of a file, one result each; a line that was cut short is dropped."""
+    if not path.is_file():
+        return []
+    whole = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
+    path.write_text("".join(whole), encoding="utf-8")
+    return [json.loads(line) for line in whole]
+
+
+def numbered(
+    path: Path, numbers: Iterable[int], work: Callable[[int], dict[str, Any]], enough: Callable[[Any], bool] = lambda lines: False
+) -> list[dict[str, Any]]:
+    """The results of all numbers, which say theirs as ``number``, until they are enough: those of the file, and further ones."""
+    lines = journal(path)
+    done = {line["number"] for line in lines}
+    for number in numbers:
+        if enough(lines):
+            break
+        if number not in done:
+            lines.append(work(number))
+            with path.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(lines[-1]) + "\n")
+            print(lines[-1], file=sys.stderr, flush=True)
+    return lines

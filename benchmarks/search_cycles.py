@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
+from benchmarks.parts import journal
 from spragsym.sweeps import Regime, rms_sweep
 
 BELT = {"V": 0.5, "d": 10.0}
@@ -83,15 +84,6 @@ def known_at(lines: list[dict[str, Any]], cycle: ss.Cycle) -> bool:
             if abs(period / cycle.period - 1) < 2e-3 and abs(size / cycle.rms - 1) < 5e-3:
                 return True
     return False
-
-
-def journal(path: Path) -> list[dict[str, Any]]:
-    """The finished branches; a line that was cut short is dropped."""
-    if not path.is_file():
-        return []
-    whole = [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
-    path.write_text("".join(whole), encoding="utf-8")
-    return [json.loads(line) for line in whole]
 
 
 def follow(path: Path, lines: list[dict[str, Any]], cycle: ss.Cycle, name: str, points: int, depth: int = 0) -> None:

@@ -8,7 +8,7 @@ they change; where both sides are said to come to one attractor, they agree.
 
 from __future__ import annotations
 
-import json
+import itertools
 import sys
 from pathlib import Path
 from typing import Any
@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
+from benchmarks.parts import numbered
 from benchmarks.validate_fates import LONG, apart, averages
 
 ASIDE = 1e-6
@@ -63,23 +64,10 @@ def main() -> None:
     """Go through the points; exit code 1 if one is not confirmed."""
     if not 2 <= len(sys.argv) <= 3:
         sys.exit(__doc__)
-    path, count = Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 100
-    kept = (
-        [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
-        if path.is_file()
-        else []
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 100
+    lines = numbered(
+        Path(sys.argv[1]), itertools.count(), examined, lambda lines: sum(len(line["points"]) for line in lines) >= count
     )
-    lines = [json.loads(line) for line in kept]
-    path.write_text("".join(kept), encoding="utf-8")  # without a line that was cut short
-    done, number = {line["number"] for line in lines}, 0
-    with path.open("a", encoding="utf-8") as file:
-        while sum(len(line["points"]) for line in lines) < count:
-            if number not in done:
-                lines.append(examined(number))
-                file.write(json.dumps(lines[-1]) + "\n")
-                file.flush()
-                print(lines[-1], file=sys.stderr, flush=True)
-            number += 1
     points = [point for line in lines for point in line["points"]]
     print("| what is said | points | confirmed |\n|---|---|---|")
     for name, chosen in (

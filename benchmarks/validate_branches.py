@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from benchmarks.search_cycles import journal
+from benchmarks.parts import journal
 
 #: Parameters and the ranges that they are drawn from.
 DRAWN = {

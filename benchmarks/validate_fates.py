@@ -14,7 +14,6 @@ the same command goes on from there.
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 from collections import Counter
@@ -24,6 +23,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
+from benchmarks.parts import numbered
 from spragsym.cycles.sprag import SPRAG
 
 #: What varies, and by how much at most to either side.
@@ -145,23 +145,8 @@ def main() -> None:
     """Go through the calls; exit code 1 if one is not confirmed."""
     if not 2 <= len(sys.argv) <= 4:
         sys.exit(__doc__)
-    path, count, first = Path(sys.argv[1]), *(int(text) for text in (*sys.argv[2:], *("300", "0")[len(sys.argv) - 2 :]))
-    kept = (
-        [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
-        if path.is_file()
-        else []
-    )
-    lines = [json.loads(line) for line in kept]
-    done = {line["number"] for line in lines}
-    path.write_text("".join(kept), encoding="utf-8")  # without a line that was cut short
-    with path.open("a", encoding="utf-8") as file:
-        for number in range(first, first + count):
-            if number in done:
-                continue
-            lines.append(examined(number))
-            file.write(json.dumps(lines[-1]) + "\n")
-            file.flush()
-            print(lines[-1], file=sys.stderr, flush=True)
+    count, first = (int(text) for text in (*sys.argv[2:], *("300", "0")[len(sys.argv) - 2 :]))
+    lines = numbered(Path(sys.argv[1]), range(first, first + count), examined)
     counts = Counter((line["kind"], line["confirmed"]) for line in lines)
     print("| what is said | calls | confirmed | processor seconds |\n|---|---|---|---|")
     for kind in sorted({line["kind"] for line in lines}):

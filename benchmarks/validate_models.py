@@ -64,7 +64,7 @@ def _part(name: str, seed: list[int], points: int) -> list[float]:
     eq = model.equilibria(model.Parameters(**{key: getattr(p, key) for key in NAMES}))
     spent = time.process_time() - begin
     known = ss.equilibria(p)
-    settled = eq.decided & ~known.undecided & ~known.fold
+    settled = eq.decided & known.decided & ~known.fold
     other = settled & (eq.count != known.count)
     same = settled & ~other
     slots = min(eq.x.shape[-1], known.x.shape[-1])

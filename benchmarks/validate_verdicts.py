@@ -17,7 +17,6 @@ hold is printed below the table.
 from __future__ import annotations
 
 import inspect
-import json
 import math
 import sys
 import time
@@ -30,6 +29,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 
 import spragsym as ss
+from benchmarks.parts import numbered
 from spragsym.generated import motion
 
 _FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
@@ -147,22 +147,7 @@ def main() -> None:
     """Go through the motions; exit code 1 if a verdict is not confirmed."""
     if not 2 <= len(sys.argv) <= 3:
         sys.exit(__doc__)
-    path, count = Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 100
-    kept = (
-        [line for line in path.read_text(encoding="utf-8").splitlines(keepends=True) if line.endswith("\n")]
-        if path.is_file()
-        else []
-    )
-    lines = [json.loads(line) for line in kept]
-    path.write_text("".join(kept), encoding="utf-8")  # without a line that was cut short
-    done = {line["number"] for line in lines}
-    with path.open("a", encoding="utf-8") as file:
-        for number in range(count):
-            if number not in done:
-                lines.append(examined(number))
-                file.write(json.dumps(lines[-1]) + "\n")
-                file.flush()
-                print(lines[-1], file=sys.stderr, flush=True)
+    lines = numbered(Path(sys.argv[1]), range(int(sys.argv[2]) if len(sys.argv) > 2 else 100), examined)
     counts = Counter((line["kind"], line["confirmed"]) for line in lines)
     print("| verdict | motions | confirmed | processor seconds |\n|---|---|---|---|")
     for kind in sorted({line["kind"] for line in lines}):

@@ -7,7 +7,7 @@ import html
 import importlib
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass
 from typing import Any
 
 import numpy as np
@@ -23,7 +23,12 @@ ROWS = 20
 _ANGLES = {"poles", "width"}
 
 #: Column of codes → module and enumeration that says what they mean.
-_CODES = {"stability": ("statics", "Stability"), "regime": ("sweeps", "Regime"), "which": ("dynamics", "Event")}
+_CODES = {
+    "undamped": ("statics", "Stability"),
+    "stability": ("statics", "Stability"),
+    "regime": ("sweeps", "Regime"),
+    "which": ("dynamics", "Event"),
+}
 
 
 @dataclass(frozen=True)
@@ -80,7 +85,7 @@ def tables(thing: Any) -> Iterator[Table]:
         return
     values = _fields(thing)
     if isinstance(values.get("undecided"), np.ndarray):
-        values["undecided"] = f"{len(values['undecided'])} boxes"
+        values["undecided"] = _counted(len(values["undecided"]), "box", "boxes")
     if name == "Events":
         states = values.pop("state").T
         numbered = tuple(f"state_{i + 1}" for i in range(len(states)))
@@ -115,12 +120,31 @@ def tables(thing: Any) -> Iterator[Table]:
 
 def _equilibria(eq: Any) -> Table:
     """A row for each equilibrium, with the parameters that vary over the points."""
-    return _states(eq, ("theta", "L", "x", "y", "error"))
+    p, shape = eq.parameters, eq.count.shape
+    every = eq.states
+    shown, cut = _shown(every[0].size)
+    states = tuple(part[shown] for part in every)
+    vary = [key for key, value in _fields(p).items() if value is not None and value.size > 1]
+    kinds, growth = eq.told(states)
+    columns = {"stability": kinds, "undamped": eq.stability[states]}
+    columns |= {name: getattr(eq, name)[states] for name in eq.columns} | {"growth": growth, "error": eq.error[states]}
+    rows = []
+    for row, slot in enumerate(zip(*states, strict=True)):
+        place = tuple(int(i) for i in slot[:-1])
+        given = [_cell(key, np.broadcast_to(getattr(p, key), p.shape)[place]) for key in vary]
+        rows.append((
+            *([_index(place)] if shape else []), *given,
+            *(f"{values[row]:.1e}" if key == "growth" else _cell(key, values[row]) for key, values in columns.items()),
+        ))  # fmt: skip
+    where = {"sliding": "of sliding", "rest": "at rest"}.get(eq.regime, f"in {eq.regime}")
+    number = _counted(every[0].size, "equilibrium", "equilibria")
+    title = f"{number} {where}" + (f" of {math.prod(shape)} points" if shape else "")
+    header = (*(["point"] if shape else []), *map(_heading, (*vary, *columns)))
+    return _with_cut(title + _not_all(eq), header, rows, cut)
 
 
-def _equilibria_of_a_model(eq: Any) -> Table:
-    table = _states(eq, (*eq.coordinates, "growth", "error"), ("kind", "stability"))
-    return replace(table, title=table.title + _not_all(eq))
+def _counted(number: int, one: str, many: str) -> str:
+    return f"{number} {one if number == 1 else many}"
 
 
 def _not_all(found: Any) -> str:
@@ -143,31 +167,8 @@ def _points_of_a_model(found: Any) -> Table:
         f"{_heading(name)} from {_cell(name, low)} to {_cell(name, high)}"
         for name, (low, high) in zip(found.vary, ends, strict=True)
     )
-    title = f"{len(found)} {'point' if len(found) == 1 else 'points'} along {', '.join(spans)}{_not_all(found)}"
+    title = f"{_counted(len(found), 'point', 'points')} along {', '.join(spans)}{_not_all(found)}"
     return _with_cut(title, (*map(_heading, names), *words, "error"), [rows[i] for i in shown], cut)
-
-
-def _states(eq: Any, names: tuple[str, ...], words: tuple[str, ...] = ("stability",)) -> Table:
-    p, shape = eq.parameters, eq.count.shape
-    points = np.argwhere(np.arange(eq.error.shape[-1]) < eq.count[..., None])
-    shown, cut = _shown(len(points))
-    slots = [tuple(int(i) for i in points[row]) for row in shown]
-    vary = [key for key, value in _fields(p).items() if value is not None and value.size > 1]
-    header = (
-        *(["point"] if shape else []),
-        *map(_heading, vary),
-        *(("stability", "undamped")[: len(words)]),
-        *map(_heading, names),
-    )
-    rows = []
-    for slot in slots:
-        place = slot[:-1]
-        given = [_cell(key, np.broadcast_to(getattr(p, key), p.shape)[place]) for key in vary]
-        state = [_cell(key, getattr(eq, key)[slot]) for key in (*words, *names)]
-        rows.append((*([_index(place)] if shape else []), *given, *state))
-    where = "contact" if eq.contact else "lift-off"
-    title = f"{len(points)} equilibria in {where}" + (f" of {math.prod(shape)} points" if shape else "")
-    return _with_cut(title, header, rows, cut)
 
 
 def _trajectory(tr: Any) -> Table:
@@ -185,7 +186,6 @@ def _trajectory(tr: Any) -> Table:
 #: Results with a table of their own.
 _KINDS = {
     "Equilibria": _equilibria,
-    "ModelEquilibria": _equilibria_of_a_model,
     "ModelPoints": _points_of_a_model,
     "Onsets": _points_of_a_model,
     "ModelTrajectory": _trajectory,

@@ -28,7 +28,7 @@ from .exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_u
 from .exact.polynomials import Undecided
 from .parameters import RANGES, Range
 from .statics import ladder
-from .statics.solver import Stability
+from .statics.results import Stability
 
 #: What is taken exactly.
 Exact: TypeAlias = int | float | str | Fraction | mpmath.mpf

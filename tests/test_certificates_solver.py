@@ -231,7 +231,7 @@ def test_count_counts() -> None:
 def test_points_without_an_answer_are_marked_with_their_reason(monkeypatch: pytest.MonkeyPatch) -> None:
     p = ss.Parameters(1.0, [0.5, 1e200, 0.7], [0.3, 1e200, 0.3], 1.0, 1.0, 1.0)
     eq = ss.equilibria(p)
-    assert eq.undecided.tolist() == [False, True, False]
+    assert eq.decided.tolist() == [True, False, True]
     assert eq.escalated.tolist() == [False, True, False]
     assert eq.count.tolist() == [1, 0, 1]
     assert "beyond float64" in eq.reason(1)
@@ -239,8 +239,8 @@ def test_points_without_an_answer_are_marked_with_their_reason(monkeypatch: pyte
     assert np.isnan(eq.theta[1]).all()
     assert not eq.fold.any()
     with pytest.raises(ss.ConvergenceError, match="beyond float64"):
-        eq.decided()
-    assert ss.equilibria(p.replace(mu0=0.5, kappa=0.3)).decided().count == 1
+        eq.require_decided()
+    assert ss.equilibria(p.replace(mu0=0.5, kappa=0.3)).require_decided().count == 1
 
 
 def test_no_point_sees_another() -> None:

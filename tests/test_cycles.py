@@ -21,7 +21,7 @@ import spragsym as ss
 from benchmarks import bench_auto, validate_cycles, validate_fates, validate_verdicts
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
-from spragsym.cycles import finding, growth_rates, saddles
+from spragsym.cycles import fates, finding, growth_rates, saddles
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
 from spragsym.dynamics import criteria, multipliers, shooting
@@ -456,6 +456,30 @@ def test_one_cycle_at_both_ends_is_one_fate() -> None:
         )
 
 
+def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where an attractor can't be followed over all of the bracket, it is taken for another one until the bracket is narrow."""
+    followed = fates.followed
+
+    def near(field: Any, known: Any, values: Any, backend: str) -> Any:
+        if abs(known.values[0] - values[0]) > 1e-9:
+            raise ss.ConvergenceError("too far")
+        return followed(field, known, values, backend)
+
+    def told(one: Any, other: Any) -> bool:
+        return (one.period < middle) == (other.period < middle)
+
+    monkeypatch.setattr(fates, "followed", near)
+    monkeypatch.setattr(fates, "_seems", told)
+    p, settings = ss.Parameters.article(), {"vary": "theta0", "bracket": (0.733, 0.7334), "start": (2.54, 3.36, 0.0, 0.36)}
+    periods = [ss.cycle(p.replace(theta0=value), **BELT, near=settings["start"]).period for value in settings["bracket"]]
+    middle = sum(periods) / 2
+    with pytest.raises(ss.ParameterError, match=r"cycle of period 34\.\d+ at both ends, which is one attractor"):
+        ss.fate_boundary(p, **settings, **BELT)
+    monkeypatch.setattr(fates, "LONGEST", 1e4)
+    with pytest.raises(ss.ConvergenceError, match="leave it open whether there are others; give a narrower bracket"):
+        ss.fate_boundary(p, **settings, **BELT)
+
+
 @pytest.mark.thorough
 @pytest.mark.parametrize("number", [1, 5, 8, 13])
 def test_random_fates_are_confirmed_by_another_integrator(number: int) -> None:
@@ -583,7 +607,7 @@ def test_exponents_of_rest_are_its_eigenvalues() -> None:
 @pytest.mark.parametrize(
     ("degrees", "start", "t_end", "kind"),
     [
-        (42.0, (0, 0, 0, 0), 4000.0, "periodic"), (35.0, (0, 0, 0, 0), 4000.0, "at rest"),
+        (42.0, (0, 0, 0, 0), 4000.0, "cycle"), (35.0, (0, 0, 0, 0), 4000.0, "rest"),
         (60.0, (0, 0, 0, 0), 4000.0, "undecided"), (70.0, (0, 0, 0, 0), 4000.0, "undecided"),
     ],
 )  # fmt: skip
@@ -737,7 +761,7 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
 
     found = finding.cycle_near(CIRCLE, (0.25,), (0.5, 0.0))
     claim = proofs.claim_of(found, 12)
-    with ball_proof.bits(ball_proof.bits_for(12)):
+    with ball_proof.bits(ball_proof.accuracy_for(12).bits):
         proved = ball_proof.proved(CIRCLE, claim)
         claim["state"][0] += 1e-3
         claim["slopes"] = [[1.0, 0.0], [0.0, 1.0]]
@@ -747,7 +771,7 @@ def test_a_proof_of_a_smooth_cycle_and_of_none() -> None:
     assert proved["stable"] is True
 
 
-@pytest.mark.parametrize("digits", [10, 25, pytest.param(60, marks=pytest.mark.thorough)])
+@pytest.mark.parametrize("digits", [10, 25, *(pytest.param(each, marks=pytest.mark.thorough) for each in (60, 200))])
 def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int) -> None:
     """Of the circle with x = 1/2, period 2 π, multipliers 1 and exp(−π / 2): the decimals, in rational arithmetic."""
     pytest.importorskip("flint")
@@ -779,9 +803,11 @@ def test_balls_are_carried_onward_only() -> None:
     flint = pytest.importorskip("flint")
     from spragsym.cycles import ball_flow
 
-    unit = flint.arb_mat(2, 2, [1, 0, 0, 1])
+    unit, accuracy = flint.arb_mat(2, 2, [1, 0, 0, 1]), [ball_flow.Accuracy(20, 53)] * 2
     for duration in (-0.25, math.nan):
-        balls = ball_flow.Balls(CIRCLE, [flint.arb(0.25)], 20, [flint.arb(0.5), flint.arb(0)], unit, [flint.arb(0)] * 2, (0,))
+        balls = ball_flow.Balls(
+            CIRCLE, [flint.arb(0.25)], *accuracy, [flint.arb(0.5), flint.arb(0)], unit, [flint.arb(0)] * 2, (0,)
+        )
         with pytest.raises(ss.ParameterError, match="onward"):
             balls.carry(flint.arb(duration))
 
@@ -868,7 +894,8 @@ def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
 
         def begun() -> ball_flow.Balls:
             point = [flint.arb(float(value)) for value in before]
-            return ball_flow.Balls(SPRAG, constants, 40, point, unit, [flint.arb(0, off)] * 4, (0, 1, 1))
+            accuracy = [ball_flow.Accuracy(40, 200)] * 2
+            return ball_flow.Balls(SPRAG, constants, *accuracy, point, unit, [flint.arb(0, off)] * 4, (0, 1, 1))
 
         balls = begun()
         balls.carry(flint.arb(0.1 - 1e-9))

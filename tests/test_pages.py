@@ -244,13 +244,14 @@ def test_a_page_that_is_no_text_in_utf_8(tmp_path: Path) -> None:
 def test_a_coordinate_hides_nothing_of_the_results() -> None:
     """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that of a parameter."""
     from spragsym.derive import reserved
-    from spragsym.models import equilibria, onsets, paths, points, sweep, trajectory
+    from spragsym.models import onsets, paths, points, sweep, trajectory
+    from spragsym.statics import results
     from spragsym.sweeps.result import REPORTED
 
     def asked(kind: type) -> set[str]:
         return {name for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind))) if not name.startswith("_")}
 
-    for kind in (trajectory.ModelTrajectory, sweep.ModelSweep, equilibria.ModelEquilibria, points.ModelPoints, paths.ModelPath):
+    for kind in (trajectory.ModelTrajectory, sweep.ModelSweep, results.Equilibria, points.ModelPoints, paths.ModelPath):
         assert asked(kind) <= reserved.RESULTS | reserved.OF_MOTIONS, kind
     assert asked(points.ModelPoints) | asked(onsets.Onsets) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
 

@@ -259,30 +259,32 @@ def test_one_hopeless_point_leaves_the_others(backend: str, wide: bool, monkeypa
             ss.equilibria(ss.Parameters(**AT_ANCHOR), contact=False)
     finally:
         ss.set_backend("auto")
-    assert eq.undecided.tolist() == [[True, False], [False, True]]
-    assert eq.count[eq.undecided].tolist() == [0, 0]
-    assert np.isnan(eq.theta[eq.undecided]).all()
-    assert np.isnan(eq.error[eq.undecided]).all()
-    assert not eq.stability[eq.undecided].any()
+    assert eq.decided.tolist() == [[False, True], [True, False]]
+    assert eq.count[~eq.decided].tolist() == [0, 0]
+    assert np.isnan(eq.theta[~eq.decided]).all()
+    assert np.isnan(eq.error[~eq.decided]).all()
+    assert not eq.stability[~eq.decided].any()
     assert "L or y holds 0" in eq.reason(0, 0)
     assert "kappa=0.1," in eq.reason(1, 1) == eq.reason(-1, -1)
     assert eq.reason(0, 1) == ""
-    assert set(eq.reasons) == {0, 3}
-    np.testing.assert_array_equal(eq.theta[~eq.undecided], others.theta)
+    assert [box.index for box in eq.undecided] == [(0, 0), (1, 1)]
+    assert not eq.complete
+    assert eq.remarks[0].startswith("2 of 4 points have no answer; the first: ")
+    np.testing.assert_array_equal(eq.theta[eq.decided], others.theta)
     assert np.isnan(eq.eigenvalues[0, 0]).all()
-    assert others.decided() is others
+    assert others.require_decided() is others
     with pytest.raises(ss.ConvergenceError, match="L or y holds 0"):
-        eq.decided()
+        eq.require_decided()
 
 
 def test_what_float64_cannot_carry_is_marked_in_an_array() -> None:
     size = np.array([1.0, 1e200])
     eq = ss.equilibria(ss.Parameters(theta0=1.0, mu0=size, kappa=size, alpha=1.0, sigma=1.0, beta=1.0))
-    assert eq.undecided.tolist() == [False, True]
+    assert eq.decided.tolist() == [True, False]
     assert eq.count.tolist() == [1, 0]
     assert "beyond float64" in eq.reason(1)
     assert np.isnan(eq.x[1]).all()
-    assert ss.equilibria(ss.Parameters.article(theta0=[])).undecided.shape == (0,)
+    assert ss.equilibria(ss.Parameters.article(theta0=[])).decided.shape == (0,)
 
 
 def test_the_command_prints_the_reason_and_the_rest(capsys: pytest.CaptureFixture[str]) -> None:

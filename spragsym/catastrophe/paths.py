@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,8 +18,8 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..generated import stability as _stability
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_numbers
-from ..statics.slots import COLUMNS, Slots, empty
-from ..statics.solver import Equilibria, Stability, equilibria
+from ..statics.results import Equilibria, Held, Stability
+from ..statics.solver import equilibria
 from .fold_points import Turn, turns
 
 
@@ -148,7 +149,7 @@ class _Way:
     def __init__(self, p: Parameters, vary: str, along: FloatArray) -> None:
         self.p, self.vary, self.along = p, vary, along
         self.forward = -1 if along[0] > along[-1] else 1
-        self.eq = equilibria(p.replace(**{vary: along})).decided()
+        self.eq = equilibria(p.replace(**{vary: along})).require_decided()
         self.turns = turns(p, vary)[:: self.forward]
         self.at = np.array([turn.values[NAMES.index(vary)] for turn in self.turns])
         changes = np.cumsum([0, *(2 * self.side(turn) for turn in self.turns)])
@@ -244,7 +245,7 @@ def _pass(way: _Way, place: _Place, choose: Choice | None) -> tuple[_Place, Jump
     if not isinstance(rank, Turn):
         return _Place(beyond, rank), None
     value = float(way.at[place.region])
-    eq = equilibria(way.p.replace(**{way.vary: value})).decided()
+    eq = equilibria(way.p.replace(**{way.vary: value})).require_decided()
     state, code = way.state(eq, (), value, _Place(beyond, 0))
     theta0, mu0, theta, x, y, error = (rank.values[j] for j in (0, 1, 6, 8, 9, 10))
     if choose is not None:
@@ -256,9 +257,10 @@ def _pass(way: _Way, place: _Place, choose: Choice | None) -> tuple[_Place, Jump
 
 def _only(eq: Equilibria, state: tuple[float, ...], code: int) -> Equilibria:
     """One point with one state in the first slot."""
-    slots = Slots(1, eq.theta.shape[-1])
-    columns = empty(slots.slots, 1)
-    for name, value in zip(COLUMNS, (*state, np.nanmax(eq.error), code), strict=True):
-        columns[name][0] = value
-    slots.put(np.array([0]), np.array([1]), columns)
-    return replace(eq, count=np.array(1), fold=np.array(False), _slots=slots)
+    further = [np.nan] * (eq.stability.shape[-1] - 1)
+    columns: dict[str, NDArray[Any]] = {
+        name: np.array([value, *further]) for name, value in zip((*_STATE, "error"), (*state, np.nanmax(eq.error)), strict=True)
+    }
+    columns["stability"] = np.array([code, *[0] * len(further)], dtype=np.int8)
+    columns["marginal"] = columns["stability"] < 0
+    return replace(eq, count=np.array(1), _source=Held(columns))

@@ -23,7 +23,8 @@ from ..dynamics.regimes import Regime
 from ..generated import equilibrium as _equilibrium
 from ..generated import motion as _motion
 from ..parameters import NAMES, FloatArray, Parameters
-from ..statics.solver import Stability, equilibria
+from ..statics.results import Stability
+from ..statics.solver import equilibria
 from ..sweeps import sensitivity
 from .rows import Found, Value
 

@@ -8,7 +8,8 @@ from ..assumed import D, V
 from ..catastrophe import folds, sliding_friction
 from ..cycles import cycle, fate_boundary
 from ..parameters import Parameters
-from ..statics.solver import Stability, equilibria
+from ..statics.results import Stability
+from ..statics.solver import equilibria
 from .rows import Found
 
 #: Inclinations far below the fold, degrees.

@@ -71,7 +71,7 @@ def _paradox() -> list[str]:
         "", "| μ₀ | state at 30° | by (27) | largest real part of λ | command |", "|---|---|---|---|---|",
     ]  # fmt: skip
     lines += [
-        f"| {mu0} | {state} | {word} | {growth:+.1e} | `spragsym equilibria --model kang_nam --theta0 30 --mu0 {mu0}` |"
+        f"| {mu0} | {state} | {word} | {growth:+.1e} | `spragsym equilibria --theta0 30 --mu0 {mu0}` |"
         for mu0, state, word, growth in PARADOX
     ]
     return lines

@@ -64,6 +64,12 @@ def length() -> tuple[float, str]:
     return study.in_file("L_0", study.values["L_0"]), f"_{study.quantities['L_0'].unit}"
 
 
+def growth_rate() -> tuple[float, str]:
+    """What one growth rate is in the unit of the answer, and that unit as the end of a name."""
+    study = current()
+    return (1.0, "") if study is None else (1.0 / study.scales.time, "_per_s")
+
+
 class _OneOf(click.Choice[str]):
     """One of some names; a name that is nearly one of them is told which."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -13,8 +12,9 @@ from ..errors import ParameterError
 from ..exact.decimals import upward
 from ..parameters import NAMES, RANGES, FloatArray
 from .commands import command
-from .data import PHYSICAL, data, length, varied
+from .data import PHYSICAL, data, growth_rate, length, varied
 from .options import DEGREES, Number, as_json, build, ranges
+from .states import WORDS, rows_of, unless_room
 from .tables import print_json, print_table
 from .with_model import ForModels, made_for, model_option
 
@@ -46,7 +46,7 @@ def equilibria(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    size, end = length()
+    (size, end), (rate, per) = length(), growth_rate()
     named: dict[str, tuple[str, float]] = {}
     if (vary is None) != (low is None) or (low is None) != (high is None):
         raise click.UsageError("--vary, --from and --to belong together")
@@ -57,20 +57,23 @@ def equilibria(
     found: list[dict[str, Any]] = []
     for point in _points(values):
         rows, reasons = _rows(point)
-        lengths = {"L", "x", "y"}
-        scaled = [{name + end * (name in lengths): value * size if name in lengths else value for name, value in row.items()}
-                  for row in rows]  # fmt: skip
+        units = {"L": (size, end), "x": (size, end), "y": (size, end), "growth": (rate, per)}
+        scaled = [
+            {name + units[name][1] if name in units else name: value * units[name][0] if name in units else value
+             for name, value in row.items()}
+            for row in rows
+        ]  # fmt: skip
         told = {named[name][0] if name in named else name: value * named.get(name, ("", 1.0))[1] for name, value in point.items()}
         found.append({"parameters": told, "equilibria": scaled, "undecided": reasons})
     if json_output:
         print_json({"points": found} if names else found[0])
         return
-    columns = ("theta_deg", *(name + end for name in ("L", "x", "y")))
-    print_table("", (*names, "state", "stability", *columns, "error"), [
-        (*(point["parameters"][name] for name in names), row["state"], row["stability"], *(row[name] for name in columns),
-         upward(row["error"]))
+    columns = (*WORDS, "theta_deg", *(name + end for name in ("L", "x", "y")), f"growth{per}")
+    print_table("", (*names, *columns, "error"), [
+        (*(point["parameters"][name] for name in names),
+         *(row[name] if not name.startswith("growth") else f"{row[name]:.1e}" for name in columns), upward(row["error"]))
         for point in found for row in point["equilibria"]
-    ])  # fmt: skip
+    ], optional=unless_room(columns))  # fmt: skip
     for one in found:
         for state, reason in one["undecided"].items():
             click.echo(f"{state}, undecided: {reason}")
@@ -102,34 +105,18 @@ def _points(values: dict[str, Any]) -> Iterator[dict[str, float]]:
         yield dict(zip(values, combination, strict=True))
 
 
-def _rows(values: dict[str, float]) -> tuple[list[dict[str, Any]], dict[str, str]]:
+def _rows(values: dict[str, Any]) -> tuple[list[dict[str, Any]], dict[str, str]]:
     """A row for each equilibrium; and, by state, why the equilibria in contact or in lift-off can't be told."""
-    import numpy as np
-
     from ..errors import ConvergenceError
-    from ..statics.solver import Stability
     from ..statics.solver import equilibria as solve
 
     p = build(**values)
     rows, reasons = [], {}
     for contact, state in ((True, "contact"), (False, "lift-off")):
         try:
-            eq = solve(p, contact=contact)
+            rows += rows_of(solve(p, contact=contact))
         except ConvergenceError as reason:
             reasons[state] = str(reason)
-            continue
-        with np.errstate(all="ignore"):  # parameters near the largest floats overflow
-            eigenvalues = eq.eigenvalues
-        for slot in range(int(eq.count)):
-            rows.append({
-                "state": state,
-                "stability": Stability(int(eq.stability[slot])).name.lower(),
-                "theta_deg": math.degrees(eq.theta[slot]),
-                **{name: float(getattr(eq, name)[slot]) for name in ("L", "x", "y")},
-                "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in eigenvalues[slot]],
-                "error": float(eq.error[slot]),
-                "fold": bool(eq.fold),
-            })  # fmt: skip
     return rows, reasons
 
 

@@ -83,7 +83,7 @@ def path(
     import numpy as np
 
     from ..catastrophe import quasi_static_path
-    from ..statics.solver import Stability
+    from ..statics.results import Stability
 
     if low == high:
         raise ParameterError(f"--from {low:g} and --to are the same; give two values")

@@ -12,6 +12,7 @@ import click
 from ..errors import ParameterError
 from ..exact.decimals import upward
 from .options import Number
+from .states import NUMBERS, WORDS, columns_of, rows_of, unless_room
 from .tables import busy, print_json, print_table
 from .targets import refuse
 from .with_model import parameter_options, parameters_of, without
@@ -64,24 +65,22 @@ def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any],
         open_boxes: list[dict[str, Any]] = []
         remarks: list[str] = []
         complete = True
-        unilateral = model.about["contact"]["unilateral"]
-        for contact, state in ((True, "contact"), (False, "lift-off"))[: 2 if unilateral else 1]:
+        for contact, state in model.regimes.items():
             with busy(f"searching for equilibria in {state}"):
                 found = model.equilibria(p, contact=contact, within=box)
             complete &= found.complete
-            rows += _rows(model, found, state)
+            rows += rows_of(found)
             open_boxes += [{"state": state, "low": list(box.low), "high": list(box.high)} for box in found.undecided]
             remarks += [f"{state}: {text}" for text in found.remarks]
         if json_output:
             told = {"equilibria": rows, "complete": complete, "undecided": open_boxes, "remarks": remarks}
             print_json({"model": model.name, **told})
             return
-        print_table("", ("state", "stability", "undamped", *model.coordinates, "growth", "error"), [
-            (row["state"], row["stability"], row["undamped"], *(row[name] for name in model.coordinates),
-             f"{row['growth']:.1e}", upward(row["error"]))
-            for row in rows
-        ])  # fmt: skip
-        for place in ("contact", "lift-off"):
+        columns = (*WORDS, *columns_of(found))
+        print_table("", (*columns, *NUMBERS), [
+            (*(row[name] for name in columns), f"{row['growth']:.1e}", upward(row["error"])) for row in rows
+        ], optional=unless_room(columns))  # fmt: skip
+        for place in model.regimes.values():
             if boxes := [box for box in open_boxes if box["state"] == place]:
                 click.echo(_summed(place, model.coordinates, [box["low"] for box in boxes], [box["high"] for box in boxes]))
         for remark in remarks:
@@ -98,25 +97,6 @@ def _summed(title: str, names: Sequence[str], lows: Sequence[Sequence[float]], h
     hull = ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))
     boxes = "1 box is" if len(lows) == 1 else f"{len(lows)} boxes are"
     return f"{title}: not complete, {boxes} undecided, within {hull}"
-
-
-def _rows(model: Model, found: Any, state: str) -> list[dict[str, Any]]:
-    import numpy as np
-
-    from ..statics import Stability
-
-    return [
-        {
-            "state": state,
-            "stability": str(found.kind[slot]),
-            "undamped": Stability(int(found.stability[slot])).name.lower(),
-            **{name: float(getattr(found, name)[slot]) for name in model.coordinates},
-            "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in found.eigenvalues[slot]],
-            "growth": float(found.growth[slot]),
-            "error": float(found.error[slot]),
-        }
-        for slot in range(int(found.count))
-    ]
 
 
 def bifurcation_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:

@@ -44,10 +44,13 @@ def show(thing: RenderableType, whole: bool = False) -> None:
         click.echo(line.rstrip())
 
 
-def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[object]], empty: str = "none") -> None:
+def print_table(
+    title: str, header: Sequence[str], rows: Sequence[Sequence[object]], empty: str = "none", optional: Sequence[str] = ()
+) -> None:
     """Print a table under a title; without rows, the title and the word ``empty``.
 
-    Floats get as many digits as the line has room for, up to twelve; ``--json`` gives them all.
+    Floats get as many digits as the line has room for, up to twelve; columns that are ``optional`` are left out, the first of
+    them first, while it has none. ``--json`` gives all.
     """
     from rich.table import Table
     from rich.text import Text
@@ -57,15 +60,22 @@ def print_table(title: str, header: Sequence[str], rows: Sequence[Sequence[objec
     if not rows:
         return
     table = Table(box=None, pad_edge=False)
+    fitted, fits = _fitted(header, rows)
+    for name in optional:
+        if not fits and name in header:
+            place = header.index(name)
+            header = [*header[:place], *header[place + 1 :]]
+            rows = [[*row[:place], *row[place + 1 :]] for row in rows]
+            fitted, fits = _fitted(header, rows)
     for name in header:
         table.add_column(Text(name), no_wrap=True)
-    for row in _fitted(header, rows):
+    for row in fitted:
         table.add_row(*(cell if isinstance(cell, Text) else Text(str(cell)) for cell in row))
     show(table, whole=True)
 
 
-def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> list[list[object]]:
-    """The rows with their floats written so that the table is no wider than the line."""
+def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> tuple[list[list[object]], bool]:
+    """The rows with their floats written so that the table is no wider than the line, and whether it is not."""
     from rich.cells import cell_len
     from rich.console import Console
 
@@ -80,9 +90,10 @@ def _fitted(header: Sequence[str], rows: Sequence[Sequence[object]]) -> list[lis
             for row in rows
         ]
         widths = [max(cell_len(str(cell)) for cell in column) for column in zip(header, *written, strict=True)]
-        if sum(widths) + 2 * (len(widths) - 1) <= room:
+        fits = sum(widths) + 2 * (len(widths) - 1) <= room
+        if fits:
             break
-    return written
+    return written, fits
 
 
 @contextmanager

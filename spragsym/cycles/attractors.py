@@ -22,8 +22,8 @@ from .saddles import equilibrium_near, linearization, rounding_of
 #: A motion is judged at the first of these times, and again at the next as long as it is undecided.
 JUDGED = (2000.0, 10_000.0, 40_000.0)
 
-#: What a motion comes to, where that is told.
-DECIDED = (Regime.EQUILIBRIUM, Regime.LIMIT_CYCLE, Regime.LIFT_OFF)
+#: What a motion comes to, where that is told, and its word.
+KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
 
 #: Equilibria, and averages over cycles, that differ by less than this are one.
 SAME = 1e-6
@@ -59,7 +59,7 @@ class Verdict:
     @property
     def decided(self) -> bool:
         """Whether it is seen to come to an attractor."""
-        return self.kind in DECIDED
+        return self.kind in KINDS
 
     def told(self) -> str:
         """In words."""

@@ -10,10 +10,12 @@ times η.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any
 
-from flint import acb, arb, arb_mat
+from flint import acb, arb, arb_mat, ctx
 
 from ..dynamics.field import Field, Mode
 from ..errors import ParameterError
@@ -47,13 +49,37 @@ class TooWide(NotProved):
     """What a smaller set of starts, carried with more digits, may show."""
 
 
+@contextmanager
+def bits(count: int) -> Iterator[None]:
+    """Balls of ``count`` bits for as long as the context lasts."""
+    before = ctx.prec
+    ctx.prec = count
+    try:
+        yield
+    finally:
+        ctx.prec = before
+
+
+@dataclass(frozen=True)
+class Accuracy:
+    """Of Taylor polynomials: their order, and the bits of their coefficients."""
+
+    order: int
+    bits: int
+
+
 @dataclass
 class Balls:
-    """A set of states in balls: a point, the derivative by the start, and how far the starts are off."""
+    """A set of states in balls: a point, the derivative by the start, and how far the starts are off.
+
+    The point is carried as accurately as ``fine`` says. What multiplies the small deviations, the derivative, need be no more
+    accurate than ``rough``, which costs far less.
+    """
 
     field: Field
     constants: list[Any]
-    order: int
+    fine: Accuracy
+    rough: Accuracy
     point: list[Any]
     matrix: Any
     start: list[Any]
@@ -62,8 +88,7 @@ class Balls:
     @property
     def box(self) -> list[Any]:
         """All states."""
-        off = self.matrix * arb_mat([[each] for each in self.start])
-        return [value + off[i, 0] for i, value in enumerate(self.point)]
+        return _moved(self.point, self.matrix * arb_mat([[each] for each in self.start]))
 
     # ------------------------------------------------------------------------------------------ smooth steps
 
@@ -83,22 +108,22 @@ class Balls:
                 raise NotProved("time could not be kept exactly: the steps have become as short as its last bit")
 
     def _step(self, box: list[Any], step: Any, radius: Any, bounds: list[Any], slope: Any) -> None:
-        ratio = (step / radius).abs_upper()
-        tail = arb(ratio) ** (self.order + 1) / (1 - arb(ratio))
-        middle = [value.mid() for value in self.point]
-        center = solution(self.field, middle, self.constants, self.mode, self.order)
-        within = solution(self.field, box, self.constants, self.mode, self.order)
-        self._stays(within, step, [bound * tail for bound in bounds])
-        derivative = _fundamental(self.field, within, self.constants, self.mode, self.order, step)
-        m, spread = self.field.size, (slope * radius).exp() * tail
-        derivative += arb_mat(m, m, [_around(spread)] * (m * m))
+        ratio = arb((step / radius).abs_upper())
+        middle, m = [value.mid() for value in self.point], self.field.size
+        center = solution(self.field, middle, self.constants, self.mode, self.fine.order)
+        with bits(self.rough.bits):
+            tail = _left_out(ratio, self.rough)
+            within = solution(self.field, box, self.constants, self.mode, self.rough.order)
+            derivative = _fundamental(self.field, within, self.constants, self.mode, self.rough.order, step)
+            derivative += arb_mat(m, m, [_around((slope * radius).exp() * tail)] * (m * m))
+            self.matrix = derivative * self.matrix
         # By the mean value theorem: what the flow contracts, its enclosure contracts as well.
         off = derivative * arb_mat([[value - mid] for value, mid in zip(self.point, middle, strict=True)])
-        self.point = [
-            polynomial(each, self.order, step) + _around(bound * tail) + off[i, 0]
-            for i, (each, bound) in enumerate(zip(center, bounds, strict=True))
-        ]
-        self.matrix = derivative * self.matrix
+        left_out = _left_out(ratio, self.fine)
+        ends = [polynomial(jet, self.fine.order, step) + _around(bound * left_out)
+                for jet, bound in zip(center, bounds, strict=True)]  # fmt: skip
+        self.point = _moved(ends, off)
+        self._stays(_Piece(within, [bound * tail for bound in bounds], self.rough.order, step, box, self.box))
 
     def _disc(self, box: list[Any], mode: Mode | None = None) -> tuple[Any, list[Any], Any]:
         """A radius of convergence about all states, the radii of the polydisc, and a bound on the field's derivative there."""
@@ -131,21 +156,21 @@ class Balls:
                 radii = [arb(float(length * 1.05 * size.mid())) + arb(1e-3) for size in found]
         raise NotProved("the field could not be bounded about the orbit")
 
-    def _stays(self, within: list[Jet], step: Any, tails: list[Any]) -> None:
+    def _stays(self, piece: _Piece) -> None:
         """Show that no state leaves the mode during a step."""
         for border in self.field.borders:
             if border.kink:
-                self._clear(border, within, tails, arb(0), step, 0)
+                self._clear(border, piece, arb(0), piece.step, 0)
 
-    def _clear(self, border: Any, within: list[Jet], tails: list[Any], begin: Any, end: Any, depth: int) -> None:
-        state = self._during(within, tails, begin.union(end))
+    def _clear(self, border: Any, piece: _Piece, begin: Any, end: Any, depth: int) -> None:
+        state = piece.at(begin.union(end))
         sign = border.sign(self.mode)
         if sign * border.level(state, self.constants, self.mode) > 0:
             return
         accelerations = self.field.acceleration(state, self.constants, self.mode, XP)
         rate = border.rate(state, accelerations, self.constants, self.mode)
         if rate > 0 or rate < 0:
-            ends = [border.level(self._during(within, tails, t), self.constants, self.mode) for t in (begin, end)]
+            ends = [border.level(piece.at(t), self.constants, self.mode) for t in (begin, end)]
             if all(sign * level > 0 for level in ends):
                 return
         if depth >= DEEPEST:
@@ -154,11 +179,8 @@ class Balls:
                 "but; at a grazing no number of digits tells: move a parameter"
             )
         middle = ((begin + end) / 2).mid()
-        self._clear(border, within, tails, begin, middle, depth + 1)
-        self._clear(border, within, tails, middle, end, depth + 1)
-
-    def _during(self, within: list[Jet], tails: list[Any], times: Any) -> list[Any]:
-        return [polynomial(each, self.order, times) + _around(tail) for each, tail in zip(within, tails, strict=True)]
+        self._clear(border, piece, begin, middle, depth + 1)
+        self._clear(border, piece, middle, end, depth + 1)
 
     # ------------------------------------------------------------------------------------------------ borders
 
@@ -235,12 +257,40 @@ class Balls:
     def _alone(self, mode: Mode, duration: Any) -> list[Any]:
         """The point after a short while in a mode."""
         radius, bounds, _ = self._disc(self.point, mode)
-        ratio = (duration / radius).abs_upper()
+        ratio = arb((duration / radius).abs_upper())
         if not ratio < SHARE:
             raise NotProved("the window of a crossing is longer than a step")
-        tail = arb(ratio) ** (self.order + 1) / (1 - arb(ratio))
-        jets = solution(self.field, self.point, self.constants, mode, self.order)
-        return [polynomial(jet, self.order, duration) + _around(bound * tail) for jet, bound in zip(jets, bounds, strict=True)]
+        tail, order = _left_out(ratio, self.fine), self.fine.order
+        jets = solution(self.field, self.point, self.constants, mode, order)
+        return [polynomial(jet, order, duration) + _around(bound * tail) for jet, bound in zip(jets, bounds, strict=True)]
+
+
+@dataclass(frozen=True)
+class _Piece:
+    """All states during a step: series in time, what these leave out, and the states at both ends, which are known better."""
+
+    series: list[Jet]
+    tails: list[Any]
+    order: int
+    step: Any
+    first: list[Any]
+    last: list[Any]
+
+    def at(self, t: Any) -> list[Any]:
+        """The states at a time, or over a ball of times."""
+        if t.is_exact() and (t == 0 or t == self.step):
+            return self.first if t == 0 else self.last
+        return [polynomial(each, self.order, t) + _around(tail) for each, tail in zip(self.series, self.tails, strict=True)]
+
+
+def _left_out(ratio: Any, accuracy: Accuracy) -> Any:
+    """Of a Taylor polynomial, in units of the bound on the field: the step is ``ratio`` times the radius of convergence."""
+    return ratio ** (accuracy.order + 1) / (1 - ratio)
+
+
+def _moved(point: list[Any], off: Any) -> list[Any]:
+    """A point and a column of deviations."""
+    return [value + off[i, 0] for i, value in enumerate(point)]
 
 
 def unknown(border: Any) -> str:
@@ -282,19 +332,17 @@ def _fundamental(field: Field, within: list[Jet], constants: list[Any], mode: Mo
     n, m = len(field.coordinates), field.size
     rows = slopes_along(field, within, constants, mode)
 
-    def entry(i: int, j: int, k: int) -> Any:
-        if i < n:
-            return int(k == 0 and j == n + i)
-        value = rows[i - n][j]
+    def entry(value: Any, k: int) -> Any:
         return value[k] if isinstance(value, Jet) else (value if k == 0 else 0)
 
-    slopes = [arb_mat(m, m, [entry(i, j, k) for i in range(m) for j in range(m)]) for k in range(order)]
+    slopes = [arb_mat(n, m, [entry(value, k) for row in rows for value in row]) for k in range(order)]
     parts = [arb_mat(m, m, [int(i == j) for i in range(m) for j in range(m)])]
     for k in range(order):
         total = slopes[0] * parts[k]
         for i in range(1, k + 1):
             total += slopes[i] * parts[k - i]
-        parts.append(total * (arb(1) / (k + 1)))
+        # Speeds are the derivatives of positions: the upper half of the next one is the lower half of this.
+        parts.append(arb_mat(m, m, parts[k].entries()[n * m :] + total.entries()) * (arb(1) / (k + 1)))
     found = parts[-1]
     for part in reversed(parts[:-1]):
         found = found * step + part

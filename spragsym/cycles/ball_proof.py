@@ -9,21 +9,25 @@ import importlib
 import json
 import math
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from flint import acb_mat, arb, arb_mat, ctx
+from flint import acb_mat, arb, arb_mat
 
 from ..dynamics.field import Field, Mode
 from ..errors import ParameterError
-from .ball_flow import APART, Balls, NotProved, TooWide, polynomial, slopes_at, solution
+from .ball_flow import APART, Accuracy, Balls, NotProved, TooWide, bits, polynomial, slopes_at, solution
 from .jets import XP
 
-#: Rounds of Newton's method with the slopes of double precision.
-ROUNDS = 14
+#: Rounds of Newton's method with the slopes of double precision, and digits that each gains at least.
+ROUNDS, GAINED = 14, 6
+
+#: Digits beyond those that are known, with which the next round works: what it gains.
+AHEAD = 12
+
+#: The derivative of the flow is carried as accurately as for so many digits, however many the orbit has.
+ROUGH = 60
 
 #: Half of the window in which a border is crossed, before the states tell: in units of the radius of the starts, and at most.
 WINDOW, WIDEST = 1e5, 1e-6
@@ -43,7 +47,7 @@ def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     digits = int(claim["digits"])
     while True:
         try:
-            with bits(bits_for(digits)):
+            with bits(accuracy_for(digits).bits):
                 return {"digits": digits, **proved(field, claim | {"digits": digits})}
         except TooWide as reason:
             if digits >= ENOUGH:
@@ -52,9 +56,9 @@ def shown(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
 
 
 def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
-    """What is shown of a claim, all numbers exactly, as :func:`spoken`; within :func:`bits` of :func:`bits_for` its digits."""
+    """What is shown of a claim, all numbers exactly, as :func:`spoken`; within the bits of :func:`accuracy_for`."""
     digits = int(claim["digits"])
-    radius, order = arb(10.0**-digits), math.ceil(1.7 * digits) + 12
+    radius, fine, rough = arb(10.0**-digits), accuracy_for(digits), accuracy_for(min(digits, ROUGH))
     constants = list(field.constants([arb(value) for value in claim["values"]], XP))
     state, period = [arb(value) for value in claim["state"]], arb(claim["period"])
     n = len(field.coordinates)
@@ -65,10 +69,10 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     if not np.linalg.svd(slopes, compute_uv=False)[-1] > SINGULAR * np.linalg.norm(slopes, 2):
         raise NotProved("a second multiplier is 1 or nearly so: at a fold, or where branches meet, no cycle is alone")
     inverse = [[arb(value) for value in row] for row in np.linalg.inv(slopes).tolist()]
-    state, period, times = _refined(field, constants, state, period, mode, claim["crossings"], inverse, moved, order, digits)
+    state, period, times = _refined(field, constants, state, period, mode, claim["crossings"], inverse, moved, digits)
 
     start = [arb(0, radius) if i in moved else arb(0) for i in range(field.size)]
-    balls = Balls(field, constants, order, [value.mid() for value in state], _unit(field.size), start, mode)
+    balls = Balls(field, constants, fine, rough, [value.mid() for value in state], _unit(field.size), start, mode)
     clock = arb(0)
     for index, time in times:
         half = arb(min(float((radius * WINDOW).mid()), WIDEST))
@@ -96,20 +100,12 @@ def proved(field: Field, claim: dict[str, Any]) -> dict[str, Any]:
     return _krawczyk(balls, state, period, radius, inverse, moved)
 
 
-def bits_for(digits: int) -> int:
-    """Bits with which a proof to ``digits`` digits works."""
-    return math.ceil(3.33 * (2.6 * digits + 20))
+def accuracy_for(digits: int) -> Accuracy:
+    """With what a proof to ``digits`` digits works: beyond those, room for what an orbit magnifies.
 
-
-@contextmanager
-def bits(count: int) -> Iterator[None]:
-    """Balls of ``count`` bits for as long as the context lasts."""
-    before = ctx.prec
-    ctx.prec = count
-    try:
-        yield
-    finally:
-        ctx.prec = before
+    Steps are a seventh of the radius of convergence, so that an order gives 0.845 digits.
+    """
+    return Accuracy(math.ceil(1.3 * digits) + 18, math.ceil(3.33 * (1.2 * digits + 45)))
 
 
 def _exactly(value: Any) -> Any:
@@ -127,24 +123,29 @@ def _unit(size: int) -> Any:
 
 def _refined(
     field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]],
-    inverse: list[list[Any]], moved: list[int], order: int, digits: int,
+    inverse: list[list[Any]], moved: list[int], digits: int,
 ) -> tuple[list[Any], Any, list[tuple[int, Any]]]:  # fmt: skip
-    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope."""
-    goal = arb(10) ** -(1.4 * digits)
-    missed, slow = arb(1), 0
-    for _ in range(ROUNDS):
-        end, times = _traced(field, constants, state, period, mode, crossings, order, digits)
+    """State, period and crossing times to the digits of the proof, by Newton's method with a fixed slope.
+
+    Each round works with as many digits as it may gain.
+    """
+    goal = arb(10) ** -(1.1 * digits + 6)
+    missed, slow, now = arb(1), 0, min(digits, 2 * AHEAD)
+    for _ in range(ROUNDS + digits // GAINED):
+        with bits(accuracy_for(now).bits):
+            end, times = _traced(field, constants, state, period, mode, crossings, now)
         gaps = [(a - b).mid() for a, b in zip(end, state, strict=True)]
         steps = [sum((row[j] * gaps[j] for j in range(len(gaps))), arb(0)).mid() for row in inverse]
         for i, column in enumerate(moved):
             state[column] = (state[column] - steps[i]).mid()
         period = (period - steps[-1]).mid()
         before, missed = missed, max((abs(gap) for gap in gaps), key=_size)
-        if missed < goal or (missed > before and before < arb(10) ** -(1.15 * digits)):
+        if now == digits and (missed < goal or (missed > before and before < arb(10) ** -(1.05 * digits))):
             return state, period, times
         slow = slow + 1 if not missed < before / 3 else 0
         if slow > 1 or not missed < 1:
             break
+        now = min(digits, max(now, math.ceil(AHEAD - math.log10(_size(missed)) if missed > 0 else digits)))
     raise NotProved(
         f"Newton's method in many digits does not converge from the cycle as given: it stays open by {_size(missed):.1e}"
     )
@@ -157,19 +158,19 @@ def _size(value: Any) -> float:
 
 
 def _traced(
-    field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]], order: int,
-    digits: int,
+    field: Field, constants: list[Any], state: list[Any], period: Any, mode: Mode, crossings: list[list[float]], digits: int
 ) -> tuple[list[Any], list[tuple[int, Any]]]:  # fmt: skip
     """The end of one round to many digits, and when it crosses which border; not rigorous."""
-    clock, now, times = arb(0), list(state), []
+    clock, now, times, order = arb(0), list(state), [], accuracy_for(digits).order
+    least = arb(10) ** -(1.1 * digits + 16)
     for about, border in [*((float(t), int(i)) for t, i in crossings), (None, -1)]:
         target = period if about is None else arb(about)
         if not target > clock:
             raise NotProved("two crossings can't be told apart in time")
         while True:
             jets = solution(field, now, constants, mode, order)
-            size = max(float(abs(jet[order]).mid()) for jet in jets)
-            reach = min(0.5 * (10.0 ** -(1.7 * digits) / max(size, 1e-300)) ** (1 / order), 1.0) if size > 0 else 1.0
+            size = max((abs(jet[order]).mid() for jet in jets), key=lambda ball: ball.mid())
+            reach = min(0.5 * float(((least / size) ** (arb(1) / order)).mid()), 1.0) if size > 0 else 1.0
             left = target - clock
             if float(left.mid()) <= reach:
                 break

@@ -184,7 +184,8 @@ def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdic
 def _divergent(p: Parameters, values: tuple[float, ...]) -> Saddle:
     """The divergent equilibrium at the friction of steady sliding, as the motion has it."""
     from ..catastrophe import sliding_friction
-    from ..statics.solver import Stability, equilibria
+    from ..statics.results import Stability
+    from ..statics.solver import equilibria
 
     found = equilibria(p.replace(mu0=sliding_friction(values[1], values[-2], values[-1])))
     rows = np.flatnonzero(found.stability == Stability.DIVERGENT)

@@ -14,12 +14,9 @@ from ..dynamics.flows import carrier
 from ..dynamics.regimes import Regime
 from ..errors import ConvergenceError
 from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
-from .attractors import attractor, judged, limiting
+from .attractors import KINDS, attractor, judged, limiting
 from .growth_rates import PROVED, rates_along
 from .sprag import SPRAG
-
-#: What a motion is called by its attractor.
-KINDS = {Regime.EQUILIBRIUM: "at rest", Regime.LIMIT_CYCLE: "periodic", Regime.LIFT_OFF: "lifted off"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +40,7 @@ class Lyapunov(Result):
     running : ndarray, shape (n, m)
         The means from the middle of the motion to these times: how they converge.
     kind : str
-        "at rest", "periodic", "lifted off", "chaotic" or "undecided".
+        "rest", "cycle", "lift-off", "chaotic" or "undecided".
     why : str
         What decides that, or would.
     limit : ndarray, shape (m,)

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from bisect import insort
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from dataclasses import field as attribute
 from itertools import pairwise
 from typing import Any
@@ -43,6 +44,12 @@ CLOSE = 0.05
 
 #: Motions have parted beyond this.
 PARTED = 1e-3
+
+#: Time units that the motions of a call are followed in all; what is open by then stays open.
+LONGEST = 5e6
+
+#: Cycles whose periods are less apart, as a logarithm, may be one that is followed; no cycle is followed after so many failures.
+UNLIKE, LOST = 0.5, 8
 
 #: Pairs of states of a hovering motion from which a cycle is looked for.
 TRIES = 12
@@ -123,8 +130,9 @@ def fate_boundary(
         Where both ends have the same fate.
     ConvergenceError
         Where the motion is undecided at an end and nothing is seen to change between; where what changes is the attractor
-        itself, which ends or loses its stability; where motions between stay undecided; and where fates alternate on both sides
-        more closely than rounding can tell. It says what the start comes to on either side.
+        itself, which ends or loses its stability; where motions between stay undecided; where fates alternate on both sides
+        more closely than rounding can tell; and where 5e6 time units of motion leave it open. It says what the start comes to on
+        either side, of each change that was seen.
 
     Notes
     -----
@@ -165,25 +173,18 @@ def boundary_of(
     for share in LOOKED_AT:
         asked.ask(low + share * (high - low))
     if ends[0].label == ends[1].label >= 0:
-        between = [each for each, _ in asked.changes() if each.label != ends[0].label]
-        raise ParameterError(
-            f"bracket = ({low:g}, {high:g}): the start comes to {ends[0].verdict.told()} at both ends, which is one attractor"
-            + "".join(f", and to {each.verdict.told()} at {each.value:g} between" for each in between[:1])
-            + "; give values of different fates"
-        )
+        raise asked.no_change(*ends)
     for share in MORE:
         if next(asked.changes(), None) is None:
             asked.ask(low + share * (high - low))
-    if next(asked.changes(), None) is None:
-        raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {asked.told(*ends)}; give values at which the motion settles")
-    why = []
-    for one, other in list(asked.changes()):
-        for kept in (one.label, other.label):
-            try:
-                return _boundary(asked, one, other, kept)
-            except ConvergenceError as error:
-                why.append(str(error))
-    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): " + "; ".join(dict.fromkeys(why)))
+    found = _first(asked)
+    if isinstance(found, FateBoundary):
+        return found
+    ends = asked.ask(low), asked.ask(high)  # with what has turned out to be one attractor
+    if not found and ends[0].label == ends[1].label >= 0:
+        raise asked.no_change(*ends)
+    why = "; ".join(dict.fromkeys(found)) or f"{asked.told(*ends)}; give values at which the motion settles"
+    raise ConvergenceError(f"bracket = ({low:g}, {high:g}): {why}")
 
 
 @dataclass(frozen=True)
@@ -198,7 +199,7 @@ class _Fate:
 
 @dataclass(frozen=True)
 class _Asked:
-    """Fates by value, as far as was asked."""
+    """Fates by value, as far as was asked; to which values no attractor could be followed."""
 
     field: Field
     at: Callable[[float], tuple[float, ...]]
@@ -206,30 +207,38 @@ class _Asked:
     start: FloatArray
     backend: str
     known: list[_Fate] = attribute(default_factory=list)
+    lost: list[float] = attribute(default_factory=list)
 
     def ask(self, value: float, rtol: float = ROUGH) -> _Fate:
         """The fate at a value."""
         before = next((each for each in self.known if (each.value, each.rtol) == (value, rtol)), None)
         if before is not None:
             return before
+        if sum(each.verdict.t for each in self.known) > LONGEST:
+            raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
         verdict = judged(self.field, self.at(value), self.start, self.backend, rtol=rtol)
         found = _Fate(value, rtol, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
         return found
 
     def _label(self, value: float, verdict: Verdict) -> int:
-        """That of the attractor among those that are known, or a new one."""
+        """That of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
+
+        To follow an attractor in vain takes seconds: only the likeliest is, and not any more after some failures.
+        """
         alike = [each for each in self.known if each.verdict.kind == verdict.kind]
         nearest = {each.label: each for each in sorted(alike, key=lambda each: -abs(each.value - value))}
         for label, each in nearest.items():
             if _seems(each.verdict.outcome, verdict.outcome):
                 return label
-        for label, each in nearest.items():
-            try:
-                if same(self.followed(each, value), attractor(self.field, self.at(value), verdict, self.backend)):
-                    return label
-            except ConvergenceError:
-                continue
+        likely = sorted(nearest, key=lambda label: _unlike(nearest[label].verdict.outcome, verdict.outcome))
+        for label in likely[:1] if len(self.lost) < LOST else ():
+            if _unlike(nearest[label].verdict.outcome, verdict.outcome) < UNLIKE:
+                try:
+                    if same(self.followed(nearest[label], value), attractor(self.field, self.at(value), verdict, self.backend)):
+                        return label
+                except ConvergenceError:
+                    self.lost.append(value)
         return 1 + max((each.label for each in self.known), default=-1)
 
     def followed(self, fate: _Fate, value: float) -> Any:
@@ -239,6 +248,17 @@ class _Asked:
     def attractor(self, fate: _Fate) -> Any:
         """The attractor of a fate."""
         return attractor(self.field, self.at(fate.value), fate.verdict, self.backend)
+
+    def merge(self, one: int, other: int) -> None:
+        """Two attractors have turned out to be one."""
+        self.known[:] = [replace(each, label=one) if each.label == other else each for each in self.known]
+
+    def change(self, low: float, high: float) -> tuple[_Fate, _Fate] | None:
+        """Two values that differ in their fates, if they still do, or the first such neighbours between."""
+        ends = self.ask(low), self.ask(high)
+        if ends[0].label != ends[1].label:
+            return ends
+        return next((pair for pair in self.changes() if low <= pair[0].value and pair[1].value <= high), None)
 
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
         """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
@@ -261,16 +281,30 @@ class _Asked:
             low, high = (found, high) if (found.label == kept) == (low.label == kept) else (low, found)
         return low, high
 
+    def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
+        """That both ends of the bracket have one fate."""
+        other = next((each for each in self.known if each.label not in (-1, low.label)), None)
+        return ParameterError(
+            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {low.verdict.told()} at both ends, which is one "
+            "attractor" + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
+            + "; give values of different fates"
+        )  # fmt: skip
+
     def told(self, low: _Fate, high: _Fate) -> str:
         """What the start comes to on two sides."""
         return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
 
-    def lost(self, low: _Fate, high: _Fate, value: float) -> str:
+    def alternating(self, low: _Fate, high: _Fate, value: float) -> str:
         """That no value can be told, and why."""
         return (
             f"{self.told(low, high)}, and between the two fates alternate: near {self.vary} = {value:.12g} motions come to "
             f"either on both sides, and to different ones at the tolerances {ROUGH:g} and {FINE:g}"
         )
+
+
+def _unlike(one: Outcome, other: Outcome) -> float:
+    """How far apart two periods are, as a logarithm; 0 for what has none."""
+    return abs(math.log(one.period / other.period)) if one.period > 0 and other.period > 0 else 0.0
 
 
 def _seems(one: Outcome, other: Outcome) -> bool:
@@ -281,8 +315,33 @@ def _seems(one: Outcome, other: Outcome) -> bool:
     return max(apart, default=0.0) < 1e-6
 
 
-def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary:
-    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary."""
+class _TooLong(ConvergenceError):
+    """Motions were followed for longer than one call may take."""
+
+
+def _first(asked: _Asked) -> FateBoundary | list[str]:
+    """The first of the changes that are seen which is a boundary, or why each of them is none."""
+    why: list[str] = []
+    for low, high in [(one.value, other.value) for one, other in asked.changes()]:
+        for side in (0, 1):  # either fate may be the one whose end is looked for
+            while (change := asked.change(low, high)) is not None:
+                try:
+                    found = _boundary(asked, *change, change[side].label)
+                except ConvergenceError as error:
+                    why.append(str(error))
+                    if isinstance(error, _TooLong):
+                        return why
+                    break
+                if found is not None:
+                    return found
+    return why
+
+
+def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary | None:
+    """Where the fate ``kept`` ends between two values; ConvergenceError where that is no boundary.
+
+    None where both sides turn out to have one attractor, which is known from then on.
+    """
     low, high = asked.narrowed(low, high, kept, NARROW * (1 + abs(low.value) + abs(high.value)))
     if high.value - low.value > TOO_WIDE * (1 + abs(low.value)):
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
@@ -292,13 +351,14 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
         except ConvergenceError as why:
             raise ConvergenceError(f"{asked.told(low, high)}, but this is no boundary of basins: {why}") from why
         if met:
-            raise ConvergenceError(f"{asked.told(low, high)}, which is one attractor")
+            asked.merge(low.label, high.label)
+            return None
     value, error = _anew(asked, low, high, kept)
     first, last = asked.known[0].value, asked.known[-1].value
     sides = [{asked.ask(value + sign * aside, rtol).label for aside in ASIDE for rtol in (ROUGH, FINE)
               if first < value + sign * aside < last} - {-1} for sign in (-1, 1)]  # fmt: skip
     if sides[0] & sides[1]:
-        raise ConvergenceError(asked.lost(low, high, value))
+        raise ConvergenceError(asked.alternating(low, high, value))
     kind, state, growth, distance = _saddle(asked, low.value, high.value)
     others = {(a.value, b.value) for a, b in asked.changes() if a.value < b.value and not a.value <= value <= b.value}
     return FateBoundary(
@@ -321,7 +381,7 @@ def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, flo
             fine = (one.value + other.value) / 2
             return fine, other.value - one.value + 2 * abs(fine - rough) + 4 * float(np.spacing(abs(fine)))
         half *= 8
-    raise ConvergenceError(asked.lost(low, high, rough))
+    raise ConvergenceError(asked.alternating(low, high, rough))
 
 
 def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:

@@ -14,14 +14,11 @@ from ..dynamics.flows import carrier
 from ..dynamics.regimes import Outcome, Regime
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, POSITIVE, FloatArray, Parameters, as_number
-from .attractors import JUDGED, Verdict, attractor, judged, limiting
+from .attractors import JUDGED, KINDS, Verdict, attractor, judged, limiting
 from .finding import cycle_near
 from .growth_rates import rates_along
 from .saddles import equilibrium_near, linearization
 from .sprag import SPRAG
-
-#: What a motion is called by its attractor.
-KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
 
 #: Exponents are looked at over this share of ``t_end``, and where one may be positive over the rest as well.
 SHARES = (0.2, 0.8)

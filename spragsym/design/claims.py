@@ -15,7 +15,8 @@ from ..exact.affine import Affine
 from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES, FloatArray, Parameters
 from ..statics import kernel
-from ..statics.solver import Stability, count, equilibria
+from ..statics.results import Stability
+from ..statics.solver import count, equilibria
 from .cells import Boxes, Ground, Line, Verdict, at, constant, covered
 from .gradients import by_parameter
 from .jump_values import first_jumps, small
@@ -136,7 +137,7 @@ def _directions(boxes: Boxes, margin: float) -> tuple[Line, Line, Line, NDArray[
     later = np.where(full.theta >= first, full.theta, np.inf).min(axis=-1)
     low, above = (_moved(boxes, middle | {"mu0": np.zeros_like(later)}, first[:, 0], side * margin) for side in (-1, 1))
     high = _moved(boxes, middle, later, margin)
-    known = np.isfinite(later) & ~bare.undecided & ~full.undecided
+    known = np.isfinite(later) & bare.decided & full.decided
     known &= (low.value - low.reach() > 0) & (high.value + high.reach() < math.pi)
     return low, above, high, known
 

@@ -18,7 +18,8 @@ from ..catastrophe.fold_arrays import friction_sextic
 from ..exact import bernstein
 from ..exact.rounded import UNIT
 from ..parameters import NAMES, FloatArray, Parameters
-from ..statics.solver import Stability, equilibria
+from ..statics.results import Stability
+from ..statics.solver import equilibria
 from .jump_values import BLOCK, first_jumps, small
 
 #: Radians between an equilibrium and the state without friction below which float64 does not say which comes first.
@@ -81,7 +82,7 @@ def _decided(given: Mapping[str, FloatArray]) -> tuple[NDArray[np.bool_], NDArra
         later = np.where(off > 0, full.theta, np.inf).min(axis=-1)
         near = (np.abs(off) <= _NEAR).any(axis=-1)
         clear = ~near & (kind[:, 0] == Stability.STABLE)
-    clear &= np.isfinite(later) & ~bare.undecided & ~full.undecided & ~bare.fold & ~full.fold
+    clear &= np.isfinite(later) & bare.decided & full.decided & ~bare.fold & ~full.fold
     ends = [_place(np.where(clear, angle, 1.0)) for angle in (first[:, 0], later)]
     # An error is one over max(1, θ), and dw/dθ is less than 1; a few units in the last place are the rounding of w.
     off = np.where(clear, 4.0 * np.maximum(error[:, 0], np.nan_to_num(full.error, nan=0.0).max(axis=-1)), 0.0) + 8 * UNIT

@@ -23,7 +23,8 @@ from ..catastrophe.paths import quasi_static_path
 from ..errors import ConvergenceError, ParameterError, UndecidedWarning
 from ..exact.polynomials import Undecided
 from ..parameters import NAMES, RANGES, FloatArray, Parameters
-from ..statics.solver import Equilibria, Stability, equilibria
+from ..statics.results import Equilibria, Stability
+from ..statics.solver import equilibria
 
 #: Points at a time: enough to forget the calls' overhead, few enough for the arrays in between to stay in cache.
 BLOCK = 1 << 13
@@ -144,7 +145,7 @@ def _block(
     eq = equilibria(Parameters(**{**given, vary: start}))
     others = {name: column for name, column in given.items() if name != vary}
     found = fold_arrays.folds(vary, others, size)
-    undecided = found.undecided | eq.undecided | eq.fold
+    undecided = found.undecided | ~eq.decided | eq.fold
     value, theta, coarse = _walk(found, start, forward, small(eq), eq.count, undecided)
     if marks is not None:
         at = found.row[coarse]

@@ -12,7 +12,8 @@ from ..assumed import MU0_RANGE
 from ..catastrophe import bifurcation_set
 from ..catastrophe.flutter_points import FlutterBoundary, flutter_boundary
 from ..parameters import FloatArray, Parameters
-from ..statics.solver import Stability, equilibria
+from ..statics.results import Stability
+from ..statics.solver import equilibria
 from . import surfaces
 from .captions import BASE_TEXT, HIDDEN_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import passages

@@ -16,7 +16,8 @@ from ..catastrophe.fold_points import Folds, folds
 from ..catastrophe.paths import Path
 from ..door import only_for
 from ..parameters import RANGES, FloatArray, Parameters
-from ..statics.solver import Equilibria, Stability, equilibria
+from ..statics.results import Equilibria, Stability
+from ..statics.solver import equilibria
 from .style import BLACK, LINES, Table, own_axes, styled
 
 #: Names of axes.

@@ -14,7 +14,7 @@ from ..models.describe import units_of
 from ..models.hopf_curves import OnsetCurves
 from ..models.points import ModelPoints
 from ..models.trajectory import ModelTrajectory
-from ..statics.solver import Stability
+from ..statics.results import Stability
 from .labels import label
 from .motion_pictures import draw_motion
 from .style import BLACK, BLUE, DOUBLE, GREEN, SINGLE, VERMILION, Sheet, own_axes, panels, styled

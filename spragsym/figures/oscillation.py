@@ -18,7 +18,8 @@ from ..cycles import CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fa
 from ..cycles.maps import Kind
 from ..errors import ParameterError
 from ..parameters import FloatArray, Parameters
-from ..statics.solver import Stability, equilibria
+from ..statics.results import Stability
+from ..statics.solver import equilibria
 from .captions import BASE_TEXT
 from .style import (
     BLACK,

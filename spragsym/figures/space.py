@@ -9,7 +9,7 @@ import numpy as np
 from ..assumed import MU0_RANGE
 from ..catastrophe import bifurcation_set
 from ..parameters import FloatArray, Parameters
-from ..statics.solver import Stability
+from ..statics.results import Stability
 from . import surfaces
 from .curves import LABELS
 from .hidden import Cover, cover_of, parts

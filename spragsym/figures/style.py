@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import MissingExtraError
-from ..statics.solver import Stability
+from ..statics.results import Stability
 
 try:
     import matplotlib

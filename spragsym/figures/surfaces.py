@@ -14,7 +14,7 @@ from ..catastrophe.equilibrium_surface import surface
 from ..generated import equilibrium as _equilibrium
 from ..generated import stability as _stability
 from ..parameters import FloatArray, Parameters
-from ..statics.solver import Stability
+from ..statics.results import Stability
 
 #: Columns of a vertex: θ₀ in degrees, μ₀, x, the slope of f (divergent where negative), the discriminant
 #: of (27) (flutter where negative).

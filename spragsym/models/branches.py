@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from ..errors import ConvergenceError
 from ..exact import boxes, certified_roots
 from ..exact.interval_arrays import FloatArray, Intervals
+from ..statics.results import Equilibria
 from .balance import Balance
-from .equilibria import ModelEquilibria, columns, equilibria
+from .equilibria import columns, equilibria
 from .regions import region
 from .stability import linearization
 
@@ -40,7 +41,7 @@ class Along:
     at: FloatArray
     kinds: NDArray[Any]
 
-    def equilibria(self, values: FloatArray) -> ModelEquilibria:
+    def equilibria(self, values: FloatArray) -> Equilibria:
         """All of them, at values of the parameter."""
         return equilibria(self.balance.model, self.p.replace(**{self.vary: values}))
 
@@ -53,7 +54,7 @@ class _States:
     signs: FloatArray
 
 
-def links(along: Along, stops: FloatArray, eq: ModelEquilibria) -> list[dict[int, int]]:
+def links(along: Along, stops: FloatArray, eq: Equilibria) -> list[dict[int, int]]:
     """For each step and each slot at its beginning, the slot at its end that lies on the same branch, where there is one."""
     states = {float(value): _states(along, eq, stop) for stop, value in enumerate(stops)}
     steps = list(itertools.pairwise(map(float, stops)))
@@ -79,7 +80,7 @@ def links(along: Along, stops: FloatArray, eq: ModelEquilibria) -> list[dict[int
     raise ConvergenceError(f"branches between {along.vary} = {pending[0][0]:.17g} and {pending[0][1]:.17g} can't be told apart")
 
 
-def _states(along: Along, eq: ModelEquilibria, stop: int) -> _States:
+def _states(along: Along, eq: Equilibria, stop: int) -> _States:
     """Equilibria at a stop."""
     count = int(eq.count[stop])
     q = np.array([eq.coordinates[name][stop, :count] for name in along.balance.coordinates])

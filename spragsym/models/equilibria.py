@@ -3,23 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
+from ..statics.results import Equilibria, Held, Undecided
 from . import stability as _stability
 from .anchors import around_anchors, stiff_points, turned_points
 from .balance import Balance
 from .border import BITS, on_its_side
-from .columns import Columns
 from .forces import Model
 from .precise import (
     PreciseBalance,
@@ -36,130 +35,15 @@ from .precise import (
 )
 from .refined import refined
 from .regions import by_hand, region
-from .remarks import of_boxes, of_region
+from .remarks import kinds_of, of_region, summed
 from .turns import once_around
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
 STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
 
-#: Imaginary part of a λ that is real to floats, over its size.
-REAL = 1e-9
 
-
-@dataclass(frozen=True)
-class Undecided(Result):
-    """A box at one point that may hold no equilibrium, one, or several: this is not known."""
-
-    index: tuple[int, ...]  #: of the point in the shape of the parameters
-    low: tuple[float, ...]  #: lower ends, by coordinate
-    high: tuple[float, ...]  #: upper ends
-
-
-@dataclass(frozen=True, eq=False)
-class ModelEquilibria(Columns, held_in="coordinates"):
-    """Every equilibrium of every parameter point of a model.
-
-    Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
-    equilibria stand in ascending order of the first coordinate, NaN beyond ``count``.
-
-    Attributes
-    ----------
-    count : ndarray of int64
-        Number of equilibria that are proved, in the shape of the parameters.
-    stability : ndarray of int8
-        Codes of :class:`spragsym.Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the friction law.
-    marginal : ndarray of bool
-        Where the code is not proved: 256 bits do not tell a sign behind it from that of 0, and it counts as 0.
-    eigenvalues : ndarray of complex
-        The λ of it, on one more axis.
-    growth : ndarray
-        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law. Made when it is asked
-        for, as are the next two.
-    stable : ndarray of bool
-        Where it is proved that nothing grows by that linearization.
-    kind : ndarray of str
-        ``"stable"`` where nothing grows; where something does ``"divergent"`` or ``"flutter"``, by the λ that grows fastest; or
-        ``"marginal"`` where 256 bits do not tell whether something grows. Empty beyond ``count``.
-    error : ndarray
-        Bound on |error| / max(1, |value|) of the coordinates.
-    region : ndarray
-        Lower and upper ends of the box that was searched, shape (…, coordinates, 2).
-    whole : ndarray of bool
-        Points whose region is proved to hold all equilibria. Of others there may be some beyond it.
-    decided : ndarray of bool
-        Points of which every box is decided.
-    undecided : tuple of Undecided
-        The other points' boxes.
-    remarks : tuple of str
-        What is known of these boxes, and what was searched where that is not everything: why the result is not complete.
-    """
-
-    parameters: Any
-    contact: bool
-    count: NDArray[np.int64]
-    stability: NDArray[np.int8]
-    marginal: NDArray[np.bool_]
-    eigenvalues: NDArray[np.complex128]
-    error: FloatArray
-    region: FloatArray
-    whole: NDArray[np.bool_]
-    decided: NDArray[np.bool_]
-    undecided: tuple[Undecided, ...]
-    coordinates: Mapping[str, FloatArray] = field(repr=False)
-    _damped: _stability.Damped = field(repr=False)
-    _slots: tuple[NDArray[np.int64], NDArray[np.int64]] = field(repr=False)
-    remarks: tuple[str, ...] = ()
-
-    @cached_property
-    def growth(self) -> FloatArray:
-        """Largest real part of all λ."""
-        return self._placed(self._fastest.real, np.nan)
-
-    @cached_property
-    def stable(self) -> NDArray[np.bool_]:
-        """Where nothing grows."""
-        return self._placed(self._decay > 0, False)
-
-    @cached_property
-    def kind(self) -> NDArray[np.str_]:
-        """What grows, in a word."""
-        fastest, decay = self._fastest, self._decay
-        real = fastest.imag <= REAL * np.abs(fastest)
-        return self._placed(
-            np.where(decay > 0, "stable", np.where(decay == 0, "marginal", np.where(real, "divergent", "flutter"))), ""
-        )
-
-    @cached_property
-    def _fastest(self) -> NDArray[np.complex128]:
-        return self._damped.fastest()
-
-    @cached_property
-    def _decay(self) -> NDArray[np.int8]:
-        return self._damped.decay()
-
-    def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
-        """Values of all states by point and slot."""
-        return in_slots(values, empty, self._slots, self.error.shape)
-
-    @property
-    def complete(self) -> bool:
-        """Whether these are all equilibria of every point: each box is decided, and nothing is beyond the region."""
-        return bool((self.decided & self.whole).all())
-
-
-def in_slots(
-    values: NDArray[Any], empty: Any, where: tuple[NDArray[np.int64], NDArray[np.int64]], shape: tuple[int, ...]
-) -> NDArray[Any]:
-    """Values of states by point and slot in arrays of the shape of points and slots, and of one value."""
-    out = np.full((*shape, *values.shape[1:]), empty, dtype=values.dtype)
-    out.reshape(-1, shape[-1], *values.shape[1:])[where] = values
-    return out
-
-
-def equilibria(
-    model: Model, p: Any, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
-) -> ModelEquilibria:
+def equilibria(model: Model, p: Any, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None) -> Equilibria:
     """All equilibria of a model: steady sliding in contact, or at rest in lift-off.
 
     Parameters
@@ -175,7 +59,7 @@ def equilibria(
 
     Returns
     -------
-    ModelEquilibria
+    Equilibria
 
     Notes
     -----
@@ -271,7 +155,7 @@ def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: f
     return settled(balance, given, around, found, levels)
 
 
-def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> ModelEquilibria:
+def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> Equilibria:
     """Roots in slots by point."""
     shape = p.shape
     size = int(np.prod(shape))
@@ -280,32 +164,34 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
     count = np.bincount(point, minlength=size)
     slots = max(1, int(count.max(initial=0)))
     slot = np.arange(point.size) - (np.cumsum(count) - count)[point]
-    boxes_around = (ends[:, :, order] for ends in (found.ends, found.alone))
-    ends, alone = boxes_around
-    here = columns(p, balance.parameters)[:, point]
-    types = _stability.classified(balance, states, here, ends, alone)
+    ends, alone = (boxes_around[:, :, order] for boxes_around in (found.ends, found.alone))
+    given = columns(p, balance.parameters)
+    types = _stability.classified(balance, states, given[:, point], ends, alone)
 
     def placed(values: NDArray[Any], empty: Any) -> NDArray[Any]:
-        return in_slots(values, empty, (point, slot), (*shape, slots))
+        out = np.full((size, slots, *values.shape[1:]), empty, dtype=values.dtype)
+        out[point, slot] = values
+        return out.reshape(*shape, slots, *values.shape[1:])
 
     decided = np.ones(size, dtype=np.bool_)
     decided[found.left_point] = False
+    reasons = kinds_of(balance, given[:, found.left_point], found.left)
     undecided = tuple(
         Undecided(
             tuple(int(i) for i in np.unravel_index(number, shape)) if shape else (),
             tuple((-found.left[0, :, box]).tolist()),
             tuple(found.left[1, :, box].tolist()),
+            reasons[box],
         )
         for box, number in enumerate(found.left_point)
     )
-    remarks = of_boxes(balance, columns(p, balance.parameters)[:, found.left_point], found.left)
-    remarks += of_region(balance.coordinates, around, whole)
-    searched = np.stack([-around[0], around[1]], axis=-1)
-    searched = np.moveaxis(searched, 0, 1).reshape(*shape, balance.n, 2)
-    return ModelEquilibria(
-        p, balance.contact, count.reshape(shape), placed(types.stability, 0), placed(~types.proved, False),
-        placed(types.eigenvalues, np.nan), placed(errors, np.nan),
-        searched, whole.reshape(shape), decided.reshape(shape), undecided,
-        {name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
-        _stability.Damped(balance, states, here, ends, alone, types), (point, slot), remarks,
-    )  # fmt: skip
+    searched = np.moveaxis(np.stack([-around[0], around[1]], axis=-1), 0, 1)
+    made = {
+        "stability": placed(types.stability, 0), "marginal": placed(~types.proved, False),
+        "eigenvalues": placed(types.eigenvalues, np.nan), "error": placed(errors, np.nan),
+        "region": searched.reshape(*shape, balance.n, 2), "whole": whole.reshape(shape),
+        **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
+    }  # fmt: skip
+    remarks = (*summed(reasons), *of_region(balance.coordinates, around, whole))
+    counts, known = count.reshape(shape), decided.reshape(shape)
+    return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, (ends, alone)))

@@ -18,11 +18,11 @@ from .describe import described
 
 if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
+    from ..statics.results import Equilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from .bifurcation import ModelBifurcationSet
     from .critical import LowestEnd
     from .diagram import Diagram
-    from .equilibria import ModelEquilibria
     from .hopf_curves import OnsetCurves
     from .onsets import Onsets
     from .paths import ModelPath
@@ -105,6 +105,14 @@ class Model:
         return tuple(entry["name"] for entry in self.about["parameters"])
 
     @property
+    def regimes(self) -> dict[bool, str]:
+        """What ``contact`` may be for equilibria, and what each is called."""
+        contact, friction = self.about["contact"], self.about["friction"]
+        if contact["gap"] is None:
+            return {True: "sliding" if friction else "rest"}
+        return {True: "contact", False: "lift-off"} if contact["unilateral"] else {True: "contact"}
+
+    @property
     def base(self) -> dict[str, float]:
         """Base values; a parameter without one, as the article's θ₀, is not among them."""
         return _parameters.base(self.about)
@@ -136,7 +144,7 @@ class Model:
     @question
     def equilibria(
         self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
-    ) -> ModelEquilibria:
+    ) -> Equilibria:
         """All equilibria in contact, or in lift-off, proved; ``p`` of any shape, ``within={"x": (-5, 5)}`` a box by hand.
 
         Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
@@ -154,7 +162,7 @@ class Model:
         ConvergenceError
             Where a point is not decided.
         """
-        found: ModelEquilibria = self.search.equilibria(p)
+        found: Equilibria = self.search.equilibria(p)
         if not found.complete:
             raise ConvergenceError(
                 f"{int((~found.decided).sum())} points are not decided; equilibria(p) has what is known of them"

@@ -17,12 +17,12 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
-from ..statics.solver import Stability
+from ..statics.results import Equilibria, Stability
 from .balance import Balance
 from .branches import Along, links
 from .columns import Columns
 from .conditions import Touch
-from .equilibria import ModelEquilibria, columns, equilibria
+from .equilibria import columns, equilibria
 from .folds import folds
 from .forces import Model
 from .points import ModelPoints, arranged, given_column, search
@@ -68,7 +68,7 @@ class ModelPath(Columns, held_in="coordinates"):
 
 
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
-Choice = Callable[[ModelEquilibria, Mapping[str, float]], int]
+Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
 
 def quasi_static_path(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -16,16 +17,30 @@ ONE_PLACE = 1e-9
 #: A box no wider than this is around a place.
 SMALL = 1e-3
 
-ANCHOR = "hold the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
-POLE = "hold an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
-BORDER = "hold places where the contact just touches: whether what is there lies on this side of the border is not known"
-PLACE = "are one place each to floats: a double root may be there, two very near ones, or none"
-LINE = "lie along places where the equations hold to rounding: a line of roots, or a few on it that floats do not tell apart"
-WIDE = "are left from a search that ended before they were small enough to be decided: a smaller range or a smaller box helps"
+ANCHOR = "at the anchor of a spring, where its force has no value: an equilibrium may be nearer to it than floats tell"
+POLE = "at an end of a spring that resists turning: its force has no bound there, and no search decides what is beside it"
+BORDER = "where the contact just touches: whether what is there lies on this side of the border is not known"
+PLACE = "no wider than one place is to floats: a double root may be there, two very near ones, or none"
+LINE = "along places where the equations hold to rounding: a line of roots, or a few on it that floats do not tell apart"
+WIDE = "left from a search that ended before it was small enough to be decided: a smaller range or a smaller box helps"
 
 
 def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> tuple[str, ...]:
-    """One sentence for each kind of box: each box has one.
+    """One sentence for each kind of box; arguments as for :func:`kinds_of`."""
+    return summed(kinds_of(balance, given, left, varied))
+
+
+def summed(kinds: Sequence[str]) -> tuple[str, ...]:
+    """How many boxes are of each kind."""
+    sentences = []
+    for kind, number in Counter(kinds).items():
+        some = f"{number} of {len(kinds)}" if number < len(kinds) else f"{number}"
+        sentences.append(f"{some} undecided {'box' if len(kinds) == 1 else 'boxes'} {kind}")
+    return tuple(sentences)
+
+
+def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapping[str, Any] | None = None) -> list[str]:
+    """Of what kind each box is: where it is, and what is known of it.
 
     Parameters
     ----------
@@ -38,7 +53,7 @@ def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     """
     count, n = left.shape[2], balance.n
     if not count:
-        return ()
+        return []
     with np.errstate(all="ignore"):
         q = list(Intervals(left[:, :n]))
         values = balance.arguments(balance.prepared(Intervals.point(np.nan_to_num(given))), varied)
@@ -51,11 +66,11 @@ def of_boxes(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     anchor &= ~pole & (relative <= SMALL)
     border &= ~(pole | anchor) & (relative <= SMALL)
     rest = ~(pole | anchor | border)
-    kinds = (
-        (pole, POLE), (anchor, ANCHOR), (border, BORDER), (rest & (relative <= ONE_PLACE), PLACE),
-        (rest & (relative > ONE_PLACE) & (relative <= SMALL), LINE), (rest & ~(relative <= SMALL), WIDE),
-    )  # fmt: skip
-    return tuple(f"{which.sum()} of {count} undecided boxes {text}" for which, text in kinds if which.any())
+    kinds: list[str] = np.select(
+        [pole, anchor, border, rest & (relative <= ONE_PLACE), rest & (relative <= SMALL)],
+        [POLE, ANCHOR, BORDER, PLACE, LINE], WIDE,
+    ).tolist()  # fmt: skip
+    return kinds
 
 
 def of_region(names: Sequence[str], region: FloatArray, whole: NDArray[np.bool_]) -> tuple[str, ...]:

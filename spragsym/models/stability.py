@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,10 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray
-from ..statics.solver import Stability
+from ..statics.results import Equilibria, Stability
 from . import spectrum
 from .balance import Balance
 from .forces import undecorated
+
+#: Imaginary part of a λ that is real to floats, over its size.
+REAL = 1e-9
+#: States that are looked at together: few enough for arrays of intervals to stay in cache.
+TOGETHER = 1 << 14
 
 
 @dataclass(frozen=True)
@@ -26,34 +31,76 @@ class Types:
 
 
 @dataclass(frozen=True)
-class Damped:
-    """The full linearization of N states, with dampers and the slope of the friction law, when it is asked for.
+class Linearized:
+    """Of N states by the full linearization, with dampers and the slope of the friction law."""
 
-    ``states`` of shape (n, N), ``given`` of shape (P, N), ``ends`` and ``alone`` of shape (2, n, N): boxes around the states, and
-    around each alone; ``types`` without it.
+    growth: FloatArray  #: largest real part of the λ
+    kind: NDArray[np.str_]  #: what grows, in a word; the sign is proved
+
+
+def linearized(eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None) -> Linearized:
+    """Of some states, by their indices into the columns; ``around`` are boxes around all states, and around each alone, if known.
+
+    Source: det(λ² M + λ C + K) = 0; whether something grows by Hurwitz's determinants, see :mod:`spragsym.models.spectrum`.
     """
+    balance = Balance(eq.parameters.model, eq.contact)
+    every = (np.broadcast_to(value[..., None], eq.stability.shape) for value in eq.parameters.broadcast(*balance.parameters))
+    given = np.array([value[states] for value in every]).reshape(len(balance.parameters), states[-1].size)
+    q = np.array([getattr(eq, name)[states] for name in balance.coordinates])
+    if around is None:
+        off = eq.error[states] * np.maximum(1.0, np.abs(q))
+        with np.errstate(all="ignore"):
+            ends = alone = np.nextafter(np.stack([off - q, q + off]), np.inf)
+    else:
+        place = np.full(eq.stability.shape, -1)
+        place[eq.states] = np.arange(eq.states[0].size if eq.states else 0)
+        ends, alone = (boxes[:, :, place[states]] for boxes in around)
+    undamped = (eq.stability[states] == Stability.STABLE) & ~eq.marginal[states]
+    parts = [
+        _linearized(balance, *(part[..., begin : begin + TOGETHER] for part in (q, given, ends, alone, undamped)))
+        for begin in range(0, max(1, undamped.size), TOGETHER)
+    ]
+    return Linearized(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
-    balance: Balance
-    states: FloatArray
-    given: FloatArray
-    ends: FloatArray
-    alone: FloatArray
-    types: Types
 
-    def fastest(self) -> NDArray[np.complex128]:
-        """The λ with the largest real part, with an imaginary part that is not negative."""
-        if not self.states.shape[1]:
-            return np.zeros(0, dtype=complex)
-        M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(self.balance, self.states, self.given))
-        every = roots(M, C, K)
+def _linearized(
+    balance: Balance, q: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray, undamped: NDArray[np.bool_]
+) -> tuple[FloatArray, NDArray[np.str_]]:
+    fastest = _fastest(balance, q, given)
+    decay = spectrum.decay(balance, given, ends, alone, undamped)
+    real = fastest.imag <= REAL * np.abs(fastest)
+    grows = np.where(real, "divergent", "flutter")
+    # What rounding leaves is on the side that is proved.
+    growth = np.where(decay > 0, np.minimum(fastest.real, 0.0), np.where(decay < 0, np.maximum(fastest.real, 0.0), fastest.real))
+    return growth, np.where(decay > 0, "stable", np.where(decay == 0, "marginal", grows))
+
+
+def _fastest(balance: Balance, states: FloatArray, given: FloatArray) -> NDArray[np.complex128]:
+    """The λ with the largest real part, with an imaginary part that is not negative."""
+    out = np.full(states.shape[1], np.nan, dtype=complex)
+    with np.errstate(all="ignore"):
+        M, C, K = (np.moveaxis(part, -1, 0) for part in linearization(balance, states, given))
+        finite = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(C).all(axis=(1, 2)) & np.isfinite(K).all(axis=(1, 2))
+        every = roots(M[finite], C[finite], K[finite])
+    if every.size:
         first = np.take_along_axis(every, every.real.argmax(axis=1)[:, None], axis=1)[:, 0]
-        out: NDArray[np.complex128] = first.real + 1j * np.abs(first.imag)
-        return out
+        out[finite] = first.real + 1j * np.abs(first.imag)
+    return out
 
-    def decay(self) -> NDArray[np.int8]:
-        """1 where it is proved that nothing grows, −1 that something does, 0 where it is not known."""
-        undamped = self.types.proved & (self.types.stability == Stability.STABLE)
-        return spectrum.decay(self.balance, self.given, self.ends, self.alone, undamped)
+
+def springs(eq: Equilibria) -> dict[str, FloatArray]:
+    """Direction in (−π, π] and length of each inclined spring: theta and L of one, theta_1, L_1, … of several."""
+    balance = Balance(eq.parameters.model, eq.contact)
+    q = [getattr(eq, name) for name in balance.coordinates]
+    shape = q[0].shape
+    values = {name: value[..., None] for name, value in _values(balance, eq.parameters.broadcast(*balance.parameters)).items()}
+    found = {}
+    with np.errstate(all="ignore"):
+        for number, (dx, dy, _) in enumerate(balance.geometry(q, values, np)):
+            end = f"_{number + 1}" if balance.springs > 1 else ""
+            found[f"theta{end}"] = np.broadcast_to(np.arctan2(dy, dx), shape)
+            found[f"L{end}"] = np.broadcast_to(np.hypot(dx, dy), shape)
+    return found
 
 
 def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:
@@ -84,12 +131,7 @@ def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Mass, damping and stiffness matrices at float states, each of shape (n, n, N)."""
     shape = states.shape[1:]
-    values: dict[str, Any] = {}
-    for name, value in zip(balance.parameters, given, strict=True):
-        if name in balance.angles:
-            cosine, sine = balance.angles[name]
-            values |= {cosine: np.cos(value), sine: np.sin(value)}
-        values[name] = value
+    values = _values(balance, given)
     q = list(states)
     model = balance.model
     motion = [values[name] for name in model.about["arguments"]["motion"]]
@@ -101,6 +143,17 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
         _filled(damping, shape),
         _filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
     )
+
+
+def _values(balance: Balance, given: Iterable[FloatArray]) -> dict[str, Any]:
+    """Arguments of generated functions by name, of floats."""
+    values: dict[str, Any] = {}
+    for name, value in zip(balance.parameters, given, strict=True):
+        if name in balance.angles:
+            cosine, sine = balance.angles[name]
+            values |= {cosine: np.cos(value), sine: np.sin(value)}
+        values[name] = value
+    return values
 
 
 def _filled(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> FloatArray:

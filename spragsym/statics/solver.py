@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import enum
 import math
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
-from functools import cached_property
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ConvergenceError
 from ..generated import kernel
 from ..generated import stability as _stability
-from ..parameters import NAMES, FloatArray, Parameters
+from ..parameters import NAMES, Parameters
 from . import backends, block, compiled
+from .results import Equilibria, Undecided
 from .slots import COLUMNS, Columns, Slots, empty
 
 if TYPE_CHECKING:
@@ -36,106 +34,48 @@ A_COUNTING_THREAD = {"compiled": 1 << 17, "numpy": 1 << 19}
 WIDE_BLOCK = 1 << 12
 
 
-class Stability(enum.IntEnum):
-    """Type of an equilibrium by the roots λ of det(λ² I + K) = 0, (27)."""
+@dataclass(frozen=True)
+class _Closed:
+    """What closed forms know of equilibria."""
 
-    NONE = 0  #: no equilibrium in this slot
-    STABLE = 1  #: all λ imaginary
-    DIVERGENT = 2  #: a real positive λ
-    FLUTTER = 3  #: a complex pair with a positive real part
-
-
-@dataclass(frozen=True, eq=False)
-class Equilibria(Result):
-    """Every equilibrium of every parameter point.
-
-    Attributes
-    ----------
-    count : ndarray of int8
-        Number of equilibria; the shape of the parameters.
-    theta, L, x, y : ndarray
-        Direction of the spring in radians, its length and the displacement, over L_0. One more axis than the parameters, of
-        length 3 in contact and 4 in lift-off; ascending ``theta``, NaN beyond ``count``. Made when they are first asked for.
-    stability : ndarray of int8
-        Codes of :class:`Stability`, of the shape of ``theta``.
-    error : ndarray
-        Bound on |error| / max(1, |value|) of theta, L, x and y, the largest of the four.
-    escalated : ndarray of bool
-        Points that float64 could not settle and more digits did.
-    fold : ndarray of bool
-        Points that are a fold to the last digit that could be tried: one state stands in two slots.
-    undecided : ndarray of bool
-        Points without an answer, whose ``count`` is 0 and whose slots are empty; :meth:`reason` says why.
-    reasons : dict
-        The reason for each of them, by its position in ``count.flat``.
-    """
-
-    parameters: Parameters
+    p: Parameters
     contact: bool
-    count: NDArray[np.int8]
-    escalated: NDArray[np.bool_]
-    fold: NDArray[np.bool_]
-    undecided: NDArray[np.bool_]
-    reasons: Mapping[int, str]
-    _slots: Slots = field(repr=False)
+    slots: Slots
+    escalated: NDArray[np.int64]  #: points
+    folds: NDArray[np.int64]
+    around: None = None
 
-    def reason(self, *index: int) -> str:
-        """Why the point with this index has no answer; empty if it has one."""
-        return self.reasons.get(int(np.arange(self.count.size).reshape(self.count.shape)[index]), "")
+    def column(self, name: str) -> NDArray[Any] | None:
+        """A column of the kernel's, or made of these; None for another name."""
+        if name in COLUMNS:
+            return np.moveaxis(self.slots.padded(name).T.reshape(self.slots.slots, *self.p.shape), 0, -1)
+        if name in ("escalated", "fold"):
+            return _flags(self.p.shape, self.escalated if name == "escalated" else self.folds)
+        made = {"eigenvalues": self._eigenvalues, "marginal": self._marginal}.get(name)
+        return None if made is None else made()
 
-    def decided(self) -> Equilibria:
-        """This result, if every point has an answer; otherwise raise :class:`ConvergenceError` with the first reason."""
-        for reason in self.reasons.values():
-            raise ConvergenceError(reason)
-        return self
+    def _known(self, *names: str) -> list[NDArray[Any]]:
+        return [column for name in names if (column := self.column(name)) is not None]
 
-    def _column(self, name: str) -> NDArray[Any]:
-        table = self._slots.padded(name)
-        return np.moveaxis(table.T.reshape(self._slots.slots, *self.count.shape), 0, -1)
+    def _marginal(self) -> NDArray[np.bool_]:
+        """At a fold the two slots that hold one state."""
+        (theta,) = self._known("theta")
+        out = np.zeros(theta.shape, dtype=np.bool_)
+        out[..., :-1] |= theta[..., :-1] == theta[..., 1:]
+        out[..., 1:] |= out[..., :-1]
+        return out & _flags(self.p.shape, self.folds)[..., None]
 
-    @cached_property
-    def theta(self) -> FloatArray:
-        """Direction of the spring in radians."""
-        return self._column("theta")
-
-    @cached_property
-    def L(self) -> FloatArray:
-        """Length of the spring over L_0."""
-        return self._column("L")
-
-    @cached_property
-    def x(self) -> FloatArray:
-        """Displacement along the belt over L_0."""
-        return self._column("x")
-
-    @cached_property
-    def y(self) -> FloatArray:
-        """Displacement across the belt over L_0."""
-        return self._column("y")
-
-    @cached_property
-    def error(self) -> FloatArray:
-        """Bound on the error of the four, over max(1, |value|)."""
-        return self._column("error")
-
-    @cached_property
-    def stability(self) -> NDArray[np.int8]:
-        """Codes of :class:`Stability`."""
-        return self._column("stability")
-
-    @cached_property
-    def eigenvalues(self) -> NDArray[np.complex128]:
-        """The four λ of (27) at every equilibrium, on one more axis; NaN beyond ``count``."""
-        p = self.parameters
-        mu0, alpha, sigma, beta = (value[..., None] for value in p.broadcast("mu0", "alpha", "sigma", "beta"))
-        K = _stability.stiffness(np.cos(self.theta), np.sin(self.theta), self.L, mu0, alpha, sigma, beta, int(self.contact))
-        trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
-        # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
-        root = np.sqrt(discriminant.astype(complex))
-        large = 0.5 * (trace + np.where(trace < 0, -root, root))
-        with np.errstate(invalid="ignore"):  # empty slots
-            small = determinant / large
-        frequencies = np.stack([np.sqrt(-large), np.sqrt(-small)], axis=-1)
+    def _eigenvalues(self) -> NDArray[np.complex128]:
+        """The four λ of (27)."""
+        mu0, alpha, sigma, beta = (value[..., None] for value in self.p.broadcast("mu0", "alpha", "sigma", "beta"))
+        theta, L = self._known("theta", "L")
+        with np.errstate(all="ignore"):  # empty slots; parameters near the largest floats overflow
+            K = _stability.stiffness(np.cos(theta), np.sin(theta), L, mu0, alpha, sigma, beta, int(self.contact))
+            trace, determinant, discriminant = _stability.invariants(*K[0], *K[1])
+            # λ² = −κ for the two eigenvalues κ of K, the larger first, the other from their product.
+            root = np.sqrt(discriminant.astype(complex))
+            large = 0.5 * (trace + np.where(trace < 0, -root, root))
+            frequencies = np.stack([np.sqrt(-large), np.sqrt(-determinant / large)], axis=-1)
         return np.concatenate([frequencies, -frequencies], axis=-1)
 
 
@@ -153,7 +93,7 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     -------
     Equilibria
         One or three in contact, up to four in lift-off, with |error| ≤ 1e-12 max(1, |value|). Points of an array that have no
-        answer are marked ``undecided``.
+        answer are not ``decided``.
 
     Raises
     ------
@@ -190,8 +130,23 @@ def equilibria(p: Parameters, contact: bool = True) -> Equilibria:
     out.clear()
     if reasons and not p.shape:
         raise ConvergenceError(reasons[0])
-    escalated, folds, undecided = (_flags(p.shape, rows) for rows in (left, fold, np.array([*reasons], dtype=np.int64)))
-    return Equilibria(p, contact, out.count.reshape(p.shape), escalated, folds, undecided, reasons, out)
+    return _answer(p, contact, out, left, fold, reasons)
+
+
+def _answer(
+    p: Parameters, contact: bool, out: Slots, escalated: NDArray[np.int64], folds: NDArray[np.int64], reasons: Mapping[int, str]
+) -> Equilibria:
+    decided = np.ones(p.shape, dtype=np.bool_)
+    undecided: tuple[Undecided, ...] = ()
+    remarks: tuple[str, ...] = ()
+    if reasons:
+        decided.reshape(-1)[list(reasons)] = False
+        anywhere = (-math.inf,) * 2, (math.inf,) * 2
+        places = (tuple(int(i) for i in np.unravel_index(number, p.shape)) for number in reasons)
+        undecided = tuple(Undecided(at, *anywhere, reason) for at, reason in zip(places, reasons.values(), strict=True))
+        remarks = (f"{len(reasons)} of {decided.size} points have no answer; the first: {undecided[0].reason}",)
+    counts = out.count.reshape(p.shape)
+    return Equilibria(p, contact, counts, decided, undecided, remarks, _Closed(p, contact, out, escalated, folds))
 
 
 def _flags(shape: tuple[int, ...], rows: NDArray[np.int64]) -> NDArray[np.bool_]:
@@ -239,7 +194,7 @@ def count(p: Parameters) -> NDArray[np.int8]:
     open_ones = np.flatnonzero(counts == 0)
     if open_ones.size:
         some = Parameters(*(np.broadcast_to(getattr(p, name), p.shape).flat[open_ones] for name in NAMES))
-        counts[open_ones] = equilibria(some).decided().count
+        counts[open_ones] = equilibria(some).require_decided().count
     return counts.reshape(p.shape)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from ..models.balance import Balance
 from ..models.stability import linearization, roots
 from ..parameters import FloatArray
-from ..statics.solver import Stability
+from ..statics.results import Stability
 
 
 def model_states(model: Any, p: Any, scales: Mapping[str, float], current: Mapping[str, float] | None) -> list[dict[str, Any]]:

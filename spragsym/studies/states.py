@@ -12,7 +12,8 @@ from ..catastrophe.paths import quasi_static_path
 from ..cycles.sprag import SPRAG
 from ..display import Result
 from ..parameters import NAMES, FloatArray, Parameters
-from ..statics.solver import Stability, equilibria
+from ..statics.results import Stability
+from ..statics.solver import equilibria
 from .study import Study
 
 #: What the eigenvalues of a matrix of four rows are off by, relative to the largest, generously.

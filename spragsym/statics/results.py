@@ -1,0 +1,247 @@
+"""What is known of the equilibria of many points: one class for every model, however they were found."""
+
+from __future__ import annotations
+
+import enum
+import importlib
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Protocol, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..display import Result
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
+
+
+class Stability(enum.IntEnum):
+    """Type of an equilibrium by the roots λ of det(λ² M + K) = 0, (27)."""
+
+    NONE = 0  #: no equilibrium in this slot
+    STABLE = 1  #: all λ imaginary
+    DIVERGENT = 2  #: a real positive λ
+    FLUTTER = 3  #: a complex pair with a positive real part
+
+
+@dataclass(frozen=True)
+class Undecided(Result):
+    """A box at one point that may hold no equilibrium, one, or several: this is not known."""
+
+    index: tuple[int, ...]  #: of the point in the shape of the parameters
+    low: tuple[float, ...]  #: lower ends, by coordinate
+    high: tuple[float, ...]  #: upper ends
+    reason: str  #: why
+
+
+class Source(Protocol):
+    """What an answer is read from: columns are made when they are asked for.
+
+    It must bring ``stability``, ``marginal``, ``error``, ``eigenvalues`` and the coordinates; it may bring others.
+    """
+
+    @property
+    def around(self) -> tuple[FloatArray, FloatArray] | None:
+        """Boxes around each state, and around each alone, shape (2, n, states), where ``error`` does not say as much."""
+
+    def column(self, name: str) -> NDArray[Any] | None:
+        """A column; None if it is not known here."""
+
+
+@dataclass(frozen=True)
+class Held:
+    """Columns that are there already."""
+
+    columns: Mapping[str, NDArray[Any]]
+    around: tuple[FloatArray, FloatArray] | None = None
+
+    def column(self, name: str) -> NDArray[Any] | None:
+        """A column; None if it is not known here."""
+        return self.columns.get(name)
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibria(Result):
+    """Every equilibrium of every parameter point.
+
+    Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
+    equilibria stand in ascending order of the first coordinate, NaN beyond ``count``; closed forms order them by ``theta``, which
+    in contact is the same and in lift-off is not. So are, for each inclined spring, its direction in radians and its length:
+    ``theta`` and ``L`` where there is one, ``theta_1``, ``L_1``, … where there are several. Columns are made when they are first
+    asked for.
+
+    Attributes
+    ----------
+    count : ndarray of int
+        Number of equilibria that are proved, in the shape of the parameters.
+    decided : ndarray of bool
+        Points that have an answer: those of others are empty, or what is known of them.
+    undecided : tuple of Undecided
+        The other points' boxes, with the reason for each.
+    remarks : tuple of str
+        Why the result is not complete: what is known of these boxes, and what was searched where that is not everything.
+    stability : ndarray of int8
+        Codes of :class:`Stability` by det(λ² M + K) = 0, as (27): without dampers and slope of the friction law.
+    marginal : ndarray of bool
+        Where the code is not proved: no number of digits that was tried tells a sign behind it from that of 0.
+    eigenvalues : ndarray of complex
+        The λ of it, on one more axis; NaN beyond ``count``.
+    growth : ndarray
+        Largest real part of the λ of det(λ² M + λ C + K) = 0, with dampers and slope of the friction law.
+    stable : ndarray of bool
+        Where it is proved that nothing grows by that linearization.
+    kind : ndarray of str
+        ``"stable"`` where nothing grows; where something does ``"divergent"`` or ``"flutter"``, by the λ that grows fastest; or
+        ``"marginal"`` where 256 bits do not tell whether something grows. Empty beyond ``count``.
+    error : ndarray
+        Bound on |error| / max(1, |value|), of coordinates and, in closed forms, of theta and L, the largest of them.
+    region : ndarray
+        Lower and upper ends of the box that was searched, shape (…, coordinates, 2).
+    whole : ndarray of bool
+        Points whose region is proved to hold all equilibria. Of others there may be some beyond it.
+    escalated : ndarray of bool
+        Of closed forms only: points that float64 could not settle and more digits did.
+    fold : ndarray of bool
+        Of closed forms only: points that are a fold to the last digit that could be tried: one state stands in two slots.
+    """
+
+    parameters: Any
+    contact: bool
+    count: NDArray[Any]
+    decided: NDArray[np.bool_]
+    undecided: tuple[Undecided, ...]
+    remarks: tuple[str, ...]
+    _source: Source = field(repr=False)
+
+    @property
+    def complete(self) -> bool:
+        """Whether these are all equilibria of every point: each is decided, and nothing is beyond the region."""
+        return bool((self.decided & self.whole).all())
+
+    @property
+    def coordinates(self) -> dict[str, FloatArray]:
+        """The model's coordinates by their names."""
+        return {name: getattr(self, name) for name in self._model.coordinates}
+
+    @property
+    def regime(self) -> str:
+        """``"contact"`` or ``"lift-off"``; of a model without a contact ``"sliding"``, or ``"rest"`` without friction too."""
+        word: str = self._model.regimes[self.contact]
+        return word
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of the columns that say where a state is: directions and lengths of springs, and the coordinates."""
+        return tuple(dict.fromkeys([*self._springs, *self._model.coordinates]))
+
+    @property
+    def states(self) -> tuple[NDArray[np.int64], ...]:
+        """Where there are equilibria: indices into the columns, in order."""
+        return np.nonzero(np.arange(self.stability.shape[-1]) < self.count[..., None])
+
+    def reason(self, *index: int) -> str:
+        """Why the point with this index has no answer; empty if it has one."""
+        here = np.arange(self.count.size).reshape(self.count.shape)
+        boxes = (box for box in self.undecided if here[box.index] == here[index])
+        return "; ".join(dict.fromkeys(box.reason for box in boxes))
+
+    def require_decided(self) -> Self:
+        """This result, if every point has an answer; otherwise raise :class:`ConvergenceError` with the first reason."""
+        if self.undecided:
+            raise ConvergenceError(self.undecided[0].reason)
+        return self
+
+    def told(self, states: tuple[NDArray[np.int64], ...]) -> tuple[NDArray[np.str_], FloatArray]:
+        """``kind`` and ``growth`` of some states only, by their indices into the columns."""
+        found = self._linearized(states)
+        return found.kind, found.growth
+
+    @cached_property
+    def error(self) -> FloatArray:
+        """Bound on the error of the coordinates, over max(1, |value|)."""
+        return self._known("error")
+
+    @cached_property
+    def stability(self) -> NDArray[np.int8]:
+        """Codes of :class:`Stability`."""
+        return self._known("stability")
+
+    @cached_property
+    def marginal(self) -> NDArray[np.bool_]:
+        """Where the code is not proved."""
+        return self._known("marginal")
+
+    @cached_property
+    def eigenvalues(self) -> NDArray[np.complex128]:
+        """All λ of (27), on one more axis; NaN beyond ``count``."""
+        return self._known("eigenvalues")
+
+    @cached_property
+    def region(self) -> FloatArray:
+        """The box that was searched."""
+        known = self._source.column("region")
+        ends = np.broadcast_to([-np.inf, np.inf], (*self.count.shape, len(self._model.coordinates), 2))
+        return ends if known is None else known
+
+    @cached_property
+    def whole(self) -> NDArray[np.bool_]:
+        """Whether it is proved to hold all equilibria."""
+        known = self._source.column("whole")
+        return np.broadcast_to(np.True_, self.count.shape) if known is None else known
+
+    @cached_property
+    def growth(self) -> FloatArray:
+        """Largest real part of all λ."""
+        return self._placed(self._all.growth, np.nan)
+
+    @cached_property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where nothing grows."""
+        return self._placed(self._all.kind == "stable", False)
+
+    @cached_property
+    def kind(self) -> NDArray[np.str_]:
+        """What grows, in a word."""
+        return self._placed(self._all.kind, "")
+
+    @property
+    def _model(self) -> Any:
+        return self.parameters.model
+
+    @cached_property
+    def _springs(self) -> dict[str, FloatArray]:
+        return importlib.import_module("spragsym.models.stability").springs(self)  # type: ignore[no-any-return]
+
+    @cached_property
+    def _all(self) -> Any:
+        return self._linearized(self.states)
+
+    def _linearized(self, states: tuple[NDArray[np.int64], ...]) -> Any:
+        # A room above this one knows how any model is linearized about its states.
+        return importlib.import_module("spragsym.models.stability").linearized(self, states, self._source.around)
+
+    def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
+        """Values of all states by point and slot."""
+        out = np.full((*self.stability.shape, *values.shape[1:]), empty, dtype=values.dtype)
+        out[self.states] = values
+        return out
+
+    def _known(self, name: str) -> NDArray[Any]:
+        column = self._source.column(name)
+        assert column is not None
+        return column
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or "_source" not in self.__dict__:
+            raise AttributeError(name)
+        column = self._source.column(name)
+        if column is None:
+            if name not in self._springs:
+                raise AttributeError(
+                    f"{type(self).__name__!r} has no attribute {name!r}; its columns are {', '.join(self.columns)}"
+                )
+            column = self._springs[name]
+        self.__dict__[name] = column
+        return column

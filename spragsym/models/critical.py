@@ -11,7 +11,7 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
-from ..statics.solver import Stability
+from ..statics.results import Stability
 from .balance import Balance
 from .conditions import FoldOnBorder, Touch, TouchTurn, Turn
 from .cusps import cusps

@@ -29,6 +29,12 @@ DRAWN = {
 #: Two events are one if their values are as close as this, in ranges, besides their errors.
 SAME = 1e-8
 
+#: Multipliers of this size are beside others that a plain product would have lost.
+LARGE = 1e6
+
+#: An event is in doubt where its multiplier is off by more than this share of what it changes to the next point.
+SHARE = 0.1
+
 #: What is known of an event: kind, value, period, error.
 Told = tuple[str, float, float, float]
 
@@ -78,14 +84,26 @@ def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
 
 
 def doubtful(branch: ss.CycleBranch) -> list[str]:
-    """Events whose multipliers are not what they say."""
+    """Events whose multipliers are not what they say, to 1e-3, or next to a grazing to a share of what they change between points."""
     found = []
     for event in branch.of("fold", "period_doubling", "torus"):
+        near = place(branch, event.cycle)
+        beside = [
+            _from_event(event.kind, branch.cycles[i].multipliers[1:])
+            for i in (near - 1, near, near + 1)
+            if 0 <= i < len(branch.cycles)
+        ]
         values = event.cycle.multipliers[1:]
-        aim = {"fold": np.abs(values - 1), "period_doubling": np.abs(values + 1), "torus": np.abs(np.abs(values) - 1)}[event.kind]
-        if not aim.min() < 1e-3 or (event.kind == "torus" and not np.abs(values.imag).max() > 0):
+        off = _from_event(event.kind, values)
+        if not off < max(1e-3, SHARE * max(beside)) or (event.kind == "torus" and not np.abs(values.imag).max() > 0):
             found.append(f"{event.kind} at {event.value!r}: multipliers {np.round(values, 6).tolist()}")
     return found
+
+
+def _from_event(kind: str, values: Any) -> float:
+    """How far the nearest multiplier is from where it is at an event."""
+    aim = {"fold": np.abs(values - 1), "period_doubling": np.abs(values + 1), "torus": np.abs(np.abs(values) - 1)}[kind]
+    return float(aim.min())
 
 
 def compared(cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]) -> tuple[dict[str, Any], ss.CycleBranch]:
@@ -100,6 +118,8 @@ def compared(cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]) -> t
     return {
         "vary": vary, "ranges": ranges, "points": [len(branch.values) for branch in branches], "seconds": spent,
         "events": [event.kind for event in branches[0].events], "cut": cut, "largest": max(sizes),
+        "large": sum(size > LARGE for size in sizes),
+        "beside": [event.kind for branch in branches for event in branch.events if np.abs(event.cycle.multipliers).max() > LARGE],
         "why": [event.how for branch in branches for event in branch.of("end") if "could not" in event.how],
         "loose": sum(error > SAME * width for *_, error in (*whole, *part)), "compared": len(whole) + len(part),
         "missed": missing(whole, part, width), "invented": missing(part, whole, width),
@@ -159,6 +179,13 @@ def main() -> None:
     for seed, row in rows:
         if "switch" in row:
             print(f"seed {seed}: {row['switch']}")
+    large = sorted(((row["largest"], seed) for seed, row in both), reverse=True)
+    print("largest multipliers by seed: " + ", ".join(f"{size:.1e} ({seed})" for size, seed in large[:10]))
+    print(
+        f"{sum(size > LARGE for size, _ in large)} of {len(large)} pairs of branches with multipliers above {LARGE:g}, at "
+        f"{sum(row.get('large', 0) for _, row in both)} points; events beside such: "
+        f"{sum(len(row.get('beside', ())) for _, row in both)}"
+    )
     bad = [row for _, row in both if not row["cut"] and (row["missed"] or row["invented"])]
     doubted = [row for _, row in both if row["doubtful"]]
     spent, points = sum(row["seconds"] for _, row in both), sum(sum(row["points"]) for _, row in both)

@@ -8,10 +8,13 @@ Exits with 1 if something that is listed is wrong, if something is missed, or if
 
 from __future__ import annotations
 
+import itertools
 import json
 import sys
 import tempfile
+import time
 from collections import Counter
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -73,6 +76,8 @@ def roots(M: np.ndarray, C: np.ndarray, K: np.ndarray) -> np.ndarray:
 def test_function(hand: Hand, kind: str, q: Any, p: Values) -> float:
     """What vanishes at a fold or at an onset: det K, or the product of all sums of two λ (scaled)."""
     M, C, K = pencil(hand, q, p, 1)
+    if not (np.isfinite(C).all() and np.isfinite(K).all()):
+        return 1.0  # beyond where the laws are defined
     if kind == "folds":
         return float(np.linalg.det(K))
     values = roots(M, C, K)
@@ -95,22 +100,59 @@ def multistart(function: Any, starts: np.ndarray) -> list[np.ndarray]:
 # -------------------------------------------------------------------------------------------------------- compared
 
 
+def word(values: np.ndarray) -> str:
+    """What grows by roots λ; empty where floats do not tell."""
+    first, size = values[values.real.argmax()], np.abs(values).max()
+    if abs(first.real) <= CLEAR * size:
+        return ""
+    return "stable" if first.real < 0 else "flutter" if abs(first.imag) > 1e-6 * size else "divergent"
+
+
+def code(M: np.ndarray, K: np.ndarray) -> str:
+    """The word of (27), of the roots κ = −λ² of det(K − κ M); empty where floats do not tell."""
+    squares = np.linalg.eigvals(np.linalg.solve(M, K)).astype(complex)
+    size = np.abs(squares).max()
+    apart = min((abs(a - b) for i, a in enumerate(squares) for b in squares[:i]), default=size)
+    if np.abs(squares).min() <= CLEAR * size or apart <= 1e-6 * size:
+        return ""
+    if (np.abs(squares.imag) > 1e-6 * size).any():
+        return "" if (squares.real[np.abs(squares.imag) <= 1e-6 * size] < 0).any() else "flutter"
+    return "divergent" if (squares.real < 0).any() else "stable"
+
+
 def states(model: Any, hand: Hand, p: Values, contact: int, rng: np.random.Generator, starts: int) -> Counter[str]:
     """States of one set: residual, gap, growth; and whether one is missed."""
     eq = model.equilibria(model.Parameters(**p), contact=bool(contact))
     listed = np.array([eq.coordinates[name][: int(eq.count)] for name in model.coordinates]).T
-    counts = Counter(sets=1, states=len(listed), undecided=int(not eq.complete), missed=0, wrong=0)
+    counts = Counter(
+        sets=1,
+        states=len(listed),
+        kinds=0,
+        **{"not complete": int(not eq.complete), "undecided": int(not eq.decided.all())},
+        missed=0,
+        wrong=0,
+    )
     counts["without a reason"] = int(not eq.complete and not eq.remarks)
     scale = 1 + max(map(abs, p.values()))
     for slot, q in enumerate(listed):
         off = np.abs(np.real(hand.forces(q, p, contact))).max() > RIGHT * scale
         open_ = (2 * contact - 1) * float(hand.gap(q, p)) > 0
-        growth = float(roots(*pencil(hand, q, p, contact)).real.max())
+        M, C, K = pencil(hand, q, p, contact)
+        every = roots(M, C, K)
+        growth, kind, undamped = float(every.real.max()), word(every), code(M, K)
         other = abs(growth - float(eq.growth[slot])) > 1e-6 * scale
-        counts["wrong"] += _told(off or open_ or other, f"wrong: {q.tolist()}, gap {hand.gap(q, p)}, growth {growth}", p, contact)
+        other |= bool(kind) and (str(eq.kind[slot]) != kind or bool(eq.stable[slot]) != (kind == "stable"))
+        other |= bool(undamped) and ss.Stability(int(eq.stability[slot])).name.lower() != undamped
+        counts["kinds"] += bool(kind)
+        counts["wrong"] += _told(
+            off or open_ or other,
+            f"wrong: {q.tolist()}, gap {hand.gap(q, p)}, growth {growth}, {kind or '?'} ({eq.kind[slot]}), undamped {undamped or '?'} "
+            f"({eq.stability[slot]})", p, contact,
+        )  # fmt: skip
     begin = rng.uniform(-hand.reach, hand.reach, (starts, len(model.coordinates)))
-    for q in multistart(lambda q: np.real(hand.forces(q, p, contact)), begin) if eq.complete else ():
+    for q in multistart(lambda q: np.real(hand.forces(q, p, contact)), begin) if eq.decided.all() else ():
         regular = abs(np.linalg.det(stiffness(hand, q, p, contact))) > 1e-5
+        regular &= eq.complete or bool(((eq.region[:, 0] <= q) & (q <= eq.region[:, 1])).all())
         inside = (1 - 2 * contact) * float(hand.gap(q, p)) > CLEAR
         far = not len(listed) or np.abs(listed - q).max(axis=1).min() > NEAR * (1 + np.abs(q).max())
         counts["missed"] += _told(regular and inside and far, f"missed: {q.tolist()}", p, contact)
@@ -123,7 +165,13 @@ def points(model: Any, hand: Hand, p: Values, kind: str, rng: np.random.Generato
     search = model.folds if kind == "folds" else model.flutter_onsets
     found = search(model.Parameters(**p), vary, between={vary: span})
     listed = np.array([getattr(found, name) for name in (*model.coordinates, vary)]).reshape(len(model.coordinates) + 1, -1).T
-    counts = Counter(sets=1, points=len(listed), undecided=int(not found.complete), missed=0, wrong=0)
+    counts = Counter(
+        sets=1,
+        points=len(listed),
+        **{"not complete": int(not found.complete), "undecided": int(not found.decided)},
+        missed=0,
+        wrong=0,
+    )
     counts["without a reason"] = int(not found.complete and not found.remarks)
 
     def rows(z: np.ndarray) -> np.ndarray:
@@ -149,8 +197,10 @@ def points(model: Any, hand: Hand, p: Values, kind: str, rng: np.random.Generato
         counts["wrong"] += _told(off or (damped and not crosses(z)), f"wrong of {kind}: {z.tolist()}", p, 1)
     begin = rng.uniform(-hand.reach, hand.reach, (starts, len(model.coordinates) + 1))
     begin[:, -1] = rng.uniform(*span, starts)
-    for z in multistart(rows, begin) if found.complete else ():
+    for z in multistart(rows, begin) if found.decided else ():
         at = {**p, vary: z[-1]}
+        if not (found.whole or ((found.region[:, 0] <= z) & (z <= found.region[:, 1])).all()):
+            continue
         inside = span[0] + CLEAR < z[-1] < span[1] - CLEAR and float(hand.gap(z[:-1], at)) < -CLEAR
         near = len(listed) and np.abs(listed - z).max(axis=1).min() <= NEAR * (1 + np.abs(z).max())
         real = inside and not near and crosses(z) and _is_regular(rows, z)
@@ -178,12 +228,17 @@ def _told(is_so: Any, text: str, p: Values, contact: int) -> int:
     return int(bool(is_so))
 
 
-def compared(model: Any, hand: Hand, seed: int, starts: int = STARTS) -> dict[str, dict[str, int]]:
+def compared(model: Any, hand: Hand, seed: int, starts: int = STARTS) -> dict[str, dict[str, Any]]:
     """All that is compared of one set."""
     rng = np.random.default_rng(seed)
     p = draw(model, hand, rng)
-    out = {f"states, contact {contact}": dict(states(model, hand, p, contact, rng, starts)) for contact in (1, 0)}
-    return out | {kind: dict(points(model, hand, p, kind, rng, starts)) for kind in ("folds", "onsets")}
+    asked = {f"states, contact {contact}": partial(states, model, hand, p, contact, rng, starts) for contact in (1, 0)}
+    asked |= {kind: partial(points, model, hand, p, kind, rng, starts) for kind in ("folds", "onsets")}
+    out = {}
+    for what, ask in asked.items():
+        begin = time.process_time()
+        out[what] = dict(ask()) | {"seconds": round(time.process_time() - begin, 2)}
+    return out
 
 
 def main() -> int:
@@ -193,20 +248,20 @@ def main() -> int:
     totals: dict[tuple[str, str], Counter[str]] = {}
     lines = journal.read_text(encoding="utf-8").splitlines() if journal and journal.exists() else []
     done = {(entry["page"], entry["seed"]): entry["found"] for entry in map(json.loads, lines)}
+    models: dict[str, Any] = {}
     with tempfile.TemporaryDirectory() as out:
-        for name in names:
-            model = None
-            for seed in range(sets):
-                if (name, seed) not in done:
-                    model = model or load(Path(out), name)
-                    done[name, seed] = compared(model, HANDS[name], seed)
-                    if journal:
-                        with journal.open("a", encoding="utf-8") as file:
-                            file.write(json.dumps({"page": name, "seed": seed, "found": done[name, seed]}) + "\n")
-                for what, counts in done[name, seed].items():
-                    totals.setdefault((name, what), Counter()).update(counts)
+        for seed, name in itertools.product(range(sets), names):
+            if (name, seed) not in done:
+                if name not in models:
+                    models[name] = load(Path(out), name)
+                done[name, seed] = compared(models[name], HANDS[name], seed)
+                if journal:
+                    with journal.open("a", encoding="utf-8") as file:
+                        file.write(json.dumps({"page": name, "seed": seed, "found": done[name, seed]}) + "\n")
+            for what, counts in done[name, seed].items():
+                totals.setdefault((name, what), Counter()).update(counts)
     for (name, what), counts in totals.items():
-        print(f"{name}, {what}: {', '.join(f'{n} {word}' for word, n in counts.items())}")
+        print(f"{name}, {what}: {', '.join(f'{n:g} {word}' for word, n in counts.items())}")
     return int(any(counts["wrong"] + counts["missed"] for counts in totals.values()))
 
 

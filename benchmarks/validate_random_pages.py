@@ -18,6 +18,8 @@ import itertools
 import json
 import multiprocessing
 import re
+import resource
+import signal
 import sys
 import tempfile
 import time
@@ -37,7 +39,7 @@ from .random_pages import Drawn, draw
 #: Parameter sets of a page, states at which accelerations are compared, starts of Newton's method and its steps.
 SETS, PLACES, STARTS, STEPS = 3, 6, 300, 60
 DIGITS = 40
-#: A page may take so many seconds: more is an outcome of its own.
+#: A page may take so many seconds of processor time: more is an outcome of its own.
 PATIENCE = 60
 #: Relative differences that rounding may make, of accelerations and of growth.
 ACCELERATION, GROWTH = 1e-9, 1e-6
@@ -374,7 +376,8 @@ def _missed(
         apart = np.where(around, (apart + np.pi) % (2 * np.pi) - np.pi, apart) if len(listed) else apart
         if len(listed) and (np.abs(apart).max(axis=1) < 1e-5 * (1 + np.abs(turned).max())).any():
             continue
-        if any((turned >= low - 1e-6).all() and (turned <= high + 1e-6).all() for low, high in boxes):
+        turns = turned + np.where(around, 2 * np.pi * np.arange(-1, 2)[:, None], 0.0)
+        if any(((turns >= low - 1e-6) & (turns <= high + 1e-6)).any(axis=0).all() for low, high in boxes):
             continue
         inside = (turned >= region[:, 0] - 1e-9).all() and (turned <= region[:, 1] + 1e-9).all()
         if not inside and not found.complete:
@@ -425,6 +428,7 @@ def judge(seed: int, number: int) -> dict[str, Any]:
 
 
 def _judged(seed: int, number: int, sender: Any) -> None:
+    resource.setrlimit(resource.RLIMIT_CPU, (PATIENCE, PATIENCE + 5))
     try:
         sender.send(judge(seed, number))
     except BaseException as error:  # an outcome of its own
@@ -439,15 +443,14 @@ def in_time(seed: int, number: int) -> dict[str, Any]:
     process = multiprocessing.Process(target=_judged, args=(seed, number, there))
     process.start()
     there.close()
-    outcome = {"page": number, "kind": "late", "said": f"more than {PATIENCE} s"}
     try:
-        if here.poll(PATIENCE):
-            outcome = here.recv()
+        outcome = here.recv()
     except EOFError:
-        outcome = {"page": number, "kind": "died", "said": "the process ended"}
-    process.kill()
+        outcome = {}
     process.join()
-    return outcome
+    if process.exitcode == -signal.SIGXCPU:
+        return {"page": number, "kind": "late", "said": f"more than {PATIENCE} s"}
+    return outcome or {"page": number, "kind": "died", "said": "the process ended"}
 
 
 def main() -> int:

@@ -1,13 +1,15 @@
 """Verdicts on motions against a driver that knows nothing of the library's; a line for every motion, and a table.
 
-``python -m benchmarks.validate_verdicts FILE [N]``: N random motions (100 unless given) judged by ``ss.fate``. Finished ones stand
-in FILE, one a line, and the same command goes on from there. Each verdict is held against SciPy's DOP853 with its own events, on
-the generated algebra alone, begun where the library's motion ended:
+``python -m benchmarks.validate_verdicts FILE [N [FIRST]]``: N motions (120 unless given) judged by ``ss.fate``, from number FIRST on:
+100 at random, and from number 100 on those from rest where irregular ones are common, at a steep friction law and a slow belt
+(even numbers), and transients at the base values (odd ones). Finished ones stand in FILE, one a line, and the same command goes on
+from there. Each verdict is held against SciPy's DOP853 with its own events, on the generated algebra alone, begun where the library's
+motion ended:
 
 - rest: 3000 time units later the motion comes no farther from the equilibrium than before, or stays within 1e-6 of it;
 - cycle: once round from its state leads back to it within 1e-6, and the multipliers by differences of this driver, all but the
   one nearest to 1, are in the unit circle, as far as they are known, to 1e-3;
-- chaos: two motions 1e-8 apart part at a rate that agrees with the largest exponent within a factor of two, over four stretches;
+- chaos: two motions 1e-8 apart part at a rate that agrees with the largest exponent within a factor of two, over twelve stretches;
 - lift-off: there is no crossing of y = 0.
 
 Errors of exponents are held against those of multipliers, where a motion has wound onto a cycle: the share of 95 % intervals that
@@ -34,8 +36,11 @@ from spragsym.generated import motion
 
 _FLOATS = SimpleNamespace(sqrt=math.sqrt, exp=math.exp)
 
-#: How long a motion is followed by the library.
-T_END = 20_000.0
+#: How long a motion is followed by the library; among irregular ones.
+T_END, LONGER = 20_000.0, 40_000.0
+
+#: So many are drawn at random; further ones where motions are irregular.
+RANDOM = 100
 
 
 def carried(values: tuple[float, ...], state: Any, span: float, rtol: float = 1e-11) -> tuple[Any, int]:
@@ -71,6 +76,10 @@ def carried(values: tuple[float, ...], state: Any, span: float, rtol: float = 1e
 def drawn(number: int) -> tuple[tuple[float, ...], list[float]]:
     """Parameters and start of a motion."""
     rng = np.random.default_rng([83, number])
+    if number >= RANDOM:
+        steep = (rng.uniform(0.70, 0.78), 0.5, 0.007, 0.007, 0.1, 0.0, 0.25, rng.uniform(17.0, 23.0))
+        base = (rng.uniform(0.77, 1.3), 0.5, 0.007, 0.007, 0.1, 0.0, 0.5, 10.0)
+        return tuple(float(value) for value in (base if number % 2 else steep)), [0.0] * 4
     values = (
         rng.uniform(0.2, 2.9), rng.uniform(0.05, 1.0), 0.007 * 10 ** rng.uniform(-0.5, 0.5),
         0.007 * 10 ** rng.uniform(-0.5, 0.5), 0.1 * 10 ** rng.uniform(-0.4, 0.4), 0.0, rng.uniform(0.05, 0.6), rng.uniform(2.0, 15.0),
@@ -79,7 +88,7 @@ def drawn(number: int) -> tuple[tuple[float, ...], list[float]]:
     return tuple(float(value) for value in values), start
 
 
-def parting(values: tuple[float, ...], state: Any, stretches: int = 4, span: float = 100.0) -> float:
+def parting(values: tuple[float, ...], state: Any, stretches: int = 12, span: float = 100.0) -> float:
     """The rate at which motions 1e-8 apart part, over some stretches."""
     total, other = 0.0, np.array(state) + np.array([1e-8, 0.0, 0.0, 0.0])
     for _ in range(stretches):
@@ -132,10 +141,10 @@ def examined(number: int) -> dict[str, Any]:
     """One motion."""
     values, start = drawn(number)
     begun = time.process_time()
-    found = ss.fate(ss.Parameters(*values), start=start, t_end=T_END)
+    found = ss.fate(ss.Parameters(*values), start=start, t_end=T_END if number < RANDOM else LONGER)
     line: dict[str, Any] = {"number": number, "kind": found.kind, "why": found.why, "seconds": time.process_time() - begun}
     right, how = holds(values, found)
-    line |= {"confirmed": right, "how": how}
+    line |= {"confirmed": bool(right), "how": how}
     if found.kind == "cycle":
         cycle = found.outcome
         told = ss.lyapunov(ss.Parameters(*values), start=[cycle.cycle_x, cycle.cycle_y, 0.0, cycle.cycle_vy], t_end=4000.0)
@@ -143,19 +152,27 @@ def examined(number: int) -> dict[str, Any]:
     return line
 
 
-def main() -> None:
-    """Go through the motions; exit code 1 if a verdict is not confirmed."""
-    if not 2 <= len(sys.argv) <= 3:
-        sys.exit(__doc__)
-    lines = numbered(Path(sys.argv[1]), range(int(sys.argv[2]) if len(sys.argv) > 2 else 100), examined)
+def table(name: str, lines: list[dict[str, Any]]) -> None:
+    """Verdicts, and how many of them are confirmed."""
     counts = Counter((line["kind"], line["confirmed"]) for line in lines)
-    print("| verdict | motions | confirmed | processor seconds |\n|---|---|---|---|")
+    print(f"| verdict, of {len(lines)} motions {name} | motions | confirmed | processor seconds |\n|---|---|---|---|")
     for kind in sorted({line["kind"] for line in lines}):
         seconds = [line["seconds"] for line in lines if line["kind"] == kind]
         print(f"| {kind} | {len(seconds)} | {counts[kind, True]} | {np.median(seconds):.1f} |")
+    print()
+
+
+def main() -> None:
+    """Go through the motions; exit code 1 if a verdict is not confirmed."""
+    if not 2 <= len(sys.argv) <= 4:
+        sys.exit(__doc__)
+    count, first = (int(text) for text in (*sys.argv[2:], *("120", "0")[len(sys.argv) - 2 :]))
+    lines = numbered(Path(sys.argv[1]), range(first, first + count), examined)
+    table("at random", [line for line in lines if line["number"] < RANDOM])
+    table("where irregular ones are common", [line for line in lines if line["number"] >= RANDOM])
     held = [each for line in lines for each in line.get("intervals", ())]
     if held:
-        print(f"\n{sum(held)} of {len(held)} intervals of exponents hold the multipliers' values")
+        print(f"{sum(held)} of {len(held)} intervals of exponents hold the multipliers' values")
     sys.exit(any(not line["confirmed"] for line in lines))
 
 

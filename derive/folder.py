@@ -18,7 +18,7 @@ from .emit.targets.python import algebra
 from .emit.targets import runtime
 from .emit.targets import python as python_target
 from .mechanics import MU, PUSHING, SIDE, Line, Mechanics
-from .model import Page
+from .model import Page, acceleration_of
 from .pages import Model
 
 #: Text of a function → the model and the module that have it first.
@@ -100,7 +100,7 @@ def meanings(model: Mechanics) -> Mapping[str, str]:
         str(MU): "friction coefficient",
         str(PUSHING): "1 in contact, 0 in lift-off",
         str(SIDE): "1 where the belt is ahead, −1 where the mass is",
-        **{f"a{symbol}": f"acceleration of {symbol}" for symbol in model.coordinates},
+        **{acceleration_of(symbol): f"acceleration of {symbol}" for symbol in model.coordinates},
         **{str(symbol): "1 where an exponential of the friction law is felt, 0 where it is left out" for symbol in laws.near(9)},
     }
 
@@ -145,8 +145,13 @@ def description(model: Model) -> dict[str, Any]:
         "by_parameters": [*(str(symbol) for symbol in statics.parameters(it)), str(MU)],
         "contact": {
             "gap": None if it.gap is None else str(it.gap), "unilateral": it.unilateral, "polynomial": it.polynomial,
+            **({} if it.page.normal is None else {"line": it.page.normal.line}),
         },
-        "friction": None if it.slide is None else {"along": str(it.slide), "belt": str(it.belt)},
+        "friction": (
+            None
+            if it.slide is None or it.page.sliding is None
+            else {"along": str(it.slide), "belt": str(it.belt), "line": it.page.sliding.line}
+        ),
         **({"waves": True} if mechanics.waves(sp.Tuple(*it.residuals)) else {}),
         **({"curved": True} if motion.Motion(it).curved else {}),
         "dampers": bool(it.page.dampers),

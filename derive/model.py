@@ -83,6 +83,11 @@ class Coordinate:
     line: int
 
 
+def acceleration_of(coordinate: sp.Symbol) -> str:
+    """What code calls the acceleration of a coordinate: that of s would be a word of Python."""
+    return "as_" if str(coordinate) == "s" else f"a{coordinate}"
+
+
 @dataclass(frozen=True)
 class Spring:
     """A straight spring between two points, or along a coordinate where ``ends`` is None."""

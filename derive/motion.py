@@ -12,6 +12,7 @@ from . import laws
 from .algebra import difference
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, SIDE, Mechanics, number, waves
+from .model import acceleration_of
 
 Row = tuple[sp.Expr, ...]
 
@@ -66,7 +67,7 @@ class Motion:
     @cached_property
     def named(self) -> tuple[sp.Symbol, ...]:
         """Symbols of the accelerations."""
-        return tuple(sp.Symbol(f"a{symbol}", real=True) for symbol in self.model.coordinates)
+        return tuple(sp.Symbol(acceleration_of(symbol), real=True) for symbol in self.model.coordinates)
 
     @cached_property
     def solved(self) -> dict[sp.Symbol, sp.Expr]:

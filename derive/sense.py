@@ -15,7 +15,7 @@ import sympy as sp
 from . import limits, reserved
 from .emit.quantities import interval
 from .laws import near
-from .model import Contact, Damper, Datum, Friction, Page, PageError, Spring, Torsion, expression_of
+from .model import Contact, Damper, Datum, Friction, Page, PageError, Spring, Torsion, acceleration_of, expression_of
 
 #: What a coordinate is called in errors.
 COORDINATE = "this coordinate"
@@ -103,7 +103,7 @@ def _names(page: Page) -> Iterator[tuple[str, str, int]]:
         yield str(entry.symbol), COORDINATE, entry.line
     for entry in page.coordinates:
         yield str(entry.rate), f"the rate of {entry.symbol}", entry.line
-        yield f"a{entry.symbol}", f"the acceleration of {entry.symbol}", entry.line
+        yield acceleration_of(entry.symbol), f"the acceleration of {entry.symbol}", entry.line
         yield f"{entry.symbol}0", f"the start of {entry.symbol}", entry.line
         yield f"{entry.rate}0", f"the start of the rate of {entry.symbol}", entry.line
     for datum in page.parameters:

@@ -306,3 +306,11 @@ def test_what_a_cycle_at_an_onset_is_asked_with(stick_slip: Any) -> None:
         ss.cycle(onset=3)
     with pytest.raises(ss.ParameterTypeError, match="p is missing"):
         ss.cycle()
+
+
+def test_a_kink_is_named_by_its_line() -> None:
+    model = ss.load("mode_coupling")
+    onsets = model.flutter_onsets(model.Parameters(V=0.0), "mu0", damping=True, between={"mu0": (0.0, 2.0)})
+    line = int(onsets.why[0].split("line ")[1].split()[0])
+    text = (Path(ss.__file__).parent / "derive" / "models" / "mode_coupling.py").read_text(encoding="utf-8")
+    assert "page.friction(" in text.splitlines()[line - 1]

@@ -8,6 +8,7 @@ import importlib.util
 import itertools
 import json
 import math
+import time
 import types
 from fractions import Fraction
 from typing import Any
@@ -797,6 +798,38 @@ def test_printed_digits_of_a_proof_are_within_what_is_proved(digits: int) -> Non
     assert told.error < 10.0**-digits
     assert told.state[1] == 0  # the section is x' = 0, exactly
     assert told.decimals()["period"].text in str(told)
+
+
+#: What is changed of the claim of a true cycle, so that there is none.
+NO_CYCLES: dict[str, Any] = {
+    "half of a round": lambda claim: {
+        "period": claim["period"] / 2,
+        "crossings": [c for c in claim["crossings"] if c[0] < claim["period"] / 2],
+    },
+    "a motion from rest": lambda claim: {"state": [0.0, 0.0, 0.0, 0.0]},
+    "a state that is far off": lambda claim: {"state": [x + 0.4 for x in claim["state"]]},
+    "a crossing that is left out": lambda claim: {"crossings": claim["crossings"][1:]},
+    "a crossing too many": lambda claim: {"crossings": sorted([*claim["crossings"], [claim["period"] / 7, 0]])},
+    "a crossing of the other border": lambda claim: {"crossings": [[t, 1 - i] for t, i in claim["crossings"]]},
+    "no crossings": lambda claim: {"crossings": []},
+    "no way to correct": lambda claim: {"slopes": np.ones((4, 4)).tolist()},
+    "below the fold, where the cycle is gone": lambda claim: {"values": [*claim["values"][:1], 0.05, *claim["values"][2:]]},
+    "another angle, where none is near": lambda claim: {"values": [math.radians(75.0), *claim["values"][1:]]},
+}
+
+
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", NO_CYCLES)
+def test_what_is_no_cycle_is_refused_within_a_minute(name: str, slow: ss.Cycle) -> None:
+    pytest.importorskip("flint")
+    from spragsym.cycles import ball_proof, proofs
+
+    claim, begun = proofs.claim_of(slow, 25), time.process_time()
+    changed = NO_CYCLES[name](claim)
+    assert all(claim[key] != value for key, value in changed.items())
+    with pytest.raises((ball_proof.NotProved, ss.ParameterError)):
+        ball_proof.shown(SPRAG, claim | changed)
+    assert time.process_time() - begun < 60
 
 
 def test_balls_are_carried_onward_only() -> None:

@@ -121,3 +121,15 @@ def test_growth_at_the_ends_of_floats_is_no_error() -> None:
         known = eq.kind[: int(eq.count)]
         assert set(known.tolist()) <= {"stable", "divergent", "flutter", "marginal"}
         assert (eq.stable[: int(eq.count)] == (known == "stable")).all()
+
+
+def test_a_path_says_what_grows() -> None:
+    """Where the law of friction falls the state of `stribeck` grows, though (27) calls it stable."""
+    model = ss.load("stribeck")
+    path = model.quasi_static_path(model.Parameters(theta0=1.0), "V", [0.3, 0.6])
+    eq = model.equilibria(model.Parameters(theta0=1.0, V=path.values))
+    for row in range(2):
+        slot = int(np.abs(eq.x[row] - path.x[row]).argmin())
+        assert path.kind[row] == eq.kind[row, slot]
+    assert (path.stability == ss.Stability.STABLE).all()
+    assert "flutter" in path.kind

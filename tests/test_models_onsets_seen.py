@@ -5,12 +5,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 from scipy.optimize import brentq
 
 import spragsym as ss
+from benchmarks import validate_gaps
 from spragsym.cli import cli
+from spragsym.models import points
 from tests.conftest import Once
 
 PAD = '''r"""A pad."""
@@ -63,6 +66,18 @@ def pad(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
     return ss.load(Path(once("pad", derived)))
 
 
+@pytest.fixture(scope="module")
+def chain(once: Once, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    pytest.importorskip("sympy")
+
+    def derived() -> str:
+        out = tmp_path_factory.mktemp("chain")
+        validate_gaps.load(out, "chain")
+        return str(out / "chain")
+
+    return ss.load(Path(once("chain", derived)))
+
+
 def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
     """Where the growth of the only state changes its sign; that there is no other one is not said."""
     found = pad.flutter_onsets(pad.Parameters(), "mu_s", between={"mu_s": (1.5, 2.0)})
@@ -72,6 +87,37 @@ def test_an_onset_in_four_coordinates_is_proved_on_its_own(pad: Any) -> None:
     assert found.error[0] < 1e-12
     assert not found.complete
     assert any("floats see no other" in text for text in found.remarks)
+
+
+def test_where_the_friction_law_is_level_is_seen(pad: Any) -> None:
+    """Without dampers every pair crosses where the slope of the law is 0, at mu_s from (mu (1 − exp(−d v)))′ = 0 at V."""
+    V, v_s, d, mu_k = 0.2, 0.3, 20.0, 0.2
+    rise, fall = d * np.exp(-d * V), np.exp(-V / v_s)
+    more = mu_k * rise / (fall * ((1 - np.exp(-d * V)) / v_s - rise))
+    found = pad.flutter_onsets(pad.Parameters(zeta=0.0), "mu_s", between={"mu_s": (0.1, 0.4)})
+    assert not found.complete
+    assert len(found) == 4
+    np.testing.assert_allclose(found.mu_s, mu_k + more, atol=1e-9)
+
+
+@pytest.mark.parametrize(("damping", "kind"), [(None, "hopf"), (False, "flutter")])
+def test_floats_see_where_friction_alone_damps_and_where_nothing_does(
+    chain: Any, monkeypatch: pytest.MonkeyPatch, damping: bool | None, kind: str
+) -> None:
+    """A chain of three masses, with a search that ends long before all is decided."""
+    p = chain.Parameters(
+        V=0.371, d=7.74, nu_1=0.957, nu_2=0.131, sigma_1=0.727, sigma_2=0.746, sigma_3=0.113, sigma=0.395, zeta=0.0,
+        kappa=0.0459, a=0.393, theta0=2.45,
+    )  # fmt: skip
+    monkeypatch.setattr(points, "COSTLY_BUDGET", 40)
+    found = chain.flutter_onsets(p, "mu0", between={"mu0": (0.0, 1.0)}, damping=damping)
+    assert not found.complete
+    assert found.kind.tolist() == [kind]
+    beside = chain.equilibria(p.replace(mu0=found.mu0[0] + np.array([-1e-4, 1e-4])))
+    if damping is None:
+        assert beside.kind[:, 0].tolist() == ["stable", "flutter"]
+    else:
+        assert beside.stability[:, 0].tolist() == [ss.Stability.STABLE, ss.Stability.FLUTTER]
 
 
 def test_what_is_not_decided_is_not_called_none(pad: Any) -> None:

@@ -9,6 +9,7 @@ import pytest
 pytest.importorskip("sympy")
 
 import importlib
+import importlib.util
 
 import numpy as np
 
@@ -345,3 +346,25 @@ def test_a_mass_that_nothing_presses_is_on_the_border(tmp_path: Path) -> None:
     assert len(eq.undecided) == 1
     assert eq.undecided[0].low[1] <= 0 <= eq.undecided[0].high[1]
     assert eq.remarks
+
+
+def test_a_search_along_a_line_of_states_ends(tmp_path: Path) -> None:
+    """Without spring and friction the mass rests wherever it is along the belt: one box, and why; it once took minutes."""
+    model = loaded(tmp_path)
+    eq = model.equilibria(model.Parameters(sigma=0.0, a=0.0, mu0=0.0))
+    assert not eq.complete
+    assert len(eq.undecided) == 1
+    assert any("no force acts on one of the coordinates" in text for text in eq.remarks)
+
+
+def test_a_coordinate_may_be_called_s(tmp_path: Path) -> None:
+    """Its acceleration would be the word `as` of Python, and sums along a motion were once called s as well."""
+    changes = [('x = page.coordinate("x"', 'x = page.coordinate("s"')]
+    model, other = loaded(tmp_path, *changes), tmp_path / "other"
+    other.mkdir()
+    want = loaded(other)
+    p, q = model.Parameters(), want.Parameters()
+    backend = "heyoka" if importlib.util.find_spec("heyoka") else None
+    one, two = model.simulate(p, t_end=30.0, backend=backend), want.simulate(q, t_end=30.0, backend=backend)
+    assert one.rms() == two.rms()
+    assert one.components == ("s", "y", "vs", "vy")

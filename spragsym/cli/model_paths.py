@@ -58,9 +58,9 @@ def path_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
         with busy(f"following a state along {vary}"):
             found = model.quasi_static_path(p, vary, np.linspace(low, high, points) / unit)
         states = [
-            {title: float(unit * value), "stability": Stability(int(code)).name.lower(),
+            {title: float(unit * value), "stability": str(word), "undamped": Stability(int(code)).name.lower(),
              **{name: float(getattr(found, name)[row]) for name in model.coordinates}}
-            for row, (value, code) in enumerate(zip(found.values, found.stability, strict=True))
+            for row, (value, code, word) in enumerate(zip(found.values, found.stability, found.kind, strict=True))
         ]  # fmt: skip
         jumps = [
             {title: unit * jump.value, "kind": jump.kind,

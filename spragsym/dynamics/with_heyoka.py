@@ -58,7 +58,8 @@ class Equations:
         system = list(zip(state, [*state[n:], *accelerations], strict=True))
         if watch:
             shift, scale = state[0] - hy.par[end], hy.par[end + 1]
-            sums = hy.make_vars("s", "ss", *(f"s{name}" for name in names[1:]))
+            # No coordinate has a dot in its name.
+            sums = hy.make_vars("sum.shift", "sum.square", *(f"sum.{name}" for name in names[1:]))
             sums = sums if isinstance(sums, list | tuple) else [sums]
             system += zip(sums, (scale * shift, scale * shift * shift, *(scale * other for other in state[1:n])), strict=True)
         return cls(system, (state, known, mode))

@@ -42,8 +42,9 @@ STEPS = 12
 WIDENINGS = 8
 #: Times the box itself is halved.
 DEPTH = 26
-#: Parts of the box that are looked at; a box whose halves never get simpler, as around a pole, costs no more than these.
-PARTS = 400
+#: Parts of the box that are looked at: both halves at each depth around two roots. A box whose halves never get simpler, as
+#: along a line of roots or around a pole, costs no more than these.
+PARTS = 120
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,9 @@ from .precise import (
     at,
     boxes_of,
     hull_of_each,
+    lines,
     of_each,
+    of_points,
     precise_forces,
     replaced,
     settled,
@@ -41,6 +43,11 @@ from .turns import once_around
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.
 STAGES = ((2.0**-9, 6), (2.0**-14, 6), (2.0**-19, 6), (2.0**-32, 6), (2.0**-44, 6))
+
+#: Boxes of a point that a second, narrower search leaves where roots form a line.
+ALL_OVER = 2000
+#: Boxes of a point that are looked at where floats only look for what is there.
+SEEN_BUDGET = 8000
 
 
 def equilibria(model: Model, p: Any, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None) -> Equilibria:
@@ -108,6 +115,13 @@ def columns(p: Any, names: list[str]) -> FloatArray:
     return np.array([value.reshape(-1) for value in p.broadcast(*names)]).reshape(len(names), int(np.prod(p.shape)))
 
 
+def seen(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> Roots:
+    """The roots of all points that one search in floats decides, on either side of the border; those it leaves are missing."""
+    around, _ = region(balance, Intervals.point(given), asked)
+    outcome = boxes.search(balance, around, given, given, limits=balance.limits, budget=SEEN_BUDGET)
+    return certified_roots.roots(balance, outcome, around, given, given)
+
+
 def solved(balance: Balance, given: FloatArray, asked: FloatArray | None = None) -> tuple[Roots, FloatArray, NDArray[np.bool_]]:
     """The roots of all points, the region of each and whether it holds all; ``asked`` is the box by hand."""
     around, whole = region(balance, Intervals.point(given), asked)
@@ -136,23 +150,35 @@ def _narrowed(balance: Balance, given: FloatArray, found: Roots) -> Roots:
 def _by_boxes(balance: Balance, given: FloatArray, around: FloatArray) -> Roots:
     """The roots of all points by a search over boxes, and what that leaves open in polar coordinates and with many digits."""
     found = _searched(balance, given, around, *STAGES[0])
+    along = lines(found)
     for stage in STAGES[1:]:
-        points = unsettled(found)
+        points = np.setdiff1d(unsettled(found), along)
         if points.size:
             left, owner = boxes_of(found)
-            hulls = hull_of_each(left, np.searchsorted(points, owner), points.size)
-            part = at(_searched(balance, given[:, points], hulls, *stage), points)
-            found = replaced(found, points, assembled(of_each(around, given), found, points, [part]))
+            mine = np.isin(owner, points)
+            hulls = hull_of_each(left[:, :, mine], np.searchsorted(points, owner[mine]), points.size)
+            part = at(_searched(balance, given[:, points], hulls, *stage, again=True), points)
+            along = np.union1d(along, lines(part))
+            points = np.setdiff1d(points, along)
+            found = replaced(found, points, assembled(of_each(around, given), found, points, [of_points(part, points)]))
     found = around_anchors(balance, given, around, found)
-    found = settled_by_digits(balance, given, around, found, precise_forces(balance))
+    found = settled_by_digits(balance, given, around, found, precise_forces(balance), along.tolist())
     return around_anchors(balance, given, around, found, 0.0)
 
 
-def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int) -> Roots:
-    """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double."""
+def _searched(balance: Balance, given: FloatArray, around: FloatArray, narrow: float, levels: int, again: bool = False) -> Roots:
+    """Roots by boxes down to a width, and of what these leave by reduction to one unknown in double-double.
+
+    Where a search ``again`` still leaves boxes all over, there is a line of roots, and nothing is reduced.
+    """
     outcome = boxes.search(balance, around, given, given, limits=balance.limits, narrow=narrow)
     found = certified_roots.roots(balance, outcome, around, given, given)
-    return settled(balance, given, around, found, levels)
+    along = lines(found, ALL_OVER) if again else np.empty(0, dtype=np.int64)
+    if not along.size:
+        return settled(balance, given, around, found, levels)
+    rest = np.setdiff1d(np.arange(given.shape[1]), along)
+    some = settled(balance, given, around, of_points(found, rest), levels)
+    return certified_roots.concatenated([some, of_points(found, along)], balance.n)
 
 
 def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole: NDArray[np.bool_]) -> Equilibria:

@@ -25,6 +25,8 @@ from .seen import VALUES, with_seen
 
 #: Coordinates up to which dampers are asked for, that vanish or do not vanish for all.
 FAR = 1.0
+#: Number of states at which it is looked at whether anything damps: some are in contact.
+PLACES = 64
 #: ω of the points of a search that M, C and K are taken at.
 Frequencies: TypeAlias = Callable[[FloatArray, FloatArray, FloatArray], list[float]]
 
@@ -82,31 +84,31 @@ def flutter_onsets(
 
     seen: list[_Part] = []
 
-    def found(condition: Condition) -> Found:
+    def searched(condition: Condition, kind: str, frequencies: Frequencies) -> _Part:
         out = search(balance, (vary,), condition, given, spans, asked=asked)
-        if not isinstance(condition, Hopf) or not out.roots.left.shape[2]:
-            return out
-        out, more = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
-        if more.point.size:
-            seen.append(_part(balance, vary, given, replace(out, roots=more), "seen", _crossing))
-        return out
+        if isinstance(condition, NoSlope):
+            out = _without_ends(balance, vary, given, spans[0], out)
+        if out.roots.left.shape[2]:
+            out, more = with_seen(Augmented(balance, (vary,), condition), given, spans[0], out, asked)
+            if more.point.size:
+                seen.append(_part(balance, vary, given, replace(out, roots=more), "seen", frequencies))
+        return _part(balance, vary, given, out, kind, frequencies)
 
     conservative = _is_conservative(balance, given, spans)
     if not damping and conservative:
         # All κ are real and change with K without leaving the real line: where two meet they pass each other.
         parts = [_part(balance, vary, given, nothing(balance, (vary,), given, spans, asked), "flutter", _meeting)]
     elif not damping:
-        parts = [_part(balance, vary, given, found(Flutter()), "flutter", _meeting)]
+        parts = [searched(Flutter(), "flutter", _meeting)]
     elif slope is None or along is None or balance.n == 1:
-        parts = [_part(balance, vary, given, found(Hopf()), "hopf", _crossing)]
+        parts = [searched(Hopf(), "hopf", _crossing)]
     else:
         parts = []
         if not conservative:
             # Where K is symmetric damping takes energy from all modes, or gives to all: no pair crosses.
-            parts.append(_part(balance, vary, given, found(FrictionHopf(along)), "hopf", partial(_without, along)))
+            parts.append(searched(FrictionHopf(along), "hopf", partial(_without, along)))
         if not parts or slope.holds_zero().any():
-            ends_left_out = _without_ends(balance, vary, given, spans[0], found(NoSlope()))
-            parts.append(_part(balance, vary, given, ends_left_out, "hopf", _every))
+            parts.append(searched(NoSlope(), "hopf", _every))
             flat = True
     parts[1:1] = seen
     return onsets_of(model, _joined(balance, vary, given, parts, flat, endless(model, (vary,), between or {})))
@@ -116,10 +118,12 @@ def flutter_onsets(
 
 
 def _is_damped(balance: Balance, given: FloatArray, spans: FloatArray) -> bool:
-    """Whether C is not 0 at a generic state."""
-    point = np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given)
-    state = -np.linspace(0.11, 0.23, balance.n)[:, None]
-    return bool(np.any(stability.linearization(balance, state, point)[1]))
+    """Whether C is not 0 at generic states on the contact's side, where its laws have values."""
+    point = np.repeat(np.where(np.isnan(given), 0.5 * spans.sum(axis=1)[0], given), PLACES, axis=1)
+    states = np.random.default_rng(0).uniform(-FAR, FAR, (balance.n, PLACES)) * np.geomspace(0.01, 3.0, PLACES)
+    with np.errstate(all="ignore"):
+        C = stability.linearization(balance, states, point)[1]
+    return bool((np.isfinite(C) & (C != 0)).any())
 
 
 def _damped_by_friction_alone(balance: Balance, given: FloatArray, spans: FloatArray) -> int | None:

@@ -196,9 +196,11 @@ class _Point:
         constants, about = self._constants(self.values), self.model.about
         gap, slip = undecorated(self.model.motion.borders)(*self.state, *constants, xp=XP)
         if about["contact"]["gap"] is not None and about["contact"]["unilateral"] and not _sign(gap) < 0:
-            raise Undecided("the state lies on the border of contact, where the field has a kink")
+            line = about["contact"]["line"]
+            raise Undecided(f"the state lies on the border of contact, where the law of line {line} of the page has a kink")
         if about["friction"] is not None and not _sign(slip) > 0 and self._asks_for_the_side():
-            raise Undecided("the sliding speed is 0, where the law of friction has a kink")
+            line = about["friction"]["line"]
+            raise Undecided(f"the sliding speed is 0, where the law of friction, line {line} of the page, has a kink")
         ways = self.mode[len(self.mode) - self.motion.ways :]
         if ways:
             levels = undecorated(self.model.motion.turning_borders)(*self.state, *constants, *ways, xp=XP)

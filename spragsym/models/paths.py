@@ -58,11 +58,16 @@ class ModelEnd(Result):
 
 @dataclass(frozen=True, eq=False)
 class ModelPath(Columns, held_in="coordinates"):
-    """States along the values of the parameter, in the order in which they are passed, and the jumps between them."""
+    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
+
+    ``stability`` has the codes of (27), ``kind`` the words of the full linearization, as :class:`ModelEquilibria` has them; on a
+    fold that is ``"marginal"``.
+    """
 
     vary: str
     values: FloatArray
     stability: NDArray[np.int8]
+    kind: NDArray[np.str_]
     jumps: tuple[ModelJump, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
 
@@ -114,15 +119,17 @@ def quasi_static_path(
         raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
     way = _Way(model, p, vary, along)
     place = way.begin(start)
-    out = [way.state(0, place)]
+    out, words = [way.state(0, place)], [way.word(0, place)]
     jumps = []
     for stop in range(1, way.stops.size):
         place, jump = way.moved(stop, place, after_jump)
         jumps += [jump] if jump else []
         if way.wanted[stop]:
             out.append(way.state(stop, place))
+            words.append(way.word(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
-    return ModelPath(vary, along, np.array([state[1] for state in out], dtype=np.int8), tuple(jumps), coordinates)
+    codes = np.array([state[1] for state in out], dtype=np.int8)
+    return ModelPath(vary, along, codes, np.array(words), tuple(jumps), coordinates)
 
 
 def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
@@ -142,6 +149,8 @@ def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, sta
 
 #: Where two equilibria meet on a value, instead of the slot of one.
 MET = -1
+#: The word of such a state, one λ of which is 0.
+MARGINAL = "marginal"
 
 
 class _Way:
@@ -219,7 +228,7 @@ class _Way:
             # The float of the fold lies just beyond the states that meet there.
             stable = [MET, *stable] if self._stability_met(met) == Stability.STABLE else (stable or [MET])
         if not stable:
-            raise ParameterError(f"the first value, {self.vary} = {self.stops[0]:.17g}, has no equilibrium in contact")
+            raise ParameterError(f"the first value, {self.vary} = {float(self.stops[0])!r}, has no equilibrium in contact")
         return (min if start == "small" else max)(stable, key=lambda slot: abs(self.state(0, slot)[0][0]))
 
     def _met(self, stop: int) -> int | None:
@@ -254,8 +263,12 @@ class _Way:
             return links[place]
         return MET if self._met(stop) is not None else None
 
+    def word(self, stop: int, slot: int) -> str:
+        """What grows by the full linearization."""
+        return MARGINAL if slot == MET else str(self.eq.kind[stop, slot])
+
     def state(self, stop: int, slot: int) -> tuple[list[float], int]:
-        """Coordinates and stability."""
+        """Coordinates and the code of (27)."""
         if slot == MET:
             number = self._met(stop)
             assert number is not None  # MET is returned where there is one
@@ -272,7 +285,11 @@ class _Way:
         if choose is None:
             stable = [slot for slot in range(count) if eq.stability[slot] == Stability.STABLE]
             if not stable:
-                raise ConvergenceError(f"nothing stable is left at {self.vary} = {end.value:.17g}; give after_jump")
+                how = "leaves the contact" if end.kind == "border" else "ends in a fold"
+                raise ConvergenceError(
+                    f"the state {how} at {self.vary} = {end.value!r}, and nothing stable in contact is left there: end the path "
+                    "before it, or say in Python by after_jump where it goes"
+                )
             slot = min(stable, key=lambda k: sum((float(eq.coordinates[name][k]) - before[name]) ** 2 for name in before))
         else:
             slot = choose(eq, before)

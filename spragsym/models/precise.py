@@ -35,6 +35,10 @@ BITS = (160, 320)
 TOLERANCE = 1e-12
 #: Clusters of boxes of a point: more lie around no equilibria.
 CLUSTERS = 24
+#: Parts that are left all over a cluster: more bits do not help.
+ALL_OVER = 32
+#: Clusters of which double-double decides none: so many lie along a line.
+LINE = 500
 #: Next boxes of the same point that a box is compared with at once.
 TOGETHER = 512
 #: Half-width of the box around a root that is known, but not well enough.
@@ -106,9 +110,17 @@ def settled(balance: Balance, given: FloatArray, around: FloatArray, found: Root
     if not points.size:
         return found
     hulls, owner = clusters(*boxes_of(found))
-    ends, alone, mine, open_ = _by_double_double(balance, given[:, owner], hulls, levels)
-    part = Roots(ends, alone, owner[mine], hulls[:, :, open_], owner[open_])
+    endless = np.bincount(owner)[owner] > LINE
+    ends, alone, mine, open_ = _by_double_double(balance, given[:, owner[~endless]], hulls[:, :, ~endless], levels)
+    left = endless.copy()
+    left[~endless] = open_
+    part = Roots(ends, alone, owner[~endless][mine], hulls[:, :, left], owner[left])
     return replaced(found, points, assembled(of_each(around, given), found, points, [part]))
+
+
+def lines(found: Roots, most: int = LINE) -> NDArray[np.int64]:
+    """Points of which more is left than lies around equilibria: where something is free to move they form lines."""
+    return np.flatnonzero(np.bincount(found.left_point) > most)
 
 
 def precise_forces(balance: Balance) -> Precise:
@@ -116,13 +128,15 @@ def precise_forces(balance: Balance) -> Precise:
     return lambda given, bits: PreciseBalance(balance, given, bits).values
 
 
-def settled_by_digits(system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise) -> Roots:
-    """The same with many digits, one point after the other."""
+def settled_by_digits(
+    system: System, given: FloatArray, around: FloatArray, found: Roots, precise: Precise, without: Sequence[int] = ()
+) -> Roots:
+    """The same with many digits, one point after the other, ``without`` points for which they are in vain."""
     if not unsettled(found).size:
         return found
     hulls, owner = clusters(*boxes_of(found))
     points, which, count = np.unique(owner, return_inverse=True, return_counts=True)
-    few = count <= CLUSTERS
+    few = (count <= CLUSTERS) & ~np.isin(points, without)
     points, hulls, owner = points[few], hulls[:, :, few[which]], owner[few[which]]
     parts = [
         with_digits(point, around.shape[1], _reduced(system, given[:, point], widened(hull), precise))
@@ -146,6 +160,14 @@ def hull_of_each(boxes: FloatArray, owner: NDArray[np.int64], count: int) -> Flo
 def at(found: Roots, points: NDArray[np.int64]) -> Roots:
     """Roots of some points by the numbers of all."""
     return replace(found, point=points[found.point], left_point=points[found.left_point])
+
+
+def of_points(found: Roots, points: NDArray[np.int64]) -> Roots:
+    """Roots and boxes of some points."""
+    mine, left = np.isin(found.point, points), np.isin(found.left_point, points)
+    return Roots(
+        found.ends[:, :, mine], found.alone[:, :, mine], found.point[mine], found.left[:, :, left], found.left_point[left]
+    )
 
 
 def boxes_of(found: Roots) -> tuple[FloatArray, NDArray[np.int64]]:
@@ -238,7 +260,7 @@ def reduced(system: System, given: FloatArray, cluster: FloatArray, precise: Cal
             out = reduced_roots(precise(bits), box, slopes, bits)
         except Undecided:
             continue
-        if not out.left:
+        if not out.left or len(out.left) > ALL_OVER:
             break
     return out
 

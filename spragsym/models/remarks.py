@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
-from .balance import Balance
+from .balance import NOTHING, Balance
 
 #: A box no wider than this, over the size of its coordinates, is one place to floats.
 ONE_PLACE = 1e-9
@@ -22,6 +22,7 @@ POLE = "at an end of a spring that resists turning: its force has no bound there
 BORDER = "where the contact just touches: whether what is there lies on this side of the border is not known"
 PLACE = "no wider than one place is to floats: a double root may be there, two very near ones, or none"
 LINE = "along places where the equations hold to rounding: a line of roots, or a few on it that floats do not tell apart"
+FREE = "along which no force acts on one of the coordinates at these parameters: a line of states, or none"
 WIDE = "left from a search that ended before it was small enough to be decided: a smaller range or a smaller box helps"
 
 
@@ -63,12 +64,17 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
         gap = stacked([balance.gap(q, values)], (count,))[0]
         border = gap.holds_zero() if balance.opens else np.zeros(count, dtype=np.bool_)
         relative = ((left[0] + left[1]) / np.maximum(1.0, np.abs(left).max(axis=0))).max(axis=0)
+        free: NDArray[np.bool_] = np.zeros(count, dtype=np.bool_)
+        if varied is None:
+            forces = balance.residuals(Intervals(left), balance.prepared(Intervals.point(given)))
+            free = np.logical_or.reduce(forces.magnitude <= NOTHING)
+    pole, anchor, border = pole & ~free, anchor & ~free, border & ~free
     anchor &= ~pole & (relative <= SMALL)
     border &= ~(pole | anchor) & (relative <= SMALL)
-    rest = ~(pole | anchor | border)
+    rest = ~(pole | anchor | border | free)
     kinds: list[str] = np.select(
-        [pole, anchor, border, rest & (relative <= ONE_PLACE), rest & (relative <= SMALL)],
-        [POLE, ANCHOR, BORDER, PLACE, LINE], WIDE,
+        [free, pole, anchor, border, rest & (relative <= ONE_PLACE), rest & (relative <= SMALL)],
+        [FREE, POLE, ANCHOR, BORDER, PLACE, LINE], WIDE,
     ).tolist()  # fmt: skip
     return kinds
 

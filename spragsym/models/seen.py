@@ -1,8 +1,8 @@
 """Onsets that floats see where a search over boxes ends before all is decided: each proved on its own if that succeeds.
 
 States are found at many values of the parameter, and where the growth of an oscillation changes its sign from one value to the
-next, Newton's method leads to the onset between them. Krawczyk's operator proves it in a small box; what it does not prove is
-listed as seen.
+next, Newton's method leads to the onset between them; where friction alone damps, or nothing, it is the condition's own value
+that changes its sign. Krawczyk's operator proves the onset in a small box; what it does not prove is listed as seen.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ from ..exact.polynomials import Undecided
 from . import stability
 from .augmented import Augmented
 from .border import BITS, on_its_side
-from .equilibria import solved
+from .conditions import Hopf
+from .equilibria import seen
 from .points import Found
 from .precise_points import PreciseAugmented
 
@@ -80,23 +81,33 @@ def _crossings(system: Augmented, given: FloatArray, span: FloatArray, asked: Fl
     values = span[0] + (span[1] - span[0]) * (np.arange(VALUES) + 0.5) / VALUES
     columns = np.repeat(given, VALUES, axis=1)
     columns[balance.parameters.index(system.vary[0])] = values
-    found, _, _ = solved(balance, columns, asked)
+    found = seen(balance, columns, asked)
     q, point = found.middle, found.point
     out = []
     if point.size:
-        parts = (np.moveaxis(part, -1, 0) for part in stability.linearization(balance, q, columns[:, point]))
-        every = stability.roots(*parts)
-        growth = np.where(np.abs(every.imag) > OSCILLATES * np.abs(every), every.real, -np.inf).max(axis=1)
+        with np.errstate(all="ignore"):  # beyond the touch a law like Hertz's has no value
+            tested = _tested(system, q, columns[:, point])
         for one in range(point.size):
             following = np.flatnonzero(point == point[one] + 1)
             if not following.size:
                 continue
             other = following[np.abs(q[:, following] - q[:, [one]]).max(axis=0).argmin()]
-            a, b = growth[one], growth[other]
+            a, b = tested[one], tested[other]
             if np.isfinite([a, b]).all() and a * b < 0:
                 ends = [np.append(q[:, k], values[point[k]]) for k in (one, other)]
                 out.append(ends[0] + (ends[1] - ends[0]) * a / (a - b))
     return np.array(out).reshape(-1, system.n).T
+
+
+def _tested(system: Augmented, q: FloatArray, given: FloatArray) -> FloatArray:
+    """What changes its sign at an onset, at states of shape (n, N)."""
+    if isinstance(system.condition, Hopf):
+        every = stability.roots(*(np.moveaxis(part, -1, 0) for part in stability.linearization(system.balance, q, given)))
+        growth: FloatArray = np.where(np.abs(every.imag) > OSCILLATES * np.abs(every), every.real, -np.inf).max(axis=1)
+        return growth
+    z = np.concatenate([q, given[[system.balance.parameters.index(system.vary[0])]]])
+    value: FloatArray = system.residuals(Intervals.point(z), system.prepared(Intervals.point(given))).middle[-1]
+    return value
 
 
 def _converged(system: Augmented, fixed: FloatArray, start: FloatArray) -> FloatArray:

@@ -171,7 +171,9 @@ class Model:
 
     @question
     def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
-        """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
+        """Folds along one parameter, each proved, and whether these are all; ``p`` are scalars.
+
+        ``between={"mu0": (0, 1)}`` is the range of what varies.
 
         Source: det K = 0 at an equilibrium; see :func:`spragsym.models.folds.folds`.
         """
@@ -181,7 +183,7 @@ class Model:
 
     @question
     def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
-        """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
+        """Cusps in the plane of two parameters, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
         See :func:`spragsym.models.cusps.cusps`.
         """
@@ -235,7 +237,7 @@ class Model:
 
     @question
     def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
-        """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
+        """Onsets of flutter along one parameter, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
         :func:`spragsym.models.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation begins gently.

@@ -499,3 +499,25 @@ def test_a_phone(browser: Any, url: str) -> None:
     assert max(int(part) for part in re.findall(r"\d+", ink)) < 60
     assert phone.errors == []
     context.close()
+
+
+def test_a_state_is_called_stable_only_where_nothing_grows(explorer: Explorer) -> None:
+    """The article's state after the jump grows by 4.9e-6: word and rate in the table are Python's, (27)'s word stands beside."""
+    explorer.open("theta0_deg=30&mu0=0.5")
+    said = explorer.page.evaluate(
+        "[...document.querySelectorAll('#states tbody tr')].map(r => [...r.cells].map(c => c.textContent.trim()))"
+    )
+    heads = explorer.page.evaluate("[...document.querySelectorAll('#states th')].map(c => c.textContent)")
+    column = {name: [row[place] for row in said] for place, name in enumerate(heads)}
+    rows = 0
+    for contact, name in ((True, "contact"), (False, "lift-off")):
+        eq = ss.equilibria(ss.Parameters.article(theta0=math.radians(30.0)), contact=contact)
+        for slot in range(int(eq.count)):
+            word = column["stability"][rows].split()[-1]
+            assert column["regime"][rows] == name
+            assert word == eq.kind[slot]
+            assert column["undamped (27)"][rows] == ss.Stability(int(eq.stability[slot])).name.lower()
+            written = column["growth"][rows].replace("\u2212", "-")
+            assert float(written) == pytest.approx(float(eq.growth[slot]), rel=0.05)
+            rows += 1
+    assert rows == len(said) == 4

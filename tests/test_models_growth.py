@@ -94,6 +94,24 @@ def test_what_the_article_calls_stable_after_the_jump_grows() -> None:
     assert abs(eq.growth[2] - float(most)) < 1e-14
 
 
+def test_words_of_a_path_are_those_of_its_states() -> None:
+    """Each state of a path, in Python and as printed, beyond the jump too."""
+    p = ss.Parameters.article(theta0=np.radians(40.0))
+    values = np.linspace(0.0, 0.9, 5)
+    for method in ("closed", "search"):
+        path = ss.quasi_static_path(p, "mu0", values, method=method)
+        for row, mu0 in enumerate(values):
+            eq = ss.equilibria(p.replace(mu0=mu0))
+            slot = int(np.nanargmin(np.abs(eq.x - path.x[row])))
+            assert (path.kind[row], bool(path.stable[row])) == (eq.kind[slot], bool(eq.stable[slot]))
+            assert abs(path.growth[row] - eq.growth[slot]) < 1e-13
+    for model in ([], ["--model", "kang_nam"]):
+        told = CliRunner().invoke(cli, ["path", "--theta0", "40", "--to", "0.9", "--points", "5", *model, "--json"])
+        rows = json.loads(told.output)["states"]
+        assert [row["stability"] for row in rows] == ["stable", "stable", "stable", "flutter", "flutter"]
+        assert {row["undamped"] for row in rows} == {"stable"}
+
+
 def test_columns_are_those_of_the_search_in_shapes_and_lift_off() -> None:
     """Points, slots and regimes of closed forms, against the search; parameters of the motion alone may have the shape."""
     p = ss.Parameters.article(theta0=np.radians([[30.0], [49.0]]), V=[0.1, 0.5, 5.0], beta=0.2)

@@ -13,6 +13,7 @@ import { createSpace } from "./space.js";
 import { createStates, story, undecided } from "./states.js";
 import { createStore, current } from "./store.js";
 import { WAYS, walk } from "./walks.js";
+import { worded } from "./words.js";
 
 const $ = (id) => document.getElementById(id);
 const still = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -39,7 +40,7 @@ export function start(solver) {
   const plane = createPlane($("plane"), store);
   const space = createSpace($("space"), store);
   const inputs = createInputs($("parameters"), store, FIELDS, solver.RANGES, besides(data.units));
-  const table = createStates($("states"), store, solver.algebra, data.units ?? undefined);
+  const table = createStates($("states"), store, solver.algebra, drive, data.units ?? undefined);
   const assumed = [["V", "speed of the belt"], ["d", "steepness of the friction law"]]
     .map(([id, meaning]) => ({ id, symbol: id, meaning, value: drive[id], range: solver.RANGES[id] }));
   const panel = createPanel(["x", "y"], assumed, data.units ?? undefined, {
@@ -50,7 +51,7 @@ export function start(solver) {
     rest: () => { mechanism.roll(0); if (store.get()) { rest(store.get()); } },
     begun: (numbers) => { flight = null; Object.assign(drive, numbers); remember(); },
   });
-  ["V", "d"].forEach((name) => ($(name).onchange = () => { const said = panel.numbersOf(); if (said) { Object.assign(drive, said); remember(); } }));
+  ["V", "d"].forEach((name) => ($(name).onchange = () => { const said = panel.numbersOf(); if (said) { Object.assign(drive, said); remember(); if (store.get()) { table(); say(store.get()); } } }));
 
   let [top, flight] = [1, null];
 
@@ -60,11 +61,13 @@ export function start(solver) {
     const state = current(now);
     const drawn = state ? { x: x ?? state.x, y: y ?? state.y } : { x: 0, y: 0 };
     mechanism.draw({
-      ...held(now.point), ...drawn, others: now.found.contact.states.filter((other) => other !== state), kind: state?.stability ?? "",
+      ...held(now.point), ...drawn, others: now.found.contact.states.filter((other) => other !== state).map((other) => ({ ...other, word: wordAt(other) })), kind: state ? wordAt(state) : "",
       forces: state && x === undefined ? forces(solver.algebra, now.point, state, true) : null,
       note: state ? "at rest on the sliding belt; pale: the other states" : "no state in contact",
     });
   }
+
+  const wordAt = (state) => worded(solver.algebra, store.get().point, state, true, drive).word;
 
   /** What holds the mass, as it is drawn. */
   function held({ theta0, alpha, beta }) {
@@ -118,7 +121,7 @@ export function start(solver) {
   function say(now) {
     $("status").textContent = undecided(now.found);
     $("count").textContent = now.found.contact.status === "ok" ? `${now.found.contact.count} in contact, ${now.found.liftoff.count} in lift-off` : "undecided";
-    $("story").textContent = story(now, data.units?.length);
+    $("story").textContent = story(now, solver.algebra, drive, data.units?.length);
     clearTimeout(quiet);
     quiet = setTimeout(() => ($("spoken").textContent = $("story").textContent), 700); // a reader hears where it ends, not all of the way
   }

@@ -8,7 +8,7 @@ meet. So a branch is a rank, and at each fold the rank changes by a rule.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..generated import stability as _stability
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_numbers
-from ..statics.results import Equilibria, Held, Stability
+from ..statics.results import Equilibria, Held, Stability, one_each
 from ..statics.solver import equilibria
 from .fold_points import Turn, turns
 
@@ -55,6 +55,22 @@ class Path(Result):
     y: FloatArray
     stability: NDArray[np.int8]
     jumps: tuple[Jump, ...]
+    _along: Equilibria = field(repr=False)
+
+    @property
+    def growth(self) -> FloatArray:
+        """Largest real part of all λ of the full linearization, as of :class:`spragsym.Equilibria`."""
+        return self._along.growth[:, 0]
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where it is proved that nothing grows."""
+        return self._along.stable[:, 0]
+
+    @property
+    def kind(self) -> NDArray[np.str_]:
+        """What grows, in a word."""
+        return self._along.kind[:, 0]
 
 
 #: Chooses among the slots of the equilibria left after a jump, given the state before it: (eq, x_before) → slot.
@@ -137,10 +153,13 @@ def quasi_static_path(
         state, stability[i] = way.state(way.eq, (i,), value, place)
         for name, value in zip(_STATE, state, strict=True):
             states[name][i] = value
-    return Path(vary, along, **states, stability=stability, jumps=tuple(jumps))
+    eq = one_each(p.replace(**{vary: along}), states, stability, KNOWN)
+    return Path(vary, along, **states, stability=stability, jumps=tuple(jumps), _along=eq)
 
 
 _STATE = ("theta", "L", "x", "y")
+#: Bound on the error of a state, over max(1, its size).
+KNOWN = 1e-12
 
 
 class _Way:

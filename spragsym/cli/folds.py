@@ -12,6 +12,7 @@ from ..parameters import RANGES
 from .commands import command
 from .data import data, length, varied, vary
 from .options import DEGREES, Number, as_json, build, check_theta0, parameters, theta0_unless_varied
+from .states import words_of
 from .tables import print_json, print_path, print_table
 from .with_model import ForModels, made_for, model_option
 
@@ -83,7 +84,6 @@ def path(
     import numpy as np
 
     from ..catastrophe import quasi_static_path
-    from ..statics.results import Stability
 
     if low == high:
         raise ParameterError(f"--from {low:g} and --to are the same; give two values")
@@ -99,9 +99,9 @@ def path(
     found = quasi_static_path(build(theta0_deg, **values), name, np.linspace(low, high, points) / unit)
     size, end = length()
     states = [
-        {title: float(unit * value), "stability": Stability(int(code)).name.lower(), "theta_deg": math.degrees(theta),
-         f"x{end}": float(size * x), f"y{end}": float(size * y)}
-        for value, code, theta, x, y in zip(found.values, found.stability, found.theta, found.x, found.y, strict=True)
+        {title: float(unit * value), **words, "theta_deg": math.degrees(theta), f"x{end}": float(size * x),
+         f"y{end}": float(size * y)}
+        for value, words, theta, x, y in zip(found.values, words_of(found), found.theta, found.x, found.y, strict=True)
     ]  # fmt: skip
     jumps = [
         {title: unit * jump.value, "theta_before_deg": math.degrees(jump.theta_before), f"x_before{end}": size * jump.x_before,

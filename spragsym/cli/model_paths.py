@@ -11,6 +11,7 @@ import click
 from ..errors import ParameterError
 from .model_statics import box_of, json_option, optional, points_of, print_points, within_option
 from .options import Number
+from .states import words_of
 from .tables import busy, print_json, print_path, print_table
 from .with_model import parameter_options, without
 
@@ -49,8 +50,6 @@ def path_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
     def path(vary: str, low: float, high: float, points: int, json_output: bool, **values: Any) -> None:
         import numpy as np
 
-        from ..statics import Stability
-
         if low == high:
             raise ParameterError(f"--from {low:g} and --to are the same; give two values")
         unit, title = _unit(model, vary), _title(model, vary)
@@ -58,9 +57,8 @@ def path_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
         with busy(f"following a state along {vary}"):
             found = model.quasi_static_path(p, vary, np.linspace(low, high, points) / unit)
         states = [
-            {title: float(unit * value), "stability": str(word), "undamped": Stability(int(code)).name.lower(),
-             **{name: float(getattr(found, name)[row]) for name in model.coordinates}}
-            for row, (value, code, word) in enumerate(zip(found.values, found.stability, found.kind, strict=True))
+            {title: float(unit * value), **words, **{name: float(getattr(found, name)[row]) for name in model.coordinates}}
+            for row, (value, words) in enumerate(zip(found.values, words_of(found), strict=True))
         ]  # fmt: skip
         jumps = [
             {title: unit * jump.value, "kind": jump.kind,

@@ -55,3 +55,13 @@ def _name(column: str) -> str:
 
 def _unit(column: str) -> float:
     return math.degrees(1.0) if _is_direction(column) else 1.0
+
+
+def words_of(path: Any) -> list[dict[str, Any]]:
+    """Of each state of a path what grows, with (27)'s word beside it, and how fast."""
+    from ..statics import Stability
+
+    return [
+        {"stability": str(kind), "undamped": Stability(int(code)).name.lower(), "growth": float(growth)}
+        for kind, code, growth in zip(path.kind, path.stability, path.growth, strict=True)
+    ]

@@ -116,7 +116,9 @@ def print_path(about: dict[str, Any], states: list[dict[str, Any]], jumps: list[
     if as_json:
         print_json({**about, "states": states, "jumps": jumps})
         return
-    print_table("States", tuple(states[0]), [list(row.values()) for row in states])
+    print_table("States", tuple(states[0]), [
+        [f"{value:.1e}" if name == "growth" else value for name, value in row.items()] for row in states
+    ])  # fmt: skip
     if jumps:
         print_table("Jumps", tuple(jumps[0]), [list(row.values()) for row in jumps])
     else:

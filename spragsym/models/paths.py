@@ -17,7 +17,7 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
-from ..statics.results import Equilibria, Stability
+from ..statics.results import Equilibria, Stability, one_each
 from .balance import Balance
 from .branches import Along, links
 from .columns import Columns
@@ -60,16 +60,31 @@ class ModelEnd(Result):
 class ModelPath(Columns, held_in="coordinates"):
     """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
 
-    ``stability`` has the codes of (27), ``kind`` the words of the full linearization, as :class:`ModelEquilibria` has them; on a
-    fold that is ``"marginal"``.
+    ``stability`` has the codes of (27), ``growth``, ``stable`` and ``kind`` are those of the full linearization, as
+    :class:`spragsym.Equilibria` has them; on a fold ``kind`` is ``"marginal"`` unless something else grows there.
     """
 
     vary: str
     values: FloatArray
     stability: NDArray[np.int8]
-    kind: NDArray[np.str_]
     jumps: tuple[ModelJump, ...]
     coordinates: Mapping[str, FloatArray] = field(repr=False)
+    _along: Equilibria = field(repr=False)
+
+    @property
+    def growth(self) -> FloatArray:
+        """Largest real part of all λ of the full linearization, as of :class:`spragsym.Equilibria`."""
+        return self._along.growth[:, 0]
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where it is proved that nothing grows."""
+        return self._along.stable[:, 0]
+
+    @property
+    def kind(self) -> NDArray[np.str_]:
+        """What grows, in a word."""
+        return self._along.kind[:, 0]
 
 
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
@@ -119,17 +134,17 @@ def quasi_static_path(
         raise ParameterError("values do not go one way; give one axis of one or more, strictly increasing or strictly decreasing")
     way = _Way(model, p, vary, along)
     place = way.begin(start)
-    out, words = [way.state(0, place)], [way.word(0, place)]
+    out = [way.state(0, place)]
     jumps = []
     for stop in range(1, way.stops.size):
         place, jump = way.moved(stop, place, after_jump)
         jumps += [jump] if jump else []
         if way.wanted[stop]:
             out.append(way.state(stop, place))
-            words.append(way.word(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
-    codes = np.array([state[1] for state in out], dtype=np.int8)
-    return ModelPath(vary, along, codes, np.array(words), tuple(jumps), coordinates)
+    stability, error = np.array([state[1] for state in out], dtype=np.int8), np.array([state[2] for state in out])
+    eq = one_each(p.replace(**{vary: along}), coordinates, stability, error)
+    return ModelPath(vary, along, stability, tuple(jumps), coordinates, eq)
 
 
 def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
@@ -149,8 +164,6 @@ def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, sta
 
 #: Where two equilibria meet on a value, instead of the slot of one.
 MET = -1
-#: The word of such a state, one λ of which is 0.
-MARGINAL = "marginal"
 
 
 class _Way:
@@ -263,18 +276,15 @@ class _Way:
             return links[place]
         return MET if self._met(stop) is not None else None
 
-    def word(self, stop: int, slot: int) -> str:
-        """What grows by the full linearization."""
-        return MARGINAL if slot == MET else str(self.eq.kind[stop, slot])
-
-    def state(self, stop: int, slot: int) -> tuple[list[float], int]:
-        """Coordinates and the code of (27)."""
+    def state(self, stop: int, slot: int) -> tuple[list[float], int, float]:
+        """Coordinates, stability, and a bound on the error."""
         if slot == MET:
             number = self._met(stop)
             assert number is not None  # MET is returned where there is one
-            return [float(self._column(name)[number]) for name in self.balance.coordinates], self._stability_met(number)
+            values = [float(self._column(name)[number]) for name in self.balance.coordinates]
+            return values, self._stability_met(number), float(self._column("error")[number])
         values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
-        return values, int(self.eq.stability[stop, slot])
+        return values, int(self.eq.stability[stop, slot]), float(self.eq.error[stop, slot])
 
     def jump(self, stop: int, choose: Choice | None) -> tuple[int, ModelJump]:
         """The slot behind the fold that ends the branch."""

@@ -62,6 +62,13 @@ class Held:
         return self.columns.get(name)
 
 
+def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.int8], error: NDArray[Any] | float) -> Equilibria:
+    """One state in contact of every point, known from elsewhere: columns of the shape of the points."""
+    ones, known = np.ones(p.shape, dtype=np.int64), np.ones(p.shape, dtype=np.bool_)
+    columns = {**places, "stability": stability, "error": np.broadcast_to(error, p.shape), "marginal": ~known}
+    return Equilibria(p, True, ones, known, (), (), Held({name: column[..., None] for name, column in columns.items()}))
+
+
 @dataclass(frozen=True, eq=False)
 class Equilibria(Result):
     """Every equilibrium of every parameter point.

@@ -12,6 +12,7 @@ const MARKS = {
   stable: (ctx, x, y, r) => ctx.arc(x, y, r, 0, 7),
   divergent: (ctx, x, y, r) => { ctx.moveTo(x - r, y + r); ctx.lineTo(x, y - r); ctx.lineTo(x + r, y + r); ctx.closePath(); },
   flutter: (ctx, x, y, r) => ctx.rect(x - r, y - r / 2, 2 * r, r),
+  marginal: (ctx, x, y, r) => ctx.rect(x - r / 2, y - r, r, 2 * r),
 };
 
 /**
@@ -54,7 +55,7 @@ export function createAlong(box, { field, search, shown, go }, coordinate) {
     for (const [kind, mark] of Object.entries(MARKS)) {
       for (const contact of [true, false]) {
         ctx.beginPath();
-        ctx[contact ? "fillStyle" : "strokeStyle"] = colour[kind];
+        ctx[contact ? "fillStyle" : "strokeStyle"] = colour[kind] ?? colour.ink;
         for (const point of points.filter((one) => one.kind === kind && one.contact === contact)) {
           const [x, y] = [plot.valToPos(point.x, "x", true), plot.valToPos(point.y, "y", true)];
           ctx.moveTo(x, y);
@@ -80,7 +81,7 @@ export function createAlong(box, { field, search, shown, go }, coordinate) {
       const end = performance.now() + BUDGET;
       while (i < COLUMNS && performance.now() < end) {
         const x = low + ((high - low) * i) / (COLUMNS - 1);
-        points.push(...search(inward(x)).map(({ q, stability, contact }) => ({ x, y: q[0], kind: stability, contact })));
+        points.push(...search(inward(x)).map(({ q, word, contact }) => ({ x, y: q[0], kind: word, contact })));
         i += 1;
       }
       if (i < COLUMNS) {

@@ -1,4 +1,4 @@
-// Of which kind a state is, by the roots of its linearization without damping.
+// Of which kind a state is, by the roots of its linearization, without damping and with it.
 
 import { determinant, EigenvalueDecomposition, Matrix, solve } from "ml-matrix";
 
@@ -16,13 +16,38 @@ export function kindOf(mass, stiffness) {
   return realEigenvalues.some((real) => real < 0) ? "divergent" : "stable";
 }
 
-/** Largest real part of the roots with dampers and the slope of the friction law, from mass, damping and stiffness matrices. */
-export function growth(mass, damping, stiffness) {
+/** A growth rate below this share of the largest root is none that floats see. */
+const SEEN = 1e-12;
+
+/** What a page calls a state: "stable" only where nothing grows, with dampers and the slope of the friction law; and at what rate. */
+export function wordOf(mass, damping, stiffness, undamped) {
+  if (![damping, stiffness].flat(2).every(Number.isFinite)) {
+    return { word: "marginal", rate: NaN };
+  }
+  if (!damping.flat().some(Boolean)) {
+    return { word: undamped, rate: undamped === "stable" ? 0 : withoutDamping(mass, stiffness) };
+  }
+  const { rate, swings, size } = fastest(mass, damping, stiffness);
+  const seen = Math.abs(rate) > SEEN * size;
+  return { word: seen ? (rate < 0 ? "stable" : swings ? "flutter" : "divergent") : "marginal", rate };
+}
+
+/** The largest real part of the roots λ of λ² = −κ, of which the linearization has no others. */
+function withoutDamping(mass, stiffness) {
+  const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(solve(new Matrix(mass), new Matrix(stiffness)));
+  return Math.max(...realEigenvalues.map((real, i) => Math.sqrt((Math.hypot(real, imaginaryEigenvalues[i]) - real) / 2)));
+}
+
+/** The root of largest real part, with dampers and the slope of the friction law, from mass, damping and stiffness matrices. */
+function fastest(mass, damping, stiffness) {
   const n = mass.length;
   const [from_damping, from_stiffness] = [damping, stiffness].map((part) => solve(new Matrix(mass), new Matrix(part)).mul(-1));
   const companion = Matrix.zeros(2 * n, 2 * n);
   companion.setSubMatrix(Matrix.eye(n), 0, n).setSubMatrix(from_stiffness, n, 0).setSubMatrix(from_damping, n, n);
-  return Math.max(...new EigenvalueDecomposition(companion).realEigenvalues);
+  const { realEigenvalues, imaginaryEigenvalues } = new EigenvalueDecomposition(companion);
+  const rate = Math.max(...realEigenvalues);
+  const size = Math.max(...realEigenvalues.map((real, i) => Math.hypot(real, imaginaryEigenvalues[i])));
+  return { rate, swings: Math.abs(imaginaryEigenvalues[realEigenvalues.indexOf(rate)]) > 1e-9 * size, size };
 }
 
 /** Solves the linear system of a Newton step; null where the matrix is singular. */

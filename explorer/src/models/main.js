@@ -1,5 +1,6 @@
 // The page of a model that has no proved solver in JavaScript: its states are searched, and it says so.
 
+import { SIGNS } from "../words.js";
 import { whenColoursChange } from "../colours.js";
 import { besides, createInputs } from "../inputs.js";
 import { copied, linked, unlinked } from "../link.js";
@@ -10,12 +11,10 @@ import { createAlong } from "./along.js";
 import { balanceAt } from "./balance.js";
 import { carry, landing } from "./carry.js";
 import { fieldOf } from "./field.js";
-import { growth } from "./kinds.js";
 import { search } from "./search.js";
 import { symbolOf } from "./symbols.js";
 
 const $ = (id) => document.getElementById(id);
-const SIGNS = { stable: "●", divergent: "▲", flutter: "≈" };
 /** An angle of a spring is an anchor's if their directions agree to this. */
 const SAME = 1e-9;
 
@@ -96,12 +95,12 @@ export function start({ algebra }) {
       return;
     }
     const [x, y] = position(q);
-    const others = now.states.filter((one) => one !== now.state && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], stability: one.stability }));
+    const others = now.states.filter((one) => one !== now.state && one.contact).map((one) => ({ x: position(one.q)[0], y: position(one.q)[1], word: one.word }));
     mechanism.draw({ to: pinned(now.point, q), x, y, ties: ties(now.point), others, ...more });
   }
 
   function still() {
-    draw(now.state?.q ?? rest, { kind: now.state?.stability ?? "", note: now.state ? "at rest on the sliding belt; pale: the other states" : "no state was found" });
+    draw(now.state?.q ?? rest, { kind: now.state?.word ?? "", note: now.state ? "at rest on the sliding belt; pale: the other states" : "no state was found" });
   }
 
   const inputs = createInputs($("parameters"), store, fields, ranges, besides(units));
@@ -128,28 +127,22 @@ export function start({ algebra }) {
 
   const [length, length_name] = units?.length ?? [1, ""];
   const directed = Array.from({ length: count }, (_, i) => (count > 1 ? `θ${symbolOf(`x${i + 1}`).slice(1)} in °` : "θ in °"));
-  const titles = ["", "regime", "stability", ...directed, ...names.map((name) => symbolOf(name) + (length_name && ` in ${length_name}`)), "growth"];
+  const titles = ["", "regime", "stability", ...directed, ...names.map((name) => symbolOf(name) + (length_name && ` in ${length_name}`)), "growth", "undamped"];
   $("states").innerHTML = `<thead><tr>${titles.map((title) => `<th scope="col">${title}</th>`).join("")}</tr></thead><tbody></tbody>`;
 
   function row(state) {
     const line = document.createElement("tr");
     const chosen = state === now.state || (now.state && state.contact === now.state.contact && near(state.q, now.state.q));
-    line.className = `${state.stability}${chosen ? " chosen" : ""}`;
+    line.className = `${state.word}${chosen ? " chosen" : ""}`;
     if (chosen) {
       line.setAttribute("aria-current", "true");
     }
     const turned = Array.from({ length: count }, (_, i) => degrees(Math.atan2(state.along[3 * i + 1], state.along[3 * i])));
-    const values = [...turned.map((value) => written(value, 8)), ...state.q.map((value) => written(length * value, 8)), written(growthAt(state), 3)];
+    const values = [...turned.map((value) => written(value, 8)), ...state.q.map((value) => written(length * value, 8)), written(state.rate, 3), state.stability];
     line.innerHTML = `<td>${chosen ? "<b title='the mass is here'>➤<span class='hidden'> the mass is here</span></b>" : ""}</td>
       <td>${about.unilateral ? (state.contact ? "contact" : "lift-off") : "sliding"}</td>
-      <td><i aria-hidden="true">${SIGNS[state.stability]}</i> ${state.stability}</td>${values.map((value) => `<td>${value}</td>`).join("")}`;
+      <td><i aria-hidden="true">${SIGNS[state.word]}</i> ${state.word}</td>${values.map((value) => `<td>${value}</td>`).join("")}`;
     return line;
-  }
-
-  /** By what rate a small motion about a state grows, or dies out where it is negative. */
-  function growthAt({ q, contact }) {
-    const balance = at(now.point);
-    return growth(balance.mass(q), balance.damping(q, contact), balance.stiffness(q, contact));
   }
 
   function say() {
@@ -161,7 +154,7 @@ export function start({ algebra }) {
     const where = (q) => `${symbolOf(names[0])} = ${written(q[0], 4)}`;
     const jump = last ? ` Its last state ended${last.to ? `, and it jumped from ${where(last.from)} to ${where(last.to)}` : ""}.` : "";
     $("story").textContent = undecided ? "Undecided here: the search can't tell the states apart. The command below the table may." : now.state
-      ? `${many} ${many === 1 ? "state was" : "states were"} found. The mass is at ${where(now.state.q)}, ${now.state.stability}.${jump}`
+      ? `${many} ${many === 1 ? "state was" : "states were"} found. The mass is at ${where(now.state.q)}, ${now.state.word}.${jump}`
       : `No state was found that the mass could keep.${jump} See the motion below.`;
     $("proof").textContent = command();
   }

@@ -1,6 +1,6 @@
 // The states of a model, searched by Newton's method from many starts. What is found is a state; that it is all is not proved.
 
-import { kindOf, solved } from "./kinds.js";
+import { kindOf, wordOf, solved } from "./kinds.js";
 
 /** Directions of the springs that a search looks at, all together, and how close they are to a state where all begin. */
 const STARTS = 576;
@@ -107,7 +107,9 @@ function once({ coordinates }, q) {
 /** One state with its kind. */
 export function described(balance, q, contact) {
   const along = balance.directions(q);
-  return { q, contact, stability: kindOf(balance.mass(q), balance.stiffness(q, contact, along)), along };
+  const [mass, stiffness] = [balance.mass(q), balance.stiffness(q, contact, along)];
+  const stability = kindOf(mass, stiffness);
+  return { q, contact, stability, ...wordOf(mass, balance.damping(q, contact), stiffness, stability), along };
 }
 
 /**

@@ -19,7 +19,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import bench_auto, validate_cycles, validate_fates, validate_verdicts
+from benchmarks import bench_auto, validate_branches, validate_cycles, validate_fates, validate_verdicts
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import fates, finding, growth_rates, saddles
@@ -428,6 +428,19 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     assert criteria.is_lost(loop, "torus") or not criteria.is_complex_pair(loop)
     good = multipliers.multipliers_of([np.diag([1.0, 1e2, 1.1])], [np.array([1.0, 0.0, 0.0])])
     assert not criteria.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
+
+
+@pytest.mark.thorough
+def test_nothing_is_invented_beside_large_multipliers() -> None:
+    """Cycles doubled twice, followed to where a multiplier has grown to 1e8: beside it there is neither a fold nor a torus."""
+    cycle, _ = validate_branches.begun(77)
+    branch = ss.cycle_branch(cycle, "V", (0.29, 0.367), points=120)
+    for low in (0.309, 0.2501):
+        branch = ss.cycle_branch(branch.switch(branch.of("period_doubling")[0]), "V", (low, 0.367), points=40, longest=0.1)
+    sizes = [float(np.abs(each.multipliers).max()) for each in branch.cycles]
+    assert max(sizes) > 5e7
+    assert not branch.of("fold", "torus")
+    assert all(np.abs(event.cycle.multipliers).max() < 1e3 for event in branch.of("period_doubling"))
 
 
 # --------------------------------------------------------------------------------------------- fates and exponents

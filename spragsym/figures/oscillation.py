@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from contextlib import suppress
 from importlib import resources
 from typing import Any, NamedTuple
 
@@ -16,7 +17,7 @@ from ..assumed import D, V
 from ..catastrophe import BifurcationSet, bifurcation_set, folds, sliding_friction
 from ..cycles import CycleBranch, FateMap, cycle, cycle_branch, cycle_events, fate_boundary
 from ..cycles.maps import Kind
-from ..errors import ParameterError
+from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray, Parameters
 from ..statics.results import Stability
 from ..statics.solver import equilibria
@@ -234,13 +235,15 @@ def figure_cycles_plane(
         write_along(ax, curve.label, *curve.place, color=colour)
         tables[f"a_{name}"] = {"theta0_deg": angles, "mu0": friction, "period": found.periods}
     tables["a_statics"] = _draw_statics(ax, bifurcation_set(Parameters.article()))
-    fates = []
+    decided, fates = [], []
     for mu0 in frictions:
         fold = float(folds(Parameters.article(mu0=mu0)).theta0[0])
         low = fold - np.radians(9.0)
-        fates.append(fate_boundary(Parameters.article(mu0=mu0), vary="theta0", bracket=(low, fold - 0.003), V=V, d=D).value)
-    ax.plot(np.degrees(fates), frictions, "o", color=BLACK, markersize=3)
-    tables["a_fates"] = {"theta0_deg": np.degrees(fates), "mu0": np.array(frictions)}
+        with suppress(ConvergenceError):  # where the motion is undecided by then, there is no dot
+            fates.append(fate_boundary(Parameters.article(mu0=mu0), vary="theta0", bracket=(low, fold - 0.003), V=V, d=D).value)
+            decided.append(mu0)
+    ax.plot(np.degrees(fates), decided, "o", color=BLACK, markersize=3)
+    tables["a_fates"] = {"theta0_deg": np.degrees(fates), "mu0": np.array(decided)}
     angle_axis(ax)
     ax.set(ylabel=r"$\mu_0$", ylim=(0, 1))
     return figure.describe(

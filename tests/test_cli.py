@@ -772,6 +772,7 @@ ASKED = {
     "critical --theta0 49 --mu0 0.7 --vary kappa": (0, "it has jumped already"),
     "critical --theta0 30 --mu0 0.3 --vary beta": (0, "never"),
     "simulate --theta0 49 --t-end 1e12": (2, "give at most 2e+06 sqrt(m/k_c)"),
+    "sweep --theta0 49 --t-end 1e12 -o long.csv": (2, "followed to its end: give at most 2e+06 sqrt(m/k_c)"),
 }
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from .cycles import search, tell
-from .motion import BACKEND, PLOT, RTOL, check_length, open_grid, print_summary, refuse_targets, run_sweep, summary_of
+from .motion import BACKEND, EACH, PLOT, RTOL, check_length, open_grid, print_summary, refuse_targets, run_sweep, summary_of
 from .options import Axis, Number, as_json, window, workers
 from .targets import force
 from .with_model import parameter_options, parameters_of
@@ -79,6 +79,7 @@ def sweep_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]
     """Options and work of ``spragsym sweep`` for a model."""
 
     def sweep(quiet: bool, output: Path, force: bool, **values: Any) -> None:
+        check_length(values["t_end"], EACH)
         starts = [f"{name}0" for name in (*model.coordinates, *model.rates)]
         axes = {**parameters_of(model, values), **{name: values.pop(name) for name in starts}}
         grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))

@@ -31,8 +31,10 @@ BACKEND = click.option(
 PLOT = click.option(
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg)."
 )
-#: Longest motion that a command follows, in sqrt(m/k_c); all of it is kept.
+#: Longest motion that a command follows, in sqrt(m/k_c): a single one is kept whole, those of a sweep are followed to their ends.
 LONGEST = 2e6
+#: Why it is bounded in a sweep.
+EACH = "each motion of a sweep is followed to its end"
 
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
@@ -107,12 +109,12 @@ def simulate(
     print_summary(summary, json_output)
 
 
-def check_length(t_end: float) -> None:
-    """Refuse a motion that memory can't hold, and say on a terminal that a long one lasts."""
+def check_length(t_end: float, why: str = "all of a motion is kept") -> None:
+    """Refuse a motion that memory can't hold, or that would last for days, and say on a terminal that a long one lasts."""
     if t_end > LONGEST:
         study = current()
         limit = f"{LONGEST:g} sqrt(m/k_c)" + ("" if study is None else f", which is {LONGEST * study.scales.time:.3g} s")
-        raise ParameterError(f"--t-end is {t_end:g} sqrt(m/k_c), and all of a motion is kept: give at most {limit}")
+        raise ParameterError(f"--t-end is {t_end:g} sqrt(m/k_c), and {why}: give at most {limit}")
     if t_end > LONGEST / 20 and sys.stderr.isatty():
         click.echo(f"following the motion over {t_end:g} sqrt(m/k_c), for up to minutes; Ctrl-C ends it", err=True)
 
@@ -214,6 +216,7 @@ def sweep(
 
     start = {name: values.pop(name) for name in ("x0", "y0", "vx0", "vy0")}
     times, start = own_units({"t_end": t_end, "transient": transient}, start)
+    check_length(times["t_end"], EACH)
     axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}
     grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))
     p = Parameters(**{name: grid[name] for name in NAMES})

@@ -39,7 +39,7 @@ class ModelCurve(Columns, held_in="values"):
 
 @dataclass(frozen=True, eq=False)
 class ModelBifurcationSet(Result):
-    """Folds on lines of the plane, joined to curves, and all cusps.
+    """Folds on lines of the plane, joined to curves, and cusps; ``complete`` says whether these are all.
 
     Attributes
     ----------

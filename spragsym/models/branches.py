@@ -23,9 +23,9 @@ from .equilibria import columns, equilibria
 from .regions import region
 from .stability import linearization
 
-#: Times a step is halved.
-HALVINGS = 40
-#: Boxes looked at for one step, and their least width, before it is halved.
+#: Times a step is halved, and steps beyond which nothing more is hoped for.
+HALVINGS, MANY = 40, 500
+#: Boxes looked at for one step, and their least width, before it is halved for the first time; later more, and smaller ones.
 BUDGET, NARROW = 300, 2.0**-10
 #: Values of the parameter at the beginning and the end of a step.
 Step: TypeAlias = tuple[float, float]
@@ -61,12 +61,14 @@ def links(along: Along, stops: FloatArray, eq: Equilibria) -> list[dict[int, int
     proved: dict[Step, dict[int, int]] = {}
     halved: dict[Step, float] = {}
     pending = steps
-    for _ in range(HALVINGS if steps else 0):
-        found = _by_boxes(along, pending, states)
+    for halvings in range(HALVINGS if steps else 0):
+        found = _by_boxes(along, pending, states, halvings)
         proved |= found
         failed = [step for step in pending if step not in found]
         if not failed:
             return [_joined(step, proved, halved) for step in steps]
+        if len(failed) > MANY:
+            break
         # Not in the middle, where the fold is.
         middles = {step: step[0] + 0.47 * (step[1] - step[0]) for step in failed}
         halved |= middles
@@ -87,7 +89,7 @@ def _states(along: Along, eq: Equilibria, stop: int) -> _States:
     return _States(q, np.sign(np.linalg.det(np.moveaxis(K, -1, 0))))
 
 
-def _by_boxes(along: Along, steps: list[Step], states: Mapping[float, _States]) -> dict[Step, dict[int, int]]:
+def _by_boxes(along: Along, steps: list[Step], states: Mapping[float, _States], halvings: int) -> dict[Step, dict[int, int]]:
     """Pairs of slots in boxes that hold exactly one equilibrium for each value of a step, where that is so for all states.
 
     Over a fold only for those that go through.
@@ -97,7 +99,15 @@ def _by_boxes(along: Along, steps: list[Step], states: Mapping[float, _States]) 
         for extreme in (min, max)
     )
     around, _ = region(along.balance, Intervals.between(low, high))
-    outcome = boxes.search(along.balance, around, low, high, limits=along.balance.limits, budget=BUDGET, narrow=NARROW)
+    outcome = boxes.search(
+        along.balance,
+        around,
+        low,
+        high,
+        limits=along.balance.limits,
+        budget=BUDGET * (1 + halvings),
+        narrow=NARROW / 2.0**halvings,
+    )
     roots = certified_roots.roots(along.balance, outcome, around, low, high)
     done = {}
     for k, (one, two) in enumerate(steps):

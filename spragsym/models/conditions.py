@@ -66,6 +66,45 @@ class Cusp(Plain):
         return determinant(K), change(K, self.column)
 
 
+class Turn(Plain):
+    """det K = 0, and the curve of folds turns back in the second parameter: w · ∂F/∂v = 0 for the first one, v, with w K = 0.
+
+    A row of the adjugate stands for w: points where that row is 0 are roots as well.
+    """
+
+    order = 1
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The determinant, and the force along w that the first parameter brings."""
+        K, rows = at.slopes(), at.forces()
+        total: Any = 0
+        for i in range(len(K)):
+            total = total + _slope(rows[i], len(K)) * cofactor(K, i, 0)
+        return determinant(K), total
+
+
+class FoldOnBorder(Plain):
+    """det K = 0 and the gap of the contact is 0: a curve of folds leaves the contact."""
+
+    order = 0
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The determinant and the gap."""
+        return determinant(at.slopes()), at.gap()
+
+
+class TouchTurn(Plain):
+    """The gap is 0, and the curve on which it is turns back in the second parameter."""
+
+    order = 1
+
+    def equations(self, at: State) -> Sequence[Any]:
+        """The gap, and the determinant of the slopes of forces and gap by the coordinates and the first parameter."""
+        gap = at.gap()
+        rows, n = [*at.forces(), gap], len(at.q)
+        return gap, determinant([[_slope(row, k) for k in range(n + 1)] for row in rows])
+
+
 class Flutter(Plain):
     """Two roots κ = −λ² of det(K − κ M) meet: the discriminant of that polynomial is 0."""
 
@@ -197,9 +236,13 @@ def change(K: Sequence[Sequence[Any]], column: int) -> Any:
     value = determinant(K)
     total: Any = 0
     for i in range(len(K)):
-        slope = value.differentiated(i) if isinstance(value, Jet) else 0
-        total = total + slope * cofactor(K, column, i)
+        total = total + _slope(value, i) * cofactor(K, column, i)
     return total
+
+
+def _slope(value: Any, variable: int) -> Any:
+    """The derivative of what may be a number."""
+    return value.differentiated(variable) if isinstance(value, Jet) else 0
 
 
 def determinant(rows: Sequence[Sequence[Any]]) -> Any:

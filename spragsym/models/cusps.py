@@ -1,4 +1,4 @@
-"""All cusps of a model in the plane of two parameters, proved."""
+"""Cusps of a model in the plane of two parameters, each proved, and whether these are all."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def cusps(
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
 ) -> ModelPoints:
-    """All cusps in contact in the plane of two parameters, the others fixed.
+    """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether these are all.
 
     Parameters
     ----------

@@ -40,7 +40,7 @@ def flutter_onsets(
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
 ) -> Onsets:
-    """All onsets of flutter in contact along one parameter, the others fixed.
+    """Onsets of flutter in contact along one parameter, the others fixed; ``complete`` says whether these are all.
 
     Parameters
     ----------

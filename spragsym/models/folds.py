@@ -1,4 +1,4 @@
-"""All folds of a model along one parameter, proved."""
+"""Folds of a model along one parameter, each proved, and whether these are all."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def folds(
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
 ) -> ModelPoints:
-    """All folds in contact along one parameter, the others fixed.
+    """Folds in contact along one parameter, the others fixed; ``complete`` of the result says whether these are all.
 
     Parameters
     ----------

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
     from .bifurcation import ModelBifurcationSet
+    from .critical import LowestEnd
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
     from .onsets import Onsets
@@ -187,7 +188,9 @@ class Model:
 
     @question
     def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
-        """All folds along one parameter, proved; ``p`` are scalars, ``between={"mu0": (0, 1)}`` is the range of what varies.
+        """Folds along one parameter, each proved, and whether these are all; ``p`` are scalars.
+
+        ``between={"mu0": (0, 1)}`` is the range of what varies.
 
         Source: det K = 0 at an equilibrium; see :func:`spragsym.models.folds.folds`.
         """
@@ -197,7 +200,7 @@ class Model:
 
     @question
     def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
-        """All cusps in the plane of two parameters, proved; ``between`` as for :meth:`folds`.
+        """Cusps in the plane of two parameters, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
         See :func:`spragsym.models.cusps.cusps`.
         """
@@ -218,6 +221,28 @@ class Model:
         return bifurcation_set(self, p, self._two(vary), n, **options)
 
     @question
+    def critical_friction(self, p: ParameterSet, vary: str | None = None, over: str | None = None, **options: Any) -> LowestEnd:
+        """The least friction at which the followed state ends, over a range of another parameter, proved or undecided.
+
+        ``vary`` is mu0 and ``over`` is theta0 unless told otherwise; ``between={"mu0": (0, 1)}`` for their ranges. See
+        :func:`spragsym.models.critical.critical_friction`.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("inclined_belt")
+        >>> found = model.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
+        >>> round(found.mu0, 6), found.kind, found.complete
+        (0.207376, 'cusp', True)
+        """
+        from .critical import critical_friction
+
+        if vary is None or over is None:
+            first, second = self._two(None)
+            vary, over = vary or (second if over != second else first), over or (first if vary != first else second)
+        return critical_friction(self, p, vary, over, **options)
+
+    @question
     def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
         """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
 
@@ -229,7 +254,7 @@ class Model:
 
     @question
     def flutter_onsets(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Onsets:
-        """All onsets of flutter along one parameter, proved; ``between`` as for :meth:`folds`.
+        """Onsets of flutter along one parameter, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
         With dampers and the slope of the friction law, or without them where ``damping=False``, as (27): see
         :func:`spragsym.models.flutter.flutter_onsets`. ``criticality`` of the result says whether the oscillation begins gently.
@@ -354,7 +379,6 @@ class Model:
     jump_probability = unanswered("quasi_static_path(p, vary, values) answers for one point")
     certify = unanswered("count(p) and equilibria(p) answer for points")
     redesign = unanswered("folds(p, vary) says how far a parameter has to go")
-    critical_friction = unanswered("cusps(p) has all cusps in a range of friction")
     cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
     critical_value = unanswered("cusps(p) has all cusps at each value of a parameter")
     flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")

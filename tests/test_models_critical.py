@@ -1,0 +1,115 @@
+"""The lowest end of a followed state, of any model: against the article's closed form, and against states followed one by one."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.models.balance import Balance
+from spragsym.models.paths import first_end
+from spragsym.models.points import given_column
+from spragsym.models.tubes import carried
+from tests.support import few, lowest_sets
+
+SEARCH = ss.load("kang_nam").search
+#: A set whose lowest fold lies 1 % below the cusp that its curve leaves.
+TURN = {"kappa": 0.02, "alpha": 0.5, "sigma": 2.0, "beta": 0.0}
+
+
+def lowest(p: Any) -> tuple[Any, Any]:
+    """By search, and the closed form; friction up to twice of what that says."""
+    theirs = ss.critical_friction(p)
+    given = SEARCH.Parameters(**{name: float(getattr(p, name)) for name in ("kappa", "alpha", "sigma", "beta")})
+    top = 2 * float(theirs) if theirs.kind else 2.0
+    return ss.critical_friction(given, method="search", between={"mu0": (0.0, top)}), theirs
+
+
+@pytest.mark.parametrize("given", [{}, TURN], ids=["article", "turn"])
+def test_it_is_the_closed_form(given: dict[str, float]) -> None:
+    found, theirs = lowest(ss.Parameters.article(**given))
+    assert (found.kind, found.complete, found.remarks) == (theirs.kind, True, ())
+    assert abs(found.value - float(theirs)) <= 2 * found.error * max(1.0, found.value)
+    assert found.theta0 == pytest.approx(theirs.theta0, rel=1e-9)
+    assert float(found) == found.mu0 == found.value
+
+
+@pytest.mark.thorough
+def test_it_is_the_closed_form_or_undecided_at_random() -> None:
+    outcomes = []
+    for p in lowest_sets(14):
+        if float(p.alpha):  # without it states meet upright without friction, where the search begins
+            found, theirs = lowest(p)
+            assert found.kind in (theirs.kind, "undecided")
+            assert found.complete == (found.kind != "undecided")
+            if found.complete and theirs.kind:
+                assert abs(found.value - float(theirs)) <= 2 * found.error * max(1.0, found.value)
+            outcomes.append(found.complete)
+    assert np.mean(outcomes) > 0.6
+
+
+@pytest.mark.parametrize("name", few(["inclined_belt", "cubic_contact", "two_springs"], "inclined_belt"))
+def test_no_state_ends_below_it(name: str) -> None:
+    """Followed one by one over a grid; beside it one ends hardly above it."""
+    model = ss.load(name)
+    found = model.critical_friction(model.Parameters(), between={"mu0": (0.0, 0.5)})
+    assert found.complete
+    for theta0 in np.radians([20.0, 50.0, 64.0, 80.0, 120.0]):
+        end = first_end(model, model.Parameters(theta0=theta0), "mu0", (0.0, 0.5))
+        assert end is None or end.value >= found.value
+    if found.kind == "cusp":
+        ends = [first_end(model, model.Parameters(theta0=found.where + side), "mu0", (0.0, 0.5)) for side in (-0.02, 0.02)]
+        values = [end.value for end in ends if end is not None]
+        assert values
+        assert found.value < min(values) < found.value + 0.01
+    else:
+        assert (found.kind, math.isinf(found.value)) == ("", True)
+
+
+def test_over_a_range_without_its_cusp_the_end_is_lowest() -> None:
+    """Where folds rise with theta0 from the lower end of the range on."""
+    p = SEARCH.Parameters()
+    between = {"mu0": (0.0, 1.0), "theta0": (math.radians(30.0), math.radians(55.0))}
+    found = SEARCH.critical_friction(p, between=between)
+    ends = [ss.jump_value(ss.Parameters.article(theta0=end)) for end in between["theta0"]]
+    assert (found.kind, found.complete) == ("end", True)
+    assert found.value == pytest.approx(min(ends), rel=1e-12)
+
+
+def test_over_another_parameter() -> None:
+    p = SEARCH.Parameters(theta0=math.radians(49.0))
+    found = SEARCH.critical_friction(p, "mu0", "kappa", between={"mu0": (0.0, 1.0), "kappa": (0.004, 0.01)})
+    values = ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0), kappa=np.linspace(0.004, 0.01, 25)))
+    assert found.complete
+    assert found.value == pytest.approx(np.min(values), rel=1e-12)
+    assert found.kappa == pytest.approx(np.linspace(0.004, 0.01, 25)[int(np.argmin(values))])
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"vary": "mu0", "over": "mu0"}, "two different"),
+        ({"between": {"mu0": (0, -1)}}, "range"),
+        ({"over": "nobody"}, "not a parameter"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(options: dict[str, Any], words: str) -> None:
+    with pytest.raises(ss.ParameterError, match=words):
+        SEARCH.critical_friction(SEARCH.Parameters(), **options)
+
+
+def test_a_tube_holds_one_state() -> None:
+    """It arrives where the equilibrium is, and never goes through a fold."""
+    p = SEARCH.Parameters(theta0=math.radians(49.0))
+    balance = Balance(SEARCH, contact=True)
+    given, row = given_column(p, balance.parameters, ("mu0",)), balance.parameters.index("mu0")
+    eq = ss.equilibria(ss.Parameters.article(theta0=math.radians(49.0), mu0=np.array([0.0, 0.3])))
+    start, there = (np.array([eq.x[k, 0], eq.y[k, 0]]) for k in (0, 1))
+    way = carried(balance, given, row, np.array([0.0, 0.3]), start)
+    assert way is not None
+    assert way[:, 1] == pytest.approx(there, abs=1e-12)
+    fold = float(ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0))))
+    assert carried(balance, given, row, np.array([0.0, fold + 0.01]), start) is None

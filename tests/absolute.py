@@ -1,11 +1,15 @@
-"""Sentences of the documentation and of reports that say something of all states, folds, jumps or oscillations, or of none."""
+"""Sentences of pages, public docstrings, commands and reports that speak of all states, folds, jumps or oscillations, or of none."""
 
 from __future__ import annotations
 
 import ast
+import inspect
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
+
+import spragsym as ss
 
 ROOT = Path(__file__).resolve().parent.parent
 #: Each such sentence with what stands behind it; ``python -m tests.absolute`` prints those that are not there.
@@ -33,6 +37,28 @@ def sentences() -> Iterator[tuple[str, str]]:
         path = ROOT / "spragsym" / "studies" / f"{name}.py"
         if path.exists():
             yield from _absolute(path.name, "\n\n".join(_strings(ast.parse(path.read_text(encoding="utf-8")))))
+
+    for name, text in _docstrings():
+        yield from _absolute(name, text)
+
+
+def _docstrings() -> Iterator[tuple[str, str]]:
+    """Texts of everything public, with the methods of classes and the functions of modules, and of the commands."""
+    for name in sorted(ss.__all__):
+        thing = getattr(ss, name)
+        yield name, _without_examples(thing)
+        inner = vars(thing) if inspect.isclass(thing) else {key: getattr(thing, key) for key in getattr(thing, "__all__", ())}
+        for key, part in inner.items():
+            if not key.startswith("_") and (inspect.isroutine(part) or isinstance(part, property) or hasattr(part, "func")):
+                yield f"{name}.{key}", _without_examples(part)
+    from spragsym.cli import cli
+
+    for name in cli.list_commands(None):  # type: ignore[arg-type]  # the list depends on no context
+        yield f"spragsym {name}", (cli.get_command(None, name).help or "").split("Examples:")[0]  # type: ignore[arg-type,union-attr]
+
+
+def _without_examples(thing: Any) -> str:
+    return (inspect.getdoc(thing) or "").split("\nExamples\n--------")[0]
 
 
 def _absolute(page: str, text: str) -> Iterator[tuple[str, str]]:

@@ -41,7 +41,9 @@ def functions_of_parameters() -> dict[str, Callable[..., Any]]:
                 function = getattr(module, public)
             except ImportError:  # of an extra that is not installed
                 continue
-            if inspect.isfunction(function) and {"Parameters", "ParameterSet"} & {str(v) for v in inspect.get_annotations(function).values()}:
+            if inspect.isfunction(function) and {"Parameters", "ParameterSet"} & {
+                str(v) for v in inspect.get_annotations(function).values()
+            }:
                 found[f"{name}.{public}"] = function
     return found
 

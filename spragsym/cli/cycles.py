@@ -64,7 +64,7 @@ def search(place: str, choices: Sequence[str]) -> Callable[[F], F]:
 def cycles(
     theta0_deg: float | None, V: float, d: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float, **rest: Any
 ) -> None:
-    """A cycle of the motion with its multipliers; with --vary, a branch of cycles with all that happens on it.
+    """A cycle of the motion with its multipliers; with --vary, a branch of cycles with the events on it.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
     assumption.

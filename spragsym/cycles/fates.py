@@ -70,7 +70,7 @@ class FateBoundary(Result):
     error : float
         Estimate: the last bracket, and twice how much a tolerance ten times as small moves it.
     saddle : str
-        "equilibrium" or "cycle", of which it is proved by its eigenvalues or multipliers that it repels in one direction only; or
+        "equilibrium" or "cycle", which repels in one direction only by its eigenvalues or multipliers and their errors; or
         "unknown".
     state : ndarray, shape (m,)
         The saddle's: of a cycle, where its first coordinate is largest; of an unknown one, where the motions begin to part.

@@ -162,7 +162,7 @@ class Model:
     def equilibria(
         self, p: ParameterSet, contact: bool = True, within: Mapping[str, tuple[float, float]] | None = None
     ) -> Equilibria:
-        """All equilibria in contact, or in lift-off, proved; ``p`` of any shape, ``within={"x": (-5, 5)}`` a box by hand.
+        """Equilibria in contact, or in lift-off, each proved, and whether these are all; ``within={"x": (-5, 5)}`` is a box.
 
         Source: the balance of forces, searched over boxes; see :func:`spragsym.models.equilibria.equilibria`.
         """
@@ -212,7 +212,7 @@ class Model:
     def bifurcation_set(
         self, p: ParameterSet, vary: Sequence[str] | None = None, n: int = 60, **options: Any
     ) -> ModelBifurcationSet:
-        """Folds on ``n`` lines of either parameter, joined to curves, and all cusps, in the plane of both.
+        """Folds on ``n`` lines of either parameter, joined to curves, and the cusps, in the plane of both.
 
         ``between`` as for :meth:`folds`. See :mod:`spragsym.models.bifurcation`.
         """

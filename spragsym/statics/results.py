@@ -71,7 +71,7 @@ def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.i
 
 @dataclass(frozen=True, eq=False)
 class Equilibria(Result):
-    """Every equilibrium of every parameter point.
+    """The equilibria of every parameter point, and whether these are all.
 
     Each coordinate is an attribute under its own name: an array of the shape of the parameters with one more axis, along which
     equilibria stand in ascending order of the first coordinate, NaN beyond ``count``; closed forms order them by ``theta``, which

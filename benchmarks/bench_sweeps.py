@@ -48,8 +48,8 @@ def motions_of(p: ss.Parameters, starts: dict[str, np.ndarray], t_end: float) ->
     settings = Settings(t_end, 0.75 * t_end, 1e-10, "heyoka")
     columns = [p.theta0, p.mu0, p.kappa, p.alpha, p.sigma, p.beta, *(np.full(p.shape, v) for v in (0.5, 10.0)), *starts.values()]
     found, _ = motions(settings, list(zip(*(column.tolist() for column in columns), strict=True)))
-    assert motions is not None
-    return motions
+    assert found is not None
+    return found
 
 
 def bare(motions: Motions) -> float:

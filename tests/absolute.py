@@ -1,4 +1,4 @@
-"""Sentences of pages, public docstrings, commands and reports that speak of all states, folds, jumps or oscillations, or of none."""
+"""Sentences of pages, public docstrings, commands and reports that speak of all states, folds, jumps or cycles, or of none."""
 
 from __future__ import annotations
 

@@ -148,6 +148,17 @@ def test_a_change_that_a_brake_refutes_is_not_given() -> None:
         assert change.outcome in ("proved", "undecided")
 
 
+def test_shares_that_the_samples_do_not_resolve_are_not_told() -> None:
+    """Next to a certainty a handful of samples differ, and Sobol' indices of them are anything: −300 % was printed."""
+    from spragsym.studies import texts
+    from spragsym.studies.tolerances import Chance
+
+    known = Chance(0.4, 0.39, 0.41, 0.95, 8192, {"mu0": (0.7, 0.8, 0.03), "k": (0.2, 0.3, 0.02)})
+    assert [name for name, _ in texts._indices(known)] == ["how much mu0 decides", "how much k decides"]
+    lost = Chance(0.9998, 0.999, 0.99997, 0.95, 8192, {"mu0": (-3.0, 2.5, 3.0), "k": (0.0, 0.0, 0.0)})
+    assert [said for _, said in texts._indices(lost)] == ["not told by 8192 samples, of which too few differ"]
+
+
 def test_three_standard_deviations_are_the_box_of_what_is_not_cut_off(tmp_path: Path) -> None:
     from spragsym.studies.tolerances import certificate, chance
 

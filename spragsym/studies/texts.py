@@ -15,6 +15,9 @@ from .study import Study
 from .tolerances import Chance
 from .units import ENDS
 
+#: Sobol' indices whose 95 % interval is wider to either side are not told.
+RESOLVED = 0.2
+
 if TYPE_CHECKING:
     from .reports import Report
 
@@ -222,10 +225,18 @@ def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
         ends = f"{_percent(odds.low)} to {_percent(odds.high)} with confidence {odds.confidence:g}"
         yield ("probability of a jump", f"{share(odds)}, {ends}" + (", and at least one brake" if _one_corner(so) else ""))
     if odds is not None:
-        for name, (first, total, _) in odds.sobol.items():
-            if not math.isnan(total):
-                shares = f"{100 * first:.0f} % by itself, {100 * total:.0f} % with what it does together with others"
-                yield (f"how much {name} decides", shares)
+        yield from _indices(odds)
+
+
+def _indices(odds: Chance) -> Iterator[tuple[str, str]]:
+    """Sobol' indices, where the samples resolve all of them: next to a certainty too few differ."""
+    told = {name: indices for name, indices in odds.sobol.items() if not math.isnan(indices[1])}
+    if any(not error <= RESOLVED for *_, error in told.values()):
+        yield ("how much each of them decides", f"not told by {odds.n} samples, of which too few differ")
+        return
+    for name, (first, total, _) in told.items():
+        shares = f"{100 * first:.0f} % by itself, {100 * total:.0f} % with what it does together with others"
+        yield (f"how much {name} decides", shares)
 
 
 def _one_corner(so: Facts) -> bool:

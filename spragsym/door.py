@@ -127,6 +127,8 @@ def only_for(kind: type[ParameterSet], instead: str) -> Callable[[F], F]:
 
 def model_of(p: ParameterSet) -> Any:
     """The model of a set, also where one of its parameters is called ``model``."""
+    if not isinstance(p, ParameterSet):
+        p.require()  # quantities with units say what to call
     return ParameterSet.model.fget(p)  # type: ignore[attr-defined]  # a property
 
 

@@ -166,6 +166,7 @@ def diagram_of(
     """As :func:`diagram`."""
     if vary not in model.parameters:
         raise ParameterError(f"vary = {vary!r} is not one of {', '.join(model.parameters)}")
+    p.scalars(*(name for name in model.parameters if name != vary))
     low, high = (as_number("to", value, FINITE) for value in to)
     if not low < high:
         raise ParameterError(f"to = ({low:g}, {high:g}) is no range; give its lower end first")

@@ -10,6 +10,7 @@ interrupted, and goes on where it was: results stand, one seed a line, in ``bran
 from __future__ import annotations
 
 import json
+import signal
 import sys
 import time
 from pathlib import Path
@@ -35,6 +36,12 @@ LARGE = 1e6
 #: An event is in doubt where its multiplier is off by more than this share of what it changes to the next point.
 SHARE = 0.1
 
+#: Of so many points of a branch with the nearest value and period is the nearest state taken.
+NEAREST = 6
+
+#: Seconds of processor time after which a seed is given up, and counted as late.
+LATEST = 90.0
+
 #: What is known of an event: kind, value, period, error.
 Told = tuple[str, float, float, float]
 
@@ -55,8 +62,9 @@ def place(branch: ss.CycleBranch, cycle: ss.Cycle) -> int:
     """Index of the point of a branch that is nearest to a cycle."""
     scale = np.ptp(branch.values) or 1.0
     far = np.abs(branch.values - cycle.parameters[branch.vary]) / scale + np.abs(branch.periods / cycle.period - 1)
-    far += np.array([float(np.abs(each.state - cycle.state).max()) for each in branch.cycles])
-    return int(np.argmin(far))
+    near = np.argsort(far, kind="stable")[:NEAREST]  # a cycle with its error takes long where an orbit has many pieces
+    away = [far[k] + float(np.abs(branch.cycles[k].state - cycle.state).max()) for k in near.tolist()]
+    return int(near[int(np.argmin(away))])
 
 
 def told(branch: ss.CycleBranch, inside: tuple[float, float], start: ss.Cycle) -> list[Told]:
@@ -127,6 +135,27 @@ def compared(cycle: ss.Cycle, vary: str, ranges: list[tuple[float, float]]) -> t
     }, branches[0]  # fmt: skip
 
 
+class Late(Exception):
+    """A seed has had its time."""
+
+
+def in_time(seed: int) -> dict[str, Any]:
+    """What is found for a seed, or that it took too long."""
+
+    def stop(*_: Any) -> None:
+        raise Late
+
+    before = signal.signal(signal.SIGPROF, stop)
+    signal.setitimer(signal.ITIMER_PROF, LATEST)
+    try:
+        return looked_at(seed)
+    except Late:
+        return {"seed": seed, "branches": [], "late": True}
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0.0)
+        signal.signal(signal.SIGPROF, before)
+
+
 def looked_at(seed: int) -> dict[str, Any]:
     """What is found for a seed."""
     cycle, rng = begun(seed)
@@ -166,7 +195,7 @@ def main() -> None:
     for seed in range(first, first + count):
         if seed in done:
             continue
-        lines.append(looked_at(seed))
+        lines.append(in_time(seed))
         with path.open("a", encoding="utf-8") as file:
             file.write(json.dumps(lines[-1]) + "\n")
         print(f"seed {seed}: {len(lines[-1]['branches'])} branches", file=sys.stderr, flush=True)
@@ -193,7 +222,7 @@ def main() -> None:
         f"{2 * len(both)} branches with {points} points, {1e3 * spent / max(points, 1):.1f} ms each; {len(bad)} pairs differ, "
         f"{len(doubted)} with events in doubt, {sum(row['loose'] for _, row in both)} of {sum(row['compared'] for _, row in both)} events "
         f"not isolated, {sum(row['cut'] for _, row in both)} followed in part; multipliers up to "
-        f"{max((row['largest'] for _, row in both), default=0.0):.1e}; {sum('switch' in row for _, row in rows)} switches failed"
+        f"{max((row['largest'] for _, row in both), default=0.0):.1e}; {sum('switch' in row for _, row in rows)} switches failed; {sum('late' in line for line in lines)} seeds given up after {LATEST:g} s"
     )
     sys.exit(bool(bad or doubted))
 

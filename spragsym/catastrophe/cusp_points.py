@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
-from ..exact.escalation import with_enough_bits
+from ..exact.adaptive_bits import with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..parameters import FloatArray, Parameters
 from . import cusp_proofs
-from .fixed import FIXED
+from .fixed_parameters import FIXED
 
 
 @dataclass(frozen=True)

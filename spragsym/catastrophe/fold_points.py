@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..exact.escalation import as_floats, decided, with_enough_bits
+from ..exact.adaptive_bits import as_floats, decided, with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..exact.polynomials import Undecided
 from ..parameters import NAMES, RANGES, FloatArray, Parameters

@@ -9,7 +9,7 @@ from importlib import resources
 from typing import Any
 
 from ..assumed import D, V
-from .rows import recorded
+from .ledger import recorded
 
 #: Inputs that the article leaves open and we had to choose.
 ASSUMPTIONS = (

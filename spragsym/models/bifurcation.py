@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
-from .augmented import Augmented, Condition
 from .balance import Balance
-from .columns import Columns
-from .conditions import Fold
+from .bifurcation_conditions import Fold
 from .cusps import cusps
+from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
 from .forces import Model
+from .named_columns import Columns
 from .points import ModelPoints, given_column, ranges, search
 from .regions import by_hand
 

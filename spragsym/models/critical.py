@@ -13,7 +13,7 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..statics.results import Stability
 from .balance import Balance
-from .conditions import FoldOnBorder, Touch, TouchTurn, Turn
+from .bifurcation_conditions import FoldOnBorder, Touch, TouchTurn, Turn
 from .cusps import cusps
 from .equilibria import equilibria
 from .folds import folds

@@ -14,9 +14,9 @@ from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
 from . import stability
-from .augmented import Augmented, Condition
 from .balance import NOTHING, Balance, matrix
-from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .bifurcation_conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .defining_systems import Augmented, Condition
 from .model import Model
 from .onsets import Onsets, onsets_of
 from .points import Found, ModelPoints, arranged, endless, given_column, nothing, picked, ranges, search

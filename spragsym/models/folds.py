@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from ..exact.interval_arrays import FloatArray
-from .augmented import Augmented
 from .balance import Balance
-from .conditions import Fold
-from .ends import vanishes
+from .bifurcation_conditions import Fold
+from .defining_systems import Augmented
+from .degenerate_ends import vanishes
 from .forces import Model
 from .points import Found, ModelPoints, arranged, endless, given_column, ranges, search
 from .regions import by_hand

@@ -17,12 +17,12 @@ from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.polynomials import Undecided
 from . import stability
-from .augmented import Condition
 from .balance import Balance
 from .bifurcation import on_lines, require_lines, rows_of
-from .columns import Columns
-from .conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
+from .bifurcation_conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
+from .defining_systems import Condition
 from .fold_curves import FoldCurves
+from .named_columns import Columns
 from .normal_forms import NormalForm, normal_form
 from .onsets import criticality
 from .points import ModelPoints, arranged, given_column, picked, ranges, search

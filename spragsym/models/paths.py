@@ -19,12 +19,12 @@ from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
 from ..statics.results import Equilibria, Stability, one_each
 from .balance import Balance
+from .bifurcation_conditions import Touch
 from .branches import Along, links
-from .columns import Columns
-from .conditions import Touch
 from .equilibria import columns, equilibria
 from .folds import folds
 from .forces import Model
+from .named_columns import Columns
 from .points import ModelPoints, arranged, given_column, search
 from .stability import linearization
 

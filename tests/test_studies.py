@@ -397,7 +397,7 @@ def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.
     assert [row["x_mm"] for row in set_["folds"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
     assert set_["mu_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
     assert set_["mu_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
-    arguments = ("--data", str(path), "--json", "--vary", "k_x", "--from", "5", "--to", "20", "--points", "2")
+    arguments = ("--data", str(path), "--json", "--vary", "k_x=5:20:2")
     points = json.loads(printed("equilibria", *arguments))["points"]
     for point, k_x in zip(points, (5.0, 20.0), strict=True):
         assert point["parameters"]["k_x_N/mm"] == pytest.approx(k_x, rel=1e-12)

@@ -46,6 +46,21 @@ def test_nothing_is_proved_that_closed_forms_refute(number: int) -> None:
         assert ss.jump_value(point, method="closed") < float(point.mu0)
 
 
+def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
+    """Their change across the box is not linear: by the slopes in the middle alone, corners lie outside."""
+    box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
+    parts = box._parts(box.whole.low, box.whole.high)
+    here = box.tubes.followed(parts, box.whole.base, np.array([0.3]))
+    assert here.sure[0]
+    assert here.z[2, 0] == 0.3
+    ends = here.box()[:, 0]
+    for theta0 in BOX["theta0"]:
+        for sigma in BOX["sigma"]:
+            state = ss.equilibria(ss.Parameters.article(theta0=theta0, sigma=sigma, mu0=0.3))
+            assert ends.low[0] <= state.x[0] <= ends.high[0]
+            assert ends.low[1] <= state.y[0] <= ends.high[1]
+
+
 def test_outcomes_of_points_are_those_of_closed_forms() -> None:
     """In float64: nothing is said of a point within 1e-6 of its fold, where it may be open."""
     box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)

@@ -577,7 +577,7 @@ CONTRADICTIONS = [
     ("It sprags: at 52 deg the state of small deformation jumps at a friction of 0.37, within your range of friction 0.3 to 0.6.",
      "Jump\n  margin to the largest friction  +39.0 %"),
     ("State\n  the state it jumped to          unstable; spring at 124.4 deg, x = 44.15 mm",
-     "Oscillation\n  lives beside sliding that settles\n                                  yes"),
+     "Oscillation\n  coexists with stable sliding    yes"),
     ("Oscillation\n  from rest                       none: it decays to rest",
      "Oscillation\n  amplitude along the belt        5.509 mm"),
     ("Tolerances\n  no jump within all of them      proved",

@@ -1,7 +1,7 @@
 """Where states meet, vanish and jump: the surface, folds, cusps, flutter, and paths over them, all without a guess."""
 
 from .bifurcation_sets import BifurcationSet, FoldCurve, bifurcation_set
-from .criteria import critical_value, cusp_friction
+from .critical_frictions import critical_value, cusp_friction
 from .cusp_points import cusps
 from .equilibrium_surface import Surface, surface
 from .flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets

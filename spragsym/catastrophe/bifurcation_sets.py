@@ -18,9 +18,9 @@ from ..statics import kernel
 from ..statics.points import Points
 from . import fold_curves
 from .cusp_points import cusps
-from .fixed import FIXED, Fixed
+from .fixed_parameters import FIXED, Fixed
 from .fold_points import folds
-from .landings import landing
+from .fold_successor import landing
 
 #: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
 _LIGHT = 1e-4

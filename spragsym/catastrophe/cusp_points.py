@@ -8,12 +8,12 @@ from fractions import Fraction
 
 import numpy as np
 
-from ..exact.escalation import with_enough_bits
+from ..exact.adaptive_bits import with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..parameters import Parameters
 from ..statics.points import Points, in_closed_form
 from . import cusp_proofs
-from .fixed import FIXED
+from .fixed_parameters import FIXED
 from .fold_points import STATE
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..exact.escalation import as_floats, with_enough_bits
+from ..exact.adaptive_bits import as_floats, with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..generated import stability as _stability
 from ..generated.kernel import direction
@@ -19,7 +19,7 @@ from ..parameters import FloatArray, Parameters
 from ..statics import kernel
 from ..statics.onsets import Onsets
 from ..statics.points import in_closed_form
-from .fixed import FIXED, Fixed
+from .fixed_parameters import FIXED, Fixed
 from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
 from .fold_points import STATE

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..errors import ParameterError
-from ..exact.escalation import as_floats, decided, with_enough_bits
+from ..exact.adaptive_bits import as_floats, decided, with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..exact.polynomials import Undecided
 from ..parameters import NAMES, RANGES, Parameters

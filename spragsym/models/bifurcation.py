@@ -13,13 +13,13 @@ from ..display import Result
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..statics.points import Points
-from .augmented import Augmented, Condition
 from .balance import Balance
-from .columns import Columns
-from .conditions import Fold
+from .bifurcation_conditions import Fold
 from .cusps import cusps
+from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
 from .forces import Model
+from .named_columns import Columns
 from .points import given_column, ranges, search
 from .regions import by_hand
 

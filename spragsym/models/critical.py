@@ -14,7 +14,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..statics.points import Points
 from ..statics.results import Stability
 from .balance import Balance
-from .conditions import FoldOnBorder, Touch, TouchTurn, Turn
+from .bifurcation_conditions import FoldOnBorder, Touch, TouchTurn, Turn
 from .cusps import cusps
 from .equilibria import equilibria
 from .folds import folds

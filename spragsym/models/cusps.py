@@ -13,9 +13,9 @@ from ..errors import ParameterError
 from ..exact.interval_arrays import Intervals
 from ..exact.jets import variables
 from ..statics.points import Points
-from .augmented import Augmented
 from .balance import Balance
-from .conditions import Cusp, change, cofactor
+from .bifurcation_conditions import Cusp, change, cofactor
+from .defining_systems import Augmented
 from .forces import Model
 from .points import Found, arranged, endless, given_column, picked, ranges, search
 from .regions import by_hand

@@ -16,9 +16,9 @@ from ..exact.jets import Jet, gradient
 from ..statics.onsets import Onsets, onsets_of
 from ..statics.points import Points
 from . import stability
-from .augmented import Augmented, Condition
 from .balance import NOTHING, Balance, matrix
-from .conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .bifurcation_conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
+from .defining_systems import Augmented, Condition
 from .model import Model
 from .points import Found, arranged, endless, given_column, nothing, picked, ranges, search
 from .regions import by_hand

@@ -9,10 +9,10 @@ import numpy as np
 
 from ..exact.interval_arrays import FloatArray
 from ..statics.points import Points
-from .augmented import Augmented
 from .balance import Balance
-from .conditions import Fold
-from .ends import vanishes
+from .bifurcation_conditions import Fold
+from .defining_systems import Augmented
+from .degenerate_ends import vanishes
 from .forces import Model
 from .points import Found, arranged, endless, given_column, ranges, search
 from .regions import by_hand

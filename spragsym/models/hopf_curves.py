@@ -19,12 +19,12 @@ from ..exact.polynomials import Undecided
 from ..statics.onsets import criticality
 from ..statics.points import Points
 from . import stability
-from .augmented import Condition
 from .balance import Balance
 from .bifurcation import on_lines, require_lines, rows_of
-from .columns import Columns
-from .conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
+from .bifurcation_conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
+from .defining_systems import Condition
 from .fold_curves import FoldCurves
+from .named_columns import Columns
 from .normal_forms import NormalForm, normal_form
 from .points import arranged, given_column, picked, ranges, search
 

@@ -20,12 +20,12 @@ from ..parameters import Range, as_numbers
 from ..statics.points import Points
 from ..statics.results import Equilibria, Stability, one_each
 from .balance import Balance
+from .bifurcation_conditions import Touch
 from .branches import Along, links
-from .columns import Columns
-from .conditions import Touch
 from .equilibria import columns, equilibria
 from .folds import folds
 from .forces import Model
+from .named_columns import Columns
 from .points import arranged, given_column, search
 from .stability import linearization
 

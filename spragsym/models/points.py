@@ -17,15 +17,15 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from ..parameters import ParameterSet, as_numbers
 from ..statics.points import Points
 from . import near_zero
-from .augmented import Augmented, Condition
 from .balance import Balance
 from .border import BITS, on_its_side
-from .ends import shared
+from .defining_systems import Augmented, Condition
+from .degenerate_ends import shared
 from .forces import Model
+from .periodic_coordinates import once_around
 from .precise_points import PreciseAugmented, settled
 from .regions import region
 from .remarks import of_boxes, of_ranges, of_region
-from .turns import once_around
 
 #: Boxes looked at for one search of up to three unknowns, of four, and of more, where each costs many times as much.
 BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000

@@ -129,7 +129,7 @@ class Points(Result):
     @cached_property
     def _what_ends(self) -> Ended:
         # A room above this one knows how branches of any model are followed.
-        return self._ended or importlib.import_module("spragsym.models.fold_successors").ended(self)
+        return self._ended or importlib.import_module("spragsym.models.fold_outcomes").ended(self)
 
     @cached_property
     def _states(self) -> Equilibria:

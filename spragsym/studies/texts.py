@@ -264,7 +264,7 @@ def _oscillation(report: Report) -> Iterator[tuple[str, str]]:
         yield (name, f"{ends[0]:.5g} N to {ends[1]:.5g} N")
     yield ("lifts off the belt", "yes" if found.lifts_off else "no")
     beside = {True: "yes", False: "no", None: "up to the damping of the real brake"}[found.coexists]
-    yield ("lives beside sliding that settles", beside)
+    yield ("coexists with stable sliding", beside)
 
 
 def _aim(report: Report) -> str:

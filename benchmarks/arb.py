@@ -16,7 +16,7 @@ import flint
 
 from spragsym.exact import intervals
 from spragsym.exact.polynomials import Undecided
-from spragsym.statics import ladder
+from spragsym.statics import adaptive_precision
 
 
 class Arb:
@@ -99,7 +99,7 @@ def main() -> None:
             best = float("inf")
             for _ in range(50):
                 begin = time.process_time()
-                ladder.equilibria(0.6, 0.5, "0.007", "0.007", "0.1", 0, digits=digits, arith=arith)
+                adaptive_precision.equilibria(0.6, 0.5, "0.007", "0.007", "0.1", 0, digits=digits, arith=arith)
                 best = min(best, time.process_time() - begin)
             print(f"{name}, {digits} digits: {1e3 * best:.2f} ms")
 

@@ -18,7 +18,7 @@ from benchmarks import c_target, rivals
 from benchmarks.families import FAMILIES
 from benchmarks.timing import on_backend
 from spragsym.parameters import NAMES
-from spragsym.statics import compiled, ladder
+from spragsym.statics import adaptive_precision, compiled
 
 Array = NDArray[np.float64]
 _HARD = ("random", "near folds", "cusp wedge", "false double root", "right angle", "light preload")
@@ -62,7 +62,7 @@ def _gap(found: Array, exact: Array) -> float:
 def _exact(p: ss.Parameters) -> list[Array]:
     rows = []
     for point in zip(*p.broadcast(*NAMES), strict=True):
-        states = ladder.equilibria(*map(float, point), digits=30).states
+        states = adaptive_precision.equilibria(*map(float, point), digits=30).states
         rows.append(np.array([[float(one.L), float(one.x), float(one.y)] for one in states]))
     return rows
 

@@ -18,7 +18,7 @@ from scipy.optimize import fsolve
 import spragsym as ss
 from benchmarks.timing import best
 from spragsym.catastrophe import fold_curves
-from spragsym.catastrophe.fixed import Fixed
+from spragsym.catastrophe.fixed_parameters import Fixed
 from spragsym.generated.equilibrium import f, f_coefficients, f_slope
 
 BASE = ss.Parameters.article()

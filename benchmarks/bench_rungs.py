@@ -19,7 +19,7 @@ import spragsym as ss
 from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.parameters import NAMES
-from spragsym.statics import block, compiled, ladder, slots
+from spragsym.statics import adaptive_precision, block, compiled, state_columns
 
 Values = list[NDArray[np.float64]]
 
@@ -41,7 +41,7 @@ def main(each: int = 10_000) -> int:
 
 def _row(name: str, p: ss.Parameters, contact: bool) -> int:
     values = [np.ascontiguousarray(value) for value in p.broadcast(*NAMES)]
-    left = compiled.solve(values, contact, slots.Slots(p.shape[0], 4 - contact), 0, p.shape[0])
+    left = compiled.solve(values, contact, state_columns.Slots(p.shape[0], 4 - contact), 0, p.shape[0])
     open_ones = [value[left] for value in values]
     rungs: list[Callable[..., NDArray[np.int64]]] = [block.solve_widely, compiled.solve_widely]
     timed = [_timed(solve, open_ones, contact) for solve in rungs] if left.size else []
@@ -61,7 +61,7 @@ def _timed(solve: Callable[..., NDArray[np.int64]], values: Values, contact: boo
     """Microseconds a point, and how many points stay open."""
     best, points = np.inf, values[0].size
     for _ in range(3):
-        out = slots.Slots(points, 4 - contact)
+        out = state_columns.Slots(points, 4 - contact)
         begin = time.process_time()
         with np.errstate(all="ignore"):
             still = sum(
@@ -75,7 +75,7 @@ def _timed(solve: Callable[..., NDArray[np.int64]], values: Values, contact: boo
 def _ladder(values: Values, contact: bool) -> float:
     begin = time.process_time()
     for point in zip(*values, strict=True):
-        ladder.equilibria(*map(float, point), contact=contact)
+        adaptive_precision.equilibria(*map(float, point), contact=contact)
     return 1e6 * (time.process_time() - begin) / values[0].size
 
 

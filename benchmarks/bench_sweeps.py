@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 import spragsym as ss
-from spragsym.dynamics import classify, cycles, flows, lanes
+from spragsym.dynamics import batch_heyoka, classify, cycles, flows
 from spragsym.dynamics.motions import Motions
 from spragsym.dynamics.with_heyoka import compiled_for
 from spragsym.sweeps import Regime, rms_sweep
@@ -66,7 +66,7 @@ def bare(motions: Motions) -> float:
 def in_lanes(motions: Motions) -> float:
     """The same in lanes."""
     begin = time.process_time()
-    lanes.ends(motions)
+    batch_heyoka.ends(motions)
     return time.process_time() - begin
 
 
@@ -98,8 +98,8 @@ def compared(t_end: float, count: int, rng: np.random.Generator) -> None:
 
 #: Parts of a sweep that are timed: where a function stands, its name, and what it does.
 PARTS: tuple[tuple[Any, str, str], ...] = (
-    (lanes, "watch", "integration in lanes, with all that is measured on the way"),
-    (lanes.Lanes, "carry", "of all integration in lanes: heyoka, and filling and emptying the lanes"),
+    (batch_heyoka, "watch", "integration in lanes, with all that is measured on the way"),
+    (batch_heyoka.Lanes, "carry", "of all integration in lanes: heyoka, and filling and emptying the lanes"),
     (classify, "wells_of", "wells of the energy above the belt"),
     (classify, "at_rest", "rest"),
     (cycles, "_orbit", "closed orbits"),
@@ -142,9 +142,9 @@ def memory() -> None:
     p, starts = points_of(1, np.random.default_rng(0))
     for t_end in (2e3, 2e4, 2e5):
         motions = motions_of(p, starts, t_end)
-        lanes.watch(motions)  # compiled
+        batch_heyoka.watch(motions)  # compiled
         tracemalloc.start()
-        found = lanes.watch(replace(motions, t_record=0.0))
+        found = batch_heyoka.watch(replace(motions, t_record=0.0))
         _, peak = tracemalloc.get_traced_memory()
         tracemalloc.stop()
         print(f"| {t_end:g} | {found.maxima[0]} | {peak / 1e6:.1f} |", flush=True)

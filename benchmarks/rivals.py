@@ -11,7 +11,7 @@ import scipy.optimize
 from numpy.typing import NDArray
 
 import spragsym as ss
-from spragsym.catastrophe.companion import eigenvalues
+from spragsym.catastrophe.companion_roots import eigenvalues
 from spragsym.generated.equilibrium import (
     contact_matrix,
     contact_quartic,

@@ -88,9 +88,9 @@ ROWS: list[tuple[str, str, str, list[tuple[str, bool]]]] = [
     ("Oscillation", "lifts off", "no", [(LIFTS, False)]),
     ("Oscillation", "force of the contact", r"0 N to", [(LIFTS, True)]),
     ("Oscillation", "force of the contact", r"(?!0 N)", [(LIFTS, False)]),
-    ("Oscillation", "lives beside", "yes", [(SETTLES, True)]),
-    ("Oscillation", "lives beside", "no", [(SETTLES, False), (UP_TO_DAMPING, False)]),
-    ("Oscillation", "lives beside", "up to", [(UP_TO_DAMPING, True)]),
+    ("Oscillation", "coexists with", "yes", [(SETTLES, True)]),
+    ("Oscillation", "coexists with", "no", [(SETTLES, False), (UP_TO_DAMPING, False)]),
+    ("Oscillation", "coexists with", "up to", [(UP_TO_DAMPING, True)]),
 ]
 NUMBER = r"([-+]?[\d.]+(?:e[-+]?\d+)?)"
 

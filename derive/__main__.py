@@ -22,7 +22,7 @@ from .kang_nam import (
     elimination,
     emission,
     equilibrium,
-    generality,
+    page_equivalence,
     ledger,
     linear_sprag,
     lowest_fold,
@@ -73,7 +73,7 @@ def main(arguments: list[str] | None = None) -> int:
     proof = _step("one or three", theorem.one_or_three)
     least = _step("the lowest fold", lowest_fold.steps)
     if not options.variant:
-        identities |= _step("the general way", generality.identities)
+        identities |= _step("the general way", page_equivalence.identities)
     rows = tuple(_step("check against the article", check.run))
     outcome = ledger.Ledger(rows, identities, proof, least)
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import equations, laws, linearization, mechanics, motion, pages, rows, soundness, statics, symmetry, units
+from . import equations, laws, linearization, mechanics, motion, pages, balance_rows, physical_checks, statics, symmetry, units
 from .emit import write
 from .emit.function import Module
 from .emit.quantities import interval
@@ -162,14 +162,14 @@ def description(model: Model) -> dict[str, Any]:
             "upright": [place for place, line in enumerate(it.lines) if mirror.turns(line)],
         },
         "torsions": [{"spring": it.lines.index(torsion.line)} for torsion in it.torsions],
-        "symmetric": rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
+        "symmetric": balance_rows.symmetric(it, sp.Matrix(statics.jacobian(it))),
         "springs": [{"name": f"spring {count}", "chart": _chart(it, line)} for count, line in enumerate(it.lines, 1)],
     }  # fmt: skip
 
 
 def _scale(page: Page, dimension: units.Dimension) -> str:
     """The unit of a dimensionless number: a product of the quantities that become 1."""
-    scale = soundness.scale(page, dimension)
+    scale = physical_checks.scale(page, dimension)
     return "" if scale is None else str(scale)
 
 

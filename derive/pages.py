@@ -10,7 +10,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from . import limits, mechanics, sense, smoothness, soundness
+from . import limits, mechanics, statement_checks, smoothness_checks, physical_checks
 from . import model as vocabulary
 from .mechanics import Mechanics
 from .model import Page, PageError
@@ -60,13 +60,13 @@ def read(path: Path, name: str = "") -> Model:
 @cache
 def _model(path: Path, text: str, name: str) -> Model:
     page, docstring = _run(path, text)
-    sense.check(page, docstring)
-    soundness.check_units(page)
-    soundness.groups(page)
+    statement_checks.check(page, docstring)
+    physical_checks.check_units(page)
+    physical_checks.groups(page)
     model = mechanics.of(page)
-    smoothness.check(model)
-    soundness.check_forces(model)
-    sense.check_used(page)
+    smoothness_checks.check(model)
+    physical_checks.check_forces(model)
+    statement_checks.check_used(page)
     return Model(name, text, docstring, page, model)
 
 

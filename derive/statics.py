@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from . import laws, rows, symmetry
+from . import laws, balance_rows, symmetry
 from .emit.function import Function, Module, Results
 from .mechanics import DEPTH, MU, PUSHING, Mechanics, number
 
@@ -56,7 +56,7 @@ def module(model: Mechanics) -> Module:
     def function(name: str, summary: str, taken: tuple[sp.Symbol, ...], results: Results, returns: str) -> Function:
         return Function(name, summary, "the page", taken, results, returns, shorthands, transcendental=True)
 
-    T = rows.sums(model)
+    T = balance_rows.sums(model)
     apart = () if T.is_Identity else (
         function("balance", "Sums of the forces, in which those of springs between coordinates cancel.", state,
                  tuple(map(sp.expand, T * sp.Matrix(model.residuals))), "(F_1, …)"),

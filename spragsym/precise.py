@@ -20,14 +20,14 @@ from typing import Any, ClassVar, TypeAlias
 import mpmath
 
 from .catastrophe import cusp_proofs
-from .catastrophe.enclosures import Point
+from .catastrophe.fold_enclosures import Point
 from .errors import ParameterError, ParameterTypeError
+from .exact.adaptive_bits import with_enough_bits
 from .exact.decimals import Decimal, around, exactly
-from .exact.escalation import with_enough_bits
 from .exact.intervals import Arithmetic, Interval, arithmetic, as_mpf, rounded_up
 from .exact.polynomials import Undecided
 from .parameters import RANGES, Range
-from .statics import ladder
+from .statics import adaptive_precision
 from .statics.results import Stability
 
 #: What is taken exactly.
@@ -182,7 +182,7 @@ def equilibria(
         angle = _Degrees(as_exact("theta0_deg", theta0_deg, Range(0.0, 180.0, open_low=True)))
     given = {"mu0": mu0, "kappa": kappa, "alpha": alpha, "sigma": sigma, "beta": beta}
     exact = [as_exact(name, value, RANGES[name]) for name, value in given.items()]
-    found = ladder.equilibria(angle, *exact, contact=contact, digits=digits, arith=arith)
+    found = adaptive_precision.equilibria(angle, *exact, contact=contact, digits=digits, arith=arith)
     return tuple(
         PreciseEquilibrium(state.theta, state.L, state.x, state.y, Stability(state.stability), state.error, found.fold)
         for state in found.states

@@ -14,7 +14,7 @@ import pytest
 import spragsym as ss
 from benchmarks.families import EXTREMES, FAMILIES
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
-from spragsym.statics import backends, compiled, kernel, ladder, solver
+from spragsym.statics import adaptive_precision, backends, compiled, kernel, solver
 
 pytestmark = pytest.mark.skipif(not compiled.available(), reason="the compiled solver was not built: no C compiler")
 
@@ -60,7 +60,7 @@ def test_where_digits_run_out(backend: str) -> None:
     ss.set_backend(backend)
     eq = ss.equilibria(ss.Parameters(*np.array(EXTREMES).T))
     for i, point in enumerate(EXTREMES):
-        truth = ladder.equilibria(*point, digits=30).states
+        truth = adaptive_precision.equilibria(*point, digits=30).states
         assert eq.count[i] == len(truth)
         for place, exact in enumerate(truth):
             for name in ("theta", "L", "x", "y"):

@@ -26,7 +26,7 @@ from benchmarks.families import EXTREMES, FAMILIES
 from spragsym.cli import cli
 from spragsym.derive.emit.targets.c99 import cost
 from spragsym.generated import equilibrium, motion, stability
-from spragsym.statics import kernel, ladder
+from spragsym.statics import adaptive_precision, kernel
 from tests.support import lowest_sets
 
 SOURCES = Path(__file__).resolve().parent.parent / "generated" / "c"
@@ -554,7 +554,7 @@ def test_guesses_near_a_cusp_are_good(library: ctypes.CDLL) -> None:
 def test_where_digits_run_out(library: ctypes.CDLL, point: Any) -> None:
     """Found by search: where factors have no correct sign left, or underflow takes digits. Vouched for is only what is true."""
     [(status, found)] = solve(library, [point], CONTACT)
-    truth = ladder.equilibria(*point, digits=30).states
+    truth = adaptive_precision.equilibria(*point, digits=30).states
     if status == OK:
         assert len(found) == len(truth)
         for one, exact in zip(found, truth, strict=True):
@@ -568,7 +568,7 @@ def test_next_to_a_fold_is_certain_and_on_a_border_not(library: ctypes.CDLL) -> 
              for degrees in (44.559317702565, 155.059418789789) for to in (0, 4)]  # fmt: skip
     for point, (status, found) in zip(folds, solve(library, folds, CONTACT), strict=True):
         assert status == OK
-        assert len(found) == len(ladder.equilibria(*point).states)
+        assert len(found) == len(adaptive_precision.equilibria(*point).states)
     [(status, _)] = solve(library, [(1.0, 0.5, 0.1, 0.0, 0.1, 0.0)], LIFTOFF)
     assert status == UNCERTAIN
 

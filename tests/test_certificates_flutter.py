@@ -14,7 +14,7 @@ from spragsym.exact import intervals
 from spragsym.exact.descartes import Root
 from spragsym.exact.polynomials import Undecided
 from spragsym.generated import stability
-from spragsym.statics import ladder
+from spragsym.statics import adaptive_precision
 from tests.support import exact_onsets, middle_of
 
 
@@ -131,7 +131,7 @@ def test_a_rank_is_that_among_the_equilibria_of_the_point() -> None:
         p = random_set(rng)
         values = [Fraction(float(value)) for value in p.scalars("mu0", "kappa", "alpha", "sigma", "beta")]
         for onset in exact_onsets(*values):
-            states = ladder.equilibria(Fraction(middle_of(onset.theta0)), *values, arith=arith).states
+            states = adaptive_precision.equilibria(Fraction(middle_of(onset.theta0)), *values, arith=arith).states
             nearest = int(np.argmin([abs(float(state.theta) - middle_of(onset.theta)) for state in states]))
             assert (onset.branch, onset.count) == (nearest, len(states))
             assert arith.sign(onset.y) < 0

@@ -12,7 +12,7 @@ import pytest
 
 import spragsym as ss
 from spragsym.catastrophe import fold_curves, fold_events, fold_proofs
-from spragsym.catastrophe.fixed import Fixed
+from spragsym.catastrophe.fixed_parameters import Fixed
 from spragsym.catastrophe.fold_events import Stretch
 from spragsym.exact import intervals, polynomials
 from spragsym.exact.descartes import Root

@@ -20,7 +20,7 @@ from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
-from spragsym.statics import kernel, ladder
+from spragsym.statics import adaptive_precision, kernel
 from tests.support import as_fraction
 
 NUMBERS = ("theta", "L", "x", "y")
@@ -34,11 +34,11 @@ def _points(number: int) -> Iterator[tuple[float, ...]]:
         yield from (tuple(map(float, row)) for row in zip(*p.broadcast(*NAMES), strict=True))
 
 
-def _truth(state: ladder.State, point: tuple[float, ...], contact: bool, digits: int) -> tuple[mpmath.mpf, ...]:
+def _truth(state: adaptive_precision.State, point: tuple[float, ...], contact: bool, digits: int) -> tuple[mpmath.mpf, ...]:
     return reference.refine(state.x, state.y, *point, contact=contact, digits=digits)
 
 
-def _holds(states: tuple[ladder.State, ...], point: tuple[float, ...], contact: bool, digits: int) -> float:
+def _holds(states: tuple[adaptive_precision.State, ...], point: tuple[float, ...], contact: bool, digits: int) -> float:
     """Largest share of its bound that an error takes, of the numbers as they stand."""
     share = 0.0
     for state in states:
@@ -48,7 +48,7 @@ def _holds(states: tuple[ladder.State, ...], point: tuple[float, ...], contact: 
     return share
 
 
-def _code(state: ladder.State, point: tuple[float, ...], contact: bool) -> int:
+def _code(state: adaptive_precision.State, point: tuple[float, ...], contact: bool) -> int:
     """Stability by the roots of the characteristic polynomial of the stiffnesses, written out."""
     _, mu0, _, alpha, sigma, beta = map(mpmath.mpf, point)
     push = int(contact)
@@ -65,7 +65,7 @@ def _code(state: ladder.State, point: tuple[float, ...], contact: bool) -> int:
 @pytest.mark.parametrize("contact", [True, False])
 def test_counts_codes_and_errors_of_the_ladder(contact: bool, arith: Arithmetic) -> None:
     for point in _points(3):
-        found = ladder.equilibria(*point, contact=contact, arith=arith)
+        found = adaptive_precision.equilibria(*point, contact=contact, arith=arith)
         assert not found.fold
         if contact:
             assert len(found.states) == reference.count_contact(*point)
@@ -81,7 +81,7 @@ def test_counts_codes_and_errors_of_the_ladder(contact: bool, arith: Arithmetic)
 @pytest.mark.parametrize("digits", [1, 18, 40, 120])
 def test_errors_hold_at_any_number_of_digits(digits: int, arith: Arithmetic) -> None:
     for point in [BASE, *list(_points(1))[::2]]:
-        found = ladder.equilibria(*point, digits=digits, arith=arith)
+        found = adaptive_precision.equilibria(*point, digits=digits, arith=arith)
         assert _holds(found.states, point, True, digits) <= 1
         assert all(state.error <= mpmath.mpf(10) ** -digits for state in found.states)
 
@@ -90,16 +90,16 @@ def test_no_more_bits_than_a_point_needs(arith: Arithmetic) -> None:
     """A wrong start or a loose enclosure shows in the bits that it takes."""
     for degrees in (20, 49, 90, 120, 160):
         point = (math.radians(degrees), *BASE[1:])
-        assert ladder.equilibria(*point, arith=arith).bits == 128
-    assert ladder.equilibria(*BASE, digits=60, arith=arith).bits == int(3.4 * 60) + 64
-    assert ladder.equilibria(1.0, 0.0, 0.4, 0.0, 1.0, 0.0, arith=arith).bits == 128
-    near = [point for point in _points(3) if ladder.equilibria(*point, arith=arith).bits > 256]
+        assert adaptive_precision.equilibria(*point, arith=arith).bits == 128
+    assert adaptive_precision.equilibria(*BASE, digits=60, arith=arith).bits == int(3.4 * 60) + 64
+    assert adaptive_precision.equilibria(1.0, 0.0, 0.4, 0.0, 1.0, 0.0, arith=arith).bits == 128
+    near = [point for point in _points(3) if adaptive_precision.equilibria(*point, arith=arith).bits > 256]
     assert len(near) <= 3
 
 
 def test_widely_spread_parameters_are_settled(arith: Arithmetic) -> None:
     for point in ((1.0, 1e150, 1.0, 1e150, 1e150, 1e150), (1.0, 0.0, 1e-300, 0.0, 1e-3, 0.0), (1e-9, 0.5, 1e-9, 1e-9, 1e9, 1e-9)):
-        found = ladder.equilibria(*point, arith=arith)
+        found = adaptive_precision.equilibria(*point, arith=arith)
         assert len(found.states) == reference.count_contact(*point)
         assert _holds(found.states, point, True, 300) <= 1  # the bits that such a spread takes give as many digits
 
@@ -108,7 +108,7 @@ def test_widely_spread_parameters_are_settled(arith: Arithmetic) -> None:
 def few_bits(monkeypatch: pytest.MonkeyPatch) -> None:
     """Bits end at 128, so that what is a fold to 40 digits is one to the last."""
     for name, value in (("FIRST_BITS", 128), ("MAXIMUM_BITS", 128), ("BITS_A_SPREAD", 0)):
-        monkeypatch.setattr(ladder, name, value)
+        monkeypatch.setattr(adaptive_precision, name, value)
 
 
 @pytest.mark.usefixtures("few_bits")
@@ -122,7 +122,7 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
         ]
     assert len(points) == 2
     for theta0, *true in points:
-        found = ladder.equilibria(theta0, *fixed.values(), arith=arith)
+        found = adaptive_precision.equilibria(theta0, *fixed.values(), arith=arith)
         assert found.fold
         assert len(found.states) == 3
         one, two = next(pair for pair in (found.states[:2], found.states[1:]) if pair[0].theta == pair[1].theta)
@@ -140,20 +140,29 @@ def test_a_fold_stands_in_two_slots_within_its_error(arith: Arithmetic) -> None:
 def test_a_boundary_that_no_bits_settle_is_an_error(arith: Arithmetic) -> None:
     """The mass at the anchor of the spring: with α = β = 0 and κ = σ the balance holds at θ = −π/2 with L = 0 exactly."""
     with pytest.raises(ss.ConvergenceError, match=r"128 bits do not settle theta0=.*: L or y holds 0; move the point off"):
-        ladder.equilibria(1, 0, Fraction(1, 2), 0, Fraction(1, 2), 0, contact=False, arith=arith)
+        adaptive_precision.equilibria(1, 0, Fraction(1, 2), 0, Fraction(1, 2), 0, contact=False, arith=arith)
 
 
 def test_most_bits_grow_with_the_spread() -> None:
     def most(*values: Any) -> int:
-        return ladder._most_bits(lambda a: a.pi(), [Fraction(value) for value in values])
+        return adaptive_precision._most_bits(lambda a: a.pi(), [Fraction(value) for value in values])
 
-    assert most(1, 1, 1, 1, 1) == ladder.MAXIMUM_BITS
-    assert most(0, 1, 0, 1, 0) == ladder.MAXIMUM_BITS
-    assert most(2**10, 1, 1, 1, 1) == most(1, Fraction(1, 2**10), 1, 1, 1) == ladder.MAXIMUM_BITS + 10 * ladder.BITS_A_SPREAD
-    assert most(2**10, 1, 1, 1, Fraction(1, 2**30)) == ladder.MAXIMUM_BITS + 40 * ladder.BITS_A_SPREAD
-    assert ladder._most_bits(2.0**-20, [Fraction(1)] * 5) == ladder.MAXIMUM_BITS + 20 * ladder.BITS_A_SPREAD
-    assert most(*[2**10] * 5) == ladder.MAXIMUM_BITS + 10 * ladder.BITS_A_SPREAD  # equations have coefficients of 1 as well
-    assert ladder.BITS_A_SPREAD >= 6  # a discriminant of the sixth degree
+    assert most(1, 1, 1, 1, 1) == adaptive_precision.MAXIMUM_BITS
+    assert most(0, 1, 0, 1, 0) == adaptive_precision.MAXIMUM_BITS
+    assert (
+        most(2**10, 1, 1, 1, 1)
+        == most(1, Fraction(1, 2**10), 1, 1, 1)
+        == adaptive_precision.MAXIMUM_BITS + 10 * adaptive_precision.BITS_A_SPREAD
+    )
+    assert most(2**10, 1, 1, 1, Fraction(1, 2**30)) == adaptive_precision.MAXIMUM_BITS + 40 * adaptive_precision.BITS_A_SPREAD
+    assert (
+        adaptive_precision._most_bits(2.0**-20, [Fraction(1)] * 5)
+        == adaptive_precision.MAXIMUM_BITS + 20 * adaptive_precision.BITS_A_SPREAD
+    )
+    assert (
+        most(*[2**10] * 5) == adaptive_precision.MAXIMUM_BITS + 10 * adaptive_precision.BITS_A_SPREAD
+    )  # equations have coefficients of 1 as well
+    assert adaptive_precision.BITS_A_SPREAD >= 6  # a discriminant of the sixth degree
 
 
 @pytest.mark.parametrize("power", [20, 34, 50])
@@ -168,7 +177,7 @@ def test_next_to_a_fold_bits_are_added_until_all_is_decided(power: int, arith: A
         counts = []
         for theta0 in (outside, inside):
             for digits in (17, 60):
-                found = ladder.equilibria(theta0, *fixed.values(), digits=digits, arith=arith)
+                found = adaptive_precision.equilibria(theta0, *fixed.values(), digits=digits, arith=arith)
                 assert not found.fold
                 with mpmath.workprec(700):
                     point = (mpmath.mpf(theta0.numerator) / theta0.denominator, *map(float, fixed.values()))
@@ -201,9 +210,9 @@ def _float(arith: Arithmetic, value: Any) -> float:
 
 
 def test_seventeen_digits_and_our_own_arithmetic_unless_told_otherwise(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert ladder.equilibria(*BASE) == ladder.equilibria(*BASE, arith=intervals.arithmetic())
-    monkeypatch.setattr(ladder, "_settle", lambda arith, theta0, rational, contact, digits, *_: digits)
-    assert ladder.equilibria(*BASE) == 17
+    assert adaptive_precision.equilibria(*BASE) == adaptive_precision.equilibria(*BASE, arith=intervals.arithmetic())
+    monkeypatch.setattr(adaptive_precision, "_settle", lambda arith, theta0, rational, contact, digits, *_: digits)
+    assert adaptive_precision.equilibria(*BASE) == 17
 
 
 #: P and Q of z³ + 3 P z = 2 Q: around powers of two of any remainder by 2 and 3, either one 0, P of either sign.
@@ -228,7 +237,7 @@ def _largest_root(P: Fraction, Q: Fraction) -> mpmath.mpf:
 def test_newtons_start_is_above_the_root_and_not_far(held: Arithmetic) -> None:
     with mpmath.workdps(120):
         for P, Q in CUBICS:
-            start = mpmath.mpf(2) ** ladder._power_above(held, held.exact(P), held.exact(Q))
+            start = mpmath.mpf(2) ** adaptive_precision._power_above(held, held.exact(P), held.exact(Q))
             root = _largest_root(P, Q)
             assert start >= root
             if P > 0:  # next to the smaller of two bounds on the root
@@ -241,20 +250,22 @@ def test_newtons_start_is_above_the_root_and_not_far(held: Arithmetic) -> None:
 def test_the_farthest_root_is_found_to_its_last_bits(held: Arithmetic) -> None:
     with mpmath.workdps(120):
         for P, Q in CUBICS:
-            found = ladder._farthest_root(held, held.exact(P), held.exact(Q), 128)
+            found = adaptive_precision._farthest_root(held, held.exact(P), held.exact(Q), 128)
             low, high = held.ends(found)
             root = _largest_root(P, Q)
             assert low == high
             assert abs(mpmath.mpf(low.numerator) / low.denominator / root - 1) < mpmath.mpf(2) ** -100
     for P in (0, 1, 7):
-        assert _float(held, ladder._farthest_root(held, held.exact(Fraction(P)), held.exact(Fraction(0)), 128)) == 0
+        assert _float(held, adaptive_precision._farthest_root(held, held.exact(Fraction(P)), held.exact(Fraction(0)), 128)) == 0
 
 
 @pytest.mark.parametrize("half", [Fraction(2) ** 40, -(Fraction(2) ** 40), Fraction(5, 4), Fraction(-5, 4), Fraction(0)])
 @pytest.mark.parametrize("q", [Fraction(1), Fraction(-1), Fraction(1, 3)])
 def test_roots_of_quadratics_keep_their_digits(held: Arithmetic, half: Fraction, q: Fraction) -> None:
     """Both of them, however far apart."""
-    one, other, distance = (_middle(held, value) for value in ladder._real_parts(held, held.exact(2 * half), held.exact(q)))
+    one, other, distance = (
+        _middle(held, value) for value in adaptive_precision._real_parts(held, held.exact(2 * half), held.exact(q))
+    )
     with mpmath.workdps(120):
         middle, inside = -mpmath.mpf(half.numerator) / half.denominator, half * half - q
         root = mpmath.sqrt(abs(mpmath.mpf(inside.numerator) / inside.denominator))
@@ -272,7 +283,10 @@ def test_the_quartic_is_split_to_its_last_digits(arith: Arithmetic, trig: tuple[
 
     def split(bits: int) -> list[Fraction]:
         with arith.precision(bits):
-            return [_middle(arith, value) for value in ladder._split(arith, tuple(arith.exact(Fraction(v)) for v in trig), bits)]
+            return [
+                _middle(arith, value)
+                for value in adaptive_precision._split(arith, tuple(arith.exact(Fraction(v)) for v in trig), bits)
+            ]
 
     p1, q1, p2, q2 = split(900)
     quartic = kernel.t_quartic(*map(Fraction, trig))
@@ -289,14 +303,14 @@ def test_an_enclosure_is_in_order_and_a_root_without_a_change_of_sign_is_none(he
         quartic = tuple(held.exact(value) for value in (-root, Fraction(1), Fraction(0), Fraction(0), Fraction(0)))
         if not root:
             with pytest.raises(Undecided, match="no change of sign"):
-                ladder._enclose(held, quartic, around, 128)
+                adaptive_precision._enclose(held, quartic, around, 128)
             continue
-        low, high = (_middle(held, value) for value in ladder._enclose(held, quartic, around, 128))
+        low, high = (_middle(held, value) for value in adaptive_precision._enclose(held, quartic, around, 128))
         assert low < root < high
         assert high - low < 1e-3
     positive = tuple(held.exact(Fraction(value)) for value in (1, 0, 0, 0, 1))
     with pytest.raises(Undecided, match="no change of sign"):
-        ladder._enclose(held, positive, held.exact(Fraction(1)), 128)
+        adaptive_precision._enclose(held, positive, held.exact(Fraction(1)), 128)
 
 
 def test_roots_that_share_an_interval_are_undecided(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
@@ -306,12 +320,12 @@ def test_roots_that_share_an_interval_are_undecided(monkeypatch: pytest.MonkeyPa
     def exact(value):
         return held.exact(Fraction(value))
 
-    monkeypatch.setattr(ladder, "_split", lambda *_: (1, 1, 2, 2))
-    monkeypatch.setattr(ladder, "_real_parts", lambda _, p, q: roots[p])
-    monkeypatch.setattr(ladder, "_enclose", lambda _, quartic, root, bits: tuple(map(exact, ends[root])))
+    monkeypatch.setattr(adaptive_precision, "_split", lambda *_: (1, 1, 2, 2))
+    monkeypatch.setattr(adaptive_precision, "_real_parts", lambda _, p, q: roots[p])
+    monkeypatch.setattr(adaptive_precision, "_enclose", lambda _, quartic, root, bits: tuple(map(exact, ends[root])))
     trig = tuple(map(exact, (1, 1, 1, 1)))
     for all_real, number in ((True, 4), (False, 2)):
-        found = ladder._enclosed_roots(held, trig, 128, all_real=all_real)
+        found = adaptive_precision._enclosed_roots(held, trig, 128, all_real=all_real)
         for value, wanted in zip(found, list(ends.values())[:number], strict=True):
             assert [float(end) for end in held.ends(value)] == pytest.approx(wanted, rel=1e-6)
     for one, other in itertools.permutations(ends, 2):
@@ -319,7 +333,7 @@ def test_roots_that_share_an_interval_are_undecided(monkeypatch: pytest.MonkeyPa
             with monkeypatch.context() as patch:
                 patch.setitem(ends, other, shared)
                 with pytest.raises(Undecided, match="share an interval"):
-                    ladder._enclosed_roots(held, trig, 128, all_real=True)
+                    adaptive_precision._enclosed_roots(held, trig, 128, all_real=True)
 
 
 @pytest.mark.parametrize("middle", [3, -3])
@@ -329,9 +343,9 @@ def test_a_double_root_lies_within_twice_its_parts_and_half_its_digits(
 ) -> None:
     """The second factor is (t − middle)² − square, the first one (t − 7)(t − 8)."""
     parts = (Fraction(-15), Fraction(56), Fraction(-2 * middle), middle**2 - square)
-    monkeypatch.setattr(ladder, "_split", lambda *_: tuple(map(held.exact, parts)))
-    monkeypatch.setattr(ladder, "_enclose", lambda _, quartic, root, bits: (root, root))
-    one, two, *simple = ladder._fold_roots(held, tuple(held.exact(Fraction(1)) for _ in range(4)), 128)
+    monkeypatch.setattr(adaptive_precision, "_split", lambda *_: tuple(map(held.exact, parts)))
+    monkeypatch.setattr(adaptive_precision, "_enclose", lambda _, quartic, root, bits: (root, root))
+    one, two, *simple = adaptive_precision._fold_roots(held, tuple(held.exact(Fraction(1)) for _ in range(4)), 128)
     assert sorted(_float(held, value) for value in simple) == [7, 8]
     assert held.ends(one) == held.ends(two)
     low, high = held.ends(one)
@@ -341,12 +355,12 @@ def test_a_double_root_lies_within_twice_its_parts_and_half_its_digits(
 
 
 def test_contact_has_an_odd_number_of_equilibria(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
-    plain = ladder._state
-    monkeypatch.setattr(ladder, "_state", lambda *given: 2 * plain(*given))
+    plain = adaptive_precision._state
+    monkeypatch.setattr(adaptive_precision, "_state", lambda *given: 2 * plain(*given))
     rational = list(map(Fraction, BASE[1:]))
-    assert len(ladder._settle(held, BASE[0], rational, False, 17, 128, False).states) % 2 == 0
+    assert len(adaptive_precision._settle(held, BASE[0], rational, False, 17, 128, False).states) % 2 == 0
     with pytest.raises(Undecided, match="even number"):
-        ladder._settle(held, BASE[0], rational, True, 17, 128, False)
+        adaptive_precision._settle(held, BASE[0], rational, True, 17, 128, False)
 
 
 @pytest.mark.parametrize("place", [0, 1, 2])
@@ -369,9 +383,9 @@ def test_an_error_is_over_the_smallest_value_that_it_may_be_of(
 
 def _states(monkeypatch: pytest.MonkeyPatch, arith: Arithmetic, given: list[Any], digits: int, fold: bool = False) -> Any:
     monkeypatch.setattr(kernel, "state", lambda *_: tuple(given))
-    monkeypatch.setattr(ladder, "_stability", lambda *_: 1)
+    monkeypatch.setattr(adaptive_precision, "_stability", lambda *_: 1)
     t, values = arith.exact(Fraction(1, 2)), (*[arith.exact(Fraction(1))] * 7, 1)
-    return ladder._state(arith, t, values[:4], values, digits, fold)
+    return adaptive_precision._state(arith, t, values[:4], values, digits, fold)
 
 
 def test_an_error_above_what_is_asked_for_is_undecided_but_on_a_fold(monkeypatch: pytest.MonkeyPatch, held: Arithmetic) -> None:
@@ -418,6 +432,6 @@ def test_kinds_by_the_signs_of_what_decides_them(monkeypatch: pytest.MonkeyPatch
             wanted = 1 if trace > 0 else 2
         if wanted is None:
             with pytest.raises(Undecided, match="a stability boundary"):
-                ladder._stability(*call)
+                adaptive_precision._stability(*call)
         else:
-            assert ladder._stability(*call) == wanted
+            assert adaptive_precision._stability(*call) == wanted

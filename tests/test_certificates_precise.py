@@ -13,11 +13,11 @@ import pytest
 import spragsym as ss
 from benchmarks import reference
 from spragsym.catastrophe import cusp_proofs
-from spragsym.catastrophe.enclosures import Point
+from spragsym.catastrophe.fold_enclosures import Point
 from spragsym.exact import intervals
 from spragsym.exact.intervals import Arithmetic
 from spragsym.exact.polynomials import Undecided
-from spragsym.statics import ladder
+from spragsym.statics import adaptive_precision
 
 # ----------------------------------------------------------------------------------------------------- precise
 
@@ -126,7 +126,7 @@ class _Spy(intervals.Balls):
 def test_the_arithmetic_asked_for_is_the_one_used() -> None:
     calls = (
         lambda arith: ss.precise.cusps(arith=arith), lambda arith: ss.precise.equilibria(1, arith=arith),
-        lambda arith: ladder.equilibria(*[1] * 6, arith=arith),
+        lambda arith: adaptive_precision.equilibria(*[1] * 6, arith=arith),
     )  # fmt: skip
     for call in calls:
         spy = _Spy()

@@ -14,8 +14,8 @@ import sympy as sp
 
 import spragsym as ss
 from spragsym.catastrophe import cusp_proofs, fold_proofs
-from spragsym.catastrophe.enclosures import Angles, Point, SineRoot, in_contact
-from spragsym.exact import charts, escalation, polynomials
+from spragsym.catastrophe.fold_enclosures import Angles, Point, SineRoot, in_contact
+from spragsym.exact import adaptive_bits, line_roots, polynomials
 from spragsym.exact.intervals import Arithmetic, Balls
 from spragsym.exact.polynomials import Undecided
 from spragsym.parameters import NAMES
@@ -35,10 +35,10 @@ def test_bits_are_doubled_until_every_sign_is_decided(arith: Arithmetic) -> None
             raise (Undecided if bits < 400 else ZeroDivisionError)("not yet")
         return Fraction(bits)
 
-    assert escalation.with_enough_bits(arith, 10, attempt, "this") == 1536
+    assert adaptive_bits.with_enough_bits(arith, 10, attempt, "this") == 1536
     assert tried == [192, 384, 768, 1536]
     tried.clear()
-    assert escalation.with_enough_bits(arith, 300, attempt, "this") == 1116
+    assert adaptive_bits.with_enough_bits(arith, 300, attempt, "this") == 1116
     assert tried == [int(3.4 * 300) + 96]
 
 
@@ -50,16 +50,16 @@ def test_bits_end_with_a_reason(arith: Arithmetic) -> None:
         raise Undecided("a wall")
 
     with pytest.raises(ss.ConvergenceError, match=r"^folds: 6144 bits do not decide it \(a wall\)"):
-        escalation.with_enough_bits(arith, 10, attempt, "folds")
+        adaptive_bits.with_enough_bits(arith, 10, attempt, "folds")
     assert tried == [192 * 2**k for k in range(6)]
 
 
 def test_a_sign_that_must_be_there(arith: Arithmetic) -> None:
     with arith.precision(60):
-        assert escalation.decided(arith, arith.exact(Fraction(1, 9)), "x") == 1
-        assert escalation.decided(arith, arith.exact(Fraction(-1, 9)), "x") == -1
+        assert adaptive_bits.decided(arith, arith.exact(Fraction(1, 9)), "x") == 1
+        assert adaptive_bits.decided(arith, arith.exact(Fraction(-1, 9)), "x") == -1
         with pytest.raises(Undecided, match="what it is"):
-            escalation.decided(arith, arith.between(Fraction(0), Fraction(1)), "what it is")
+            adaptive_bits.decided(arith, arith.between(Fraction(0), Fraction(1)), "what it is")
 
 
 def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
@@ -70,16 +70,16 @@ def test_angles_in_every_quadrant(arith: Arithmetic) -> None:
                             for value in (mpmath.cos(true), mpmath.sin(true)))  # fmt: skip
             if k == 24:
                 with pytest.raises(Undecided, match="0 or π"):
-                    escalation.angle(arith, cosine, sine)
+                    adaptive_bits.angle(arith, cosine, sine)
                 continue
-            low, high = arith.ends(escalation.angle(arith, cosine, sine))
+            low, high = arith.ends(adaptive_bits.angle(arith, cosine, sine))
             assert low <= as_fraction(true) <= high
             assert high - low < 1e-15
         for side in (-1, 1):  # a cosine of either sign
             turns = [side * (mpmath.pi / 2 + mpmath.mpf(k) / 100) for k in (-3, 0, 1)]
             cosines, sines = ([function(turn) for turn in turns] for function in (mpmath.cos, mpmath.sin))
             held = [arith.between(as_fraction(min(values)), as_fraction(max(values))) for values in (cosines, sines)]
-            low, high = arith.ends(escalation.angle(arith, *held))
+            low, high = arith.ends(adaptive_bits.angle(arith, *held))
             assert low <= as_fraction(min(turns))
             assert as_fraction(max(turns)) <= high
             assert high - low < 0.05
@@ -95,11 +95,11 @@ def test_what_vanishes_exactly_is_zero_and_what_may_is_undecided(arith: Arithmet
     with arith.precision(60):
         wide = arith.between(Fraction(-1), Fraction(1))
         for value, expected in ((arith.exact(Fraction(1, 3)), 1), (arith.exact(Fraction(-1, 3)), -1)):
-            assert escalation.sign_or_zero(arith, value, "x", lambda: vanishes(True)) == expected
+            assert adaptive_bits.sign_or_zero(arith, value, "x", lambda: vanishes(True)) == expected
         assert not asked  # a sign that is there needs no algebra
-        assert escalation.sign_or_zero(arith, wide, "x", lambda: vanishes(True)) == 0
+        assert adaptive_bits.sign_or_zero(arith, wide, "x", lambda: vanishes(True)) == 0
         with pytest.raises(Undecided, match="what it is"):
-            escalation.sign_or_zero(arith, wide, "what it is", lambda: vanishes(False))
+            adaptive_bits.sign_or_zero(arith, wide, "what it is", lambda: vanishes(False))
 
 
 @pytest.mark.parametrize("size", [Fraction(1), Fraction(-1000), Fraction(1, 1000)])
@@ -109,11 +109,11 @@ def test_floats_of_intervals_up_to_fifteen_digits(size: Fraction, arith: Arithme
     with arith.precision(200):
         for share in (Fraction(1, 1000), Fraction(1, 2), Fraction(99, 100)):
             held = arith.between(size - share * unit, size + share * unit)
-            (value,), error = escalation.as_floats(arith, [held])
+            (value,), error = adaptive_bits.as_floats(arith, [held])
             assert value == float(size)
             assert float(share) * 1e-15 <= error <= float(share) * 1e-15 * (1 + 1e-9) + 1.3e-16
         with pytest.raises(Undecided, match="wider than a float"):
-            escalation.as_floats(arith, [arith.exact(size), arith.between(size - unit * 101 / 100, size + unit * 101 / 100)])
+            adaptive_bits.as_floats(arith, [arith.exact(size), arith.between(size - unit * 101 / 100, size + unit * 101 / 100)])
 
 
 @pytest.mark.parametrize(
@@ -124,7 +124,7 @@ def test_the_error_of_a_float_covers_its_rounding(middle: Fraction, arith: Arith
     for width in (Fraction(0), Fraction(1, 2**70), Fraction(9, 10**16)):
         with arith.precision(200):
             ends = arith.ends(arith.between(middle - width, middle + width))
-            (value,), error = escalation.as_floats(arith, [arith.between(*ends)])
+            (value,), error = adaptive_bits.as_floats(arith, [arith.between(*ends)])
         assert max(abs(Fraction(value) - end) for end in ends) <= Fraction(error) * max(1, abs(Fraction(value)))
 
 
@@ -132,11 +132,11 @@ def test_floats_may_be_off_by_fifteen_digits_and_end_somewhere() -> None:
     """By integers, which balls hold exactly."""
     arith = Balls()
     with arith.precision(200):
-        values, error = escalation.as_floats(arith, [arith.between(Fraction(10**15 - 1), Fraction(10**15 + 1))])
+        values, error = adaptive_bits.as_floats(arith, [arith.between(Fraction(10**15 - 1), Fraction(10**15 + 1))])
         assert values == [1e15]
         assert 1e-15 <= error < 1.2e-15
         ends = [arith.exact(Fraction(sign * 2**1024)) for sign in (-1, 1)]
-        assert escalation.as_floats(arith, ends)[0] == [-math.inf, math.inf]
+        assert adaptive_bits.as_floats(arith, ends)[0] == [-math.inf, math.inf]
 
 
 # ---------------------------------------------------------------------------------------------- folds and cusps
@@ -412,7 +412,7 @@ def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -
     with arith.precision(300):
         found = sorted(
             arith.ends(root.interval(arith))
-            for root in charts.roots_on_the_line(tuple(map(arith.exact, polynomial)), arith.sign, arith.exact, 150)
+            for root in line_roots.roots_on_the_line(tuple(map(arith.exact, polynomial)), arith.sign, arith.exact, 150)
         )
         assert len(found) == len(roots)
         for (low, high), root in zip(found, roots, strict=True):
@@ -424,7 +424,7 @@ def test_real_roots_of_interval_coefficients_in_both_charts(arith: Arithmetic) -
 def test_a_root_knows_whose_it_is(place: Fraction) -> None:
     """Inside of the first chart, beyond it, and at its end, where each counts once."""
     polynomial = (-2 * place, 2 - place, Fraction(1))  # (t − place)(t + 2)
-    (root,) = charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True)
+    (root,) = line_roots.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True)
     assert root.is_of((-place, Fraction(1)))
     assert not root.is_of((Fraction(2), Fraction(1)))
     assert not root.is_of((-1 / place - 5, Fraction(1)))
@@ -438,7 +438,7 @@ def test_a_root_knows_whose_it_is(place: Fraction) -> None:
 def test_no_positive_root_is_none(polynomial: str) -> None:
     """A constant has none at all, and 0 is not positive."""
     exact = tuple(map(Fraction, polynomial.split()))
-    assert charts.roots_on_the_line(exact, polynomials.exact_sign, Fraction, 60, positive=True) == []
+    assert line_roots.roots_on_the_line(exact, polynomials.exact_sign, Fraction, 60, positive=True) == []
 
 
 def test_contact_needs_a_length_and_a_depth(arith: Arithmetic) -> None:
@@ -554,7 +554,7 @@ def test_a_direction_knows_what_vanishes_at_it(arith: Arithmetic) -> None:
     with arith.precision(100):
         wide = arith.between(Fraction(-1), Fraction(1))
         root = min(
-            charts.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True),
+            line_roots.roots_on_the_line(polynomial, polynomials.exact_sign, Fraction, 80, positive=True),
             key=lambda one: arith.ends(one.interval(arith)),
         )
         direction = fold_proofs._Direction(root.interval(arith), 1, False, polynomial, root)

@@ -19,7 +19,7 @@ from benchmarks.families import FAMILIES
 from benchmarks.validate_equilibria import worst_errors
 from spragsym.generated import kernel
 from spragsym.parameters import NAMES
-from spragsym.statics import block, compiled, ladder, slots, solver
+from spragsym.statics import adaptive_precision, block, compiled, solver, state_columns
 from spragsym.statics.double_double import DoubleDouble
 
 
@@ -73,7 +73,7 @@ def test_counts_codes_and_bounds_over_every_family(contact: bool) -> None:
     assert np.nanmax(eq.error) <= block.TOLERANCE
     assert 0 < eq.escalated.mean() < 0.35
     for row, point in enumerate(points[::7]):
-        states = ladder.equilibria(*point, contact=contact).states
+        states = adaptive_precision.equilibria(*point, contact=contact).states
         assert [state.stability for state in states] == eq.stability[7 * row, : eq.count[7 * row]].tolist()
         for slot, state in enumerate(states):
             assert abs(state.theta - eq.theta[7 * row, slot]) <= eq.error[7 * row, slot] * max(1, abs(state.theta))
@@ -108,12 +108,12 @@ GOOD = dict(L=1.0, x=0.0, y=-0.1, radius=1e-15, error=1e-15, member=True, outsid
 
 def _settled(
     monkeypatch: pytest.MonkeyPatch, changes: dict[str, Any], contact: bool = True, t: tuple[float, ...] = T
-) -> tuple[bool, slots.Slots]:
+) -> tuple[bool, state_columns.Slots]:
     """The result of a block for three roots of which the middle one has changed, at the second of two points."""
     columns = {name: [value, changes.get(name, value), value] for name, value in GOOD.items()} | {"code": [1.0, 2.0, 1.0]}
     given = {name: np.repeat(np.array(values)[:, None], 2, axis=1) for name, values in columns.items()}
     monkeypatch.setattr(block.kernel, "at_root", lambda *_: kernel.Root(**given))
-    out = slots.Slots(3, 3 if contact else 4)
+    out = state_columns.Slots(3, 3 if contact else 4)
     point = kernel.Point(*[np.ones(2)] * 7, float(contact))
     times = np.repeat(np.array(t)[:, None], 2, axis=1)
     settled = block._some(times, point, kernel.Balance(*[np.ones(2)] * 7), out, np.array([2, 1]), np.float64(2.0**-53))
@@ -180,7 +180,7 @@ def test_one_root_a_point(monkeypatch: pytest.MonkeyPatch) -> None:
     ):  # fmt: skip
         given = {name: np.array([changes.get(name, value)] * 2) for name, value in GOOD.items()} | {"code": np.ones(2)}
         monkeypatch.setattr(block.kernel, "at_root", lambda *_, given=given: kernel.Root(**given))
-        out = slots.Slots(5, 3)
+        out = state_columns.Slots(5, 3)
         line = kernel.Balance(*[np.ones(2)] * 7)
         settled = block._one_each(np.array([t, t]), kernel.Point(*[np.ones(2)] * 8), line, out, 2, np.float64(2.0**-53))
         assert settled.tolist() == [wanted] * 2
@@ -193,10 +193,10 @@ def test_members_move_to_the_front_whichever_they_are() -> None:
     rng = np.random.default_rng(56)
     for candidates, room in ((3, 3), (3, 4), (2, 4), (4, 4)):
         members = np.array(list(itertools.product([False, True], repeat=candidates))).T
-        columns = {name: rng.integers(1, 9, members.shape) for name in slots.COLUMNS}
-        count, packed = slots.gathered(members, columns, room)
+        columns = {name: rng.integers(1, 9, members.shape) for name in state_columns.COLUMNS}
+        count, packed = state_columns.gathered(members, columns, room)
         assert count.tolist() == members.sum(axis=0).tolist()
-        for name in slots.COLUMNS:
+        for name in state_columns.COLUMNS:
             for point in range(members.shape[1]):
                 kept = columns[name][members[:, point], point]
                 assert packed[name][: kept.size, point].tolist() == kept.tolist()
@@ -205,9 +205,9 @@ def test_members_move_to_the_front_whichever_they_are() -> None:
 
 
 def test_slots_hold_what_was_put_last() -> None:
-    out = slots.Slots(3, 3)
+    out = state_columns.Slots(3, 3)
     for theta in (1.0, 2.0):
-        columns = slots.empty(3, 2)
+        columns = state_columns.empty(3, 2)
         columns["theta"][:2] = theta
         columns["stability"][:2] = 1
         out.put(np.array([2, 0]), np.array([2, 0]), columns)
@@ -312,9 +312,11 @@ def test_bounds_are_asked_for_the_types_own_roundoff(monkeypatch: pytest.MonkeyP
     values = [np.full(3, value) for value in (0.6, 1.0, 0.1, 0.1, 0.1, 0.1)]
     with np.errstate(all="ignore"):
         if wide:
-            block.solve_widely(values, True, slots.Slots(3, 3), 0, 3)
+            block.solve_widely(values, True, state_columns.Slots(3, 3), 0, 3)
         else:
-            block.solve(kernel.Point(np.cos(values[0]), np.sin(values[0]), *values[1:], 1), 3, slots.Slots(3, 3), 0, np.float64)
+            block.solve(
+                kernel.Point(np.cos(values[0]), np.sin(values[0]), *values[1:], 1), 3, state_columns.Slots(3, 3), 0, np.float64
+            )
     assert len(asked) >= 3
     assert all(type(value) is np.float64 and value == u for value in asked)
 
@@ -333,7 +335,7 @@ def test_each_condition_of_double_double_is_needed(monkeypatch: pytest.MonkeyPat
 
     def left() -> list[int]:
         with np.errstate(all="ignore"):
-            found: list[int] = block.solve_widely(WIDE_POINTS, True, slots.Slots(3, 3), 0, 3).tolist()
+            found: list[int] = block.solve_widely(WIDE_POINTS, True, state_columns.Slots(3, 3), 0, 3).tolist()
         return found
 
     assert left() == []
@@ -357,7 +359,7 @@ def test_each_condition_of_double_double_is_needed(monkeypatch: pytest.MonkeyPat
 
 
 def test_double_double_writes_to_its_rows() -> None:
-    out = slots.Slots(8, 3)
+    out = state_columns.Slots(8, 3)
     with np.errstate(all="ignore"):
         block.solve_widely(WIDE_POINTS, True, out, 4, 3)
     expected = ss.equilibria(ss.Parameters(*WIDE_POINTS))
@@ -452,14 +454,14 @@ def test_slots_without_an_equilibrium_are_empty_whatever_memory_held(monkeypatch
     if backend == "compiled" and not compiled.available():
         pytest.skip("the compiled solver was not built: no C compiler")
     ss.set_backend(backend)
-    made = slots.Slots.__post_init__
+    made = state_columns.Slots.__post_init__
 
-    def filled(self: slots.Slots) -> None:
+    def filled(self: state_columns.Slots) -> None:
         made(self)
         for values in self.first.values():
             values[:] = 7
 
-    monkeypatch.setattr(slots.Slots, "__post_init__", filled)
+    monkeypatch.setattr(state_columns.Slots, "__post_init__", filled)
     # Of the last one, whose length float64 can't carry, nothing is written.
     columns = [np.append(column, value) for column, value in zip(_points(6).broadcast(*NAMES), LONG, strict=True)]
     p = ss.Parameters(*columns)
@@ -490,9 +492,9 @@ def test_counting_solves_nothing_where_signs_tell(monkeypatch: pytest.MonkeyPatc
 
 
 def test_double_double_arithmetic_is_asked_before_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
-    p, plain = FAMILIES["near folds"](np.random.default_rng(54), 60), ladder.equilibria
+    p, plain = FAMILIES["near folds"](np.random.default_rng(54), 60), adaptive_precision.equilibria
     calls: list[int] = []
-    monkeypatch.setattr(ladder, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
+    monkeypatch.setattr(adaptive_precision, "equilibria", lambda *given, **named: (calls.append(1), plain(*given, **named))[1])
     assert ss.equilibria(p).escalated.any()
     assert not calls
     monkeypatch.setattr(solver, "_solve_widely", lambda given, contact, out, rows: np.arange(rows.size))
@@ -500,12 +502,12 @@ def test_double_double_arithmetic_is_asked_before_intervals(monkeypatch: pytest.
 
 
 def test_folds_are_marked(monkeypatch: pytest.MonkeyPatch) -> None:
-    plain = ladder.equilibria
+    plain = adaptive_precision.equilibria
 
-    def fold(*given: float, contact: bool) -> ladder.Settled:
+    def fold(*given: float, contact: bool) -> adaptive_precision.Settled:
         return replace(plain(*given, contact=contact), fold=given[0] > 1)
 
-    monkeypatch.setattr(ladder, "equilibria", fold)
+    monkeypatch.setattr(adaptive_precision, "equilibria", fold)
     p = ss.Parameters([0.9, 1.1, 1.2], [0.5, 0.5, 1e-260], 0.3, 0.2, 0.1, 0.0)
     assert not ss.equilibria(p.replace(theta0=0.9)).fold.any()
     assert ss.equilibria(p).fold.tolist() == [False, False, True]
@@ -529,7 +531,7 @@ SOME_IMMODERATE = [
 def test_blocks_of_double_double_do_not_show(monkeypatch: pytest.MonkeyPatch, size: int) -> None:
     """What is left is told by its place among the points, and the others are where their rows are."""
     monkeypatch.setattr(solver, "WIDE_BLOCK", size)
-    out = slots.Slots(9, 3)
+    out = state_columns.Slots(9, 3)
     rows = np.array([1, 2, 4, 7, 8])
     assert solver._solve_widely(SOME_IMMODERATE, True, out, rows).tolist() == [1, 3]
     expected = ss.equilibria(ss.Parameters(*(column[[0, 2, 4]] for column in SOME_IMMODERATE)))
@@ -545,7 +547,7 @@ def test_double_double_is_that_of_the_backend(monkeypatch: pytest.MonkeyPatch, n
     monkeypatch.setattr(solver.backends, "chosen", lambda: (name, 1))
     for module, its in ((solver.compiled, "compiled"), (block, "numpy")):
         monkeypatch.setattr(module, "solve_widely", lambda *_, its=its: (asked.append(its), np.arange(5))[1])
-    assert solver._solve_widely(SOME_IMMODERATE, True, slots.Slots(5, 3), np.arange(5)).tolist() == [0, 1, 2, 3, 4]
+    assert solver._solve_widely(SOME_IMMODERATE, True, state_columns.Slots(5, 3), np.arange(5)).tolist() == [0, 1, 2, 3, 4]
     assert asked == [name]
 
 
@@ -553,9 +555,9 @@ def test_the_error_of_a_stored_state_covers_its_rounding() -> None:
     """Of numbers halfway between two floats."""
     with mpmath.workprec(120):
         half = 1 + mpmath.mpf(2) ** -53
-        state = ladder.State(half, 2 * half, -half, 4 * half, 1, mpmath.mpf(2) ** -110)
-        columns = slots.empty(3, 1)
-        solver._store(columns, 0, ladder.Settled((state,), False, 128), {})
+        state = adaptive_precision.State(half, 2 * half, -half, 4 * half, 1, mpmath.mpf(2) ** -110)
+        columns = state_columns.empty(3, 1)
+        solver._store(columns, 0, adaptive_precision.Settled((state,), False, 128), {})
         error = columns["error"][0, 0]
         for name in ("theta", "L", "x", "y"):
             true = getattr(state, name)

@@ -16,7 +16,7 @@ import pytest
 import sympy as sp
 from sympy.parsing.latex import parse_latex
 
-from spragsym.derive.kang_nam import article, check, evidence, explanations
+from spragsym.derive.kang_nam import article, check, explanations, free_body
 from spragsym.derive.kang_nam import nomenclature as nm
 from spragsym.derive.kang_nam.article import Printed
 from spragsym.derive.kang_nam.check import Derived, Row
@@ -409,14 +409,14 @@ def test_evidence_that_disagrees_fails(id: str, monkeypatch: pytest.MonkeyPatch)
 
 def test_evidence_feels_the_physics(monkeypatch: pytest.MonkeyPatch) -> None:
     """The second route feels a change of physics: without the preload its forces do not fit its energy."""
-    original = evidence.forces
+    original = free_body.forces
 
     def without_preload(
-        point: evidence.Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf
+        point: free_body.Point, x: mpmath.mpf, y: mpmath.mpf, contact: mpmath.mpf
     ) -> tuple[mpmath.mpf, mpmath.mpf]:
         return original(dataclasses.replace(point, kappa=Fraction(0)), x, y, contact)
 
-    monkeypatch.setattr(evidence, "forces", without_preload)
+    monkeypatch.setattr(free_body, "forces", without_preload)
     row = check_with("eq-9", PRINTED["eq-9"].expression)
     assert row.status == check.FAILED
     assert "virtual work" in row.note

@@ -480,7 +480,7 @@ def test_a_mistake_of_ours_is_one_line_as_well(monkeypatch: pytest.MonkeyPatch, 
     def broken(*_: object) -> None:
         raise KeyError("broken")
 
-    monkeypatch.setattr("spragsym.cli.equilibria._rows", broken)
+    monkeypatch.setattr("spragsym.cli.equilibria.rows_of", broken)
     assert invoke("equilibria", "--theta0", "49") == FAILED
     said = capsys.readouterr().err
     assert said.count("\n") == 1

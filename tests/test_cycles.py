@@ -22,10 +22,10 @@ import spragsym as ss
 from benchmarks import bench_auto, validate_branches, validate_cycles, validate_fates, validate_verdicts
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
-from spragsym.cycles import attractors, fates, finding, growth_rates, saddles
+from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
-from spragsym.dynamics import criteria, multipliers, shooting
+from spragsym.dynamics import bifurcation_functions, multipliers, shooting
 from spragsym.dynamics.field import Border, Field
 from spragsym.dynamics.flows import carrier
 from spragsym.exact.decimals import exactly
@@ -391,9 +391,9 @@ def test_test_functions_are_those_of_the_multipliers(slow: ss.Cycle) -> None:
         """Of factors 1 − μ, each over its size."""
         return math.prod(((1 - value) / (1 + abs(value))).real for value in values)
 
-    assert criteria.at_one(slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
-    assert criteria.at_minus_one(slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
-    assert criteria.on_circle(slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
+    assert bifurcation_functions.at_one(slow.loop) == pytest.approx(product(a, b, c), abs=1e-12)
+    assert bifurcation_functions.at_minus_one(slow.loop) == pytest.approx(product(-a, -b, -c), abs=1e-12)
+    assert bifurcation_functions.on_circle(slow.loop) == pytest.approx(product(a * b, a * c, b * c), abs=1e-12)
 
 
 @pytest.mark.parametrize("large", [1e3, 1e8, 1e10])
@@ -424,10 +424,10 @@ def test_nothing_is_concluded_from_multipliers_that_are_lost() -> None:
     found = multipliers.multipliers_of(parts, [np.array([1.0, 0.0, 0.0])])
     loop: Any = types.SimpleNamespace(multipliers=found)
     assert found.errors[1] > 0.1
-    assert criteria.is_lost(loop, "fold")
-    assert criteria.is_lost(loop, "torus") or not criteria.is_complex_pair(loop)
+    assert bifurcation_functions.is_lost(loop, "fold")
+    assert bifurcation_functions.is_lost(loop, "torus") or not bifurcation_functions.is_complex_pair(loop)
     good = multipliers.multipliers_of([np.diag([1.0, 1e2, 1.1])], [np.array([1.0, 0.0, 0.0])])
-    assert not criteria.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
+    assert not bifurcation_functions.is_lost(types.SimpleNamespace(multipliers=good), "fold")  # type: ignore[arg-type]
 
 
 @pytest.mark.thorough
@@ -474,7 +474,7 @@ def test_one_cycle_at_both_ends_is_one_fate() -> None:
 
 def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where an attractor can't be followed over all of the bracket, it is taken for another one until the bracket is narrow."""
-    followed = fates.followed
+    followed = fate_boundaries.followed
 
     def near(field: Any, known: Any, values: Any, backend: str) -> Any:
         if abs(known.values[0] - values[0]) > 1e-9:
@@ -484,14 +484,14 @@ def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPa
     def told(one: Any, other: Any) -> bool:
         return (one.period < middle) == (other.period < middle)
 
-    monkeypatch.setattr(fates, "followed", near)
-    monkeypatch.setattr(fates, "_seems", told)
+    monkeypatch.setattr(fate_boundaries, "followed", near)
+    monkeypatch.setattr(fate_boundaries, "_seems", told)
     p, settings = ss.Parameters.article(), {"vary": "theta0", "bracket": (0.733, 0.7334), "start": (2.54, 3.36, 0.0, 0.36)}
     periods = [ss.cycle(p.replace(theta0=value), **BELT, near=settings["start"]).period for value in settings["bracket"]]
     middle = sum(periods) / 2
     with pytest.raises(ss.ParameterError, match=r"cycle of period 34\.\d+ at the other, which is one attractor"):
         ss.fate_boundary(p, **settings, **BELT)
-    monkeypatch.setattr(fates, "LONGEST", 1e4)
+    monkeypatch.setattr(fate_boundaries, "LONGEST", 1e4)
     with pytest.raises(ss.ConvergenceError, match="leave it open whether there are others; give a narrower bracket"):
         ss.fate_boundary(p, **settings, **BELT)
 
@@ -536,11 +536,11 @@ def test_a_boundary_beside_others_is_told_where_rounding_does_not_decide(monkeyp
         other = values[0] >= 0.3 or island[0] < values[0] < island[1]
         return attractors.Verdict(ss.Outcome(ss.Regime.EQUILIBRIUM, rest_x=float(other), rest_y=0.0), np.zeros(4), 2000.0)
 
-    monkeypatch.setattr(fates, "judged", judged)
-    monkeypatch.setattr(fates, "attractor", lambda field, values, verdict, backend: verdict.outcome.rest_x)
-    monkeypatch.setattr(fates, "followed", lambda field, known, values, backend: known)
-    monkeypatch.setattr(fates, "same", lambda one, other: one == other)
-    monkeypatch.setattr(fates, "_saddle", lambda *_: ("unknown", np.zeros(4), math.nan, math.nan))
+    monkeypatch.setattr(fate_boundaries, "judged", judged)
+    monkeypatch.setattr(fate_boundaries, "attractor", lambda field, values, verdict, backend: verdict.outcome.rest_x)
+    monkeypatch.setattr(fate_boundaries, "followed", lambda field, known, values, backend: known)
+    monkeypatch.setattr(fate_boundaries, "same", lambda one, other: one == other)
+    monkeypatch.setattr(fate_boundaries, "_saddle", lambda *_: ("unknown", np.zeros(4), math.nan, math.nan))
     found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.2, 0.4), **BELT)
     assert abs(found.value - 0.3) < found.error < 1e-12
     assert [low < island[0] < high or low < island[1] < high for low, high in found.others] == [True, True]
@@ -984,7 +984,7 @@ def test_a_loaded_model_has_fates() -> None:
 def test_balls_enclose_the_flow_over_a_border(slow: ss.Cycle) -> None:
     flint = pytest.importorskip("flint")
     from spragsym.cycles import ball_flow, ball_proof
-    from spragsym.exact.methods import Functions
+    from spragsym.exact.number_types import Functions
 
     fly, _ = carrier(SPRAG, None)
     none = np.zeros((2, 8))
@@ -1029,7 +1029,7 @@ def test_slopes_in_balls_are_those_that_were_derived() -> None:
     """Of every piece of every model, at a point; over a wide ball they hold where written-out powers tell nothing."""
     flint = pytest.importorskip("flint")
     from spragsym.cycles import ball_flow
-    from spragsym.exact.methods import Functions
+    from spragsym.exact.number_types import Functions
     from spragsym.models.field import exact_field
 
     for name in ("kang_nam", "stick_slip", "trolley", "stribeck"):

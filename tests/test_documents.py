@@ -69,7 +69,7 @@ MODULES = sorted(
 )
 
 #: Modules whose examples take seconds; their tests have the same calls.
-LONG_EXAMPLES = ("spragsym.cycles.fates", "spragsym.cycles.branch", "spragsym.cycles.two_parameters")
+LONG_EXAMPLES = ("spragsym.cycles.fate_boundaries", "spragsym.cycles.branch", "spragsym.cycles.two_parameters")
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from spragsym.derive.emit.write import SOURCES
 from spragsym.generated import double_double as dd
 from spragsym.generated import kernel
 from spragsym.parameters import NAMES
-from spragsym.statics import backends, block, compiled, ladder, slots, solver
+from spragsym.statics import adaptive_precision, backends, block, compiled, solver, state_columns
 from spragsym.statics.double_double import DoubleDouble, cosine_and_sine
 
 #: The unit in which the bounds of single operations are known.
@@ -149,7 +149,7 @@ def _hard(n: int) -> ss.Parameters:
 
 def test_the_cusp_wedge_needs_no_intervals(monkeypatch: pytest.MonkeyPatch) -> None:
     """Counts and digits by an independent reference; what double-double arithmetic can't settle would fail here."""
-    monkeypatch.setattr(ladder, "equilibria", lambda *_, **__: pytest.fail("a point went on to intervals"))
+    monkeypatch.setattr(adaptive_precision, "equilibria", lambda *_, **__: pytest.fail("a point went on to intervals"))
     p, rng = FAMILIES["cusp wedge"](np.random.default_rng(47), 500), np.random.default_rng(48)
     for backend in ("numpy", "auto"):
         ss.set_backend(backend)
@@ -169,7 +169,7 @@ def test_c_and_numpy_have_the_same_bits(contact: bool) -> None:
     values = [np.ascontiguousarray(value) for value in p.broadcast(*NAMES)]
     found = []
     for solve in (compiled.solve_widely, block.solve_widely):
-        out = slots.Slots(p.shape[0], 3 if contact else 4)
+        out = state_columns.Slots(p.shape[0], 3 if contact else 4)
         with np.errstate(all="ignore"):
             left = solve(values, contact, out, 0, p.shape[0])
         out.count[left] = 0
@@ -177,7 +177,7 @@ def test_c_and_numpy_have_the_same_bits(contact: bool) -> None:
         found.append((left, out))
     np.testing.assert_array_equal(found[0][0], found[1][0])
     np.testing.assert_array_equal(found[0][1].count, found[1][1].count)
-    for name in slots.COLUMNS:
+    for name in state_columns.COLUMNS:
         np.testing.assert_array_equal(found[0][1].padded(name), found[1][1].padded(name))
 
 
@@ -200,6 +200,6 @@ def test_numbers_that_could_under_or_overflow_go_on_to_intervals(scale: float) -
     for name in ("kappa", "sigma", "alpha", "beta", "mu0"):
         values = [np.array([value * (scale if name == key else 1.0)]) for key, value in given.items()]
         with np.errstate(all="ignore"):
-            assert block.solve_widely(values, True, slots.Slots(1, 3), 0, 1).tolist() == [0]
+            assert block.solve_widely(values, True, state_columns.Slots(1, 3), 0, 1).tolist() == [0]
             if compiled.available():
-                assert compiled.solve_widely(values, True, slots.Slots(1, 3), 0, 1).tolist() == [0]
+                assert compiled.solve_widely(values, True, state_columns.Slots(1, 3), 0, 1).tolist() == [0]

@@ -95,7 +95,7 @@ def untouched(target: Path) -> bool:
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Leave out the steps before the check, and the shipped pages, which other tests run."""
     monkeypatch.setattr(command, "shipped_models", lambda: {})
-    for module in (command.elimination, command.catastrophe, command.linear_sprag, command.generality):
+    for module in (command.elimination, command.catastrophe, command.linear_sprag, command.page_equivalence):
         monkeypatch.setattr(module, "identities", lambda: {})
 
 

@@ -15,7 +15,7 @@ from benchmarks.families import FAMILIES, random
 from benchmarks.validate_equilibria import worst_errors, wrong_counts
 from spragsym.exact import intervals
 from spragsym.generated.equilibrium import f_coefficients
-from spragsym.statics import compiled, kernel, ladder, solver
+from spragsym.statics import adaptive_precision, compiled, kernel, solver
 from tests.support import as_fraction
 
 FOLD_DEG = 44.5593177025653  # left fold at base values, by three continuation codes (peers)
@@ -192,17 +192,17 @@ def test_the_rungs_agree(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_a_fold_to_the_last_digit_is_reported_not_guessed(monkeypatch: pytest.MonkeyPatch) -> None:
     # With few bits the discriminant next to a fold holds 0: two slots share the double root.
-    monkeypatch.setattr(ladder, "FIRST_BITS", 128)
-    monkeypatch.setattr(ladder, "MAXIMUM_BITS", 128)
-    monkeypatch.setattr(ladder, "BITS_A_SPREAD", 0)
+    monkeypatch.setattr(adaptive_precision, "FIRST_BITS", 128)
+    monkeypatch.setattr(adaptive_precision, "MAXIMUM_BITS", 128)
+    monkeypatch.setattr(adaptive_precision, "BITS_A_SPREAD", 0)
     fold = Fraction(math.radians(FOLD_DEG))
     exact = ss.precise.cusps(dps=60)[2]
-    found = ladder.equilibria(as_fraction(exact.theta0), as_fraction(exact.mu0), "0.007", "0.007", "0.1", 0)
+    found = adaptive_precision.equilibria(as_fraction(exact.theta0), as_fraction(exact.mu0), "0.007", "0.007", "0.1", 0)
     assert found.fold
     assert len(found.states) == 3
     low, middle, high = (state.theta for state in found.states)
     assert abs(low - middle) < 1e-15 or abs(middle - high) < 1e-15
-    assert not ladder.equilibria(fold, "0.5", "0.007", "0.007", "0.1", 0).fold
+    assert not adaptive_precision.equilibria(fold, "0.5", "0.007", "0.007", "0.1", 0).fold
 
 
 def test_precise_takes_numbers_exactly() -> None:

@@ -20,7 +20,7 @@ import sympy as sp
 
 from spragsym import generated
 from spragsym.derive.kang_nam import catastrophe as folds
-from spragsym.derive.kang_nam import circles, elimination
+from spragsym.derive.kang_nam import elimination, unit_circles
 from spragsym.derive.kang_nam import equilibrium as balance
 from spragsym.derive.kang_nam import linear_sprag as linear_model
 from spragsym.derive.kang_nam import nomenclature as nm
@@ -361,7 +361,7 @@ def _fold_conic() -> tuple[sp.Expr, ...]:
 
 def _fold_events() -> tuple[sp.Expr, ...]:
     """The discriminant of the quartic in S = sin θ₀ that is left of conic and circle, without its further factor (4 Ec E2)²."""
-    e0, e1, e2, ec = (circles.reduce_circles(sp.expand(value)) for value in (*_fold_conic()[:3], _fold_conic()[3] / nm.c))
+    e0, e1, e2, ec = (unit_circles.reduce_circles(sp.expand(value)) for value in (*_fold_conic()[:3], _fold_conic()[3] / nm.c))
     square, S = sp.expand(ec**2 * (1 - nm.s**2)), sp.Symbol("S")
     symbols = sp.symbols("e0 e1 e2 square")
     in_sine = sp.Poly((symbols[0] + symbols[1] * S + symbols[2] * S**2) ** 2 - symbols[3] * (1 - S**2), S)
@@ -374,7 +374,7 @@ def _fold_events() -> tuple[sp.Expr, ...]:
 
 def _fold_events_without_alpha() -> tuple[sp.Expr, ...]:
     """Without α the conic is a parabola in sin θ₀: its discriminant, and its values at 0 and 1."""
-    e0, e1, e2 = (circles.reduce_circles(sp.expand(value.subs(nm.alpha, 0))) for value in _fold_conic()[:3])
+    e0, e1, e2 = (unit_circles.reduce_circles(sp.expand(value.subs(nm.alpha, 0))) for value in _fold_conic()[:3])
     S = sp.Symbol("S")
     parabola = e0 + e1 * S + e2 * S**2
     return sp.discriminant(parabola, S), parabola.subs(S, 0), parabola.subs(S, 1)

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.dynamics import Event, course, flows, integrators, lanes, motions, simulate
+from spragsym.dynamics import Event, batch_heyoka, flows, integrators, measures, motions, simulate
 from spragsym.dynamics.classify import classified, classify
 from spragsym.dynamics.field import Field
 from spragsym.dynamics.motions import Measured, Motions
@@ -49,29 +49,31 @@ def assert_same(one: Measured, row: int, other: Measured, place: int) -> None:
         np.testing.assert_array_equal(getattr(one, name)[row], getattr(other, name)[place], err_msg=name)
 
 
-@pytest.mark.parametrize("burst", [5, lanes.BURST])
+@pytest.mark.parametrize("burst", [5, batch_heyoka.BURST])
 def test_a_motion_is_the_same_alone_and_among_others(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
-    monkeypatch.setattr(lanes, "BURST", burst)  # the shorter it is, the more often some lanes are filled while others go on
+    monkeypatch.setattr(
+        batch_heyoka, "BURST", burst
+    )  # the shorter it is, the more often some lanes are filled while others go on
     some = problems(21)  # more than two fillings, and a rest
-    together = lanes.watch(Motions.of(some))
+    together = batch_heyoka.watch(Motions.of(some))
     order = RNG.permutation(len(some)).tolist()
-    shuffled = lanes.watch(Motions.of([some[row] for row in order]))
+    shuffled = batch_heyoka.watch(Motions.of([some[row] for row in order]))
     for place, row in enumerate(order):
         assert_same(together, row, shuffled, place)
     for row in (0, 7, 20):
-        assert_same(together, row, lanes.watch(Motions.of([some[row]])), 0)
+        assert_same(together, row, batch_heyoka.watch(Motions.of([some[row]])), 0)
 
 
-@pytest.mark.parametrize("burst", [5, lanes.BURST])
+@pytest.mark.parametrize("burst", [5, batch_heyoka.BURST])
 def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.MonkeyPatch, burst: int) -> None:
-    monkeypatch.setattr(lanes, "BURST", burst)
+    monkeypatch.setattr(batch_heyoka, "BURST", burst)
     good = problems(19)
     enough = max(simulate_steps(problem) for problem in good) + 5  # steps before a new beginning do not count
     good = [replace(problem, max_steps=enough) for problem in good]
     some = good.copy()
     for place in (0, 3, 4, 12, len(some)):
         some.insert(place, broken(good[0]))
-    found, expected = lanes.watch(Motions.of(some)), lanes.watch(Motions.of(good))
+    found, expected = batch_heyoka.watch(Motions.of(some)), batch_heyoka.watch(Motions.of(good))
     bad = [row for row, problem in enumerate(some) if problem.start[2] == 1e200]
     assert sorted(found.errors) == bad
     assert all("left the range of numbers" in str(error) for error in found.errors.values())
@@ -82,21 +84,21 @@ def test_motions_that_break_off_cost_themselves_alone(monkeypatch: pytest.Monkey
 
 def test_nothing_but_broken_motions() -> None:
     one = problems(1)[0]
-    assert sorted(lanes.watch(Motions.of([broken(one)] * 9)).errors) == list(range(9))
+    assert sorted(batch_heyoka.watch(Motions.of([broken(one)] * 9)).errors) == list(range(9))
 
 
 def test_a_missed_crossing_is_the_failure_of_its_motion(monkeypatch: pytest.MonkeyPatch) -> None:
     """A motion that begins in another mode than its own passes y = 0 in the wrong direction."""
     some = problems(9)
     some[4] = replace(some[4], start=(0.0, 0.2, 0.0, -0.3))
-    expected, initial_modes = lanes.watch(Motions.of(some)), Field.initial_modes
+    expected, initial_modes = batch_heyoka.watch(Motions.of(some)), Field.initial_modes
 
     def wrong(*arguments: Any) -> list[tuple[int, ...]]:
         modes = initial_modes(*arguments)
         return [*modes[:4], (1, *modes[4][1:]), *modes[5:]]
 
     monkeypatch.setattr(Field, "initial_modes", wrong)
-    found = lanes.watch(Motions.of(some))
+    found = batch_heyoka.watch(Motions.of(some))
     assert "missed a kink" in str(found.errors.pop(4))
     assert not found.errors
     for row in (0, 1, 2, 3, 5, 6, 7, 8):
@@ -110,7 +112,7 @@ LIMIT = 95
 def test_too_many_steps_are_counted_for_each() -> None:
     some = problems(12, max_steps=LIMIT)
     counted = [simulate_steps(problem) for problem in some]
-    found = lanes.watch(Motions.of(some))
+    found = batch_heyoka.watch(Motions.of(some))
     # A lane's steps may differ by a few from those of the integrator of one motion: none is so close to the limit.
     assert all(abs(steps - LIMIT) > 1 for steps in counted)
     assert sorted(found.errors) == [row for row, steps in enumerate(counted) if steps > LIMIT] != []
@@ -128,7 +130,7 @@ def simulate_steps(problem: Problem) -> int:
 
 def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
     some = problems(9, t_end=40.0, t_record=10.0)
-    found = lanes.watch(Motions.of(some))
+    found = batch_heyoka.watch(Motions.of(some))
     for row, problem in enumerate(some):
         p = ss.Parameters.article(theta0=np.arctan2(problem.constants.sin0, problem.constants.cos0), mu0=problem.constants.mu0)
         x0, y0, vx0, vy0 = problem.start
@@ -143,10 +145,10 @@ def test_lanes_measure_what_the_samples_of_a_trajectory_give() -> None:
 
 def test_a_long_motion_keeps_its_latest_turning_points_only(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = problems(1, t_end=600.0, t_record=10.0)[0]
-    whole = lanes.watch(Motions.of([problem])).course(0)
+    whole = batch_heyoka.watch(Motions.of([problem])).course(0)
     assert len(whole.maxima) > 15
     assert whole.since == whole.begin
-    for module in (course, motions):
+    for module in (measures, motions):
         monkeypatch.setattr(module, "KEPT", 12)
     for backend in ("heyoka", "scipy"):
         short = integrators.measure(Motions.of([problem]), backend).course(0)
@@ -184,7 +186,7 @@ def test_motions_that_are_left_out_of_the_judgement_are_unsettled() -> None:
     still = prepare(ss.Parameters.article(theta0=0.6, **BELT), start=start, t_end=60.0, t_record=20.0, rtol=1e-10)
     high = replace(still, start=(0.0, 0.4, 0.0, 0.0))
     some = Motions.of([still, high, *problems(60)])
-    found = lanes.watch(some)
+    found = batch_heyoka.watch(some)
     told = dict(classified(found, some, "heyoka"))
     assert told[0].regime == Regime.EQUILIBRIUM
     assert 0 < len(told) < len(some)
@@ -198,7 +200,7 @@ def test_a_cycle_is_told_from_few_turns() -> None:
     problem = prepare(
         ss.Parameters.article(theta0=np.radians(42), **BELT), start=(0, 0, 0, 0), t_end=2000, t_record=1850, rtol=1e-10
     )
-    found = lanes.watch(Motions.of([problem]))
+    found = batch_heyoka.watch(Motions.of([problem]))
     assert found.maxima[0] < 10
     ((_, outcome),) = classified(found, Motions.of([problem]), "heyoka")
     assert outcome.regime == Regime.APPROACHES_CYCLE

@@ -14,7 +14,7 @@ import pytest
 import spragsym as ss
 from benchmarks import validate_lowest
 from benchmarks.validate_folds import random_fixed
-from spragsym.catastrophe.fixed import FIXED
+from spragsym.catastrophe.fixed_parameters import FIXED
 from spragsym.derive.kang_nam import lowest_fold as derived
 
 BASE = ss.Parameters.article(theta0=None, mu0=None)

@@ -174,13 +174,13 @@ def test_the_articles_page_against_newtons_law(pushing: int) -> None:
     """The balance on the free body in complex numbers, written without the derivation."""
     from fractions import Fraction
 
-    from spragsym.derive.kang_nam import evidence
+    from spragsym.derive.kang_nam import free_body
 
     with mp.workdps(50):
         model = Generated("kang_nam")
-        point = evidence.Point(theta0_deg=Fraction(37), mu0=Fraction(2, 5), beta=Fraction(1, 3))
+        point = free_body.Point(theta0_deg=Fraction(37), mu0=Fraction(2, 5), beta=Fraction(1, 3))
         p = {name: point.number(name) for name in ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")} | {"V": 1, "d": 1}
         for x, y in ((mp.mpf("0.3"), mp.mpf("-0.02")), (mp.mpf("1.9"), mp.mpf("0.8"))):
-            want = evidence.forces(point, x, y, mp.mpf(pushing))
+            want = free_body.forces(point, x, y, mp.mpf(pushing))
             for ours, theirs in zip(model.forces([x, y], p, p["mu0"], pushing), want, strict=True):
                 assert abs(ours - theirs) < 1e-45

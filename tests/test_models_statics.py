@@ -12,7 +12,7 @@ import spragsym as ss
 from benchmarks import families, validate_models
 from spragsym.models import cusps, points
 from spragsym.models.balance import Balance
-from spragsym.models.conditions import Cusp
+from spragsym.models.bifurcation_conditions import Cusp
 from tests.support import few
 
 STATES = ("theta0", "mu0", "kappa", "alpha", "sigma", "beta")

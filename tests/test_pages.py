@@ -17,13 +17,13 @@ pytest.importorskip("sympy")
 import sympy as sp
 
 import spragsym as ss
-from spragsym.derive import folder, pages, soundness
+from spragsym.derive import folder, pages, physical_checks
 from spragsym.derive import units as measured
 from spragsym.derive.emit.targets.c99.algebra import CPrinter
 from spragsym.derive.emit.targets.javascript.algebra import JavaScriptPrinter
 from spragsym.derive.emit.targets.matlab.algebra import MatlabPrinter
 from spragsym.derive.emit.targets.python.algebra import AlgebraPrinter
-from spragsym.derive.kang_nam import generality, variant
+from spragsym.derive.kang_nam import page_equivalence, variant_models
 from spragsym.derive.model import PageError
 
 ARTICLE = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
@@ -244,16 +244,15 @@ def test_a_page_that_is_no_text_in_utf_8(tmp_path: Path) -> None:
 def test_a_coordinate_hides_nothing_of_the_results() -> None:
     """Whatever can be asked of a result is no name of a coordinate, and no column of a sweep that of a parameter."""
     from spragsym.derive import reserved
-    from spragsym.models import onsets, paths, points
-    from spragsym.statics import results
+    from spragsym.models import paths
     from spragsym.sweeps.result import REPORTED
 
     def asked(kind: type) -> set[str]:
         return {name for name in (*dir(kind), *(field.name for field in dataclasses.fields(kind))) if not name.startswith("_")}
 
-    for kind in (ss.Trajectory, ss.Sweep, results.Equilibria, points.ModelPoints, paths.ModelPath):
+    for kind in (ss.Trajectory, ss.Sweep, ss.Equilibria, ss.Points, paths.ModelPath):
         assert asked(kind) <= reserved.RESULTS | reserved.OF_MOTIONS, kind
-    assert asked(points.ModelPoints) | asked(onsets.Onsets) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
+    assert asked(ss.Points) | asked(ss.Onsets) | {*REPORTED, "regime", "equilibrium", "reason"} <= reserved.RESULTS
 
 
 def test_decimal_powers_are_those_that_are_meant(tmp_path: Path) -> None:
@@ -315,11 +314,11 @@ def test_units_are_read(text: str, powers: tuple[int, ...]) -> None:
 
 def test_groups_follow_from_the_units() -> None:
     """As the article defines them after (9)."""
-    groups = {name: str(value) for name, value in soundness.groups(pages.read(pages.SHIPPED / "kang_nam.py").page).items()}
+    groups = {name: str(value) for name, value in physical_checks.groups(pages.read(pages.SHIPPED / "kang_nam.py").page).items()}
     assert groups["kappa"] == "F_L/(L_0*k_c)"
     assert groups["sigma"] == "k/k_c"
     assert groups["d"] == "L_0*d*sqrt(k_c)/sqrt(m)"
-    hertz = soundness.groups(pages.read(pages.SHIPPED / "hertz_contact.py").page)
+    hertz = physical_checks.groups(pages.read(pages.SHIPPED / "hertz_contact.py").page)
     assert str(hertz["sigma"]) == "k/(sqrt(L_0)*k_h)"
 
 
@@ -327,13 +326,13 @@ def test_groups_follow_from_the_units() -> None:
 
 
 def test_the_general_way_gives_the_article() -> None:
-    assert all(generality.identities().values())
+    assert all(page_equivalence.identities().values())
 
 
 def test_a_page_that_differs_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     """The comparison can fail: what the pages add is not added for nothing."""
-    monkeypatch.setattr(generality, "ADDED", {"cubic_contact": (), "damped": ("zeta_x", "zeta_y")})
-    held = generality.identities()
+    monkeypatch.setattr(page_equivalence, "ADDED", {"cubic_contact": (), "damped": ("zeta_x", "zeta_y")})
+    held = page_equivalence.identities()
     assert sum(held.values()) == 3
     assert len(held) == 5
 
@@ -425,28 +424,28 @@ def test_a_model_describes_itself(name: str) -> None:
 
 def judged(name: str) -> dict[str, tuple[str, str]]:
     model = pages.read(pages.SHIPPED / f"{name}.py").mechanics
-    return {row.id: (row.status, row.remark) for row in variant.judge(model)}
+    return {row.id: (row.status, row.remark) for row in variant_models.judge(model)}
 
 
 def test_every_row_holds_for_the_articles_page() -> None:
-    assert {status for status, _ in judged("kang_nam").values()} == {variant.HOLDS}
+    assert {status for status, _ in judged("kang_nam").values()} == {variant_models.HOLDS}
 
 
 @pytest.mark.thorough
 def test_a_constant_force_changes_the_right_sides_only() -> None:
     """On the tilted belt the weight stands in b and in nothing that is made of D; the quartic in b_1, b_2 stays."""
     rows = judged("inclined_belt")
-    assert {id for id, (status, _) in rows.items() if status == variant.FAILS} == {
+    assert {id for id, (status, _) in rows.items() if status == variant_models.FAILS} == {
         *(f"eq-{number}" for number in (1, 2, 8, 9, 12, 13, 14, 15, 19, 25)), "A10", "A11", "A12", "A13",
     }  # fmt: skip
     assert rows["A10"][1] == "b_1: -gamma_g*sin_psi"
-    assert {status for status, _ in rows.values()} == {variant.HOLDS, variant.FAILS}
+    assert {status for status, _ in rows.values()} == {variant_models.HOLDS, variant_models.FAILS}
 
 
 @pytest.mark.thorough
 def test_dampers_change_motion_and_stability_only() -> None:
     rows = judged("damped")
-    assert {id for id, (status, _) in rows.items() if status != variant.HOLDS} == {
+    assert {id for id, (status, _) in rows.items() if status != variant_models.HOLDS} == {
         f"eq-{number}" for number in (1, 2, 8, 9, 12, 13, 27)
     }
     assert "zeta_x" in rows["eq-27"][1]
@@ -455,26 +454,26 @@ def test_dampers_change_motion_and_stability_only() -> None:
 @pytest.mark.thorough
 def test_a_cubic_contact_leaves_no_quartic() -> None:
     rows = judged("cubic_contact")
-    assert rows["eq-11"] == (variant.FAILS, "n(δ): depth**3*gamma")
-    assert all(rows[id][0] == variant.NO_MEANING for id in ("eq-16", "eq-21", "A2", "A11"))
-    assert all(rows[id][0] == variant.HOLDS for id in ("eq-6", "eq-10", "eq-25", "A9", "A12", "def-kappa"))
-    assert judged("trolley")["eq-27"][0] == variant.NO_MEANING
+    assert rows["eq-11"] == (variant_models.FAILS, "n(δ): depth**3*gamma")
+    assert all(rows[id][0] == variant_models.NO_MEANING for id in ("eq-16", "eq-21", "A2", "A11"))
+    assert all(rows[id][0] == variant_models.HOLDS for id in ("eq-6", "eq-10", "eq-25", "A9", "A12", "def-kappa"))
+    assert judged("trolley")["eq-27"][0] == variant_models.NO_MEANING
 
 
 @pytest.mark.thorough
 def test_check_of_a_mass_on_one_spring() -> None:
     rows = judged("stick_slip")
     # What needs the coordinate x, the friction law or a unit alone can be compared; the rest speaks of what is not there.
-    assert {id for id, (status, _) in rows.items() if status != variant.NO_MEANING} == {
+    assert {id for id, (status, _) in rows.items() if status != variant_models.NO_MEANING} == {
         "eq-1", "eq-8", "eq-10", "eq-12", "eq-14", "def-tau", "def-prime", "def-x", "def-n",
     }  # fmt: skip
-    assert rows["def-tau"] == (variant.FAILS, "unit of time: sqrt(m)/sqrt(k)")
-    assert rows["eq-15"] == (variant.NO_MEANING, "the model has no coordinate y")
-    assert rows["def-L"] == (variant.NO_MEANING, "there is no inclined spring")
+    assert rows["def-tau"] == (variant_models.FAILS, "unit of time: sqrt(m)/sqrt(k)")
+    assert rows["eq-15"] == (variant_models.NO_MEANING, "the model has no coordinate y")
+    assert rows["def-L"] == (variant_models.NO_MEANING, "there is no inclined spring")
 
 
 @pytest.mark.thorough
 def test_check_of_a_mass_that_never_leaves_the_belt() -> None:
     rows = judged("mode_coupling")
-    assert rows["eq-27"] == (variant.HOLDS, "")
+    assert rows["eq-27"] == (variant_models.HOLDS, "")
     assert "nbar" not in "".join(remark for _, remark in rows.values())

@@ -22,9 +22,9 @@ from benchmarks.validate_precise import points, worst_shares
 from spragsym import precise
 from spragsym.catastrophe import cusp_proofs
 from spragsym.cli import cli as command_line
-from spragsym.exact import escalation
+from spragsym.exact import adaptive_bits
 from spragsym.exact.intervals import Balls
-from spragsym.statics import compiled, ladder
+from spragsym.statics import adaptive_precision, compiled
 
 ARITH = Balls()
 
@@ -88,8 +88,8 @@ def test_error_bounds_of_folds_hold_whatever_the_callers_precision() -> None:
 @pytest.mark.parametrize("dps", [1, 15, 50, 300])
 def test_the_first_try_has_enough_bits(dps: int) -> None:
     """Away from borders: 3.33 bits a digit, and what an enclosure loses."""
-    settled = ladder.equilibria(0.5, 0.5, "0.007", "0.007", "0.1", 0, digits=dps)
-    assert settled.bits == max(ladder.FIRST_BITS, int(3.4 * dps) + 64)
+    settled = adaptive_precision.equilibria(0.5, 0.5, "0.007", "0.007", "0.1", 0, digits=dps)
+    assert settled.bits == max(adaptive_precision.FIRST_BITS, int(3.4 * dps) + 64)
     tries: list[int] = []
     exact = tuple(map(Fraction, ("0.007", "0.007", "0.1", "0")))
 
@@ -97,8 +97,8 @@ def test_the_first_try_has_enough_bits(dps: int) -> None:
         tries.append(bits)
         return [precise._cusp(ARITH, point, dps) for point in cusp_proofs.cusps(ARITH, exact, bits)]
 
-    assert len(escalation.with_enough_bits(ARITH, dps, attempt, "cusps")) == 4
-    assert tries == [max(escalation.FIRST_BITS, int(3.4 * dps) + 96)]
+    assert len(adaptive_bits.with_enough_bits(ARITH, dps, attempt, "cusps")) == 4
+    assert tries == [max(adaptive_bits.FIRST_BITS, int(3.4 * dps) + 96)]
 
 
 @pytest.mark.parametrize("degrees", ["0", 0.0, "-1", "180", 180, Fraction(180), "181", "360"])

@@ -16,9 +16,9 @@ import spragsym as ss
 from benchmarks import validate_regimes
 from spragsym.dynamics import with_compiled
 from spragsym.dynamics.classify import classify
-from spragsym.dynamics.closed import Closed
-from spragsym.dynamics.course import Course
 from spragsym.dynamics.flows import Onward
+from spragsym.dynamics.measures import Course
+from spragsym.dynamics.periodic_orbit import Closed
 from spragsym.dynamics.problem import Problem, prepare
 from spragsym.dynamics.regimes import ATTRACTOR, SETTLED, Regime
 from spragsym.generated import motion

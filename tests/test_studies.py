@@ -397,7 +397,7 @@ def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.
     assert [row["x_mm"] for row in set_["folds"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
     assert set_["mu_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
     assert set_["mu_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
-    arguments = ("--data", str(path), "--json", "--vary", "k_x", "--from", "5", "--to", "20", "--points", "2")
+    arguments = ("--data", str(path), "--json", "--vary", "k_x=5:20:2")
     points = json.loads(printed("equilibria", *arguments))["points"]
     for point, k_x in zip(points, (5.0, 20.0), strict=True):
         assert point["parameters"]["k_x_N/mm"] == pytest.approx(k_x, rel=1e-12)
@@ -577,7 +577,7 @@ CONTRADICTIONS = [
     ("It sprags: at 52 deg the state of small deformation jumps at a friction of 0.37, within your range of friction 0.3 to 0.6.",
      "Jump\n  margin to the largest friction  +39.0 %"),
     ("State\n  the state it jumped to          unstable; spring at 124.4 deg, x = 44.15 mm",
-     "Oscillation\n  lives beside sliding that settles\n                                  yes"),
+     "Oscillation\n  coexists with stable sliding    yes"),
     ("Oscillation\n  from rest                       none: it decays to rest",
      "Oscillation\n  amplitude along the belt        5.509 mm"),
     ("Tolerances\n  no jump within all of them      proved",

@@ -6,14 +6,14 @@ from functools import cache
 
 import sympy as sp
 
-from . import circles, elimination, stability
+from . import unit_circles, elimination, stability
 from . import nomenclature as nm
 from .elimination import f_form
 
 #: f′, f″ and f‴ with respect to θ.
-slope = sp.expand(circles.rotate_derivative(f_form))
-curvature = sp.expand(circles.rotate_derivative(slope))
-third = sp.expand(circles.rotate_derivative(curvature))
+slope = sp.expand(unit_circles.rotate_derivative(f_form))
+curvature = sp.expand(unit_circles.rotate_derivative(slope))
+third = sp.expand(unit_circles.rotate_derivative(curvature))
 
 
 @cache
@@ -47,8 +47,8 @@ def slope_identity() -> bool:
     on_surface = {nm.M: surface()}
     determinant = stability.determinant(stability.in_shorthand(stability.stiffness()))
     left = (nm.L * determinant).subs(nm.L, elimination.state()[nm.L])
-    right = circles.rotate_derivative(elimination.f_in_parameters())
-    return circles.equal(left.subs(on_surface).subs(parameters), right.subs(on_surface).subs(parameters))
+    right = unit_circles.rotate_derivative(elimination.f_in_parameters())
+    return unit_circles.equal(left.subs(on_surface).subs(parameters), right.subs(on_surface).subs(parameters))
 
 
 # ------------------------------------------------------------------------------------------------------ folds
@@ -62,7 +62,7 @@ def fold_relations() -> dict[sp.Symbol, sp.Expr]:
         nm.fb: -(nm.s**2) * (nm.fa * nm.s + nm.fm * nm.c),
         nm.fd: -nm.fa * nm.c**3 + nm.fm * nm.s * (1 + nm.c**2),
     }
-    if not all(circles.equal(solution[symbol], value) for symbol, value in arranged.items()):
+    if not all(unit_circles.equal(solution[symbol], value) for symbol, value in arranged.items()):
         raise ArithmeticError("b and d on a fold are not what catastrophe.py arranges")
     return arranged
 
@@ -152,7 +152,7 @@ def fold_sextic() -> tuple[sp.Expr, ...]:
     With f = f₀ + v f_v the surface is v(θ) = −f₀/f_v, and v′ is minus this over f_v²; f for any value of v gives the same.
     """
     change, t = f_form.subs(_CHANGE), nm.tt
-    condition = circles.reduce_circles(sp.expand(slope * change - f_form * circles.rotate_derivative(change)))
+    condition = unit_circles.reduce_circles(sp.expand(slope * change - f_form * unit_circles.rotate_derivative(change)))
     half_angle = {nm.c: (1 - t**2) / (1 + t**2), nm.s: 2 * t / (1 + t**2)}
     polynomial = sp.Poly(sp.cancel(sp.together((1 + t**2) ** 3 * condition.subs(half_angle))), t)
     return tuple(reversed(polynomial.all_coeffs()))
@@ -175,10 +175,10 @@ def fold_cubics() -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
 @cache
 def cusp_friction() -> sp.Expr:
     """m on a cusp: f″ = 0 on the fold."""
-    condition = circles.reduce_circles(curvature.subs(fold_relations()))
+    condition = unit_circles.reduce_circles(curvature.subs(fold_relations()))
     (friction,) = sp.solve(condition, nm.fm)
     arranged = 3 * nm.fa * nm.s * nm.c / (3 * nm.s**2 - 2)
-    if not circles.equal(friction, arranged):
+    if not unit_circles.equal(friction, arranged):
         raise ArithmeticError("m on a cusp is not what catastrophe.py arranges")
     return arranged
 
@@ -188,11 +188,11 @@ def cusp_angles() -> tuple[sp.Expr, sp.Expr]:
     """sin θ₀ and cos θ₀ / cos θ on a cusp, rational functions of s = sin θ."""
     s0, c0 = fold_angles()
     friction = {nm.M: cusp_friction().subs(nm.fa, elimination.f_coefficients()[nm.fa]) / nm.sigma}
-    s0_cusp = sp.factor(circles.reduce_circles(sp.expand(sp.cancel(s0.subs(friction) * (3 * nm.s**2 - 2)))))
+    s0_cusp = sp.factor(unit_circles.reduce_circles(sp.expand(sp.cancel(s0.subs(friction) * (3 * nm.s**2 - 2)))))
     s0_cusp = s0_cusp / (3 * nm.s**2 - 2)
     c0_cusp = sp.cancel(c0.subs(friction).subs(nm.s0, s0_cusp) / nm.c)
     numerator, denominator = sp.fraction(c0_cusp)
-    return s0_cusp, sp.factor(circles.reduce_circles(numerator)) / sp.factor(denominator)
+    return s0_cusp, sp.factor(unit_circles.reduce_circles(numerator)) / sp.factor(denominator)
 
 
 @cache
@@ -230,7 +230,9 @@ def identities() -> dict[str, bool]:
     f = elimination.f_in_parameters()
     return {
         "L det K = f′ at every equilibrium": slope_identity(),
-        "the fold relations solve f = f′ = 0": all(circles.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)),
+        "the fold relations solve f = f′ = 0": all(
+            unit_circles.equal(value.subs(fold_relations()), 0) for value in (f_form, slope)
+        ),
         "the cusp polynomial has degree 9": len(cusp_polynomial()) == 10,
         "no cusp is lost at 3 sin² θ = 2: the cusp polynomial is 16 σ⁴ (B − α)⁴/27 there": sp.expand(
             sp.rem(sum(value * nm.s**power for power, value in enumerate(cusp_polynomial())), 3 * nm.s**2 - 2, nm.s)
@@ -241,5 +243,5 @@ def identities() -> dict[str, bool]:
         "the trace of K in contact is α + σ + (B sin θ₀ + κ)/(L sin θ) > 0, so that no onset of flutter is a fold": (
             stability.trace_identity()
         ),
-        "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": circles.equal(f.subs(mirror, simultaneous=True), -f),
+        "(θ, θ₀, μ) → (π − θ, π − θ₀, −μ) turns f into −f": unit_circles.equal(f.subs(mirror, simultaneous=True), -f),
     }

@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from . import article, circles, elimination, equilibrium, explanations, mechanics, stability
+from . import article, unit_circles, elimination, equilibrium, explanations, mechanics, stability
 from . import nomenclature as nm
 from .article import Printed
 
@@ -116,7 +116,7 @@ def _misprint(id: str, components: tuple[sp.Expr, ...], derived: Derived, differ
         return Row(status=FAILED, **base | {"note": "explained as a misprint, but the difference is zero"})
     gaps = _differences(components, derived)
     explained = (correction.gap.subs(list(derived.terms[0])),)
-    if not all(circles.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
+    if not all(unit_circles.equal(gap, expected) for gap, expected in zip(gaps, explained, strict=True)):
         return Row(status=FAILED, **base | {"note": "the difference is not the one that the correction explains"})
     if not _is_derived(correction.expression, derived):
         return Row(status=FAILED, **base | {"note": "the right form given for this misprint is not the derived one"})
@@ -149,7 +149,7 @@ def _differences(components: tuple[sp.Expr, ...], derived: Derived) -> tuple[sp.
     for terms in derived.terms:
         for left, right in zip(components, derived.components, strict=True):
             left, right = (sp.sympify(side).subs(list(terms)) for side in (left, right))
-            gap = sp.S.Zero if left == right else circles.difference(left, right)
+            gap = sp.S.Zero if left == right else unit_circles.difference(left, right)
             gaps.append(sp.S.Zero if gap == 0 else sp.factor_terms(sp.simplify(gap)))
     return tuple(gaps)
 
@@ -260,7 +260,7 @@ def _quartic_forms() -> dict[str, Derived]:
         spelled = {nm.p: nm.alpha + nm.sigma, nm.q: nm.beta + case[nm.nbar] + nm.sigma}
         for id, value, full in zip(names, shorthand, coefficients, strict=True):
             arranged = value.subs(in_names, simultaneous=True).subs(spelled)
-            if not circles.equal(arranged.subs(right_sides), full):
+            if not unit_circles.equal(arranged.subs(right_sides), full):
                 raise ArithmeticError(f"{id}: the quartic in shorthand is not the quartic")
             forms[id] = Derived((arranged,), elimination.quartic_in_L_shorthand, terms=(right_sides,))
         for id, value in zip(("A10", "A11") if case[nm.nbar] else ("A12", "A13"), vector, strict=True):

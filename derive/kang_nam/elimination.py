@@ -10,7 +10,7 @@ from functools import cache
 
 import sympy as sp
 
-from . import circles, equilibrium
+from . import unit_circles, equilibrium
 from . import nomenclature as nm
 from .equilibrium import spell_out
 
@@ -146,7 +146,7 @@ def identities() -> dict[str, bool]:
     false_root = spell_out(length.subs(shared).subs(f_coefficients()))
     return {
         "the roots in t multiply to −1": quartic_in_t()[0] == -quartic_in_t()[4],
-        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": circles.equal(
+        "the L-quartic at L(θ) is (σ − q L)² f(θ) f(π − θ) / (q s)²": unit_circles.equal(
             published.subs(shorthand), factored.subs(shorthand)
         ),
         "f(θ) = f(π − θ) with cos θ ≠ 0 only at L = σ/(σ + α), where D is singular": sp.simplify(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from ..emit import language, targets, wide, write
+from ..emit import language, targets, double_double_kernel, write
 from . import article, bounds, ledger, mechanics
 from . import nomenclature as nm
 from .catalogue import modules
@@ -58,7 +58,7 @@ def material(digest: str) -> targets.Material:
         summary=SUMMARY,
         runtime=own_files(),
         arithmetic=arithmetic,
-        widened=wide.widened(solver, arithmetic, functions, WIDELY),
+        widened=double_double_kernel.widened(solver, arithmetic, functions, WIDELY),
     )
 
 

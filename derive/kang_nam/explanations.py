@@ -15,9 +15,9 @@ import sympy as sp
 from sympy.physics import units
 from sympy.physics.units.systems.si import dimsys_SI
 
-from . import article, evidence, mechanics
+from . import article, free_body, mechanics
 from . import nomenclature as nm
-from .evidence import DIGITS, Point, show
+from .free_body import DIGITS, Point, show
 
 
 @dataclass(frozen=True)
@@ -68,14 +68,14 @@ def _length_evidence() -> tuple[bool, str]:
         x, y = mpmath.mpf(3) / 10, -mpmath.mpf(1) / 7
         theta0 = point.number("theta0")
         pythagoras = mpmath.sqrt((mpmath.cos(theta0) - x) ** 2 + (mpmath.sin(theta0) - y) ** 2)
-        gap = abs(pythagoras - evidence.spring_length(point, x, y))
+        gap = abs(pythagoras - free_body.spring_length(point, x, y))
         return gap < mpmath.mpf(10) ** (5 - DIGITS), "the distance in the complex plane agrees to 45 digits"
 
 
 def _length_consequence(point: Point) -> str:
-    ((x, y),) = evidence.equilibria(point)
-    length = evidence.spring_length(point, x, y)
-    theta = mpmath.arg(evidence.anchor(point) - mpmath.mpc(x, y))
+    ((x, y),) = free_body.equilibria(point)
+    length = free_body.spring_length(point, x, y)
+    theta = mpmath.arg(free_body.anchor(point) - mpmath.mpc(x, y))
     printed = mpmath.sqrt((mpmath.cos(theta) - x) ** 2 + (mpmath.sin(theta) - y) ** 2)
     return (
         f"at the base equilibrium (θ₀ = {point.theta0_deg}°) the printed form gives L = {show(printed)} where L = {show(length)}"
@@ -86,14 +86,14 @@ def _preload_evidence() -> tuple[bool, str]:
     with mpmath.workdps(DIGITS):
         point = Point(theta0_deg=Fraction(71), beta=Fraction(1, 3))
         x, y, one = mpmath.mpf(2) / 7, -mpmath.mpf(1) / 9, mpmath.mpf(1)
-        gap = abs(evidence.forces(point, x, y, one)[1] - evidence.energy_slope_y(point, x, y, one))
+        gap = abs(free_body.forces(point, x, y, one)[1] - free_body.energy_slope_y(point, x, y, one))
         return gap < mpmath.mpf(10) ** -20, "virtual work: the slope of the energy has the term κ and agrees to 20 digits"
 
 
 def _preload_consequence(point: Point) -> str:
-    (with_preload,) = evidence.equilibria(point)
+    (with_preload,) = free_body.equilibria(point)
     # Without κ, (13) is solved by the undeformed state, where the contact force is zero as well.
-    residual = evidence.forces(Point(kappa=Fraction(0)), mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(1))
+    residual = free_body.forces(Point(kappa=Fraction(0)), mpmath.mpf(0), mpmath.mpf(0), mpmath.mpf(1))
     return (
         f"the undeformed state x = y = 0 would be an equilibrium (residual {_below(max(map(abs, residual)))}) "
         f"without any contact force, where the base equilibrium (θ₀ = {point.theta0_deg}°) is "
@@ -112,8 +112,8 @@ def _force_scale_evidence() -> tuple[bool, str]:
 
 
 def _force_scale_consequence(point: Point) -> str:
-    (right,) = evidence.equilibria(point)
-    (literal,) = evidence.equilibria(point, Fraction(1, 10))
+    (right,) = free_body.equilibria(point)
+    (literal,) = free_body.equilibria(point, Fraction(1, 10))
     return (
         "none for L_o = 1 in the unit of length in use; taken literally with L_o = 0.1 m, n is a tenth of −y and the base "
         f"equilibrium (θ₀ = {point.theta0_deg}°) moves from x = {show(right[0])} to {show(literal[0])} and from "
@@ -140,7 +140,7 @@ def _liftoff_polynomial(point: Point, constant: str) -> list[mpmath.mpf]:
 def _constant_evidence() -> tuple[bool, str]:
     with mpmath.workdps(DIGITS):
         point = Point()
-        lengths = [evidence.spring_length(point, x, y) for x, y in evidence.equilibria(point, contact=0)]
+        lengths = [free_body.spring_length(point, x, y) for x, y in free_body.equilibria(point, contact=0)]
         residuals = {
             reading: max(abs(mpmath.polyval(_liftoff_polynomial(point, reading), length)) for length in lengths)
             for reading in ("right", "printed")
@@ -156,10 +156,10 @@ def _constant_consequence(point: Point) -> str:
     values = {reading: _liftoff_polynomial(point, reading)[-1] for reading in ("right", "printed")}
     roots = mpmath.polyroots(_liftoff_polynomial(point, "printed"), maxsteps=200, extraprec=200)
     real = [show(mpmath.re(root), 6) for root in roots if abs(mpmath.im(root)) < 1e-20]
-    ((x, y),) = evidence.equilibria(point, contact=0)
+    ((x, y),) = free_body.equilibria(point, contact=0)
     return (
         f"d_0 = {show(values['printed'])} instead of {show(values['right'])}; the lift-off length at θ₀ = "
-        f"{point.theta0_deg}° is L = {show(evidence.spring_length(point, x, y))}, the printed quartic has the real roots "
+        f"{point.theta0_deg}° is L = {show(free_body.spring_length(point, x, y))}, the printed quartic has the real roots "
         f"{', '.join(real) or 'none'}"
     )
 

@@ -9,7 +9,7 @@ from functools import cache
 
 import sympy as sp
 
-from . import circles, mechanics, stability
+from . import unit_circles, mechanics, stability
 from . import nomenclature as nm
 
 
@@ -67,8 +67,8 @@ def identities() -> dict[str, bool]:
     gap = stability.stiffness().subs(undeformed) - stiffness()
     x, y = equilibrium()
     return {
-        "its stiffness is K at x = y = 0": all(circles.equal(entry, 0) for entry in gap),
+        "its stiffness is K at x = y = 0": all(unit_circles.equal(entry, 0) for entry in gap),
         "its displacement solves K (x, y) = (0, −κ)": all(
-            circles.equal(entry, 0) for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
+            unit_circles.equal(entry, 0) for entry in stiffness() * sp.Matrix([x, y]) + sp.Matrix([0, nm.kappa])
         ),
     }

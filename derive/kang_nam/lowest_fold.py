@@ -9,7 +9,7 @@ from functools import cache
 
 import sympy as sp
 
-from . import catastrophe, circles, elimination, equilibrium, theorem
+from . import catastrophe, unit_circles, elimination, equilibrium, theorem
 from . import nomenclature as nm
 from ..algebra import manifestly_positive
 from .theorem import Step
@@ -31,7 +31,7 @@ def turning_line() -> tuple[sp.Expr, sp.Expr, sp.Expr]:
     derived = without * by_inclination(along) - along * by_inclination(without)
     line = nm.kappa * nm.p + nm.alpha * nm.sigma * nm.s, nm.alpha * nm.sigma * nm.s, -nm.alpha * nm.s * _threshold()
     arranged = nm.q * nm.s * (line[1] + line[2] * nm.s0 - line[0] * nm.c * nm.c0)
-    if not circles.equal(derived.subs(_POLES), arranged.subs(_POLES)):
+    if not unit_circles.equal(derived.subs(_POLES), arranged.subs(_POLES)):
         raise ArithmeticError("f = f_θ₀ = 0 is not the line that lowest_fold.py arranges")
     return line
 
@@ -175,7 +175,7 @@ def _inclined_backward() -> tuple[Step, ...]:
         Step(
             "on a fold q α cos θ₀ = −a cos³ θ + m s cos² θ − M q y: where cos θ ≤ 0 and μ₀ > 0, so that a > 0 and −M q y > 0, this is "
             "positive: such a fold has θ₀ < π/2, and with α = 0 there is none",
-            circles.equal(pull.subs(in_friction), sum(parts).subs(in_friction))
+            unit_circles.equal(pull.subs(in_friction), sum(parts).subs(in_friction))
             and manifestly_positive(turned, (a, lean, sine, friction, push), strict_symbols=(push,)),
         ),
         Step(

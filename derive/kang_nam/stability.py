@@ -6,7 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-from . import circles, elimination, equilibrium, mechanics
+from . import unit_circles, elimination, equilibrium, mechanics
 from . import nomenclature as nm
 
 lam = sp.Symbol("lambda")
@@ -66,7 +66,7 @@ def trace_identity() -> bool:
     (preload,) = sp.solve(in_contact(across), nm.kappa)
     positive = nm.p + (nm.B * nm.s0 + preload) / (nm.L * nm.s)
     parameters = {nm.p: nm.alpha + nm.sigma, nm.q: nm.B + nm.sigma}
-    return circles.equal(trace(in_shorthand(stiffness())).subs(parameters), positive.subs(parameters))
+    return unit_circles.equal(trace(in_shorthand(stiffness())).subs(parameters), positive.subs(parameters))
 
 
 @cache
@@ -88,14 +88,14 @@ def reference_lines() -> tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]:
 def flutter_quadratic() -> tuple[sp.Expr, ...]:
     """Coefficients, lowest power first, of L² times the discriminant: zero at an onset with spring length L in direction θ."""
     discriminant = sp.expand(nm.L**2 * flutter_discriminant(in_shorthand(stiffness())))
-    coefficients = [circles.reduce_circles(value) for value in reversed(sp.Poly(discriminant, nm.L).all_coeffs())]
+    coefficients = [unit_circles.reduce_circles(value) for value in reversed(sp.Poly(discriminant, nm.L).all_coeffs())]
     difference = nm.alpha - nm.B
     arranged = (
         nm.sigma**2,
         2 * nm.sigma * (difference * (nm.c**2 - nm.s**2) + 2 * nm.M * nm.s * nm.c),
         difference**2,
     )
-    if not all(circles.equal(ours, derived) for ours, derived in zip(arranged, coefficients, strict=True)):
+    if not all(unit_circles.equal(ours, derived) for ours, derived in zip(arranged, coefficients, strict=True)):
         raise ArithmeticError("the discriminant is not what stability.py arranges")
     return arranged
 
@@ -143,7 +143,7 @@ def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
     By the implicit function theorem. J is minus the Jacobian determinant of the two balances in θ and L, and equals f′.
     """
     balances = [in_contact(force) for force in equilibrium.balance()]
-    by_direction = [circles.rotate_derivative(force) for force in balances]
+    by_direction = [unit_circles.rotate_derivative(force) for force in balances]
     by_length = [sp.diff(force, nm.L) for force in balances]
     by_reference = [nm.c0 * sp.diff(force, nm.s0) - nm.s0 * sp.diff(force, nm.c0) for force in balances]
     jacobian = by_direction[1] * by_length[0] - by_direction[0] * by_length[1]
@@ -151,7 +151,7 @@ def flutter_crossing() -> tuple[sp.Expr, sp.Expr]:
     length = by_direction[0] * by_reference[1] - by_direction[1] * by_reference[0]
     e0, e1, e2 = flutter_quadratic()
     discriminant = e0 + e1 * nm.L + e2 * nm.L**2
-    change = circles.rotate_derivative(discriminant) * direction + sp.diff(discriminant, nm.L) * length
+    change = unit_circles.rotate_derivative(discriminant) * direction + sp.diff(discriminant, nm.L) * length
     return change, jacobian
 
 
@@ -163,7 +163,7 @@ def flutter_friction() -> sp.Expr:
     arranged = -(e0 + 2 * nm.sigma * (nm.alpha - nm.B) * (nm.c**2 - nm.s**2) * nm.L + e2 * nm.L**2) / (
         4 * nm.sigma * nm.s * nm.c * nm.L
     )
-    if not circles.equal(friction, arranged):
+    if not unit_circles.equal(friction, arranged):
         raise ArithmeticError("the friction at an onset is not what stability.py arranges")
     return arranged
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import catastrophe, circles, elimination, equilibrium, stability
+from . import catastrophe, unit_circles, elimination, equilibrium, stability
 from . import nomenclature as nm
 from ..algebra import manifestly_positive
 
@@ -207,7 +207,7 @@ def smallest_without_friction() -> tuple[Step, ...]:
     f = elimination.f_form.subs(nm.fm, 0)
     cosine, sine, cosine0 = sp.symbols("c s c_0", positive=True)
     at_rest = equilibrium.spell_out(elimination.f_form.subs(elimination.f_coefficients())).subs(_POSITIVE).subs(nm.mu0, 0)
-    ratio = circles.rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
+    ratio = unit_circles.rotate_derivative(nm.fa + nm.fb / nm.s + nm.fd / nm.c)
     slope = ratio.subs(elimination.f_coefficients()).subs(nm.M, 0)
     slope = sp.expand(
         equilibrium.spell_out(slope).subs(_POSITIVE).subs({nm.c: cosine, nm.s: sine, nm.c0: cosine0}) * (cosine * sine) ** 2

@@ -1,11 +1,11 @@
 """Where states meet, vanish and jump: the surface, folds, cusps, flutter, and paths over them, all without a guess."""
 
 from .bifurcation_sets import BifurcationSet, FoldCurve, bifurcation_set
-from .criteria import critical_value, cusp_friction
-from .cusp_points import Cusps, cusps
+from .critical_frictions import critical_value, cusp_friction
+from .cusp_points import cusps
 from .equilibrium_surface import Surface, surface
-from .flutter_points import FlutterBoundary, FlutterOnsets, flutter_boundary, flutter_onsets
-from .fold_points import Folds, folds
+from .flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
+from .fold_points import folds
 from .linear import LinearSprag, linear_critical_friction, linear_sprag
 from .lowest_fold import CriticalFriction, critical_friction
 from .paths import Jump, Path, quasi_static_path
@@ -14,11 +14,8 @@ from .sliding import sliding_friction
 __all__ = [
     "BifurcationSet",
     "CriticalFriction",
-    "Cusps",
     "FlutterBoundary",
-    "FlutterOnsets",
     "FoldCurve",
-    "Folds",
     "Jump",
     "LinearSprag",
     "Path",

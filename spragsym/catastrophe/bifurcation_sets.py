@@ -15,11 +15,12 @@ from ..exact.half_angle import on_circle
 from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray, Parameters
 from ..statics import kernel
+from ..statics.points import Points
 from . import fold_curves
-from .cusp_points import Cusps, cusps
-from .fixed import FIXED, Fixed
+from .cusp_points import cusps
+from .fixed_parameters import FIXED, Fixed
 from .fold_points import folds
-from .landings import landing
+from .fold_successor import landing
 
 #: Where κ over the larger of σ and 1 + β is below this, float64 may lose curves: they are compared with proved folds.
 _LIGHT = 1e-4
@@ -58,11 +59,11 @@ class BifurcationSet(Result):
     Attributes
     ----------
     curves : tuple of FoldCurve
-    cusps : Cusps
+    cusps : Points
     """
 
     curves: tuple[FoldCurve, ...]
-    cusps: Cusps
+    cusps: Points
 
     def __len__(self) -> int:
         return len(self.curves)

@@ -8,11 +8,11 @@ from functools import lru_cache
 from typing import Any
 
 from ..exact import polynomials
-from ..exact.charts import roots_on_the_line
-from ..exact.escalation import angle, decided
+from ..exact.adaptive_bits import angle, decided
 from ..exact.intervals import Arithmetic, Interval, sign
+from ..exact.line_roots import roots_on_the_line
 from ..generated import catastrophe as _catastrophe
-from .enclosures import Angles, Point, SineRoot, in_contact
+from .fold_enclosures import Angles, Point, SineRoot, in_contact
 
 #: Degree in sin θ of what has to be told from 0 on a cusp, times (3 sin² θ − 2)².
 _DEGREE = 10

@@ -12,7 +12,7 @@ from ..errors import ParameterError
 from ..generated import catastrophe as _catastrophe
 from ..parameters import RANGES, FloatArray, Parameters, as_numbers
 from ..statics import kernel
-from .fixed import FIXED
+from .fixed_parameters import FIXED
 
 
 @dataclass(frozen=True)

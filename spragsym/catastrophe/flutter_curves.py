@@ -17,8 +17,8 @@ from scipy.optimize import linear_sum_assignment
 from ..exact.polynomials import evaluate
 from ..generated import stability as _stability
 from ..parameters import FloatArray
-from .companion import by_power, eigenvalues, polished
-from .fixed import Fixed
+from .companion_roots import by_power, eigenvalues, polished
+from .fixed_parameters import Fixed
 
 #: Flutter needs π/2 < θ < π. How close to both ends the sampled θ come.
 _NEAREST = 1e-9

@@ -21,8 +21,8 @@ from functools import cached_property
 from typing import Any, NamedTuple
 
 from ..exact import polynomials
+from ..exact.adaptive_bits import angle, decided, sign_or_zero
 from ..exact.descartes import Root, real_roots
-from ..exact.escalation import angle, decided, sign_or_zero
 from ..exact.half_angle import in_t, on_circle
 from ..exact.intervals import Arithmetic, Interval, sign
 from ..exact.polynomials import Undecided

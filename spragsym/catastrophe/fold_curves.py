@@ -16,8 +16,8 @@ import numpy as np
 
 from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray
-from .companion import eigenvalues, polished
-from .fixed import Fixed
+from .companion_roots import eigenvalues, polished
+from .fixed_parameters import Fixed
 from .fold_events import Stretch, fold_polynomial, stretches
 
 #: Values of θ on which curves are looked at before their shape says where more are needed.

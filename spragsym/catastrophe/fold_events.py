@@ -18,7 +18,7 @@ from ..exact.descartes import Root, real_roots
 from ..exact.half_angle import of_sine_in_t, on_circle
 from ..exact.polynomials import Polynomial
 from ..generated import catastrophe as _catastrophe
-from .fixed import Fixed
+from .fixed_parameters import Fixed
 
 #: Degrees in sin θ of what is 0 at an event.
 _DEGREES, _DEGREES_WITHOUT_ALPHA = (15, 6, 6), (6, 3, 3)

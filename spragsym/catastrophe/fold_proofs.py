@@ -14,16 +14,16 @@ from typing import Any
 
 from ..errors import ConvergenceError
 from ..exact import polynomials
-from ..exact.charts import Root, roots_on_the_line
-from ..exact.escalation import angle, decided, sign_or_zero
+from ..exact.adaptive_bits import angle, decided, sign_or_zero
 from ..exact.half_angle import in_t, on_circle
 from ..exact.intervals import Arithmetic, Interval, sign
+from ..exact.line_roots import Root, roots_on_the_line
 from ..exact.polynomials import Undecided
 from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES
 from ..statics import kernel
-from .enclosures import Angles, Point, in_contact
-from .landings import landing
+from .fold_enclosures import Angles, Point, in_contact
+from .fold_successor import landing
 
 _LINES = {
     "mu0": _catastrophe.fold_lines_mu0,

@@ -13,12 +13,12 @@ from numpy.lib.mixins import NDArrayOperatorsMixin
 from numpy.typing import NDArray
 
 from ..display import Shown
-from ..exact.escalation import as_floats, decided, with_enough_bits
+from ..exact.adaptive_bits import as_floats, decided, with_enough_bits
 from ..exact.intervals import Arithmetic, Interval, arithmetic
 from ..parameters import Parameters
 from . import cusp_proofs, turning_proofs
-from .enclosures import Point
-from .fixed import FIXED
+from .fixed_parameters import FIXED
+from .fold_enclosures import Point
 
 
 @dataclass(frozen=True, eq=False)

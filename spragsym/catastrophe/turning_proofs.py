@@ -8,14 +8,14 @@ from fractions import Fraction
 from functools import partial
 
 from ..exact import polynomials
-from ..exact.charts import roots_on_the_line
-from ..exact.escalation import decided, sign_or_zero
+from ..exact.adaptive_bits import decided, sign_or_zero
 from ..exact.half_angle import on_circle
 from ..exact.intervals import Arithmetic
+from ..exact.line_roots import roots_on_the_line
 from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES
 from ..statics import kernel
-from .enclosures import Angles, Point, SineRoot, in_contact
+from .fold_enclosures import Angles, Point, SineRoot, in_contact
 
 _sextic = inspect.unwrap(_catastrophe.fold_sextic)
 #: Degrees in sin θ of sin θ₀, and of f″, times the denominator of sin θ₀.

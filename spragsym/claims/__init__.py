@@ -6,7 +6,7 @@ writes anew.
 
 from __future__ import annotations
 
-from .rows import Found, Row, Statement, Status, drifted, record_text, recorded, run
+from .ledger import Found, Row, Statement, Status, drifted, record_text, recorded, run
 from .statements import STATEMENTS
 
 __all__ = ["STATEMENTS", "Found", "Row", "Statement", "Status", "drifted", "record_text", "recorded", "run"]

@@ -26,7 +26,7 @@ from ..parameters import NAMES, FloatArray, Parameters
 from ..statics.results import Stability
 from ..statics.solver import equilibria
 from ..sweeps import sensitivity
-from .rows import Found, Value
+from .ledger import Found, Value
 
 #: Largest friction of Figures 11 to 14.
 MU0_MAX = MU0_RANGE[1]

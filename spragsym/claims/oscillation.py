@@ -10,7 +10,7 @@ from ..cycles import cycle, fate_boundary
 from ..parameters import Parameters
 from ..statics.results import Stability
 from ..statics.solver import equilibria
-from .rows import Found
+from .ledger import Found
 
 #: Inclinations far below the fold, degrees.
 FAR_BELOW = (10.0, 20.0, 30.0, 40.0)

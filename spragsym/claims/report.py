@@ -9,7 +9,7 @@ from importlib import resources
 from typing import Any
 
 from ..assumed import D, V
-from .rows import recorded
+from .ledger import recorded
 
 #: Inputs that the article leaves open and we had to choose.
 ASSUMPTIONS = (
@@ -120,7 +120,7 @@ def _head(ledger: Any, claims: list[dict[str, Any]]) -> list[str]:
         f"- Equations, coefficients and definitions: {_counts(ledger['rows'])}.",
         f"- Statements of the text that can be computed: {_counts(claims)}.",
         *_paragraph("""- For design the news is in the rows [fig-7-oscillation](#fig-7-oscillation) and
-        [fig-7b-fate](#fig-7b-fate): the oscillation lives beside stable sliding, far below the catastrophe, and the jump of
+        [fig-7b-fate](#fig-7b-fate): the oscillation coexists with stable sliding, far below the catastrophe, and the jump of
         Figure 7b is not the catastrophe."""),
         "",
         *_paragraph("""*Reproduced*: it holds as stated, within the tolerance given. *Misprint*: a sign, a

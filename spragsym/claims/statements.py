@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from . import computed, oscillation
-from .rows import Statement, Status
+from .ledger import Statement, Status
 
 _PROMISED = "what the library promises: 1e-12 relative to the larger of 1 and the value"
 _MOTION = "a unit of the last digit given: two integrators and two tolerances agree to it"

@@ -138,14 +138,14 @@ def _check_model(name: str, json_output: bool) -> None:
     model = load(name)
     try:
         from ..derive import pages
-        from ..derive.kang_nam import variant
+        from ..derive.kang_nam import variant_models
     except ModuleNotFoundError as error:
         raise MissingExtraError("spragsym check --model", error.name or "sympy", "derive") from error
-    rows = variant.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
+    rows = variant_models.judge(pages.read(page_of(model, pages.SHIPPED), model.name).mechanics)
     if json_output:
         print_json([asdict(row) for row in rows])
         return
-    styles = {variant.HOLDS: "green", variant.FAILS: "bold red", variant.NO_MEANING: "dim"}
+    styles = {variant_models.HOLDS: "green", variant_models.FAILS: "bold red", variant_models.NO_MEANING: "dim"}
     _print_rows("model less article", styles, [(row.id, row.where, row.status, row.remark) for row in rows])
     hold, fail, none = (sum(row.status == status for row in rows) for status in styles)
     click.echo(f"{model.name}: of {len(rows)} rows {hold} hold, {fail} fail, {none} have no meaning", err=True)

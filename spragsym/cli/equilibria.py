@@ -1,4 +1,4 @@
-"""``spragsym equilibria``: a table of all equilibria of one point."""
+"""``spragsym equilibria``: a table of all equilibria of one point, or of many."""
 
 from __future__ import annotations
 
@@ -8,29 +8,20 @@ from typing import Any
 
 import click
 
-from ..errors import ParameterError
 from ..exact.decimals import upward
-from ..parameters import NAMES, RANGES, FloatArray
-from .commands import command
-from .data import PHYSICAL, data, growth_rate, length, varied
-from .options import DEGREES, Number, as_json, build, ranges
-from .states import WORDS, rows_of, unless_room
-from .tables import print_json, print_table
-from .with_model import ForModels, made_for, model_option
+from .of_model import Case, method, of_model
+from .options import Numbers, as_json
+from .spans import Typed, box, span, vary, within
+from .states import boxes_of, rows_of, summed, unless_room
+from .tables import busy, print_json, print_table
 
 
-@command(cls=ForModels)
-@model_option
-@ranges
-@click.option("--vary", type=click.Choice([*NAMES, *PHYSICAL]), help="What varies; with --data, a quantity of the file too.")
-@click.option("--from", "low", type=Number(), help="First value, degrees for theta0.")
-@click.option("--to", "high", type=Number(), help="Last value.")
-@click.option("--points", type=click.IntRange(2, 100_000), default=11, show_default=True, help="Values, the ends included.")
-@data
+@of_model(kind=Numbers, statics=True)
+@vary("What varies, with its ends: a parameter, or with --data a quantity of the file, as k_x=5:20 or mu0=0:1:11 for 11 values.")
+@within
+@method
 @as_json
-def equilibria(
-    json_output: bool, vary: str | None, low: float | None, high: float | None, points: int, **values: Any
-) -> None:  # fmt: skip
+def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_output: bool) -> None:
     """All equilibria at one point, in contact and in lift-off, stable and unstable; or at many.
 
     Every parameter may be a number, numbers a,b,c, or start:stop:count; of several, all combinations.
@@ -40,84 +31,61 @@ def equilibria(
       spragsym equilibria --theta0 49
       spragsym equilibria --theta0 30 --mu0 0.7 --json
       spragsym equilibria --theta0 49 --mu0 0:1:11
-      spragsym equilibria --data brake.toml --vary k_x --from 5 --to 20
+      spragsym equilibria --data brake.toml --vary k_x=5:20
       spragsym equilibria --model cubic_contact --theta0 49
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    (size, end), (rate, per) = length(), growth_rate()
-    named: dict[str, tuple[str, float]] = {}
-    if (vary is None) != (low is None) or (low is None) != (high is None):
-        raise click.UsageError("--vary, --from and --to belong together")
-    if vary is not None and low is not None and high is not None:
-        option, title, unit = _axis(vary)
-        values[option], named[option] = _between(option, low / unit, high / unit, points), (title, unit)
-    names = [named.get(name, (name, 1.0))[0] for name, value in values.items() if not isinstance(value, float)]
-    found: list[dict[str, Any]] = []
-    for point in _points(values):
-        rows, reasons = _rows(point)
-        units = {"L": (size, end), "x": (size, end), "y": (size, end), "growth": (rate, per)}
-        scaled = [
-            {name + units[name][1] if name in units else name: value * units[name][0] if name in units else value
-             for name, value in row.items()}
-            for row in rows
-        ]  # fmt: skip
-        told = {named[name][0] if name in named else name: value * named.get(name, ("", 1.0))[1] for name, value in point.items()}
-        found.append({"parameters": told, "equilibria": scaled, "undecided": reasons})
+    titles = {name: case.units.parameter(name) for name in case.model.parameters}
+    if vary is not None:
+        along = span(case, vary, "", values=True)
+        if along.ends is None:
+            raise click.UsageError(f"--vary {vary.text}: from where to where? Give it as {vary.text}=FROM:TO")
+        case.values[along.name], titles[along.name] = along.values, (along.title, along.unit)
+    case.set()
+    many = [name for name, value in case.values.items() if not isinstance(value, float) and value.ndim]
+    asked = box(case, within)
+    found = []
+    for point in _points(case.values):
+        told = {title: unit * point[name] for name, (title, unit) in titles.items()}
+        found.append({"parameters": told, **_states(case, point, asked)})
     if json_output:
-        print_json({"points": found} if names else found[0])
+        print_json({"model": case.model.name, **({"points": found} if many else found[0])})
         return
-    columns = (*WORDS, "theta_deg", *(name + end for name in ("L", "x", "y")), f"growth{per}")
-    print_table("", (*names, *columns, "error"), [
-        (*(point["parameters"][name] for name in names),
+    rows = [row for point in found for row in point["equilibria"]]
+    columns = [name for name in (rows[0] if rows else ()) if name not in ("eigenvalues", "error", "marginal")]
+    print_table("", (*(titles[name][0] for name in many), *columns, "error"), [
+        (*(point["parameters"][titles[name][0]] for name in many),
          *(row[name] if not name.startswith("growth") else f"{row[name]:.1e}" for name in columns), upward(row["error"]))
         for point in found for row in point["equilibria"]
     ], optional=unless_room(columns))  # fmt: skip
-    for one in found:
-        for state, reason in one["undecided"].items():
-            click.echo(f"{state}, undecided: {reason}")
-
-
-def _axis(vary: str) -> tuple[str, str, float]:
-    """The option that varies, its name in the answer, and what one of it is there."""
-    name, unit, title = varied(vary)
-    return ("theta0_deg", title, 1.0) if name == "theta0" else (name, title, unit)
-
-
-def _between(option: str, low: float, high: float, points: int) -> FloatArray:
-    """Values from one end to the other, both of which are in range."""
-    import numpy as np
-
-    allowed = DEGREES if option == "theta0_deg" else RANGES[option]
-    for flag, end in (("--from", low), ("--to", high)):
-        if not allowed.contains(end):
-            raise ParameterError(
-                f"{flag}: {option} = {end:g} is not in {allowed}{'; ' + allowed.remedy if allowed.remedy else ''}"
-            )
-    return np.linspace(low, high, points)
+    for state in case.model.regimes.values():
+        if boxes := [one for point in found for one in point["undecided"] if one["state"] == state]:
+            click.echo(f"{state}: not complete, {summed(boxes)}")
+    for remark in dict.fromkeys(remark for point in found for remark in point["remarks"]):
+        click.echo(remark)
 
 
 def _points(values: dict[str, Any]) -> Iterator[dict[str, float]]:
     """All combinations, the first parameter slowest."""
-    lists = [[value] if isinstance(value, float) else value.tolist() for value in values.values()]
+    lists = [[value] if isinstance(value, float) else value.ravel().tolist() for value in values.values()]
     for combination in itertools.product(*lists):
         yield dict(zip(values, combination, strict=True))
 
 
-def _rows(values: dict[str, Any]) -> tuple[list[dict[str, Any]], dict[str, str]]:
-    """A row for each equilibrium; and, by state, why the equilibria in contact or in lift-off can't be told."""
-    from ..errors import ConvergenceError
-    from ..statics.solver import equilibria as solve
-
-    p = build(**values)
-    rows, reasons = [], {}
-    for contact, state in ((True, "contact"), (False, "lift-off")):
-        try:
-            rows += rows_of(solve(p, contact=contact))
-        except ConvergenceError as reason:
-            reasons[state] = str(reason)
-    return rows, reasons
-
-
-made_for(equilibria, "model_statics", "equilibria_of")
+def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
+    """A row for each equilibrium of a point, whether these are all, and what is not known."""
+    p, units = case.model.Parameters(**point), case.units
+    more = case.ask if within is None else {**case.ask, "within": within}
+    told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
+    for contact, state in case.model.regimes.items():
+        with busy(f"searching for equilibria in {state}"):
+            eq = case.model.equilibria(p, contact=contact, **more)
+        told["equilibria"] += rows_of(eq, units)
+        told["complete"] &= eq.complete
+        for one in eq.undecided:
+            boxes = boxes_of(case, [zip(one.low, one.high, strict=True)], case.model.coordinates, state=state)
+            told["undecided"] += [{**box, "reason": one.reason} for box in boxes]
+        told["remarks"] += [f"{state}: {text}" for text in eq.remarks]
+    return told

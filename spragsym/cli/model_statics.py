@@ -10,12 +10,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import click
 
 from ..errors import ParameterError
-from ..exact.decimals import upward
 from .options import Number
-from .states import NUMBERS, WORDS, columns_of, rows_of, unless_room
 from .tables import busy, print_json, print_table
 from .targets import refuse
-from .with_model import parameter_options, parameters_of, without
+from .with_model import parameter_options, without
 
 if TYPE_CHECKING:
     from ..models import Model
@@ -53,41 +51,6 @@ def _span_of(option: str, text: str) -> tuple[str, tuple[float, float]]:
     except ValueError:
         raise ParameterError(f"{option} {text} is no range; give it as mu0=0:1, a name and both ends") from None
     return name, (low, high)
-
-
-def equilibria_of(model: Model) -> tuple[list[click.Option], Callable[..., Any], str]:
-    """Options and work of ``spragsym equilibria`` for a model."""
-
-    def equilibria(json_output: bool, within: tuple[str, ...], **values: Any) -> None:
-        box = box_of(model, within)
-        p = model.Parameters(**parameters_of(model, values))
-        rows: list[dict[str, Any]] = []
-        open_boxes: list[dict[str, Any]] = []
-        remarks: list[str] = []
-        complete = True
-        for contact, state in model.regimes.items():
-            with busy(f"searching for equilibria in {state}"):
-                found = model.equilibria(p, contact=contact, within=box)
-            complete &= found.complete
-            rows += rows_of(found)
-            open_boxes += [{"state": state, "low": list(box.low), "high": list(box.high)} for box in found.undecided]
-            remarks += [f"{state}: {text}" for text in found.remarks]
-        if json_output:
-            told = {"equilibria": rows, "complete": complete, "undecided": open_boxes, "remarks": remarks}
-            print_json({"model": model.name, **told})
-            return
-        columns = (*WORDS, *columns_of(found))
-        print_table("", (*columns, *NUMBERS), [
-            (*(row[name] for name in columns), f"{row['growth']:.1e}", upward(row["error"])) for row in rows
-        ], optional=unless_room(columns))  # fmt: skip
-        for place in model.regimes.values():
-            if boxes := [box for box in open_boxes if box["state"] == place]:
-                click.echo(_summed(place, model.coordinates, [box["low"] for box in boxes], [box["high"] for box in boxes]))
-        for remark in remarks:
-            click.echo(remark)
-
-    options = [*parameter_options(model, Number), within_option(model), json_option()]
-    return options, equilibria, "All equilibria at one point, in contact and in lift-off, stable and unstable, proved."
 
 
 def _summed(title: str, names: Sequence[str], lows: Sequence[Sequence[float]], highs: Sequence[Sequence[float]]) -> str:

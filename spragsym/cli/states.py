@@ -1,16 +1,16 @@
-"""States of any model as rows of a table and of JSON."""
+"""States as rows of a table and of JSON, and what is not known of them."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-#: What is printed of each state, in front of and behind the columns that say where it is.
-WORDS, NUMBERS = ("state", "stability", "undamped"), ("growth", "error")
+if TYPE_CHECKING:
+    from .of_model import Case
+    from .units import Units
 
 
-def rows_of(eq: Any) -> list[dict[str, Any]]:
+def rows_of(eq: Any, units: Units) -> list[dict[str, Any]]:
     """A row for each equilibrium of one point: words, directions and lengths of springs, coordinates, and what is known of them.
 
     ``stability`` is that with dampers and the slope of the friction law; ``undamped`` is without, as (27).
@@ -19,15 +19,15 @@ def rows_of(eq: Any) -> list[dict[str, Any]]:
 
     from ..statics import Stability
 
-    places = {_name(name): (_unit(name), getattr(eq, name)) for name in eq.columns}
+    growth, per = units.growth()
     return [
         {
             "state": eq.regime,
             "stability": str(eq.kind[slot]),
             "undamped": Stability(int(eq.stability[slot])).name.lower(),
-            **{name: float(unit * column[slot]) for name, (unit, column) in places.items()},
+            **placed(units, eq.columns, lambda name, slot=slot: getattr(eq, name)[slot]),
             "eigenvalues": [[float(np.real(value)), float(np.imag(value))] for value in eq.eigenvalues[slot]],
-            "growth": float(eq.growth[slot]),
+            growth: per * float(eq.growth[slot]),
             "error": float(eq.error[slot]),
             "marginal": bool(eq.marginal[slot]),
         }
@@ -35,26 +35,33 @@ def rows_of(eq: Any) -> list[dict[str, Any]]:
     ]
 
 
+def placed(units: Units, names: Sequence[str], value: Any, end: str = "") -> dict[str, float]:
+    """Where a state is, in the units of the answer: ``value(name)`` of each name."""
+    titles = ((units.place(name, end), value(name)) for name in names)
+    return {title: float(unit * one) for (title, unit), one in titles}
+
+
 def unless_room(columns: Sequence[str]) -> tuple[str, ...]:
     """Columns that a table without room for them leaves out: lengths of springs, which follow from coordinates, and errors."""
     return (*(name for name in columns if name == "L" or name.startswith("L_")), "error")
 
 
-def columns_of(eq: Any) -> tuple[str, ...]:
-    """The names of what says where a state is, as they stand in rows."""
-    return tuple(map(_name, eq.columns))
+def boxes_of(case: Case, boxes: Sequence[Any], names: Sequence[str], **about: Any) -> list[dict[str, Any]]:
+    """Boxes that are not decided, each with the ends of what it says, in the units of the answer."""
+    titles = [case.units.place(name) if name in case.model.coordinates else case.units.varied(name)[::-1][:2] for name in names]
+    return [
+        {**about, **{title: [unit * low, unit * high] for (title, unit), (low, high) in zip(titles, box, strict=True)}}
+        for box in boxes
+    ]
 
 
-def _is_direction(name: str) -> bool:
-    return name == "theta" or name.startswith("theta_")
-
-
-def _name(column: str) -> str:
-    return f"{column}_deg" if _is_direction(column) else column
-
-
-def _unit(column: str) -> float:
-    return math.degrees(1.0) if _is_direction(column) else 1.0
+def summed(boxes: Sequence[dict[str, Any]]) -> str:
+    """How many boxes are undecided, and what holds them all; ``--json`` lists each."""
+    titles = [title for title, ends in boxes[0].items() if isinstance(ends, list)]
+    hull = ", ".join(
+        f"{title} in [{min(box[title][0] for box in boxes):.8g}, {max(box[title][1] for box in boxes):.8g}]" for title in titles
+    )
+    return f"{'1 box is' if len(boxes) == 1 else f'{len(boxes)} boxes are'} undecided, within {hull}"
 
 
 def words_of(path: Any) -> list[dict[str, Any]]:

@@ -3,7 +3,7 @@
 from .basin_boundaries import BasinBoundary, basin_boundary
 from .branch import CycleBranch, CycleEvent, cycle_branch
 from .exponents import Lyapunov, lyapunov
-from .fates import FateBoundary, fate_boundary
+from .fate_boundaries import FateBoundary, fate_boundary
 from .finding import cycle
 from .maps import FateMap, fate_map
 from .orbit import Cycle

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..dynamics.field import Field
-from ..dynamics.passage import Fly
+from ..dynamics.segment import Fly
 from ..dynamics.shooting import (
     LARGEST_GROWTH,
     MOST_STRETCHES,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, flow
-from ..dynamics.passage import Fly
+from ..dynamics.segment import Fly
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, Parameters, as_number
 from .attractors import Verdict, attractor, judged, same

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 
 from ..dynamics import Trajectory
-from ..dynamics.criteria import multipliers
+from ..dynamics.bifurcation_functions import multipliers
 from ..dynamics.field import Field
 from ..dynamics.flows import NEAR, carrier, follower, scout
-from ..dynamics.passage import Fly, Turn
 from ..dynamics.regimes import Regime
+from ..dynamics.segment import Fly, Turn
 from ..dynamics.shooting import CLOSED, LARGEST_GROWTH, Guess, Loop, across, divided, extent, growth, looped, rate, solved
 from ..errors import ConvergenceError, ParameterError, ParameterTypeError
 from ..parameters import FINITE, FloatArray, Parameters, as_number

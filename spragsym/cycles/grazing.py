@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..dynamics.passage import Turn
+from ..dynamics.segment import Turn
 from ..dynamics.shooting import Conditions, Guess, Loop, divided, solved
 from ..errors import ConvergenceError
 from ..parameters import FloatArray

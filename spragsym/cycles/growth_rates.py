@@ -14,7 +14,7 @@ import numpy as np
 from scipy.stats import t as student
 
 from ..dynamics.field import Field
-from ..dynamics.passage import Fly
+from ..dynamics.segment import Fly
 from ..dynamics.shooting import rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray

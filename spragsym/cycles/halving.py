@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..dynamics.criteria import at_minus_one, unsure
+from ..dynamics.bifurcation_functions import at_minus_one, unsure
 from ..dynamics.shooting import Guess, Loop, across, extent, looped, rate, recut, solved
 from ..errors import ConvergenceError
 from ..parameters import FloatArray

@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..dynamics.criteria import CRITERIA, is_complex_pair, is_lost, unsure
+from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair, is_lost, unsure
 from ..dynamics.shooting import Loop
 from ..errors import ConvergenceError
 from ..parameters import FloatArray

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from ..exact.methods import Functions, repeated_product
+from ..exact.number_types import Functions, repeated_product
 
 
 class Jet:

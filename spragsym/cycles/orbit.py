@@ -18,8 +18,8 @@ from ..display import Result
 from ..dynamics.field import Field
 from ..dynamics.flows import flow
 from ..dynamics.lobatto import PiecewisePolynomial
-from ..dynamics.passage import Fly
 from ..dynamics.problem import Event
+from ..dynamics.segment import Fly
 from ..dynamics.shooting import (
     LARGEST_GROWTH,
     MOST_STRETCHES,

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..dynamics.field import Field
-from ..dynamics.passage import Fly
+from ..dynamics.segment import Fly
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .orbit import Cycle

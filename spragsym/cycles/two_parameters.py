@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..display import Result
-from ..dynamics.criteria import CRITERIA, is_complex_pair
+from ..dynamics.bifurcation_functions import CRITERIA, is_complex_pair
 from ..dynamics.flows import carrier
 from ..dynamics.shooting import Loop, looped, solved
 from ..errors import ConvergenceError, ParameterError

@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import ParameterError
 from ..parameters import NAMES, FloatArray, Parameters, PhysicalParameters
-from .borders import on_fold
 from .cells import Boxes
 from .certificates import halved
 from .claims import CLAIMS
+from .design_space import Space, space
 from .events import have_jumped
+from .jump_boundary import on_fold
 from .jump_values import first_jumps
 from .nearest import nearest, shortened
-from .spaces import Space, space
 
 #: Shares of the distance within which a proof that nothing jumps is tried, and the boxes that each may take.
 _SHARES, _BOXES = (0.95, 0.8, 0.5, 0.2), 3_000

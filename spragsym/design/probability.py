@@ -24,8 +24,8 @@ from ..sweeps.many import advance
 from ..sweeps.workers import Workers
 from . import sampling
 from .dependence import Correlation, Dependence, dependence
+from .design_space import PHYSICAL, dimensionless
 from .events import have_jumped
-from .spaces import PHYSICAL, dimensionless
 
 #: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
 Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]

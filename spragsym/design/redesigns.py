@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import ParameterError
 from ..parameters import RANGES, FloatArray, Parameters, PhysicalParameters, as_number
-from .borders import on_fold
+from .design_space import Space, space
+from .jump_boundary import on_fold
 from .jump_values import FROM_LOWER_END, exactly, first_jumps
 from .nearest import nearest, shortened
-from .spaces import Space, space
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
 _OUTWARD = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])

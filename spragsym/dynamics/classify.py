@@ -14,10 +14,10 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from . import flows
-from .course import Course
 from .cycles import FEWEST, on_cycle
 from .flows import Onward
 from .lift_off import is_lifted, lifted_for_good, wells_of
+from .measures import Course
 from .motions import Measured, Motions
 from .problem import Problem
 from .regimes import SETTLED, Outcome, Regime

@@ -1,7 +1,7 @@
 """Cycles: what a motion winds onto, by the closed orbit itself and its multipliers, and whether it nears it at that rate.
 
-Newton's method with the derivative of the flow (:mod:`.closed`) gives the cycle from two states that are alike, where x is
-largest. Of several numbers of rounds the smallest comes first, and the least period is looked for, so that a cycle is never
+Newton's method with the derivative of the flow (:mod:`.periodic_orbit`) gives the cycle from two states that are alike, where x
+is largest. Of several numbers of rounds the smallest comes first, and the least period is looked for, so that a cycle is never
 counted twice round.
 """
 
@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .closed import Closed, section
-from .course import Course
 from .flows import Onward
+from .measures import Course
+from .periodic_orbit import Closed, section
 from .problem import Problem
 from .regimes import SETTLED, Outcome, Regime
 

@@ -10,11 +10,11 @@ from typing import Any
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from . import integrators, variations_heyoka, variations_scipy
-from .closed import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
-from .course import Courses, Ends
 from .field import Field
-from .passage import Fly
+from .measures import Courses, Ends
+from .periodic_orbit import OPEN, ROUGH, Closed, by_differences, by_forward_differences, closed_orbit, nearly_closed
 from .problem import Problem
+from .segment import Fly
 from .shooting import CLOSED
 from .sprag import REACH
 

@@ -14,8 +14,8 @@ import numpy as np
 
 from ..errors import BackendError, ConvergenceError, MissingExtraError, ParameterError
 from ..parameters import FloatArray
-from . import lanes, with_compiled, with_heyoka, with_scipy
-from .course import Course, Courses, Ends, course_of
+from . import batch_heyoka, with_compiled, with_heyoka, with_scipy
+from .measures import Course, Courses, Ends, course_of
 from .motions import Measured, Motions
 from .problem import Event, Problem
 from .solution import Solution
@@ -68,7 +68,7 @@ def integrate(problem: Problem, backend: str) -> Solution:
 def measure(motions: Motions, backend: str) -> Measured:
     """Quantities of many motions after ``t_record``: heyoka measures them while it integrates, the others from the samples."""
     if backend == "heyoka":
-        return lanes.watch(motions)
+        return batch_heyoka.watch(motions)
     courses: dict[int, Course] = {}
     errors: dict[int, Exception] = {}
     for row in range(len(motions)):
@@ -99,7 +99,7 @@ def flows(problem: Problem, backend: str) -> tuple[Courses, Ends]:
 
     def ends(states: FloatArray, duration: float) -> FloatArray:
         if backend == "heyoka":
-            return lanes.ends(motions(states, duration))
+            return batch_heyoka.ends(motions(states, duration))
         return np.array([course.last for course in courses(states, duration)])
 
     return courses, ends

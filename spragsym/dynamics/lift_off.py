@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..generated import motion
 from ..parameters import NAMES, FloatArray, Parameters
-from .course import Course
+from .measures import Course
 from .motions import Motions
 from .problem import Constants, Event, Problem, parameters_of
 

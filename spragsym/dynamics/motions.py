@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from ..parameters import FloatArray
 from . import sprag
-from .course import KEPT, Course, moments_of
 from .field import Field
+from .measures import KEPT, Course, moments_of
 from .problem import Event, Problem, reach_of
 
 

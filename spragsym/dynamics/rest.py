@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..generated import motion
 from ..parameters import FloatArray, Parameters
-from .course import Course
+from .measures import Course
 from .problem import Event, Problem
 from .regimes import SETTLED, Outcome, Regime
 

@@ -14,7 +14,7 @@ from ..errors import ConvergenceError, ParameterError
 from ..parameters import FloatArray
 from .field import Field
 from .multipliers import Multipliers, multipliers_of
-from .passage import Crossing, Fly, Passage, Turn
+from .segment import Crossing, Fly, Passage, Turn
 
 #: Closed to this, relative to the largest number of the orbit.
 CLOSED = 1e-12

@@ -19,8 +19,8 @@ from ..parameters import FloatArray, ParameterSet, as_number, as_numbers, degree
 from . import forces, integrators, pictures, spectra
 from .events import Events
 from .problem import MAX_STEPS, Event, Problem
-from .recorded import Recorded
 from .regimes import Outcome
+from .sampled_motion import Recorded
 
 __all__ = ["Event", "Events", "Trajectory", "follow", "initial_state", "simulate"]
 

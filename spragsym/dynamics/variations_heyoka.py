@@ -13,7 +13,7 @@ from ..parameters import FloatArray
 from .field import JUMPED, Field, Mode
 from .heyoka_library import XP, library
 from .lobatto import unit_points
-from .passage import Crossing, Passage, Turn
+from .segment import Crossing, Passage, Turn
 from .with_heyoka import put, watched
 
 #: Tolerance of a step; heyoka's error is relative to the largest of all that it carries.

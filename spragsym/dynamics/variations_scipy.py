@@ -13,7 +13,7 @@ from ..errors import ConvergenceError
 from ..parameters import FloatArray
 from .field import JUMPED, Field, Mode
 from .lobatto import unit_points
-from .passage import Crossing, Passage, Turn
+from .segment import Crossing, Passage, Turn
 from .with_scipy import ARRAYS, FLOATS, first_crossing
 
 #: As tight as DOP853 goes.

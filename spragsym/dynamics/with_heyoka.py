@@ -36,7 +36,7 @@ class Equations:
     ----------
     system : list
         Variables with their derivatives in time: the state, and with ``watch`` the integrals of a
-        :class:`~spragsym.dynamics.course.Course`, scaled by the last parameter so that they stay below the states: heyoka's
+        :class:`~spragsym.dynamics.measures.Course`, scaled by the last parameter so that they stay below the states: heyoka's
         error is relative to the largest of all. The parameter before is x(begin).
     seen : tuple
         State, constants and mode.

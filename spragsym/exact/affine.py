@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .interval_arrays import FUNCTION_ULPS
-from .methods import repeated_product
+from .number_types import repeated_product
 from .rounded import UNIT
 
 _SLACK, _TINY = 1.0 + 2.0**-45, 1e-320

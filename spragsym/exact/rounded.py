@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .interval_arrays import FUNCTION_ULPS
-from .methods import repeated_product
+from .number_types import repeated_product
 
 #: Half a unit in the last place, relative.
 UNIT = 2.0**-53

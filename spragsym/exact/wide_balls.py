@@ -15,7 +15,7 @@ from ..generated import double_double as dd
 from ..generated.double_double import Wide
 from .interval_arrays import FloatArray, Intervals, exactly, raised
 from .jets import Jet, JetFunctions, argument, constant, turned
-from .methods import repeated_product
+from .number_types import repeated_product
 
 #: Unit of relative errors of double-double operations.
 UNIT = 2.0**-106

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ..assumed import MU0_RANGE, D, V
 from ..catastrophe import bifurcation_set, critical_friction, critical_value, cusp_friction, folds
-from ..catastrophe.companion import eigenvalues
+from ..catastrophe.companion_roots import eigenvalues
 from ..door import only_for
 from ..generated import equilibrium as _equilibrium
 from ..parameters import ARTICLE, FloatArray, Parameters

@@ -11,9 +11,9 @@ from ..exact import boxes, certified_roots, contractors
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals, raised, stacked
 from .balance import Balance
+from .interval_newton import refined
 from .polar import Polar, ends_are_linear, over_boxes
 from .precise import of_each, precise_forces, replaced, settled_by_digits
-from .refined import refined
 
 #: Width of boxes that are left where a search gives up along a circle; those around a fold are narrower.
 WIDE = 2.0**-10

@@ -21,6 +21,8 @@ from .anchors import around_anchors, stiff_points, turned_points
 from .balance import Balance
 from .border import BITS, on_its_side
 from .forces import Model
+from .interval_newton import refined
+from .periodic_coordinates import once_around
 from .precise import (
     PreciseBalance,
     assembled,
@@ -36,10 +38,8 @@ from .precise import (
     settled_by_digits,
     unsettled,
 )
-from .refined import refined
 from .regions import by_hand, region
 from .remarks import kinds_of, of_region, summed
-from .turns import once_around
 
 #: Relative widths of boxes that are left to a reduction to one unknown, and how often that divides them: what it does not decide
 #: so is searched anew, to narrower boxes.

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from ..exact import contractors
 from ..exact.interval_arrays import FloatArray, Intervals
-from .augmented import Augmented
 from .border import on_side
+from .defining_systems import Augmented
 
 #: How far a curve may be from the straight line between two neighbours, over the ranges of the parameters.
 SMOOTH = 2e-4

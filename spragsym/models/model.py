@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
+    from ..statics.onsets import Onsets
+    from ..statics.points import Points
     from ..statics.results import Equilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
@@ -28,9 +30,7 @@ if TYPE_CHECKING:
     from .critical import LowestEnd
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
-    from .onsets import Onsets
     from .paths import ModelPath
-    from .points import ModelPoints
 
 
 class Model:
@@ -187,7 +187,7 @@ class Model:
         return found.count
 
     @question
-    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
+    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Points:
         """Folds along one parameter, each proved, and whether these are all; ``p`` are scalars.
 
         ``between={"mu0": (0, 1)}`` is the range of what varies.
@@ -199,7 +199,7 @@ class Model:
         return folds(self, p, self._one(vary), **options)
 
     @question
-    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
+    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> Points:
         """Cusps in the plane of two parameters, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
         See :func:`spragsym.models.cusps.cusps`.

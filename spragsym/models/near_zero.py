@@ -16,8 +16,8 @@ import numpy as np
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
-from .augmented import Augmented, State
-from .ends import vanishes
+from .defining_systems import Augmented, State
+from .degenerate_ends import vanishes
 
 #: Where the range of such a parameter begins.
 LEAST = 2.0**-300

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..cycles import basin_boundaries, exponents, fates, finding, verdicts
+from ..cycles import basin_boundaries, exponents, fate_boundaries, finding, verdicts
 from ..cycles.saddles import Saddle, equilibrium_near, saddle_near
 from ..dynamics.field import Field
 from ..dynamics.sprag import REACH
@@ -49,7 +49,7 @@ def fate_boundary(
         raise ParameterError(f"bracket = {bracket} is no range; give its two ends")
     low, high = ends.tolist()
     values = p.replace(**{vary: low}).scalars(*model.parameters)
-    return fates.boundary_of(field_of(model, REACH), values, vary, (low, high), _state(model, start), backend)
+    return fate_boundaries.boundary_of(field_of(model, REACH), values, vary, (low, high), _state(model, start), backend)
 
 
 def basin_boundary(

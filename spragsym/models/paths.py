@@ -17,15 +17,16 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
+from ..statics.points import Points
 from ..statics.results import Equilibria, Stability, one_each
 from .balance import Balance
+from .bifurcation_conditions import Touch
 from .branches import Along, links
-from .columns import Columns
-from .conditions import Touch
 from .equilibria import columns, equilibria
 from .folds import folds
 from .forces import Model
-from .points import ModelPoints, arranged, given_column, search
+from .named_columns import Columns
+from .points import arranged, given_column, search
 from .stability import linearization
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
@@ -178,7 +179,7 @@ class _Way:
         allowed: Range = p.ranges.get(vary, Range(-np.inf, np.inf))
         low = max(low - BESIDE * max(1.0, abs(low)), allowed.low)
         high = min(high + BESIDE * max(1.0, abs(high)), allowed.high)
-        self.folds: ModelPoints = folds(model, p, vary, between={vary: (low, high)})
+        self.folds: Points = folds(model, p, vary, between={vary: (low, high)})
         if not self.folds.decided:
             raise ConvergenceError(
                 f"folds along {vary} between {low:.17g} and {high:.17g} are not all decided; model.folds lists the boxes, and a "
@@ -199,14 +200,14 @@ class _Way:
         chosen: NDArray[Any] = column[(at >= self.ends_at[0]) & (at <= self.ends_at[1])]
         return chosen
 
-    def _touches(self, span: tuple[float, float]) -> list[ModelPoints]:
+    def _touches(self, span: tuple[float, float]) -> list[Points]:
         """Where an equilibrium gets into contact or out of it."""
         if not self.balance.opens:
             return []
         beyond = Balance(self.model, contact=True, room=OVER_BORDER)
         given = given_column(self.p, beyond.parameters, (self.vary,))
         found = search(beyond, (self.vary,), Touch(), given, np.array([span]))
-        points = arranged(beyond, (self.vary,), given, found, np.full(found.roots.point.size, "border"))
+        points = arranged(beyond, self.p, (self.vary,), given, found, np.full(found.roots.point.size, "border"))
         if not points.decided:
             raise ConvergenceError(f"whether equilibria leave the contact along {self.vary} is not decided; shorten the range")
         return [points]

@@ -23,7 +23,7 @@ from ..exact.krawczyk import ball
 from ..exact.polynomials import Undecided
 from ..exact.reduction import Evaluate, Reduced, reduced_roots
 from .balance import Balance
-from .wide import Clusters, WideBalance
+from .double_double_balance import Clusters, WideBalance
 
 #: Ends of parameters that lie in a range.
 Spans: TypeAlias = Mapping[str, tuple[Fraction, Fraction]]

@@ -17,7 +17,7 @@ from ..exact.ball_functions import XP, cosine_and_sine
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.jets import constant, gradient, variables
-from .augmented import Augmented, State
+from .defining_systems import Augmented, State
 from .precise import PreciseBalance, assembled, boxes_of, clusters, reduced, replaced, unsettled, widened, with_digits
 
 #: Boxes beyond which they lie around no points.

@@ -18,9 +18,9 @@ from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.krawczyk import as_intervals, narrowed
 from ..exact.polynomials import Undecided
 from . import stability
-from .augmented import Augmented
+from .bifurcation_conditions import Hopf
 from .border import BITS, on_its_side
-from .conditions import Hopf
+from .defining_systems import Augmented
 from .equilibria import seen
 from .points import Found
 from .precise_points import PreciseAugmented

@@ -20,7 +20,7 @@ from ..exact.krawczyk import as_balls, narrowed
 from ..exact.polynomials import Undecided
 from ..statics.results import Stability
 from .balance import NOTHING, Balance, matrix
-from .conditions import Polynomial, determinant, hurwitz, of_pencil
+from .bifurcation_conditions import Polynomial, determinant, hurwitz, of_pencil
 from .precise import PreciseBalance
 
 #: Bits of the numbers where intervals of floats do not tell a sign.

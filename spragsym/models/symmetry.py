@@ -28,10 +28,10 @@ from ..exact.intervals import Balls
 from ..exact.jets import constant, gradient, variables
 from ..exact.polynomials import Undecided
 from ..exact.reduction import third_derivative
-from .augmented import Augmented, State
 from .balance import NOTHING, Balance, matrix
+from .bifurcation_conditions import Fold, determinant
 from .border import on_side
-from .conditions import Fold, determinant
+from .defining_systems import Augmented, State
 from .points import Found
 from .precise import PreciseBalance, clusters
 from .regions import region

@@ -7,10 +7,10 @@ import numpy as np
 from ..exact import contractors
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import gradient, variables
-from .augmented import Augmented
 from .balance import Balance, matrix
+from .bifurcation_conditions import Fold
 from .border import on_side
-from .conditions import Fold
+from .defining_systems import Augmented
 
 #: The first step over the whole way, and most steps.
 FIRST, MOST = 2.0**-5, 400

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ..generated import kernel
 from ..generated._where import where
 from .double_double import DoubleDouble, cosine_and_sine
-from .slots import Slots, gathered
+from .state_columns import Slots, gathered
 
 #: Digits that every equilibrium has: |error| ≤ TOLERANCE · max(1, |value|).
 TOLERANCE = 1e-12

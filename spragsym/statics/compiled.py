@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated import SOURCE_HASH
-from .slots import COLUMNS, Slots
+from .state_columns import COLUMNS, Slots
 
 _ROOM = threading.local()
 

@@ -17,10 +17,10 @@ from ..generated import stability as _stability
 from ..parameters import NAMES, Parameters
 from . import backends, block, compiled
 from .results import Equilibria, Undecided
-from .slots import COLUMNS, Columns, Slots, empty
+from .state_columns import COLUMNS, Columns, Slots, empty
 
 if TYPE_CHECKING:
-    from .ladder import Settled
+    from .adaptive_precision import Settled
 
 T = TypeVar("T")
 
@@ -280,13 +280,13 @@ def _escalate(p: Parameters, contact: bool, out: Slots, rows: NDArray[np.int64])
     folds: list[int] = []
     reasons: dict[int, str] = {}
     if left.size:
-        from . import ladder
+        from . import adaptive_precision
 
         count, columns = np.zeros(left.size, dtype=np.int8), empty(out.slots, left.size)
         for place, row in enumerate(left):
             parameters = dict(zip(NAMES, (float(value[row]) for value in given), strict=True))
             try:
-                found = ladder.equilibria(*parameters.values(), contact=contact)
+                found = adaptive_precision.equilibria(*parameters.values(), contact=contact)
                 _store(columns, place, found, parameters)
             except ConvergenceError as reason:
                 reasons[int(rows[row])] = str(reason)

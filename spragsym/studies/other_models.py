@@ -50,14 +50,29 @@ def scale_of(unit: str, bases: Mapping[str, tuple[float, str]]) -> float:
     return result
 
 
+def bases(name: str, values: Mapping[str, float]) -> dict[str, tuple[float, str]]:
+    """The quantities in SI that are the units of the others, each with its SI unit."""
+    return {entry["name"]: (values[entry["name"]], entry["unit"]) for entry in about(name)["units"]}
+
+
 def dimensionless(name: str, values: Mapping[str, float]) -> tuple[Any, dict[str, float]]:
     """The parameters of a model from its quantities in SI, and the scales of length, time and force."""
-    model = load(name)
-    bases = {entry["name"]: (values[entry["name"]], entry["unit"]) for entry in model.about["units"]}
-    scales = {"length": scale_of("m", bases), "time": scale_of("s", bases), "force": scale_of("N", bases)}
+    model, units = load(name), bases(name, values)
+    scales = {"length": scale_of("m", units), "time": scale_of("s", units), "force": scale_of("N", units)}
     given = {}
     for entry in model.about["parameters"]:
         quantity, unit = entry["quantity"], entry["quantity_unit"]
         if quantity in values:
-            given[entry["name"]] = values[quantity] / (1.0 if unit in ("1", "rad") else scale_of(unit, bases))
+            given[entry["name"]] = values[quantity] / (1.0 if unit in ("1", "rad") else scale_of(unit, units))
     return model.Parameters(**given), scales
+
+
+def friction(model: Any, p: Any, law: str) -> float:
+    """μ by the model's own law: ``"friction_at_rest"`` as its statics takes it, ``"friction_at_speed"`` at that of the belt."""
+    return float(getattr(model.statics, law)(*model.arguments(p, "motion")))
+
+
+def share(model: Any, p: Any) -> float:
+    """The share of μ₀ at which friction works at the speed of the belt, by the model's own law."""
+    full = friction(model, p, "friction_at_rest")
+    return friction(model, p, "friction_at_speed") / full if full else 1.0

@@ -135,7 +135,7 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
     p, scales = other_models.dimensionless(study.model, study.values)
     warnings: list[str] = []
     law = "friction_at_speed" if "V" in _known(study) else "friction_at_rest"
-    full, works = _friction(model, p, "friction_at_rest"), _friction(model, p, law)
+    full, works = other_models.friction(model, p, "friction_at_rest"), other_models.friction(model, p, law)
     fraction = works / full if full else 1.0
     if "V" not in _known(study):
         warnings.append("V is not given: friction is taken at full slip, and no oscillation is looked for")
@@ -145,7 +145,9 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
     turns, complete = _folds(model, p)
     jump = _jump(model, p, "mu0", (0.0, 1.1 * max(turns, default=1.0)), warnings)
     angle = _jump(model, at, "theta0", tuple(map(math.radians, _ANGLES)), warnings)
-    high = _friction(model, p.replace(mu0=study.quantities["mu0"].high), law) if "mu0" in study.quantities else math.nan
+    high = (
+        other_models.friction(model, p.replace(mu0=study.quantities["mu0"].high), law) if "mu0" in study.quantities else math.nan
+    )
     current = _current(model, at, warnings)
     states = tuple(model_states(model, at, scales, current))
     cycle = _oscillation(model, p, scales, warnings) if oscillation and {"V", "d"} <= _known(study) else None
@@ -159,11 +161,6 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
         states, turns, cycle, reached, complete, tuple(warnings),
         _verdict(study, jump, high, states, complete),
     )  # fmt: skip
-
-
-def _friction(model: Any, p: Any, law: str) -> float:
-    """μ by the model's own law: ``"friction_at_rest"`` as its statics takes it, ``"friction_at_speed"`` at that of the belt."""
-    return float(getattr(model.statics, law)(*model.arguments(p, "motion")))
 
 
 def _known(study: Study) -> set[str]:
@@ -226,7 +223,7 @@ def _cusp(model: Any, p: Any, warnings: list[str]) -> float | None:
     except SpragsymError as reason:
         warnings.append(f"cusps are not known: {reason}")
         return None
-    positive = np.asarray(found.values["mu0"])
+    positive = np.asarray(found.mu0)
     positive = positive[positive > 0]
     if not positive.size:
         warnings.append("no cusp was found with this model")
@@ -279,4 +276,4 @@ def _folds(model: Any, p: Any) -> tuple[tuple[float, ...], bool]:
         found = model.folds(p, "mu0")
     except SpragsymError:
         return (), False
-    return tuple(sorted(float(value) for value in found.values["mu0"])), found.decided and found.whole
+    return tuple(sorted(float(value) for value in found.mu0)), found.decided and found.whole

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..design import redesign
+from ..design.design_space import PHYSICAL, dimensionless
 from ..design.events import have_jumped
 from ..design.jump_values import first_jumps
-from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
 from ..errors import SpragsymError
 from ..parameters import FloatArray, Parameters, PhysicalParameters

@@ -182,6 +182,12 @@ class Study:
         """A value of a quantity in the unit in which it came."""
         return value / factor(self.quantities[name].unit, self.si(name))
 
+    def unit_of(self, si: str, name: str = "") -> tuple[str, float]:
+        """The unit of this file for an SI unit, that of a quantity if it is there, and what one of the model's is in it."""
+        here = name if name in self.quantities else next((other for other in self.quantities if self.si(other) == si), "")
+        unit = self.quantities[here].unit if here else PLAIN_UNITS.get(si, si)
+        return unit, other_models.scale_of(si, other_models.bases(self.model, self.values)) / factor(unit, si)
+
     def si(self, name: str) -> str:
         """The SI unit of a quantity."""
         return (QUANTITY_UNITS if self.model == "kang_nam" else other_models.quantity_units(self.model))[name]

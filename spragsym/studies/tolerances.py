@@ -12,9 +12,9 @@ from scipy.stats import qmc
 
 from ..catastrophe.sliding import sliding_friction
 from ..design import certify, jump_probability
+from ..design.design_space import PHYSICAL, dimensionless
 from ..design.events import have_jumped
 from ..design.probability import BELT
-from ..design.spaces import PHYSICAL, dimensionless
 from ..display import Result
 from ..parameters import NAMES, FloatArray, Parameters
 from .study import Study

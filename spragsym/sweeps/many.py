@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..door import model_of
-from ..dynamics import integrators, lanes
+from ..dynamics import batch_heyoka, integrators
 from ..dynamics.problem import MAX_STEPS, RELATIVE_TOLERANCE, as_steps
 from ..dynamics.trajectory import initial_state
 from ..errors import ParameterError
@@ -208,7 +208,7 @@ def _together(settings: Settings, count: int, workers: int) -> int:
     """How many motions are one task: what a kill loses, and what every worker gets many of. No result depends on it."""
     if settings.backend != "heyoka":  # which alone carries many at a time
         return 1
-    lasting = max(lanes.LANES, int(TOGETHER_FOR / settings.t_end))
+    lasting = max(batch_heyoka.LANES, int(TOGETHER_FOR / settings.t_end))
     return max(1, min(TOGETHER, lasting, count // (PARTS * workers)))
 
 

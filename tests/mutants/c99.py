@@ -25,7 +25,7 @@ import numpy as np
 
 from benchmarks import c_target
 from benchmarks.families import EXTREMES, FAMILIES
-from spragsym.statics import ladder
+from spragsym.statics import adaptive_precision
 
 from .verdicts import Definitions, Journal, report, stamp
 
@@ -302,7 +302,9 @@ class Judge:
     def __init__(self, each: int) -> None:
         sets = [family(np.random.default_rng([71, k]), each) for k, family in enumerate(FAMILIES.values())]
         self.rows = np.concatenate([*map(c_target.table, sets), np.array([*UNCERTAIN, *IMMODERATE, *EXTREMES])])
-        self.truth = [[ladder.equilibria(*map(float, row), contact=contact) for row in self.rows] for contact in (False, True)]
+        self.truth = [
+            [adaptive_precision.equilibria(*map(float, row), contact=contact) for row in self.rows] for contact in (False, True)
+        ]
         self.answered = 0
 
     def count(self, text: str) -> int:
@@ -327,7 +329,7 @@ class Judge:
         return answered
 
     @staticmethod
-    def check(true: ladder.Settled, found: Any) -> None:
+    def check(true: adaptive_precision.Settled, found: Any) -> None:
         assert len(true.states) == len(found), "count"
         for state, one in zip(true.states, found, strict=True):
             assert state.stability == one["stability"], "stability"

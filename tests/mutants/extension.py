@@ -16,7 +16,7 @@ import numpy as np
 
 from spragsym import statics
 from spragsym.statics import compiled
-from spragsym.statics.slots import COLUMNS, Slots
+from spragsym.statics.state_columns import COLUMNS, Slots
 
 from .c99 import FLAGS, LARGE, SOURCE, Judge, at_the_end
 

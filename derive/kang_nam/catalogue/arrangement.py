@@ -6,7 +6,7 @@ import sympy as sp
 
 from ...emit.function import Results
 from ...emit.statements import flatten
-from .. import circles, elimination, equilibrium, mechanics
+from .. import unit_circles, elimination, equilibrium, mechanics
 from .. import nomenclature as nm
 
 ANGLE0 = (nm.c0, nm.s0)
@@ -27,7 +27,7 @@ def require_same(
     for ours, theirs in zip(arranged, derived, strict=True):
         for _ in range(3):  # a shorthand may stand in another one
             ours = ours.subs(names or {})
-        if not circles.equal(equilibrium.spell_out(ours), equilibrium.spell_out(theirs)):
+        if not unit_circles.equal(equilibrium.spell_out(ours), equilibrium.spell_out(theirs)):
             raise ArithmeticError(f"{what}: the arrangement for emission is not what was derived")
 
 
@@ -50,6 +50,6 @@ def further(
 def added(arranged: tuple[sp.Expr, ...], derived: tuple[sp.Expr, ...]) -> tuple[sp.Expr, ...]:
     """The terms by which a changed assumption exceeds the arrangement of the published model; zeros if nothing was changed."""
     return tuple(
-        sp.factor_terms(circles.difference(equilibrium.spell_out(theirs), equilibrium.spell_out(ours)))
+        sp.factor_terms(unit_circles.difference(equilibrium.spell_out(theirs), equilibrium.spell_out(ours)))
         for ours, theirs in zip(arranged, derived, strict=True)
     )

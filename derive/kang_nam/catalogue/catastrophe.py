@@ -5,7 +5,7 @@ from __future__ import annotations
 import sympy as sp
 
 from ...emit.function import Function, Module
-from .. import catastrophe, circles, elimination, equilibrium, theorem
+from .. import catastrophe, unit_circles, elimination, equilibrium, theorem
 from .. import nomenclature as nm
 from . import lowest_fold
 from .arrangement import ANGLE, ANGLE0, F_COEFFICIENTS, STIFFNESS, require_same, shorthands
@@ -178,7 +178,7 @@ def _in_differences() -> tuple[sp.Expr, ...]:
     slope = nm.sigma * (B * c**2 - s * rise) + nm.alpha * along_slope + nm.mu0 * friction_slope
     f = equilibrium.spell_out(elimination.f_in_parameters()).subs(equilibrium.CONTACT)
     by_friction = sp.diff(f, nm.mu0)
-    derived = (f, circles.rotate_derivative(f), by_friction, circles.rotate_derivative(by_friction))
+    derived = (f, unit_circles.rotate_derivative(f), by_friction, unit_circles.rotate_derivative(by_friction))
     arranged = (value, slope, friction, friction_slope)
     require_same("f in differences", arranged, derived, shorthands(equilibrium.CONTACT, nm.B))
     return arranged
@@ -227,7 +227,7 @@ def _unfolding() -> tuple[tuple[sp.Expr, sp.Expr], ...]:
             change = sp.diff(f, nm.s0) * nm.c0 - sp.diff(f, nm.c0) * nm.s0
         else:
             change = sp.diff(f, parameter)
-        pair = change, circles.rotate_derivative(change)
+        pair = change, unit_circles.rotate_derivative(change)
         pairs.append(tuple(sp.factor_terms(sp.collect(sp.expand(part), (nm.c, nm.s))) for part in pair))
     return tuple(pairs)
 

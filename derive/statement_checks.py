@@ -1,6 +1,6 @@
 """Whether the statements of a page say something: names that code can bear, springs that hold, quantities that are used.
 
-What is asked of forces and units is in :mod:`derive.soundness`. Each error names the line, what was expected, and the remedy.
+What is asked of forces and units is in :mod:`derive.physical_checks`. Each error names the line, what was expected, and the remedy.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from ..exact import polynomials
-from ..exact.escalation import angle, as_floats, decided, sign_or_zero
+from ..exact.adaptive_bits import angle, as_floats, decided, sign_or_zero
 from ..exact.intervals import Arithmetic, Interval
 from ..statics import kernel
 

@@ -1,4 +1,4 @@
-"""One point with as many digits as it takes: interval arithmetic proves the count and the digits of every equilibrium.
+"""Adaptive precision at one point: interval arithmetic certifies the count and the digits of every equilibrium.
 
 Parameters are exact rationals. The sign of the discriminant gives the number of real roots of the quartic in t = tan(θ/2); each
 is then enclosed between two numbers where f has opposite signs. What an interval can't decide is tried again with twice the

@@ -1,4 +1,4 @@
-"""Where a state that ends at a fold jumps to: of the three equilibria that meet or are left there, the one that is left."""
+"""The successor of a fold: the equilibrium that is left where two meet, to which the state jumps."""
 
 from __future__ import annotations
 

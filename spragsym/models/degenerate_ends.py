@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from ..exact import boxes, contractors
 from ..exact.certified_roots import stepped
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
-from .augmented import Augmented
 from .balance import NOTHING
+from .defining_systems import Augmented
 
 #: How much wider than a box the one is in which a root is proved to be the only one, relatively and absolutely.
 WIDER, ROOM = 0.25, 1e-11

@@ -13,9 +13,9 @@ from ..errors import ParameterError
 from ..parameters import NOT_NEGATIVE, POSITIVE, FloatArray, as_number, as_numbers
 from . import flows
 from .classify import classify
-from .course import Course, course_of
 from .events import Events
 from .lobatto import PiecewisePolynomial
+from .measures import Course, course_of
 from .problem import Event, Problem
 from .regimes import SETTLED, Outcome, Regime
 

@@ -1,4 +1,4 @@
-"""Roots that floats know to few digits, by interval Newton with forces of many digits."""
+"""Interval Newton with forces of many digits, for roots that floats know to few digits."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import RANGES, FloatArray, Parameters, as_number
 from .cusp_points import cusps
-from .fixed import FIXED
+from .fixed_parameters import FIXED
 from .lowest_fold import critical_friction
 
 

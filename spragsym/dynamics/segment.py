@@ -1,4 +1,4 @@
-"""What an integrator tells of a stretch of motion: where it ends, its derivatives, and what it passed on the way."""
+"""A segment of motion as an integrator gives it: its end, the derivatives of that, and the events on the way."""
 
 from __future__ import annotations
 

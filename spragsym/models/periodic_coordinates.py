@@ -1,4 +1,4 @@
-"""Angles after a turn of which all is as before: each state once, though a little more than a turn is searched."""
+"""Periodic coordinates: solutions that differ by 2π are one, and the search goes a little beyond one period."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bits are added until every sign that an answer needs is decided; what an interval is then, as a float or an angle."""
+"""Adaptive precision: bits are added until every sign that an answer needs is certified; an interval as a float or an angle."""
 
 from __future__ import annotations
 

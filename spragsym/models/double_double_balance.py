@@ -1,4 +1,4 @@
-"""The balance of forces with double-double residuals: near folds, where floats know the equilibria to few digits.
+"""The balance of forces with double-double residuals, for equilibria near folds, of which float64 knows few digits.
 
 Boxes and slopes stay floats. What limits interval Newton near a fold is the rounding in the forces at the middle of a box, which
 is divided by a stiffness that is nearly singular: of these alone more digits are needed.

@@ -1,4 +1,4 @@
-"""Roots of many polynomials of one degree at once, in float64: eigenvalues of companion matrices, polished by Newton's rule."""
+"""Roots of many polynomials of one degree: eigenvalues of companion matrices, polished by Newton's method, in float64."""
 
 from __future__ import annotations
 

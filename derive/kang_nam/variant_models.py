@@ -14,7 +14,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from .. import algebra, laws, linearization, soundness, statics, units
+from .. import algebra, laws, linearization, physical_checks, statics, units
 from ..mechanics import DEPTH, MU, PUSHING, SIDE, Line, Mechanics
 from ..motion import Motion
 from . import article, equilibrium, mechanics, stability
@@ -252,7 +252,7 @@ class _Compared:
     def group(self, name: str) -> dict[str, sp.Expr]:
         """A dimensionless quantity, or a scale, by the quantities with units."""
         page = self.model.page
-        ours = soundness.groups(page).get(name)
+        ours = physical_checks.groups(page).get(name)
         symbol = nm.quantities()[name].symbol
         if ours is None:
             raise NoMeaning(f"the model has no {name}")
@@ -270,7 +270,7 @@ class _Compared:
         return self.scale("length")
 
     def scale(self, name: str) -> dict[str, sp.Expr]:
-        ours = soundness.scale(self.model.page, {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}[name])
+        ours = physical_checks.scale(self.model.page, {"length": units.LENGTH, "time": units.TIME, "force": units.FORCE}[name])
         theirs = mechanics.scales()[name]
         by_name = {it: sp.Symbol(str(it), positive=True) for it in (ours or sp.S.One).free_symbols | theirs.free_symbols}
         if ours is None:

@@ -10,7 +10,7 @@ import sympy as sp
 from .. import algebra, laws, linearization, pages, statics
 from ..mechanics import MU, PUSHING, Mechanics
 from ..motion import Motion
-from . import circles, equilibrium, mechanics, stability
+from . import unit_circles, equilibrium, mechanics, stability
 from . import nomenclature as nm
 
 #: Page → what it adds to the article's model, and what is left where these are 0.
@@ -54,7 +54,7 @@ def _polar(expression: sp.Expr) -> sp.Expr:
 
 def _equal(model: Mechanics, general: tuple[sp.Expr, ...], special: tuple[sp.Expr, ...]) -> bool:
     pairs = zip(general, special, strict=True)
-    return all(circles.equal(_polar(_in_article(model, ours)), _polar(theirs)) for ours, theirs in pairs)
+    return all(unit_circles.equal(_polar(_in_article(model, ours)), _polar(theirs)) for ours, theirs in pairs)
 
 
 def _balance(model: Mechanics) -> bool:

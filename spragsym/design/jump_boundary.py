@@ -10,7 +10,7 @@ from scipy.optimize import minimize
 from ..generated import catastrophe as _catastrophe
 from ..parameters import NAMES, FloatArray
 from ..statics import kernel
-from .spaces import Space
+from .design_space import Space
 
 
 def on_fold(space: Space, z: FloatArray, theta: float, fixed: dict[str, float]) -> FloatArray | None:

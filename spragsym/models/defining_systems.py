@@ -1,4 +1,4 @@
-"""Systems whose roots are points at which equilibria change: coordinates and parameters are unknowns together.
+"""Defining systems of folds, cusps and onsets: coordinates and parameters are unknowns together.
 
 The forces vanish, and as many conditions hold as there are parameters: det K = 0 with one parameter is a fold; with two, and
 with no change of det K along the direction that K maps to 0, a cusp. Derivatives come from jets over intervals.

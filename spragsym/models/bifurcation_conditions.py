@@ -1,4 +1,4 @@
-"""What is asked of a state beside the balance: folds, cusps, and the two kinds of onset of flutter."""
+"""Bifurcation conditions beside the balance: of folds, of cusps, and of the two kinds of onset of flutter."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..exact.interval_arrays import stacked
 from ..exact.jets import Jet
-from .augmented import State
+from .defining_systems import State
 
 #: A slope of the friction law that is as good as 0.
 FLAT = 1e-100

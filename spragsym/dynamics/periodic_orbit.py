@@ -1,4 +1,4 @@
-"""The closed orbit near a motion, with the derivative of its return map: by Newton's method on the flow and its derivatives."""
+"""The periodic orbit near a motion, with the derivative of its return map: Newton's method on the flow and its derivatives."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .course import Courses, Ends
 from .field import Field
-from .passage import Fly, Passage, Turn
+from .measures import Courses, Ends
+from .segment import Fly, Passage, Turn
 from .shooting import Guess, Loop, at_rest_along, once_round, rate, solved
 
 #: Differences of a flow are taken over this, where an integrator carries no derivatives.

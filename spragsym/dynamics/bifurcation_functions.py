@@ -1,4 +1,4 @@
-"""Test functions of a closed orbit: each passes zero where something happens to it.
+"""Test functions of a periodic orbit: each passes zero at a bifurcation of it.
 
 They are products over multipliers, every factor divided by its size, so that one of 10¹⁰ hides nothing of the others.
 """

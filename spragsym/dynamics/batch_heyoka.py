@@ -1,4 +1,4 @@
-"""Many motions at a time by heyoka's Taylor method: one in each lane of vector instructions.
+"""Batch integration by heyoka's Taylor method: many motions at a time, one in each lane of vector instructions.
 
 A lane takes its own steps, meets its own borders, and does the same arithmetic whatever runs beside it, so that the bits of a
 motion depend on the motion alone. One that has ended makes room for the next. One that breaks off stops the others: these are
@@ -16,9 +16,9 @@ import numpy as np
 
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
-from .course import Course
 from .field import Field, Mode
 from .heyoka_library import library
+from .measures import Course
 from .motions import Measured, Motions, Turns
 from .problem import Event, event_at, out_of_range, too_many_steps
 from .with_heyoka import Equations, tolerance, watched, ways_out
@@ -80,7 +80,7 @@ class _Run:
 class Lanes:
     """A compiled integrator of :data:`LANES` motions, used again and again.
 
-    With ``watch`` it also carries the integrals of a :class:`~spragsym.dynamics.course.Course`, and notes where x' = 0.
+    With ``watch`` it also carries the integrals of a :class:`~spragsym.dynamics.measures.Course`, and notes where x' = 0.
     """
 
     def __init__(self, field: Field, constants: int, rtol: float, watch: bool) -> None:

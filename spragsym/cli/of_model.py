@@ -1,0 +1,198 @@
+"""Commands about a model: the parameters of the one that ``--model``, or the file of ``--data``, names are their options."""
+
+from __future__ import annotations
+
+import copy
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import click
+
+from ..errors import ParameterError
+from ..models import load
+from ..models.parameters import options_of
+from ..parameters import Range, degrees
+from .commands import command
+from .options import Number
+from .units import Units
+
+if TYPE_CHECKING:
+    from ..models import Model
+    from ..parameters import ParameterSet
+    from ..studies import Study
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+#: The model that commands are about unless told otherwise.
+USUAL = "kang_nam"
+MODEL = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote. Its parameters become options."
+DATA = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
+METHOD = "Closed forms that a model brings, or the search that serves every model. Default: what is faster."
+
+
+@dataclass(frozen=True)
+class Case:
+    """What a command is about.
+
+    ``values`` of its parameters are radians, None for those that were not given and have no base value; ``ask`` goes with every
+    question to the model.
+    """
+
+    model: Model
+    values: dict[str, Any]
+    units: Units
+    ask: dict[str, str]
+
+    def set(self, *spanned: str, **changes: Any) -> ParameterSet:
+        """The parameters, without those that vary."""
+        values = {**self.values, **changes}
+        for name, value in values.items():
+            if value is None and name not in spanned:
+                flag = options_of(self.model.about, name)[0]
+                raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
+        p: ParameterSet = self.model.Parameters(**{name: None if name in spanned else value for name, value in values.items()})
+        return p
+
+
+class OfModel(click.Command):
+    """A command whose options are its own and one for each parameter of a model; its work is given a :class:`Case`.
+
+    Parameters are of the type ``kind``. With ``start`` each number of the initial state has an option too. ``statics`` of a brake
+    takes the friction that works at the speed of its belt. Texts of help may name ``{time}``, the unit of time, ``{axis}``, what
+    varies unless told otherwise, ``{coordinate}``, the first, and ``{state}``, all of the initial state.
+    """
+
+    def __init__(
+        self, *args: Any, kind: Callable[[Range], Any] = Number, start: bool = False, statics: bool = False, **more: Any
+    ) -> None:
+        super().__init__(*args, **more)
+        self.kind, self.start, self.statics, self.own, self.text = kind, start, statics, self.params, self.help
+        self._be_about(load(USUAL))
+
+    def _be_about(self, model: Model) -> None:
+        self.model = model
+        words = {
+            "time": model.about["scales"]["time"].replace("**", "^"), "axis": " and ".join(model.axes) or "none",
+            "coordinate": model.coordinates[0], "state": ",".join((*model.coordinates, *model.rates)).upper(),
+        }  # fmt: skip
+        asked = [click.Option(["--model"], metavar="NAME|DIR", expose_value=False, help=MODEL)]
+        asked.append(click.Option(["--data"], metavar="FILE", expose_value=False, help=DATA))
+        self.params = [*self._parameters(), *self._start(), *(_worded(option, words) for option in self.own), *asked]
+        of = "" if model.name == USUAL else f"\n\nOf the model {model.name}: {model.about['summary']}"
+        self.help = f"{self.text}{of}"
+
+    def of_model(self, model: Model) -> OfModel:
+        """The same command about another model."""
+        other = copy.copy(self)
+        other._be_about(model)
+        return other
+
+    def make_context(
+        self, info_name: str | None, args: list[str], parent: click.Context | None = None, **extra: Any
+    ) -> click.Context:
+        """With the options of the model that the arguments name."""
+        study = _study(_value_of(args, "--data"))
+        name = _value_of(args, "--model") or (study.model if study else USUAL)
+        if study is not None:
+            if study.model != name:
+                raise ParameterError(f"--model {name}: --data is about {study.model}; leave one of the two out")
+            extra |= {"default_map": self._defaults(study), "obj": study}
+        about = self if name == self.model.where else self.of_model(load(name))
+        return super(OfModel, about).make_context(info_name, args, parent, **extra)
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Do the work, about the case that the parameters are."""
+        import numpy as np
+
+        angles = self.model.about["angles"]
+        values = {name: ctx.params.pop(name) for name in self.model.parameters}
+        radians = {name: np.radians(values[name]) for name in angles if values[name] is not None}
+        method = ctx.params.pop("method", None)
+        case = Case(self.model, values | radians, Units(self.model, ctx.obj), {"method": method} if method else {})
+        assert self.callback is not None  # each has its work
+        return ctx.invoke(partial(self.callback, case), **ctx.params)
+
+    def _parameters(self) -> list[click.Option]:
+        ranges, base = self.model.Parameters.ranges, self.model.base
+        options = []
+        for entry in self.model.about["parameters"]:
+            name, allowed, default = entry["name"], ranges[entry["name"]], base.get(entry["name"])
+            meaning = f"{entry['meaning'][0].upper()}{entry['meaning'][1:]}"
+            if name in self.model.about["angles"]:
+                remedy = f"give the {entry['meaning']} in degrees"
+                low, high = math.degrees(allowed.low), math.degrees(allowed.high)
+                allowed = Range(low, high, allowed.open_low, remedy, allowed.closed_high)
+                meaning, default = f"{meaning}, degrees", None if default is None else degrees(default)
+            shown = default is not None and (float(f"{default:.7g}") == default or f"{default:.7g}")
+            flags = (*options_of(self.model.about, name), name)
+            options.append(click.Option(flags, type=self.kind(allowed), default=default, show_default=shown, help=f"{meaning}."))
+        return options
+
+    def _start(self) -> list[click.Option]:
+        names = (*self.model.coordinates, *self.model.rates) if self.start else ()
+        return [
+            click.Option(
+                [f"--{name}0", f"{name}0"],
+                type=self.kind(Range(-math.inf)),
+                default=0.0,
+                show_default=True,
+                help=f"Initial {name}.",
+            )
+            for name in names
+        ]
+
+    def _defaults(self, study: Study) -> dict[str, str]:
+        """The values of a file, as options take them."""
+        from ..studies import other_models
+
+        model, moves = load(study.model), {"V", "d"} & set(load(study.model).parameters) <= set(study.quantities)
+        p, _ = other_models.dimensionless(study.model, study.values)
+        if not self.statics and not moves:
+            raise ParameterError(
+                f'--data {study.source}: there is no motion without belt speed and creep; add V = "1.2 m/s" and d = "10 s/m"'
+            )
+        if self.statics and moves and "mu0" in model.parameters:
+            p = p.replace(mu0=p.mu0 * other_models.share(model, p))
+        given = {entry["name"] for entry in model.about["parameters"] if entry["quantity"] in study.quantities}
+        values = {name: float(getattr(p, name)) for name in given}
+        return {name: str(degrees(value) if name in model.about["angles"] else value) for name, value in values.items()}
+
+
+def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:
+    """As ``click.command``, for a command about a model."""
+    return command(cls=OfModel, **options)
+
+
+def method(function: F) -> F:
+    """``--method``."""
+    return click.option("--method", type=click.Choice(["closed", "search"]), help=METHOD)(function)
+
+
+def _worded(option: click.Parameter, words: dict[str, str]) -> click.Parameter:
+    """An option with the words of a model in its help."""
+    other = copy.copy(option)
+    for text in ("help", "metavar"):
+        if "{" in (getattr(option, text, None) or ""):
+            setattr(other, text, getattr(option, text).format(**words))
+    return other
+
+
+def _value_of(args: Sequence[str], flag: str) -> str | None:
+    """The value of an option, if it is there and a value follows."""
+    for place, word in enumerate(args):
+        if word == flag and place + 1 < len(args):
+            return args[place + 1]
+        if word.startswith(f"{flag}="):
+            return word.partition("=")[2]
+    return None
+
+
+def _study(path: str | None) -> Study | None:
+    if path is None:
+        return None
+    from ..studies import Study
+
+    return Study.from_file(path)

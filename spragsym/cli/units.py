@@ -1,0 +1,86 @@
+"""What a command prints, in degrees; with ``--data`` in the units of that file."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from ..errors import ParameterError
+from ..names import hint
+
+if TYPE_CHECKING:
+    from ..models import Model
+    from ..studies import Study
+
+#: Of a motion what is measured in the unit of its first component, and what is a force.
+MEASURED, FORCES = ("rms", "rms_about_mean", "mean", "amplitude", "error"), ("spring_force", "contact_force")
+
+
+@dataclass(frozen=True)
+class Units:
+    """Units of the answers about a model: without dimension and angles in degrees, or those of a file of a brake."""
+
+    model: Model
+    study: Study | None = None
+
+    def place(self, name: str, end: str = "") -> tuple[str, float]:
+        """What a coordinate, a direction or a length of a spring is called, and what one of it is there."""
+        known = {entry["name"]: entry["unit"] for entry in self.model.about["coordinates"]}
+        return self._of(name + end, known.get(name, "rad" if name.partition("_")[0] == "theta" else "m"))
+
+    def growth(self) -> tuple[str, float]:
+        """The same of a rate of growth."""
+        return ("growth", 1.0) if self.study is None else ("growth_per_s", 1.0 / self.study.scales.time)
+
+    def varied(self, name: str) -> tuple[str, float, str]:
+        """Of a parameter, or with a file of a quantity: the parameter, what one of it is there, and what it is called."""
+        entries = self.model.about["parameters"]
+        for entry in entries:
+            if name == entry["name"] and (self.study is None or name != entry["quantity"] or entry["quantity_unit"] == "1"):
+                title, unit = self._of(name, entry["unit"])
+                return name, unit, title
+        for entry in entries:
+            if name == entry["quantity"]:
+                if self.study is None:
+                    raise ParameterError(
+                        f"--vary {name}: without --data the parameters have no units; give --vary {entry['name']}"
+                    )
+                title, unit = self._of(name, entry["quantity_unit"], name)
+                return entry["name"], unit, title
+        known = [entry[key] for key in ("name", "quantity") for entry in entries]
+        known = list(dict.fromkeys(known if self.study else self.model.parameters))
+        raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")
+
+    def parameter(self, name: str) -> tuple[str, float]:
+        """What a parameter is called, and what one of it is there."""
+        return (f"{name}_deg", math.degrees(1.0)) if name in self.model.about["angles"] else (name, 1.0)
+
+    def measured(self, summary: dict[str, Any]) -> dict[str, Any]:
+        """What is measured of a motion, each under a name that says its unit."""
+        found = {}
+        for name, value in summary.items():
+            key, unit = self._measure(name)
+            scaled = [unit * one for one in value] if isinstance(value, list) and key != name else value
+            found[key] = value * unit if key != name and isinstance(value, float) else scaled
+        return found
+
+    def _measure(self, name: str) -> tuple[str, float]:
+        if name in MEASURED:
+            return self._of(name, self.model.about["coordinates"][0]["unit"])
+        if name in FORCES and self.study is not None:
+            return self._of(name, "N")
+        if name == "period" and self.study is not None:
+            return "period_s", self.study.scales.time
+        return name, 1.0
+
+    def _of(self, title: str, si: str, quantity: str = "") -> tuple[str, float]:
+        """A title with its unit, and what one of the model's own units is there."""
+        if si == "rad":
+            return f"{title}_deg", math.degrees(1.0)
+        if self.study is None or si == "1":
+            return title, 1.0
+        unit, size = self.study.unit_of(si, quantity)
+        return f"{title}_{unit}", size

@@ -1,0 +1,105 @@
+"""Every command about a model: the same keys for all of them, and what Python says."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.cli import main
+from spragsym.models.load import shipped
+
+MODELS = shipped()
+
+
+def run(capsys: pytest.CaptureFixture[str], *words: str, code: int = 0) -> str:
+    """What a command prints on stdout; on stderr, if it fails."""
+    with pytest.raises(SystemExit) as stop:
+        main(list(words))
+    told = capsys.readouterr()
+    assert stop.value.code == code, told.err
+    return told.err if code else told.out
+
+
+def of(name: str, *more: str) -> list[str]:
+    """The options for a model at its base values, 20 degrees where there is none."""
+    return ["--model", name, *(["--theta0", "20"] if "theta0" in ss.load(name).parameters else []), *more]
+
+
+def a_set(name: str) -> Any:
+    """The same in Python."""
+    model = ss.load(name)
+    return model.Parameters(**({"theta0": math.radians(20.0)} if "theta0" in model.parameters else {}))
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_equilibria_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = json.loads(run(capsys, "equilibria", *of(name), "--json"))
+    assert list(told) == ["model", "parameters", "equilibria", "complete", "undecided", "remarks"]
+    p, model = a_set(name), ss.load(name)
+    assert [key.removesuffix("_deg") for key in told["parameters"]] == list(model.parameters)
+    rows = [(state, eq, slot) for state, eq in _states(p) for slot in range(int(eq.count))]
+    assert len(told["equilibria"]) == len(rows) > 0
+    for row, (state, eq, slot) in zip(told["equilibria"], rows, strict=True):
+        assert list(row)[:3] == ["state", "stability", "undamped"]
+        assert list(row)[-4:] == ["eigenvalues", "growth", "error", "marginal"]
+        assert row["state"] == state
+        for entry in model.about["coordinates"]:
+            value = float(getattr(eq, entry["name"])[slot])
+            angle = entry["unit"] == "rad"
+            assert row[entry["name"] + "_deg" * angle] == (math.degrees(value) if angle else value)
+    assert told["complete"] == all(eq.complete for _, eq in _states(p))
+
+
+def _states(p: Any) -> list[tuple[str, Any]]:
+    return [(state, p.model.equilibria(p, contact=contact)) for contact, state in p.model.regimes.items()]
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_equilibria_of_every_model_along_a_range(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """By --vary, and by a list in the option itself: the same table."""
+    model = ss.load(name)
+    vary = "mu0" if "mu0" in model.parameters else model.parameters[-1]
+    option = {"V": "--speed", "d": "--creep"}.get(vary, f"--{vary}")
+    ranged = run(capsys, "equilibria", *of(name), "--vary", f"{vary}=0.2:0.4:2")
+    assert ranged == run(capsys, "equilibria", *of(name, option, "0.2:0.4:2"))
+    assert ranged.split()[0] == vary
+    points = json.loads(run(capsys, "equilibria", *of(name), "--vary", f"{vary}=0.2:0.4:2", "--json"))["points"]
+    assert [point["parameters"][vary] for point in points] == [0.2, 0.4]
+
+
+def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """With k_3 = 0 cubic_contact is the article's model: the same answers in the file's units, by the model's own law."""
+    text = run(capsys, "report", "--example")
+    one, two = tmp_path / "one.toml", tmp_path / "two.toml"
+    one.write_text(text, encoding="utf-8")
+    two.write_text(text.replace('"kang_nam"', '"cubic_contact"') + 'k_3 = "0 N/mm^3"\n', encoding="utf-8")
+    told = [json.loads(run(capsys, "equilibria", "--data", str(file), "--json")) for file in (one, two)]
+    assert [each["model"] for each in told] == ["kang_nam", "cubic_contact"]
+    for row, other in zip(*(each["equilibria"] for each in told), strict=True):
+        assert list(row) == list(other)
+        for key in ("x_mm", "y_mm", "growth_per_s"):
+            assert other[key] == pytest.approx(row[key], rel=1e-6)
+    study = ss.Study.from_file(one)
+    p = study.dimensionless
+    at_work = p.replace(mu0=study.friction[1])
+    growth = ss.equilibria(at_work).growth
+    assert told[0]["equilibria"][0]["growth_per_s"] == pytest.approx(float(growth[0]) / study.scales.time, rel=1e-9)
+    assert growth[0] != ss.equilibria(at_work.replace(V=0.5, d=10.0)).growth[0]
+    said = run(capsys, "equilibria", "--data", str(two), "--model", "damped", code=2)
+    assert "--data is about cubic_contact" in said
+
+
+def test_a_second_witness_is_an_option(capsys: pytest.CaptureFixture[str]) -> None:
+    closed, search = (
+        json.loads(run(capsys, "equilibria", "--theta0", "30", "--method", way, "--json"))["equilibria"]
+        for way in ("closed", "search")
+    )
+    assert list(closed[0]) == list(search[0])
+    assert np.allclose([row["x"] for row in closed], [row["x"] for row in search], atol=1e-12)
+    assert "damped has no closed form" in run(capsys, "equilibria", *of("damped"), "--method", "closed", code=2)

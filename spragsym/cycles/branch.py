@@ -11,19 +11,16 @@ from numpy.typing import NDArray
 
 from ..display import Result
 from ..dynamics.flows import carrier, flow
-from ..dynamics.shooting import Guess, Loop, extent, looped, rate
+from ..dynamics.shooting import Loop, extent, rate
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, as_number
-from .arclength import Point, Setting, aligned, angle, between, corrected, cut_finer, fixed, point_of, started
+from .arclength import STRAIGHT, Point, Setting, aligned, angle, between, corrected, cut_finer, placed, started
 from .halving import between_halves, due, halved, in_halves, meets, nearer
 from .inspection import Finding, NotLocated, Seen, findings
 from .orbit import Cycle, Cycles, cycle_of, is_stable, moments, range_of
 
 #: Lengths of a step along the arc: the first, the longest, and the one below which a branch is given up.
 FIRST, LONGEST, SHORTEST = 0.004, 0.08, 1e-9
-
-#: Largest angle between the tangents of neighbours, as its cosine.
-STRAIGHT = 0.97
 
 #: Periods of the first cycle beyond which a branch ends, if its cycle comes to rest somewhere.
 LONG = 6.0
@@ -345,12 +342,7 @@ class _Trace:
 
     def _at(self, point: Point, step: FloatArray, value: float) -> Point:
         """The point at a value of the parameter, a step from another point."""
-        moved = point.loop.guess.moved(step, self.setting.free)
-        values = list(moved.values)
-        values[self.setting.free[0]] = value  # exactly, since there may be no parameters beyond
-        guess = Guess(moved.states, moved.period, tuple(values))
-        near = looped(self.setting.field, self.setting.fly, guess, self.setting.free)
-        found = point_of(self.setting, fixed(self.setting, near), point.tangent)
+        found = placed(self.setting, point, step, value)
         if np.abs(found.loop.guess.states - point.loop.guess.states).max() > 0.5:
             raise ConvergenceError("the end of the range is farther than a step")
         return found

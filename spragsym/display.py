@@ -252,7 +252,8 @@ def _fields(thing: Any) -> dict[str, Any]:
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
-            out |= {key: np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
+            end = f"_{field.name}" if field.name in ("before", "after") else ""
+            out |= {f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
         elif value is not None:
             out[field.name] = value
     return out

@@ -261,12 +261,12 @@ def test_signs_against_motions_on_both_sides(row: int, stick_slip: Any) -> None:
 
 
 def test_commands_say_how_dangerous_an_onset_is() -> None:
-    taken = ["bifurcation", "--model", "stick_slip", "--vary", "V", "--along", ""]
+    taken = ["bifurcation", "--model", "stick_slip", "--vary", "V"]
     shown = CliRunner().invoke(cli, taken)
     assert shown.exit_code == 0, shown.output
     assert "criticality" in shown.output
     assert shown.output.index("gentle") < shown.output.index("dangerous")
-    told = json.loads(CliRunner().invoke(cli, [*taken, "--json"]).stdout)["flutter onsets"]["points"]
+    told = json.loads(CliRunner().invoke(cli, [*taken, "--json"]).stdout)["onsets"]["points"]
     assert [point["criticality"] for point in told] == ["gentle", "dangerous"]
     assert told[0]["lyapunov"] < 0 < told[1]["lyapunov"]
     assert told[0]["why"] == ""

@@ -100,7 +100,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Report": lambda: _study().report(probability=False, redesign=False, oscillation=False),
     "Points of a search": lambda: _folds_of_a_model(),
     "Onsets": lambda: ss.load("stick_slip").flutter_onsets(ss.load("stick_slip").Parameters(), vary="V"),
-    "ModelPath": lambda: MODEL.quasi_static_path(MODEL.Parameters(), "theta0", [0.5, 0.6]),
+    "Path of a search": lambda: MODEL.quasi_static_path(MODEL.Parameters(), "theta0", [0.5, 0.6]),
     "Diagram": lambda: ss.diagram(ss.load("stick_slip").Parameters(), "V", (0.05, 0.3), points=60),
     "Sensitivity": lambda: ss.sensitivity(P, [0.5], [10.0], refine=1, t_end=20.0, backend="scipy"),
 }
@@ -211,7 +211,7 @@ def test_results_of_models_have_the_rows_of_the_article_s() -> None:
 def test_the_jump_of_a_path_is_in_its_table() -> None:
     path = RESULTS["Path"]()
     rows = Tables(path._repr_html_()).rows
-    angle = np.degrees(path.jumps[0].theta0)
+    angle = np.degrees(path.jumps[0].value)
     assert any(row[1] == f"{angle:.10g}" for row in rows)
 
 

@@ -8,7 +8,7 @@ from .flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
 from .fold_points import folds
 from .linear import LinearSprag, linear_critical_friction, linear_sprag
 from .lowest_fold import CriticalFriction, critical_friction
-from .paths import Jump, Path, quasi_static_path
+from .paths import quasi_static_path
 from .sliding import sliding_friction
 
 __all__ = [
@@ -16,9 +16,7 @@ __all__ = [
     "CriticalFriction",
     "FlutterBoundary",
     "FoldCurve",
-    "Jump",
     "LinearSprag",
-    "Path",
     "Surface",
     "bifurcation_set",
     "critical_friction",

@@ -13,9 +13,9 @@ from matplotlib.lines import Line2D
 
 from ..catastrophe.flutter_points import flutter_onsets
 from ..catastrophe.fold_points import folds
-from ..catastrophe.paths import Path
 from ..door import only_for
 from ..parameters import RANGES, FloatArray, Parameters
+from ..statics.paths import Path
 from ..statics.points import Points
 from ..statics.results import Equilibria, Stability
 from ..statics.solver import equilibria
@@ -272,7 +272,7 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     head: tuple[list[float], list[float]] = ([], [])
     for jump in path.jumps:
         stop = int(np.searchsorted(forward * values, forward * jump.value, side="right"))
-        before, after = getattr(jump, f"{quantity}_before"), getattr(jump, f"{quantity}_after")
+        before, after = jump.before[quantity], jump.after[quantity]
         pieces.append((
             np.concatenate([head[0], values[begin:stop], [jump.value]]),
             np.concatenate([head[1], states[begin:stop], [before]]),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
+from ..statics.named_columns import Columns
 from ..statics.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Fold
@@ -19,7 +20,6 @@ from .cusps import cusps
 from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
 from .forces import Model
-from .named_columns import Columns
 from .points import given_column, ranges, search
 from .regions import by_hand
 

@@ -16,6 +16,7 @@ from ..exact import contractors
 from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.polynomials import Undecided
+from ..statics.named_columns import Columns
 from ..statics.onsets import criticality
 from ..statics.points import Points
 from . import stability
@@ -24,7 +25,6 @@ from .bifurcation import on_lines, require_lines, rows_of
 from .bifurcation_conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
 from .defining_systems import Condition
 from .fold_curves import FoldCurves
-from .named_columns import Columns
 from .normal_forms import NormalForm, normal_form
 from .points import arranged, given_column, picked, ranges, search
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
     from ..statics.onsets import Onsets
+    from ..statics.paths import Path
     from ..statics.points import Points
     from ..statics.results import Equilibria
     from ..sweeps import Basin, Sensitivity, Sweep
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from .critical import LowestEnd
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
-    from .paths import ModelPath
 
 
 class Model:
@@ -243,7 +243,7 @@ class Model:
         return critical_friction(self, p, vary, over, **options)
 
     @question
-    def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
+    def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> Path:
         """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
 
         See :func:`spragsym.models.paths.quasi_static_path`.

@@ -2,8 +2,21 @@
 
 from .backends import get_backend, set_backend
 from .onsets import Onsets
+from .paths import Jump, Path
 from .points import Points
 from .results import Equilibria, Stability, Undecided
 from .solver import count, equilibria
 
-__all__ = ["Equilibria", "Onsets", "Points", "Stability", "Undecided", "count", "equilibria", "get_backend", "set_backend"]
+__all__ = [
+    "Equilibria",
+    "Jump",
+    "Onsets",
+    "Path",
+    "Points",
+    "Stability",
+    "Undecided",
+    "count",
+    "equilibria",
+    "get_backend",
+    "set_backend",
+]

@@ -188,7 +188,7 @@ class Reference:
 
 def reference_of(onsets: Any, row: int) -> Reference:
     """The reference of one of the onsets."""
-    model = onsets.model
+    model = onsets.parameters.model
     p = {name: float(getattr(onsets, name)[row]) for name in model.parameters}
     return Reference(
         model.name, p, [float(getattr(onsets, name)[row]) for name in model.coordinates], onsets.vary[0], float(onsets.omega[row])
@@ -248,7 +248,7 @@ def main(points: int = 300, seed: int = 30, motions: int = 12) -> int:
                     sharp = max(sharp, bound / abs(float(exact.lyapunov)))
                     seen.append((onsets, row))
                 if not fine:
-                    print(f"{onsets.model.name} {onsets.vary} {row}: {off:.2e} of {bound:.2e}", file=sys.stderr)
+                    print(f"{onsets.parameters.model.name} {onsets.vary} {row}: {off:.2e} of {bound:.2e}", file=sys.stderr)
             if count >= enough:
                 break
         kinds = " | ".join(str(told[name]) for name in ("gentle", "dangerous", "undecided"))
@@ -269,7 +269,7 @@ def _by_motions(seen: Sequence[tuple[Any, int]], motions: int) -> int:
         if told is None:
             continue
         wrong += told != onsets.criticality[row]
-        rows.append((onsets.model.name, onsets.vary[0], onsets.criticality[row], told))
+        rows.append((onsets.parameters.model.name, onsets.vary[0], onsets.criticality[row], told))
     gentle = sum(row[2] == "gentle" for row in rows)
     print(f"\n{len(rows)} against motions, {gentle} of them gentle: {wrong} contradict.")
     return wrong
@@ -284,7 +284,7 @@ def against_motions(onsets: Any, row: int, longest: float = 20_000.0) -> str | N
         cycle = onsets.cycle(row)
     except ConvergenceError:
         return None
-    model, field, constants = onsets.model, cycle.field, cycle.loop.constants
+    model, field, constants = onsets.parameters.model, cycle.field, cycle.loop.constants
     p = model.Parameters(**cycle.parameters)
 
     def still(q: Any) -> Any:

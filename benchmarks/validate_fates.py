@@ -4,16 +4,17 @@
 the parameter that varies, its bracket, the start and all other parameters are random. Finished calls stand in FILE, one a line, and
 the same command goes on from there.
 
-- An answer is confirmed by motions at ± 1e-6 (or at a third of the way to where fates are said to alternate), by DOP853 in the place
-  of the Taylor method, over 40 000 time units: their means and root mean squares over the last tenth differ by far more than they
-  change within it.
-  Where others lie so close to an answer that fates alternate within its error, these are motions at ± 1e-8 or ± 1e-6, where the
-  library has looked as well.
+- Motions are followed by DOP853 in the place of the Taylor method, and told by their averages, with weights that fall to 0 at both
+  ends of a window, so that a window need not hold whole periods. Two have different ends if these differ by far more than they
+  change from one window to the next.
+- An answer is confirmed by motions at ± 1e-6 with different ends; where fates are said to alternate more closely, at a third of the
+  way to the next change, or at three errors.
 - A refusal is read part by part, and each part has its own confirmation, between the values that it names. That both ends come to
-  one attractor: a motion is carried from one to the other in small steps of the parameter, and ends with the averages that the
-  motion there has. That motions are undecided: averages still change, or neighbours part. That fates alternate: neighbours part, by
-  a change of the start that is far below what a boundary could be told to. That an attractor ends: a motion carried on past there
-  comes to the averages of the motion there. What was left open for its length is counted as that, and says nothing.
+  one attractor: a motion is carried from one to the other, by steps of the parameter so small that averages jump nowhere, and ends
+  with the averages that the motion there has. That motions are undecided: averages still change, or neighbours part. That fates
+  alternate more closely than rounding can tell: of motions that begin within rounding of one another, at values within the width
+  that is named, two have different ends. That an attractor ends: a motion carried on past there comes to the averages of the motion
+  there. What was left open for its length is counted as that, and says nothing.
 """
 
 from __future__ import annotations
@@ -37,14 +38,23 @@ VARIED = {"theta0": 0.2, "mu0": 0.15, "kappa": 0.004, "alpha": 0.004, "sigma": 0
 #: To either side of an answer.
 ASIDE = 1e-6
 
-#: Time of a simulation that confirms, and the part of it over which averages are taken.
-LONG, WINDOW = 40_000.0, 4000.0
+#: Time of a simulation that confirms, and the last part of it, over the halves of which averages are taken, in steps of this.
+LONG, WINDOW, SAMPLED = 40_000.0, 8000.0, 0.4
 
-#: The same where a motion is carried over the bracket, in how many steps, and how long each lasts; where it decays slowly.
-SHORT, STEPS, STEP_LASTS, SETTLED = 16_000.0, 25, 1200.0, 400_000.0
+#: Averages that differ by more than this, and by so many times what they change, are of different ends.
+OTHER, TIMES = 1e-5, 30.0
 
-#: To either side of where fates alternate, and changes of the start there.
-BETWEEN, NEIGHBOURS = (1e-8, 1e-6), (0.0, 1e-12, 3e-12, 1e-11, 1e-10, 1e-9)
+#: Averages that differ by less than this are taken for those of one attractor.
+ALIKE = 1e-3
+
+#: How long a motion that decays slowly is followed at most, until averages change by no more than this.
+SETTLED, STEADY = 400_000.0, 1e-6
+
+#: Where a motion is carried on: the first step as a share of the way, halvings of it, its time, and the most that averages may jump.
+STEP, HALVINGS, STEP_LASTS, JUMP = 1 / 25, 10, 4000.0, 0.02
+
+#: Changes of the start, and motions that are looked at, where rounding is said to decide.
+ROUNDING, LOOKED_AT = 1e-12, 200
 
 
 def call(number: int) -> dict[str, Any]:
@@ -73,10 +83,15 @@ def averages(values: dict[str, float], start: Any, lasting: float = LONG, window
     """Means of x and y and root mean squares of x about zero and its mean over each half of the last part, and the last state."""
     numbers, halves, state = tuple(values.values()), [], np.array(start)
     for span in (lasting - window, window / 2, window / 2):
-        motion = SPRAG.simulate(numbers, state, span, backend="compiled", rtol=1e-12)
+        if span > 0:
+            motion = SPRAG.simulate(numbers, state, span, backend="compiled", rtol=1e-12)
+            state = motion.state[:, -1]
         if span == window / 2:
-            halves.append([motion.mean(0.0), motion.mean(0.0, of="y"), motion.rms(0.0), motion.amplitude(0.0)])
-        state = motion.state[:, -1]
+            share = np.linspace(0, 1, round(span / SAMPLED) + 1)
+            weights = np.sin(np.pi * share) ** 4
+            x, y, *_ = motion(span * share)
+            mean_x, mean_y, square = (float(weights @ each / weights.sum()) for each in (x, y, x**2))
+            halves.append([mean_x, mean_y, square**0.5, max(square - mean_x**2, 0.0) ** 0.5])
     return np.array(halves), state
 
 
@@ -86,34 +101,50 @@ def apart(one: Any, other: Any) -> tuple[float, float]:
     return float(np.abs(one.mean(axis=0) - other.mean(axis=0)).max()), float(within)
 
 
+def differ(one: Any, other: Any) -> bool:
+    """Whether two motions have different ends."""
+    off, within = apart(one, other)
+    return off > max(OTHER, TIMES * within)
+
+
+def settled(values: dict[str, float], start: Any) -> tuple[Any, Any]:
+    """As averages, of a motion that is followed until they no longer change, or for long."""
+    found, state = averages(values, start)
+    time = LONG
+    while np.ptp(found, axis=0).max() > STEADY and time < SETTLED:
+        found, state = averages(values, state, time)
+        time *= 2
+    return found, state
+
+
 def confirmed(given: dict[str, Any], found: ss.FateBoundary) -> tuple[bool, str]:
     """Whether motions on both sides of an answer come to different attractors."""
     away = float(np.abs(found.others - found.value).min()) / 3 if len(found.others) else np.inf
-    told = ""
-    for aside in (min(ASIDE, away),) if away > 3 * found.error else BETWEEN:
-        aside = max(aside, 3 * found.error)
-        sides = [averages(given["values"] | {given["vary"]: found.value + sign * aside}, given["start"])[0] for sign in (-1, 1)]
-        off, within = apart(*sides)
-        told += f"averages differ by {off:.2g}, change by {within:.1g}, at ± {aside:.1g}; "
-        if off > 3 * within and off > 1e-3:
-            return True, told
-    return False, told
+    aside = max(min(ASIDE, away), 3 * found.error)
+    sides = [settled(given["values"] | {given["vary"]: found.value + sign * aside}, given["start"])[0] for sign in (-1, 1)]
+    off, within = apart(*sides)
+    return differ(*sides), f"averages differ by {off:.2g}, change by {within:.1g}, at ± {aside:.1g}"
 
 
-def carried(given: dict[str, Any], low: float, high: float, lasting: float = SHORT) -> tuple[bool, str]:
-    """Whether a motion carried from one value to another ends on the attractor of the motion there."""
+def carried(given: dict[str, Any], low: float, high: float, *, jumps: bool = False) -> tuple[bool, str]:
+    """Whether a motion carried from one value to another ends on the attractor of the motion there, with or without a jump."""
     values, vary = given["values"], given["vary"]
-    there, _ = averages(values | {vary: high}, given["start"], lasting)
-    _, state = averages(values | {vary: low}, given["start"], lasting)
-    for share in np.linspace(0, 1, STEPS + 1)[1:-1]:
-        numbers = tuple((values | {vary: low + share * (high - low)}).values())
-        state = SPRAG.simulate(numbers, state, STEP_LASTS, backend="compiled", rtol=1e-11).state[:, -1]
-    here, _ = averages(values | {vary: high}, state, lasting)
+    there, _ = settled(values | {vary: high}, given["start"])
+    before, state = settled(values | {vary: low}, given["start"])
+    share, step, largest = 0.0, STEP, 0.0
+    while share < 1:
+        ahead = min(share + step, 1.0)
+        now, then = averages(values | {vary: low + ahead * (high - low)}, state, STEP_LASTS, STEP_LASTS)
+        jump = float(np.abs(now[-1] - before[-1]).max())
+        if jump > JUMP and step > STEP / 2**HALVINGS:
+            step /= 2
+            continue
+        share, before, state, largest = ahead, now, then, max(largest, jump)
+        step = min(2 * step, STEP)
+    here, _ = settled(values | {vary: high}, state)
     off, within = apart(here, there)
-    right = off < max(3 * within, 5e-3)
-    if not right and lasting < SETTLED:  # it may not have settled
-        return carried(given, low, high, LONG if lasting < LONG else SETTLED)
-    return right, f"carried over, averages differ by {off:.2g}, change by {within:.1g}"
+    right = off < ALIKE and (jumps or largest <= JUMP)
+    return right, f"carried over, averages differ by {off:.2g}, change by {within:.1g}, jump by {largest:.2g} at most"
 
 
 def undecided(given: dict[str, Any], *places: float) -> tuple[bool, str]:
@@ -126,20 +157,27 @@ def undecided(given: dict[str, Any], *places: float) -> tuple[bool, str]:
     return max(told) > 1e-6, f"averages change by {max(told):.1g}"
 
 
-def alternating(given: dict[str, Any], place: float) -> tuple[bool, str]:
-    """Whether motions from starts hardly apart come to different averages near a value, on one side of it at least."""
-    told = []
-    for side in (-1, 1):
-        values = given["values"] | {given["vary"]: place + side * BETWEEN[0] * (1 + abs(place))}
-        found = [averages(values, np.add(given["start"], [off, 0, 0, 0]))[0] for off in NEIGHBOURS]
-        told.append(max(apart(found[0], other)[0] for other in found[1:]))
-    return max(told) > 1e-3, f"neighbours' averages differ by {told[0]:.1g} below and {told[1]:.1g} above"
+def alternating(given: dict[str, Any], place: float, width: float) -> tuple[bool, str]:
+    """Whether motions from starts within rounding of one another have different ends, at values near one."""
+    rng = np.random.default_rng(0)
+    for _ in range(LOOKED_AT // 2):
+        values = given["values"] | {given["vary"]: place + width * rng.uniform(-1, 1)}
+        pair = [averages(values, np.add(given["start"], ROUNDING * rng.uniform(-1, 1, 4)))[0] for _ in range(2)]
+        if differ(*pair):
+            return True, f"averages of neighbours differ by {apart(*pair)[0]:.1g}, change by {apart(*pair)[1]:.1g}"
+    return False, f"of {LOOKED_AT} motions no neighbours come to different ends"
 
 
 def part(given: dict[str, Any], said: str) -> tuple[str, bool, str]:
     """One part of a refusal: what it says, whether that is confirmed, and how."""
     (low, high), vary = given["bracket"], given["vary"]
     named = [float(text) for text in re.findall(rf" at {vary} = ([-+.\de]+)", said)]
+    by_rounding = [float(text) for text in re.findall(rf"as rounding decides, to .*? at {vary} = ([-+.\de]+)", said)]
+    if by_rounding:
+        found = [alternating(given, place, 0.0) for place in by_rounding]
+        if "undecided" in said:
+            found.append(undecided(given, *np.linspace(named[0], named[1], 5)[1:-1]))
+        return "rounding decides", all(right for right, _ in found), "; ".join(how for _, how in found)
     if "one attractor" in said:
         return "one attractor", *carried(given, low, high)
     if "leave it open" in said:
@@ -148,10 +186,11 @@ def part(given: dict[str, Any], said: str) -> tuple[str, bool, str]:
         texts = re.findall(rf"it comes to (.*?) at {vary} = ([-+.\de]+)", said)
         return "nothing that is decided", *undecided(given, *(float(value) for text, value in texts if "nothing" in text))
     if "alternate" in said:
-        return "alternate", *alternating(given, float(re.findall(rf"near {vary} = ([-+.\de]+)", said)[0]))
+        width, place = re.findall(rf"within ([-+.\de]+) of {vary} = ([-+.\de]+)", said)[0]
+        return "alternate", *alternating(given, float(place), float(width))
     if "no boundary of basins" in said:
         aside = 1e-3 * (high - low)
-        return "an attractor ends", *carried(given, max(named[0] - aside, low), min(named[1] + aside, high))
+        return "an attractor ends", *carried(given, max(named[0] - aside, low), min(named[1] + aside, high), jumps=True)
     return "undecided between", *undecided(given, *np.linspace(named[0], named[1], 5)[1:-1])
 
 

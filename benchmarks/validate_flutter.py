@@ -72,7 +72,7 @@ def grid() -> Array:
     return np.unique(np.concatenate([np.linspace(0, np.pi, EVEN + 2)[1:-1], near, half - near, half + near, np.pi - near]))
 
 
-def compare(p: ss.Parameters, onsets: ss.FlutterOnsets) -> tuple[int, int, int]:
+def compare(p: ss.Parameters, onsets: ss.Onsets) -> tuple[int, int, int]:
     """Onsets that the map has and the list has not, the other way round, and those on the map."""
     theta0, eq = refined_map(p, onsets)
     flutter = np.where(np.arange(eq.stability.shape[-1]) < eq.count[:, None], eq.stability == ss.Stability.FLUTTER, False)
@@ -89,7 +89,7 @@ def compare(p: ss.Parameters, onsets: ss.FlutterOnsets) -> tuple[int, int, int]:
     return missed, extra, seen
 
 
-def refined_map(p: ss.Parameters, onsets: ss.FlutterOnsets) -> tuple[Array, ss.Equilibria]:
+def refined_map(p: ss.Parameters, onsets: ss.Onsets) -> tuple[Array, ss.Equilibria]:
     """θ₀ and the states there: the grid, points about everything listed, and more where a discriminant comes near 0."""
     events = onsets.theta0
     bounds = np.unique(np.concatenate([[0.0, np.pi], events]))

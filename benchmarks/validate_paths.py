@@ -156,11 +156,11 @@ def _jumps(p: ss.Parameters, vary: str, jump: ss.Jump, values: Array) -> bool:
     """Whether the state before the jump is there on one side of its value only, and the state after it on the other."""
     forward = 1.0 if values[-1] > values[0] else -1.0
     before, after = (roots(p, vary, jump.value * (1 + side * forward * BESIDE))[0] for side in (-1, 1))
-    gap = abs(jump.theta_before - jump.theta_after)
+    gap = abs(jump.before["theta"] - jump.after["theta"])
     return (
-        np.abs(before - jump.theta_before).min() < 0.01
-        and (np.abs(after - jump.theta_before).min() > 0.5 * gap)
-        and np.abs(after - jump.theta_after).min() < 1e-4
+        np.abs(before - jump.before["theta"]).min() < 0.01
+        and (np.abs(after - jump.before["theta"]).min() > 0.5 * gap)
+        and np.abs(after - jump.after["theta"]).min() < 1e-4
     )
 
 

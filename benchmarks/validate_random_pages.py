@@ -362,7 +362,7 @@ def _missed(
     seen: list[Any] = []
     angles = np.array([unit == "rad" for _, unit in page.coordinates])
     around = (
-        np.array([bool(entry.get("comes_around")) for entry in found.model.about["coordinates"]])
+        np.array([bool(entry.get("comes_around")) for entry in found.parameters.model.about["coordinates"]])
         if hasattr(found, "model")
         else angles
     )

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 #: What results of models and columns of their files are called; for coordinates and parameters alike.
 RESULTS = frozenset((
-    "amplitude", "angles", "columns", "complete", "contact", "contact_lost", "coordinates", "count", "criticality", "crossing", "crossing_error", "cycle",
-    "cycle_mean", "cycle_rms", "cycle_vy", "cycle_x", "cycle_y", "decided", "distance", "eigenvalues", "endless", "equilibrium", "error", "event", "event_t",
+    "after", "amplitude", "angles", "columns", "complete", "contact", "contact_lost", "coordinates", "count", "criticality", "crossing", "crossing_error", "cycle",
+    "cycle_mean", "cycle_rms", "cycle_vy", "cycle_x", "cycle_y", "decided", "distance", "eigenvalues", "endless", "ends", "equilibrium", "error", "event", "event_t",
     "growth", "held_in", "jumps", "kind", "lyapunov", "lyapunov_error", "marginal", "mean", "mean_y", "model", "mu", "normal_forms", "omega",
-    "parameters", "period", "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "side", "slip_reversed", "spread", "stability", "stable",
-    "states", "told", "undecided", "values", "vary", "whole", "why", "xp",
+    "parameters", "period", "places", "pushing", "rate", "reason", "regime", "region", "remarks", "require_decided", "rms", "select", "side", "slip_reversed", "spread", "stability", "stable",
+    "states", "told", "undecided", "values", "vary", "when", "whole", "why", "xp",
 ))  # fmt: skip
 
 #: What else a motion and its sweep are asked for; a coordinate would hide it.
@@ -29,8 +29,8 @@ WORDS = frozenset((
 
 #: What the commands of a model call their options, and the values of these: `spragsym folds --vary`. A test holds this list against them.
 OF_COMMANDS = frozenset((
-    "along", "backend", "between", "data", "diagram", "error", "estimate_error", "force", "from", "help", "high", "json", "json_output", "low", "method",
-    "model", "model_name", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "t_end", "to", "transient", "vary", "whole", "within", "workers",
+    "backend", "data", "diagram", "error", "estimate_error", "force", "from", "help", "high", "json", "json_output", "low", "method",
+    "model", "model_name", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "t_end", "to", "transient", "undamped", "vary", "whole", "within", "workers",
 ))  # fmt: skip
 
 #: What sets of parameters have besides their values.

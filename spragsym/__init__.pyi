@@ -5,14 +5,9 @@ from . import precise as precise
 from ._version import __version__ as __version__
 from .catastrophe import BifurcationSet as BifurcationSet
 from .catastrophe import CriticalFriction as CriticalFriction
-from .catastrophe import Cusps as Cusps
 from .catastrophe import FlutterBoundary as FlutterBoundary
-from .catastrophe import FlutterOnsets as FlutterOnsets
 from .catastrophe import FoldCurve as FoldCurve
-from .catastrophe import Folds as Folds
-from .catastrophe import Jump as Jump
 from .catastrophe import LinearSprag as LinearSprag
-from .catastrophe import Path as Path
 from .catastrophe import Surface as Surface
 from .catastrophe import bifurcation_set as bifurcation_set
 from .catastrophe import critical_friction as critical_friction
@@ -77,6 +72,10 @@ from .parameters import Parameters as Parameters
 from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales
 from .statics import Equilibria as Equilibria
+from .statics import Jump as Jump
+from .statics import Onsets as Onsets
+from .statics import Path as Path
+from .statics import Points as Points
 from .statics import Stability as Stability
 from .statics import count as count
 from .statics import equilibria as equilibria

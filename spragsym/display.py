@@ -152,15 +152,19 @@ def _not_all(found: Any) -> str:
     return "" if found.complete else f"; not complete: {'; '.join(found.remarks)}"
 
 
-def _points_of_a_model(found: Any) -> Table:
-    """A row for each point: the parameters that vary, the coordinates, and what else is known of it."""
-    more = len(found.region) - len(found.vary) + ("omega" in found.values)  # what stands behind the parameters
-    names = (*found.vary, *list(found.values)[-more:])
-    words = ("kind", *(["criticality"] if hasattr(found, "criticality") else []))
-    rows = [
-        (*(_cell(name, getattr(found, name)[row]) for name in (*names, *words)), _cell("error", found.error[row]))
-        for row in range(len(found))
-    ]
+def _points(found: Any) -> Table:
+    """A row for each point: the parameters that vary, the state, what ends there or begins, and what else is known of it."""
+    columns = {name: getattr(found, name) for name in (*found.vary, *found.columns)}
+    if hasattr(found, "criticality"):
+        more = ("omega", "branch", "count", "side")
+        columns |= {name: getattr(found, name) for name in more if hasattr(found, name)}
+        columns |= {"kind": found.kind, "criticality": found.criticality}
+    else:
+        columns["kind"] = found.kind
+    if "fold" in found.kind:
+        columns |= {"ends": found.ends, "when": found.when} | {f"{name}_after": column for name, column in found.after.items()}
+    columns["error"] = found.error
+    rows = [tuple(_cell(name, column[row]) for name, column in columns.items()) for row in range(len(found))]
     shown, cut = _shown(len(rows))
     ends = found.region[-len(found.vary) :].tolist()
     spans = (
@@ -168,7 +172,7 @@ def _points_of_a_model(found: Any) -> Table:
         for name, (low, high) in zip(found.vary, ends, strict=True)
     )
     title = f"{_counted(len(found), 'point', 'points')} along {', '.join(spans)}{_not_all(found)}"
-    return _with_cut(title, (*map(_heading, names), *words, "error"), [rows[i] for i in shown], cut)
+    return _with_cut(title, tuple(map(_heading, columns)), [rows[i] for i in shown], cut)
 
 
 def _trajectory(tr: Any) -> Table:
@@ -186,8 +190,8 @@ def _trajectory(tr: Any) -> Table:
 #: Results with a table of their own.
 _KINDS = {
     "Equilibria": _equilibria,
-    "ModelPoints": _points_of_a_model,
-    "Onsets": _points_of_a_model,
+    "Points": _points,
+    "Onsets": _points,
     "Trajectory": _trajectory,
 }
 
@@ -248,7 +252,8 @@ def _fields(thing: Any) -> dict[str, Any]:
             continue
         if isinstance(value, Mapping):
             shape = np.broadcast_shapes(*(np.shape(part) for part in value.values()))
-            out |= {key: np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
+            end = f"_{field.name}" if field.name in ("before", "after") else ""
+            out |= {f"{key}{end}": np.broadcast_to(part, shape) if np.size(part) > 1 else part for key, part in value.items()}
         elif value is not None:
             out[field.name] = value
     return out

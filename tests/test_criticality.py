@@ -93,7 +93,7 @@ def test_a_torsion_spring_against_equations_written_by_hand(tmp_path: Path) -> N
 def test_the_bound_covers_a_wider_box() -> None:
     """A box around another middle that holds the point holds the coefficient too."""
     onsets = onsets_of("damped", "mu0", theta0=0.7)
-    known, model = onsets.normal_forms[0], onsets.model
+    known, model = onsets.normal_forms[0], onsets.parameters.model
     given = np.array([getattr(onsets, name)[0] for name in model.parameters])
     state = np.array([getattr(onsets, name)[0] for name in model.coordinates])
     for off in (np.array([1e-9, 0, 0]), np.array([0, -3e-9, 0]), np.array([0, 0, 1e-8]), np.array([1e-8, 2e-8, -3e-8])):
@@ -230,7 +230,7 @@ def test_where_statics_takes_another_friction_the_cycle_is_of_the_motion() -> No
     onsets = onsets_of("damped", "mu0", theta0=0.7)
     places = [ss.cycle(onset=onsets, amplitude=amplitude).parameters["mu0"] for amplitude in (0.002, 0.001)]
     start = (4 * places[1] - places[0]) / 3
-    model, shift = onsets.model, np.exp(-5.0)
+    model, shift = onsets.parameters.model, np.exp(-5.0)
     assert abs(start / onsets.mu0[0] - 1 / (1 - shift)) < 1e-3
     roots = []
     for mu0 in (start - 1e-4, start + 1e-4):
@@ -261,12 +261,12 @@ def test_signs_against_motions_on_both_sides(row: int, stick_slip: Any) -> None:
 
 
 def test_commands_say_how_dangerous_an_onset_is() -> None:
-    taken = ["bifurcation", "--model", "stick_slip", "--vary", "V", "--along", ""]
+    taken = ["bifurcation", "--model", "stick_slip", "--vary", "V"]
     shown = CliRunner().invoke(cli, taken)
     assert shown.exit_code == 0, shown.output
     assert "criticality" in shown.output
     assert shown.output.index("gentle") < shown.output.index("dangerous")
-    told = json.loads(CliRunner().invoke(cli, [*taken, "--json"]).stdout)["flutter onsets"]["points"]
+    told = json.loads(CliRunner().invoke(cli, [*taken, "--json"]).stdout)["onsets"]["points"]
     assert [point["criticality"] for point in told] == ["gentle", "dangerous"]
     assert told[0]["lyapunov"] < 0 < told[1]["lyapunov"]
     assert told[0]["why"] == ""

@@ -22,7 +22,7 @@ import spragsym as ss
 from benchmarks import bench_auto, validate_branches, validate_cycles, validate_fates, validate_verdicts
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
-from spragsym.cycles import fate_boundaries, finding, growth_rates, saddles
+from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
 from spragsym.cycles.jets import Jet
 from spragsym.cycles.sprag import SPRAG
 from spragsym.dynamics import bifurcation_functions, multipliers, shooting
@@ -443,6 +443,55 @@ def test_nothing_is_invented_beside_large_multipliers() -> None:
     assert all(np.abs(event.cycle.multipliers).max() < 1e3 for event in branch.of("period_doubling"))
 
 
+@pytest.fixture(scope="module")
+def next_to_a_grazing() -> ss.CycleBranch:
+    """A branch of doubled cycles that ends 1e-8 after a grazing and a doubling, and 2e-11 before its halves fold."""
+    p = ss.Parameters(
+        theta0=1.0564949527218082, mu0=0.9253447759570808, kappa=0.004290005406816794, alpha=0.005727831336348484,
+        sigma=0.1393571731404502, beta=0.0,
+    )  # fmt: skip
+    state = (2.896574687183739, 0.6385699327244739, 0.0, 0.4451951304086741)
+    begun = ss.cycle(p, V=0.4427840555969569, d=12.501497517120324, near=state)
+    return ss.cycle_branch(begun, "theta0", (1.0564, 1.0567))
+
+
+def test_a_branch_of_doubled_cycles_ends_where_its_halves_are_hardly_apart(next_to_a_grazing: ss.CycleBranch) -> None:
+    """It went on over its end, and back to where it began, with the end as a fold."""
+    assert [event.kind for event in next_to_a_grazing.events].count("period_doubling") == 1
+    (end,) = (event for event in next_to_a_grazing.of("end") if "half" in event.how)
+    assert end.value == pytest.approx(1.0566308634197736, abs=1e-11)
+    assert not next_to_a_grazing.of("fold")
+
+
+def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: ss.CycleBranch) -> None:
+    """Its halves differ by 1e-6: as a cycle of half the period it had the multiplier −1.38."""
+    (doubling,) = next_to_a_grazing.of("period_doubling")
+    assert np.abs(doubling.cycle.multipliers[1:] + 1).min() < 1e-2
+    assert doubling.cycle.period > 270
+
+
+@pytest.mark.thorough
+def test_a_closed_branch_is_walked_once() -> None:
+    """On the way round the states go on along the orbit: it was walked on and on, with the same folds again and again."""
+    begun, _ = validate_branches.begun(0)
+    assert begun is not None
+    branch = ss.cycle_branch(begun, "V", (0.31, 0.62), points=150)
+    assert not branch.of("end")
+    assert [round(event.value, 4) for event in branch.of("fold")] == [0.5662, 0.3448]
+
+
+@pytest.mark.thorough
+def test_as_many_points_are_followed_as_is_said(next_to_a_grazing: ss.CycleBranch) -> None:
+    """Steps that fail are no points."""
+    begun = next_to_a_grazing.cycles[0]
+    branch = ss.cycle_branch(begun, "theta0", (1.0, 1.1), points=16)
+    place = int(np.argmin(np.abs(branch.values - begun.parameters["theta0"]) + np.abs(branch.periods - begun.period)))
+    followed = {0: place, -1: len(branch.values) - 1 - place}
+    ends = [side for side in followed if branch.events[side].how == "16 points were followed"]
+    assert ends
+    assert all(followed[side] == 16 for side in ends)
+
+
 # --------------------------------------------------------------------------------------------- fates and exponents
 
 
@@ -458,13 +507,15 @@ def test_the_fate_of_rest_and_the_saddle_that_it_hovers_at() -> None:
     rest = ss.equilibria(ss.Parameters.article(theta0=found.value, mu0=friction))
     (divergent,) = np.flatnonzero(rest.stability == ss.Stability.DIVERGENT)
     assert found.state[:2] == pytest.approx([rest.x[divergent], rest.y[divergent]], abs=1e-9)
-    with pytest.raises(ss.ParameterError, match="both ends"):
+    with pytest.raises(ss.ParameterError, match="one attractor"):
         ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.70, 0.71), **BELT)
 
 
 def test_one_cycle_at_both_ends_is_one_fate() -> None:
     """Its period grows from 32.19 to 33.79 between: rounded, they differ."""
-    with pytest.raises(ss.ParameterError, match=r"cycle of period 32\.1898 at both ends, which is one attractor"):
+    with pytest.raises(
+        ss.ParameterError, match=r"32\.1898 at one end and to a cycle of period 33\.7\d+ at the other, which is one"
+    ):
         ss.fate_boundary(
             ss.Parameters.article(), vary="theta0", bracket=tuple(np.radians([20.0, 38.0])), start=(2.7, 3.1, 0, 0.42), **BELT
         )
@@ -487,7 +538,7 @@ def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPa
     p, settings = ss.Parameters.article(), {"vary": "theta0", "bracket": (0.733, 0.7334), "start": (2.54, 3.36, 0.0, 0.36)}
     periods = [ss.cycle(p.replace(theta0=value), **BELT, near=settings["start"]).period for value in settings["bracket"]]
     middle = sum(periods) / 2
-    with pytest.raises(ss.ParameterError, match=r"cycle of period 34\.\d+ at both ends, which is one attractor"):
+    with pytest.raises(ss.ParameterError, match=r"cycle of period 34\.\d+ at the other, which is one attractor"):
         ss.fate_boundary(p, **settings, **BELT)
     monkeypatch.setattr(fate_boundaries, "LONGEST", 1e4)
     with pytest.raises(ss.ConvergenceError, match="leave it open whether there are others; give a narrower bracket"):
@@ -499,6 +550,61 @@ def test_attractors_that_turn_out_to_be_one_are_one(monkeypatch: pytest.MonkeyPa
 def test_random_fates_are_confirmed_by_another_integrator(number: int) -> None:
     line = validate_fates.examined(number)
     assert line["confirmed"], line
+
+
+def of_call(number: int) -> tuple[ss.Parameters, dict[str, Any]]:
+    """The arguments of a random call of the campaign."""
+    given = validate_fates.call(number)
+    values = dict(given["values"])
+    belt = {name: values.pop(name) for name in ("V", "d")}
+    return ss.Parameters(**values), belt | {name: given[name] for name in ("vary", "bracket", "start")}
+
+
+@pytest.mark.parametrize("number", [142, 174])
+def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
+    """Irregular transients at the ends: by another tolerance, or begun 1e-12 beside, they come to something else."""
+    p, settings = of_call(number)
+    with pytest.raises(ss.ConvergenceError, match=r"or, as rounding decides, to .*; give values at which the motion settles"):
+        ss.fate_boundary(p, **settings)
+
+
+@pytest.mark.thorough
+def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
+    p, settings = of_call(32)
+    with pytest.raises(
+        ss.ParameterError, match=r"21\.\d+ at one end and to a cycle of period 42\.\d+ at the other, which is one"
+    ):
+        ss.fate_boundary(p, **settings | {"bracket": (0.0017, 0.0022)})
+
+
+def test_a_boundary_beside_others_is_told_where_rounding_does_not_decide(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One more change of the fate 1e-6 below, and back, by any tolerance: then the boundary stands, and the others beside it."""
+    island = (0.3 - 1.001e-6, 0.3 - 0.999e-6)
+
+    def judged(field: Any, values: Any, start: Any, backend: str, *, times: Any = (), rtol: float = 0.0) -> attractors.Verdict:
+        other = values[0] >= 0.3 or island[0] < values[0] < island[1]
+        return attractors.Verdict(ss.Outcome(ss.Regime.EQUILIBRIUM, rest_x=float(other), rest_y=0.0), np.zeros(4), 2000.0)
+
+    monkeypatch.setattr(fate_boundaries, "judged", judged)
+    monkeypatch.setattr(fate_boundaries, "attractor", lambda field, values, verdict, backend: verdict.outcome.rest_x)
+    monkeypatch.setattr(fate_boundaries, "followed", lambda field, known, values, backend: known)
+    monkeypatch.setattr(fate_boundaries, "same", lambda one, other: one == other)
+    monkeypatch.setattr(fate_boundaries, "_saddle", lambda *_: ("unknown", np.zeros(4), math.nan, math.nan))
+    found = ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.2, 0.4), **BELT)
+    assert abs(found.value - 0.3) < found.error < 1e-12
+    assert [low < island[0] < high or low < island[1] < high for low, high in found.others] == [True, True]
+
+
+def test_a_cycle_is_followed_on_its_own_sheet() -> None:
+    """Newton's method alone finds a stable cycle of another sheet at the other value, where the one at hand has long halved."""
+    drawn, _ = validate_branches.begun(252)
+    assert drawn is not None
+    branch = ss.cycle_branch(drawn, "theta0", (1.15, drawn.parameters["theta0"]))
+    (last,) = (event for event in branch.of("end") if "half" in event.how)
+    begun = next(cycle for cycle in branch.cycles if cycle.stable and abs(cycle.parameters["theta0"] - 1.33) < 0.01)
+    values = tuple((begun.parameters | {"theta0": 1.8126515178867348}).values())
+    with pytest.raises(ss.ConvergenceError, match=rf"the cycle ends near theta0 = {last.value:.2f}\d* on the way"):
+        attractors.followed_cycle(begun.field, begun, values, begun.backend)
 
 
 def test_what_has_not_settled_is_no_fate() -> None:
@@ -689,7 +795,7 @@ def test_where_the_belt_stands_still() -> None:
     still = {"V": 0.0, "d": 10.0}
     with pytest.raises(ss.ConvergenceError, match="decays to rest"):
         ss.cycle(at(42.0), **still)
-    with pytest.raises(ss.ParameterError, match=r"rest at x = [-\d.]+, y = [-\d.]+ at both ends"):
+    with pytest.raises(ss.ParameterError, match=r"rest at x = [-\d.]+, y = [-\d.]+ at the other, which is one"):
         ss.fate_boundary(ss.Parameters.article(), vary="theta0", bracket=(0.7, 0.75), **still)
     found = ss.lyapunov(at(42.0), **still, start=(0.5, 0.0, 0.0, 0.0), t_end=500.0)
     assert found.exponents.sum() == pytest.approx(found.trace, abs=1e-9)

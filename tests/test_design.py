@@ -582,9 +582,9 @@ def test_folds_say_what_the_path_does() -> None:
             seen.add((found.ends[k], found.when[k]))
             assert len(path.jumps) == 1
             jump = path.jumps[0]
-            assert (jump.value, jump.theta_before) == (value, found.theta[k])
-            got = (found.theta_after[k], found.x_after[k], found.y_after[k])
-            np.testing.assert_allclose((jump.theta_after, jump.x_after, jump.y_after), got, rtol=1e-9, atol=1e-9)
+            assert (jump.value, jump.before["theta"]) == (value, found.theta[k])
+            got = tuple(found.after[name][k] for name in ("theta", "x", "y"))
+            np.testing.assert_allclose((jump.after["theta"], jump.after["x"], jump.after["y"]), got, rtol=1e-9, atol=1e-9)
     assert {("lower", "up"), ("upper", "down")} <= seen
 
 
@@ -595,7 +595,7 @@ def test_fold_curves_say_the_same_as_folds() -> None:
             k = int(np.argmin(np.abs(found.theta - curve.theta[i]) + np.abs(found.theta0 - curve.theta0[i])))
             assert curve.upper[i] == (found.ends[k] == "upper")
             assert curve.when_theta0[i] == (1 if found.when[k] == "up" else -1)
-            assert curve.theta_after[i] == pytest.approx(found.theta_after[k], abs=1e-6)
+            assert curve.after["theta"][i] == pytest.approx(found.after["theta"][k], abs=1e-6)
 
 
 def test_f_in_differences_is_f() -> None:

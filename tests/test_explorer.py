@@ -266,7 +266,7 @@ def test_the_page_follows_as_python_does(explorer: Explorer) -> None:
     """The rule of the page against the path that Python follows by folds, along random ways at several frictions."""
     for mu0 in (0.25, 0.5, 0.9):
         path = ss.quasi_static_path(BASE.replace(mu0=mu0), "theta0", np.radians([20.0, 100.0]))
-        jumps = [math.degrees(float(jump.theta0)) for jump in path.jumps]
+        jumps = [math.degrees(float(jump.value)) for jump in path.jumps]
         explorer.open(f"theta0_deg=20&mu0={mu0}")
         explorer.page.fill("#theta0_deg", "100")
         said = re.search(r"fold at θ₀ = ([\d.]+)°", explorer.says())

@@ -240,8 +240,8 @@ def test_a_path_is_drawn_to_the_fold_and_from_where_it_lands() -> None:
     path = ss.quasi_static_path(P.replace(theta0=np.radians(60)), "mu0", np.linspace(1, 0, 30))
     first, second = curves.passages(path)
     (jump,) = path.jumps
-    assert (first[0][-1], first[1][-1]) == (jump.value, jump.x_before)
-    assert (second[0][0], second[1][0]) == (jump.value, jump.x_after)
+    assert (first[0][-1], first[1][-1]) == (jump.value, jump.before["x"])
+    assert (second[0][0], second[1][0]) == (jump.value, jump.after["x"])
     assert first[0].size + second[0].size == 32
     assert (np.diff(first[0]) < 0).all()
     artists = curves.draw_path(path, ax=Figure().add_subplot(), arrows=(0.3, 0.7))

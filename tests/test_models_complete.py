@@ -117,12 +117,12 @@ def test_a_range_that_was_cut_is_not_complete() -> None:
 
 def test_commands_say_what_was_searched() -> None:
     run = CliRunner().invoke
-    told = run(cli, ["folds", "--model", "kang_nam", "--theta0", "60"]).output
+    told = run(cli, ["folds", "--method", "search", "--theta0", "60"]).output
     assert "searched mu0 from 0 to 10" in told
-    told = run(cli, ["equilibria", "--model", "kang_nam", "--theta0", "30", "--within", "x=0:0.5"]).output
+    told = run(cli, ["equilibria", "--theta0", "30", "--within", "x=0:0.5"]).output
     assert "searched within x in [0, 0.5]" in told
-    told = run(cli, ["folds", "--model", "kang_nam", "--theta0", "60", "--from", "4", "--to", "5"]).output
-    assert "Folds: none" in told
+    told = run(cli, ["folds", "--theta0", "60", "--vary", "mu0=4:5"]).output
+    assert "Folds along mu0: none" in told
     told = run(cli, ["folds", "--model", "stick_slip", "--vary", "V"]).output
     assert "none" not in told
 

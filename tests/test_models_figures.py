@@ -79,7 +79,7 @@ def test_labels_are_those_of_the_dimensionless_numbers():
 def test_plot_on_the_command_line(tmp_path, monkeypatch, capsys, found):
     monkeypatch.setattr("spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: found)
     file = tmp_path / "set.svg"
-    command = ["bifurcation", "--model", "kang_nam", "--plot", str(file)]
+    command = ["bifurcation", "--method", "search", "--plot", str(file)]
     assert status(command) == 0
     assert file.read_text(encoding="utf-8").startswith("<?xml")
     assert status(command) != 0
@@ -93,13 +93,18 @@ def test_a_range_is_searched_and_drawn(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(
         "spragsym.models.Model.bifurcation_set", lambda self, p, vary, n, **options: search(p, vary, 4, **options)
     )
-    command = ["bifurcation", "--model", "kang_nam", "--between", "theta0=100:170", "--between", "mu0=0.3:0.6", "--json"]
+    command = ["bifurcation", "--vary", "theta0=100:170", "--vary", "mu0=0.3:0.6", "--json"]
     assert status([*command, "--plot", str(tmp_path / "set.svg")]) == 0
     told = json.loads(capsys.readouterr().out)
-    assert np.degrees([row["theta0"] for row in told["folds"]["points"]]) == pytest.approx([155.05941879], abs=1e-7)
+    assert [row["theta0_deg"] for row in told["folds"]["points"]] == pytest.approx([155.05941879], abs=1e-7)
     assert told["cusps"]["points"] == []
-    for wrong, text in (("mu0", "give it as mu0=0:1"), ("mu0=1", "give it as mu0=0:1"), ("sigma=0:1", "sigma does not vary")):
-        assert status(["bifurcation", "--model", "kang_nam", "--between", wrong]) == 2
+    wrong = {
+        "mu0=": "give it as mu0=0:1", "mu0=1": "give it as mu0=0:1", "mu0=1:1": "both ends are 1",
+        "mu0=-1:1": "is not in [0, inf)",
+        "theta0=0:181": "theta0_deg = 181 is not in (0, 180)", "mu0=0:1:1": "2 to 100000", "sgma=0:1": "did you mean sigma?",
+    }  # fmt: skip
+    for given, text in wrong.items():
+        assert status(["bifurcation", "--vary", given]) == 2
         assert text in capsys.readouterr().err
 
 

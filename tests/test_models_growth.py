@@ -105,8 +105,8 @@ def test_words_of_a_path_are_those_of_its_states() -> None:
             slot = int(np.nanargmin(np.abs(eq.x - path.x[row])))
             assert (path.kind[row], bool(path.stable[row])) == (eq.kind[slot], bool(eq.stable[slot]))
             assert abs(path.growth[row] - eq.growth[slot]) < 1e-13
-    for model in ([], ["--model", "kang_nam"]):
-        told = CliRunner().invoke(cli, ["path", "--theta0", "40", "--to", "0.9", "--points", "5", *model, "--json"])
+    for method in ("closed", "search"):
+        told = CliRunner().invoke(cli, ["path", "--theta0", "40", "--vary", "mu0=0:0.9:5", "--method", method, "--json"])
         rows = json.loads(told.output)["states"]
         assert [row["stability"] for row in rows] == ["stable", "stable", "stable", "flutter", "flutter"]
         assert {row["undamped"] for row in rows} == {"stable"}

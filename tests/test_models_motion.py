@@ -210,8 +210,8 @@ def test_commands_take_a_model(tmp_path: Any, capsys: pytest.CaptureFixture[str]
     shown = capsys.readouterr().out
     friction = 2 * 0.5 * 0.3 * 0.1 / (0.3**2 + 0.1**2)  # x = μ(V) N_0/k
     assert float(shown.split()[-3]) == pytest.approx(friction, abs=1e-9)
-    assert command("bifurcation", "--model", "kang_nam", "--along", "") == 0
-    assert "44.559317" in capsys.readouterr().out
+    assert command("bifurcation", "--method", "search", "--vary", "theta0") == 0
+    assert "44.5593" in capsys.readouterr().out
 
 
 def test_a_state_that_oscillates_does_not_pass_for_stable(capsys: pytest.CaptureFixture[str]) -> None:

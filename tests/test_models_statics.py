@@ -417,8 +417,8 @@ def test_path_is_the_articles_with_its_jump():
     assert (found.stability == known.stability).all()
     assert [jump.kind for jump in found.jumps] == ["fold"]
     assert np.isclose(found.jumps[0].value, known.jumps[0].value, atol=1e-12)
-    assert abs(found.jumps[0].before["x"] - known.jumps[0].x_before) < 1e-9
-    assert abs(found.jumps[0].after["x"] - known.jumps[0].x_after) < 1e-2
+    assert abs(found.jumps[0].before["x"] - known.jumps[0].before["x"]) < 1e-9
+    assert abs(found.jumps[0].after["x"] - known.jumps[0].after["x"]) < 1e-2
 
 
 def same_path(vary, values, start, **changes):

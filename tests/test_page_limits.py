@@ -305,7 +305,7 @@ def test_what_varies_by_itself_is_a_parameter_of_the_model(tmp_path: Path) -> No
 
 @pytest.mark.parametrize("name", ["two_springs", "mode_coupling"])
 def test_along_what_varies_already_is_refused_at_once(name: str, capsys: pytest.CaptureFixture[str], monkeypatch) -> None:
-    """Before anything is searched; with nothing said, the second parameter is the other one."""
+    """Before anything is searched."""
     from spragsym.cli import main
     from spragsym.models.model import Model
 
@@ -313,11 +313,11 @@ def test_along_what_varies_already_is_refused_at_once(name: str, capsys: pytest.
     for search in ("folds", "flutter_onsets", "cusps"):
         monkeypatch.setattr(Model, search, lambda model, p, vary, between: asked.append(vary) or 1 / 0)
     with pytest.raises(SystemExit) as ended:
-        main(["bifurcation", "--model", name, "--vary", "mu0", "--along", "mu0"])
+        main(["bifurcation", "--model", name, "--vary", "mu0", "--vary", "mu0"])
     assert ended.value.code == 2
-    assert "give another parameter" in capsys.readouterr().err
+    assert "two different ones" in capsys.readouterr().err
     with pytest.raises(SystemExit) as ended:
-        main(["bifurcation", "--model", name, "--vary", "mu0", "--along", "nothing"])
+        main(["bifurcation", "--model", name, "--vary", "mu0", "--vary", "nothing"])
     assert ended.value.code == 2
     assert not asked
 

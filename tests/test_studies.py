@@ -373,10 +373,10 @@ def test_commands_take_the_file(path: Path, capsys: pytest.CaptureFixture[str]) 
 
     p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
     found = ss.folds(p, "alpha")
-    rows = answer("folds", "--vary", "k_x")["folds"]
+    rows = answer("folds", "--vary", "k_x")["points"]
     assert [row["k_x_N/mm"] for row in rows] == pytest.approx((1500 * found.alpha).tolist(), rel=1e-9)
     assert answer("critical")["mu_jump"] == pytest.approx(ss.jump_value(p), rel=1e-12)
-    jumps = answer("path", "--points", "3")["jumps"]
+    jumps = answer("path", "--vary", "mu0=0:1:3")["jumps"]
     assert jumps[0]["mu0"] == pytest.approx(ss.jump_value(p), rel=1e-12)
     eq = ss.equilibria(p)
     assert answer("equilibria")["equilibria"][0]["x_mm"] == pytest.approx(38 * eq.x[0], rel=1e-9)
@@ -394,9 +394,10 @@ def test_more_commands_take_the_file(path: Path, tmp_path: Path, capsys: pytest.
 
     p = brake(mu0=0.45 * -math.expm1(-12.0)).dimensionless()
     set_ = json.loads(printed("bifurcation", "--data", str(path), "--json"))
-    assert [row["x_mm"] for row in set_["folds"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
-    assert set_["mu_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
-    assert set_["mu_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
+    assert [row["x_mm"] for row in set_["folds"]["points"]] == pytest.approx((38 * ss.folds(p).x).tolist(), rel=1e-9)
+    frictions = json.loads(printed("critical", "--data", str(path), "--json"))
+    assert frictions["mu_cusp"] == pytest.approx(ss.cusp_friction(p), rel=1e-12)
+    assert frictions["mu_lowest"] == pytest.approx(float(ss.critical_friction(p)), rel=1e-12)
     arguments = ("--data", str(path), "--json", "--vary", "k_x=5:20:2")
     points = json.loads(printed("equilibria", *arguments))["points"]
     for point, k_x in zip(points, (5.0, 20.0), strict=True):
@@ -640,13 +641,13 @@ def test_the_jump_as_a_motion_has_its_peaks() -> None:
     peak = study.report(probability=False, redesign=False).peak
     assert peak is not None
     path = ss.quasi_static_path(study.dimensionless, "mu0", [0.0, 0.45]).jumps[0]
-    assert (peak.from_mm, peak.to_mm) == pytest.approx((38 * path.x_before, 38 * path.x_after))
+    assert (peak.from_mm, peak.to_mm) == pytest.approx((38 * path.before["x"], 38 * path.after["x"]))
     # It swings over the state that is left, and the contact is loaded more than in either state.
     assert peak.x_mm[1] > peak.to_mm > peak.from_mm
-    assert peak.contact_force_N[1] > 57000 * max(-path.y_before, -path.y_after)
+    assert peak.contact_force_N[1] > 57000 * max(-path.before["y"], -path.after["y"])
     p, belt = study.dimensionless, study.parameters.belt()
     at = p.replace(mu0=1.0005 * jump / study.fraction)
-    motion = ss.simulate(at, **belt, x0=path.x_before, y0=path.y_before, t_end=1500.0)
+    motion = ss.simulate(at, **belt, x0=path.before["x"], y0=path.before["y"], t_end=1500.0)
     assert peak.x_mm[1] == pytest.approx(38 * motion.x.max(), rel=5e-3)
     assert peak.contact_force_N[1] == pytest.approx(57000 * motion.contact_force().max(), rel=5e-3)
     assert peak.spring_force_N[0] == pytest.approx(57000 * motion.spring_force().min(), rel=5e-3)

@@ -2,26 +2,21 @@
 
 from .bifurcation_sets import BifurcationSet, FoldCurve, bifurcation_set
 from .critical_frictions import critical_value, cusp_friction
-from .cusp_points import Cusps, cusps
+from .cusp_points import cusps
 from .equilibrium_surface import Surface, surface
-from .flutter_points import FlutterBoundary, FlutterOnsets, flutter_boundary, flutter_onsets
-from .fold_points import Folds, folds
+from .flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
+from .fold_points import folds
 from .linear import LinearSprag, linear_critical_friction, linear_sprag
 from .lowest_fold import CriticalFriction, critical_friction
-from .paths import Jump, Path, quasi_static_path
+from .paths import quasi_static_path
 from .sliding import sliding_friction
 
 __all__ = [
     "BifurcationSet",
     "CriticalFriction",
-    "Cusps",
     "FlutterBoundary",
-    "FlutterOnsets",
     "FoldCurve",
-    "Folds",
-    "Jump",
     "LinearSprag",
-    "Path",
     "Surface",
     "bifurcation_set",
     "critical_friction",

@@ -15,8 +15,9 @@ from ..exact.half_angle import on_circle
 from ..generated import catastrophe as _catastrophe
 from ..parameters import FloatArray, Parameters
 from ..statics import kernel
+from ..statics.points import Points
 from . import fold_curves
-from .cusp_points import Cusps, cusps
+from .cusp_points import cusps
 from .fixed_parameters import FIXED, Fixed
 from .fold_points import folds
 from .fold_successor import landing
@@ -58,11 +59,11 @@ class BifurcationSet(Result):
     Attributes
     ----------
     curves : tuple of FoldCurve
-    cusps : Cusps
+    cusps : Points
     """
 
     curves: tuple[FoldCurve, ...]
-    cusps: Cusps
+    cusps: Points
 
     def __len__(self) -> int:
         return len(self.curves)

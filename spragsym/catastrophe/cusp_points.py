@@ -2,47 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..display import Result
 from ..exact.adaptive_bits import with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
-from ..parameters import FloatArray, Parameters
+from ..parameters import Parameters
+from ..statics.points import Points, in_closed_form
 from . import cusp_proofs
 from .fixed_parameters import FIXED
-
-
-@dataclass(frozen=True)
-class Cusps(Result):
-    """Points at which two folds meet, sorted by ``mu0``; ``error`` bounds |error| / max(1, |value|) of all six numbers.
-
-    Arrays have the shape (cusps,); angles are radians, lengths over L_0.
-    """
-
-    theta0: FloatArray
-    mu0: FloatArray
-    theta: FloatArray
-    L: FloatArray
-    x: FloatArray
-    y: FloatArray
-    error: FloatArray
-
-    def select(self, which: NDArray[np.bool_]) -> Cusps:
-        """The cusps that ``which`` marks."""
-        return Cusps(*(getattr(self, field.name)[which] for field in fields(self)))
-
-    def __len__(self) -> int:
-        return int(self.theta0.size)
+from .fold_points import STATE
 
 
 def cusps(
     p: Parameters, vary: Sequence[str] = ("theta0", "mu0"), *, arith: Arithmetic | None = None
-) -> Cusps:  # fmt: skip
+) -> Points:  # fmt: skip
     """All cusps in contact with L > 0, θ₀ in (−π, π] and μ₀ of either sign: proved complete.
 
     Parameters
@@ -54,8 +31,8 @@ def cusps(
 
     Returns
     -------
-    Cusps
-        Empty if there is no cusp.
+    Points
+        Sorted by ``mu0``; empty if there is no cusp.
 
     Raises
     ------
@@ -80,4 +57,7 @@ def cusps(
 
     rows = with_enough_bits(arith, 20, attempt, "cusps")
     rows = sorted(((row[0], row[1], *row[6:]) for row in rows), key=lambda row: (row[1], row))
-    return Cusps(*np.array(rows, dtype=float).reshape(-1, 7).T.copy())
+    *columns, error = np.array(rows, dtype=float).reshape(-1, 7).T.copy()
+    values = dict(zip(("theta0", "mu0", *STATE), columns, strict=True))
+    spans = {"theta0": (-math.pi, math.pi), "mu0": (-math.inf, math.inf)}
+    return Points(**in_closed_form(p, ("theta0", "mu0"), np.full(len(rows), "cusp"), error, values, spans=spans))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,41 +17,15 @@ from ..generated import stability as _stability
 from ..generated.kernel import direction
 from ..parameters import FloatArray, Parameters
 from ..statics import kernel
+from ..statics.onsets import Onsets
+from ..statics.points import in_closed_form
 from .fixed_parameters import FIXED, Fixed
 from .flutter_curves import curves
 from .flutter_proofs import Elimination, Onset, onsets
+from .fold_points import STATE
 
 
-@dataclass(frozen=True)
-class FlutterOnsets(Result):
-    """Onsets of flutter at one friction, sorted by θ₀; one array for each coordinate of the states that they belong to.
-
-    Arrays have the shape (onsets,); angles are radians, lengths over L_0.
-
-    ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there are. ``side`` is 1 where the state
-    flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where the two sides do not differ: there the
-    boundary is only touched. ``error`` bounds |error| / max(1, |value|) of θ₀, θ, L, x and y; ``mu0`` is the friction that was
-    asked for.
-    """
-
-    theta0: FloatArray
-    mu0: FloatArray
-    theta: FloatArray
-    L: FloatArray
-    x: FloatArray
-    y: FloatArray
-    branch: NDArray[np.int64]
-    count: NDArray[np.int64]
-    side: NDArray[np.int8]
-    error: FloatArray
-
-    def __len__(self) -> int:
-        return int(self.theta0.size)
-
-
-def flutter_onsets(
-    p: Parameters, vary: str = "theta0", *, damping: bool = False, arith: Arithmetic | None = None
-) -> FlutterOnsets:
+def flutter_onsets(p: Parameters, vary: str = "theta0", *, damping: bool = False, arith: Arithmetic | None = None) -> Onsets:
     """All onsets of flutter by (27) in contact along 0 < θ₀ < π at the friction μ₀ of ``p``, proved complete.
 
     Parameters
@@ -65,8 +40,11 @@ def flutter_onsets(
 
     Returns
     -------
-    FlutterOnsets
-        Empty where no equilibrium flutters or touches flutter. So it is for μ₀ = 0, where K is symmetric.
+    Onsets
+        Sorted by θ₀; empty where no equilibrium flutters or touches flutter. So it is for μ₀ = 0, where K is symmetric. Columns
+        that only closed forms have: ``branch`` counts the equilibria from below in θ, from 0, and ``count`` is how many there
+        are. ``side`` is 1 where the state flutters at slightly larger θ₀, −1 where it does at slightly smaller θ₀, and 0 where
+        the two sides do not differ: there the boundary is only touched.
 
     Raises
     ------
@@ -97,11 +75,23 @@ def flutter_onsets(
             return [_row(arith, onset) for onset in onsets(arith, elimination, bits)]
 
         rows = sorted(with_enough_bits(arith, 20, attempt, "flutter_onsets"))
-    theta0, theta, L, x, y, branch, count, side, error = np.array(rows, dtype=float).reshape(-1, 9).T
-    return FlutterOnsets(
-        theta0, np.full(theta0.size, mu0), theta, L, x, y,
-        branch.astype(np.int64), count.astype(np.int64), side.astype(np.int8), error,
-    )  # fmt: skip
+    columns = dict(
+        zip(("theta0", *STATE, "branch", "count", "side", "error"), np.array(rows, dtype=float).reshape(-1, 9).T, strict=True)
+    )
+    values: dict[str, NDArray[Any]] = columns | {
+        "omega": _frequency(columns["theta"], columns["L"], *(float(getattr(p, name)) for name in ("alpha", "sigma", "beta"))),
+        "branch": columns["branch"].astype(np.int64), "count": columns["count"].astype(np.int64),
+        "side": columns["side"].astype(np.int8),
+    }  # fmt: skip
+    return Onsets(**in_closed_form(p, ("theta0",), np.full(len(rows), "flutter"), values.pop("error"), values))
+
+
+def _frequency(theta: FloatArray, L: FloatArray, alpha: float, sigma: float, beta: float) -> FloatArray:
+    """ω of the two modes that meet: ω² is half the trace of K, which has no friction."""
+    K = _stability.stiffness(np.cos(theta), np.sin(theta), L, 0.0, alpha, sigma, beta, 1)
+    trace, *_ = _stability.invariants(*K[0], *K[1])
+    omega: FloatArray = np.sqrt(0.5 * trace)
+    return omega
 
 
 def _row(arith: Arithmetic, onset: Onset) -> tuple[float, ...]:

@@ -9,61 +9,22 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..display import Result
 from ..errors import ParameterError
 from ..exact.adaptive_bits import as_floats, decided, with_enough_bits
 from ..exact.intervals import Arithmetic, arithmetic
 from ..exact.polynomials import Undecided
-from ..parameters import NAMES, RANGES, FloatArray, Parameters
+from ..parameters import NAMES, RANGES, Parameters
+from ..statics.points import Ended, Points, in_closed_form
 from . import fold_proofs
 
-
-@dataclass(frozen=True)
-class Folds(Result):
-    """Points at which equilibria meet, sorted by the parameter that varies; one array for each parameter and coordinate.
-
-    Arrays have the shape (points,); angles are radians, lengths over L_0.
-
-    ``error`` bounds |error| / max(1, |value|) of all of them. ``kind`` says what happens as the parameter passes:
-
-    - ``"fold"``: two equilibria appear or vanish together, the ordinary case;
-    - ``"pitchfork"``: one becomes three, or three become one, all of them in one point (μ₀ = α = 0, a symmetric system);
-    - ``"cusp"``: three meet in one point, and one is left on both sides;
-    - ``"touch"``: two meet, and there are as many on both sides.
-
-    All but the first need a coincidence of the parameters that are fixed.
-
-    At a ``"fold"`` a stable state and a divergent one meet. ``ends`` says which stable state it is, the ``"lower"`` or the
-    ``"upper"`` one in θ, ``when`` the parameter goes ``"up"`` or ``"down"``; ``theta_after``, ``L_after``, ``x_after`` and
-    ``y_after`` are the equilibrium that is left there, to which it jumps. Empty, and NaN, for the other kinds.
-    """
-
-    vary: str
-    theta0: FloatArray
-    mu0: FloatArray
-    kappa: FloatArray
-    alpha: FloatArray
-    sigma: FloatArray
-    beta: FloatArray
-    theta: FloatArray
-    L: FloatArray
-    x: FloatArray
-    y: FloatArray
-    error: FloatArray
-    kind: NDArray[np.str_]
-    ends: NDArray[np.str_]
-    when: NDArray[np.str_]
-    theta_after: FloatArray
-    L_after: FloatArray
-    x_after: FloatArray
-    y_after: FloatArray
+#: Names of what says where a state is.
+STATE = ("theta", "L", "x", "y")
 
 
 @dataclass(frozen=True)
 class Turn:
-    """One row of :class:`Folds`, and what :mod:`spragsym.catastrophe.paths` has to know of it, proved.
+    """One row of :func:`folds`, and what :mod:`spragsym.catastrophe.paths` has to know of it, proved.
 
     ``side`` is 1 where there are three equilibria above its value and one below, −1 for the reverse, 0 if their number stays;
     ``upper`` says that those that meet are the upper two of three in θ; ``rounded`` is −1 where the float of its value
@@ -79,7 +40,7 @@ class Turn:
     after: tuple[float, ...] = (math.nan,) * 4
 
 
-def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = False, arith: Arithmetic | None = None) -> Folds:
+def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = False, arith: Arithmetic | None = None) -> Points:
     """All folds in contact along one parameter, the others fixed: proved complete, to 1e-12 and better.
 
     Parameters
@@ -93,8 +54,10 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
 
     Returns
     -------
-    Folds
-        Those with L > 0, y < 0 and the varying parameter in its range.
+    Points
+        Those with L > 0, y < 0 and the varying parameter in its range. At a ``"fold"`` a stable state and a divergent one meet,
+        and one equilibrium is left. All other kinds need a coincidence of the parameters that are fixed: ``"pitchfork"`` μ₀ = α =
+        0.
 
     Raises
     ------
@@ -125,8 +88,11 @@ def folds(p: Parameters, vary: str = "theta0", *, negative_friction: bool = Fals
     found.sort(key=lambda turn: turn.values[NAMES.index(vary)])
     columns: Any = np.array([turn.values for turn in found], dtype=float).reshape(-1, 11).T.copy()
     after: Any = np.array([turn.after for turn in found], dtype=float).reshape(-1, 4).T.copy()
-    words = [(turn.kind, *_words(turn)) for turn in found]
-    return Folds(vary, *columns, *np.array(words, dtype=np.str_).reshape(-1, 3).T.copy(), *after)
+    kind, ends, when = np.array([(turn.kind, *_words(turn)) for turn in found], dtype=np.str_).reshape(-1, 3).T.copy()
+    values = dict(zip((*NAMES, *STATE, "error"), columns, strict=True))
+    spans = {"mu0": (-math.inf, math.inf)} if negative_friction else None
+    ended = Ended(ends, when, dict(zip(STATE, after, strict=True)))
+    return Points(**in_closed_form(p, (vary,), kind, values.pop("error"), values, ended, spans))
 
 
 def _words(turn: Turn) -> tuple[str, str]:

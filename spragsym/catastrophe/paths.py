@@ -7,74 +7,23 @@ meet. So a branch is a rank, and at each fold the rank changes by a rule.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..generated import stability as _stability
 from ..parameters import NAMES, RANGES, FloatArray, Parameters, as_numbers
-from ..statics.results import Equilibria, Held, Stability, one_each
+from ..statics.paths import Jump, Path, followed
+from ..statics.results import Equilibria, Held, Stability
 from ..statics.solver import equilibria
-from .fold_points import Turn, turns
+from .fold_points import STATE, Turn, turns
 
-
-@dataclass(frozen=True)
-class Jump(Result):
-    """A state that vanishes at a fold, and the one that takes its place: numbers, angles in radians, lengths over L_0."""
-
-    value: float  #: of the parameter, at the fold
-    theta0: float
-    mu0: float
-    theta_before: float
-    x_before: float
-    y_before: float
-    theta_after: float
-    x_after: float
-    y_after: float
-    stability_after: Stability
-    error: float  #: bound on the error of ``value``
-
-
-@dataclass(frozen=True)
-class Path(Result):
-    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
-
-    Arrays have the shape of ``values``; angles are radians, lengths over L_0.
-    """
-
-    vary: str
-    values: FloatArray
-    theta: FloatArray
-    L: FloatArray
-    x: FloatArray
-    y: FloatArray
-    stability: NDArray[np.int8]
-    jumps: tuple[Jump, ...]
-    _along: Equilibria = field(repr=False)
-
-    @property
-    def growth(self) -> FloatArray:
-        """Largest real part of all λ of the full linearization, as of :class:`spragsym.Equilibria`."""
-        return self._along.growth[:, 0]
-
-    @property
-    def stable(self) -> NDArray[np.bool_]:
-        """Where it is proved that nothing grows."""
-        return self._along.stable[:, 0]
-
-    @property
-    def kind(self) -> NDArray[np.str_]:
-        """What grows, in a word."""
-        return self._along.kind[:, 0]
-
-
-#: Chooses among the slots of the equilibria left after a jump, given the state before it: (eq, x_before) → slot.
-Choice = Callable[[Equilibria, float], int]
+#: Chooses among the slots of the equilibria left after a jump, given the state before it: (eq, before) → slot.
+Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
 
 def quasi_static_path(
@@ -94,7 +43,7 @@ def quasi_static_path(
         Where to begin, at the first value: the stable equilibrium of smallest or largest |x|, or a slot of
         :func:`spragsym.equilibria`.
     after_jump : callable, optional
-        Which equilibrium the system goes to after a jump: ``(eq, x_before) -> slot``. Two of three equilibria
+        Which equilibrium the system goes to after a jump: ``(eq, before) -> slot``. Two of three equilibria
         vanish at a fold and one is left, so ``eq`` holds one equilibrium and slot 0 is the only choice. Whether the motion
         settles there or on a limit cycle, :func:`spragsym.simulate` tells.
 
@@ -153,11 +102,10 @@ def quasi_static_path(
         state, stability[i] = way.state(way.eq, (i,), value, place)
         for name, value in zip(_STATE, state, strict=True):
             states[name][i] = value
-    eq = one_each(p.replace(**{vary: along}), states, stability, KNOWN)
-    return Path(vary, along, **states, stability=stability, jumps=tuple(jumps), _along=eq)
+    return followed(p, vary, along, states, stability, KNOWN, tuple(jumps))
 
 
-_STATE = ("theta", "L", "x", "y")
+_STATE = STATE
 #: Bound on the error of a state, over max(1, its size).
 KNOWN = 1e-12
 
@@ -266,12 +214,12 @@ def _pass(way: _Way, place: _Place, choose: Choice | None) -> tuple[_Place, Jump
     value = float(way.at[place.region])
     eq = equilibria(way.p.replace(**{way.vary: value})).require_decided()
     state, code = way.state(eq, (), value, _Place(beyond, 0))
-    theta0, mu0, theta, x, y, error = (rank.values[j] for j in (0, 1, 6, 8, 9, 10))
+    before, after = (dict(zip(_STATE, place, strict=True)) for place in (rank.values[6:10], state))
     if choose is not None:
-        slot = choose(_only(eq, state, code), x)
+        slot = choose(_only(eq, state, code), before)
         if slot != 0:
             raise ParameterError(f"after_jump returned {slot!r}; one equilibrium is left after a jump, in slot 0")
-    return _Place(beyond, 0), Jump(value, theta0, mu0, theta, x, y, state[0], state[2], state[3], Stability(code), error)
+    return _Place(beyond, 0), Jump(value, rank.kind, before, after, Stability(code), rank.values[10])
 
 
 def _only(eq: Equilibria, state: tuple[float, ...], code: int) -> Equilibria:

@@ -17,12 +17,13 @@ from .. import catastrophe, precise
 from .. import generated as _generated
 from ..assumed import MU0_RANGE, D, V
 from ..catastrophe import flutter_points as flutter
-from ..catastrophe.paths import Jump, quasi_static_path
+from ..catastrophe.paths import quasi_static_path
 from ..dynamics import simulate
 from ..dynamics.regimes import Regime
 from ..generated import equilibrium as _equilibrium
 from ..generated import motion as _motion
 from ..parameters import NAMES, FloatArray, Parameters
+from ..statics import Jump
 from ..statics.results import Stability
 from ..statics.solver import equilibria
 from ..sweeps import sensitivity
@@ -191,9 +192,9 @@ def roots_of_21() -> Found:
 def jump_rising() -> Found:
     jumps = _jumps(_article(mu0=0.7), "theta0", _RISING)
     (jump,) = jumps
-    holds = jump.x_after > jump.x_before and jump.stability_after == Stability.STABLE
-    after = float(f"{jump.x_after:.9g}")  # it is taken a little beyond the fold
-    return Found(holds, {"theta0_deg": float(_deg(jump.value)), "x before": jump.x_before, "x after": after})
+    holds = jump.after["x"] > jump.before["x"] and jump.stability_after == Stability.STABLE
+    after = float(f"{jump.after['x']:.9g}")  # it is taken a little beyond the fold
+    return Found(holds, {"theta0_deg": float(_deg(jump.value)), "x before": jump.before["x"], "x after": after})
 
 
 def no_jump_falling() -> Found:
@@ -318,7 +319,7 @@ def cusp() -> Found:
 def hysteresis() -> Found:
     values = np.linspace(0.0, MU0_MAX, 201)
     (up,), (down,) = _jumps(_at(60.0), "mu0", values), _jumps(_at(60.0), "mu0", values[::-1])
-    holds = up.value > down.value and up.x_after > up.x_before and down.x_after < down.x_before
+    holds = up.value > down.value and up.after["x"] > up.before["x"] and down.after["x"] < down.before["x"]
     return Found(holds, {"jump rising at mu0": up.value, "jump falling at mu0": down.value})
 
 

@@ -1,119 +1,119 @@
-"""``spragsym bifurcation``: cusps, folds, flutter onsets and critical frictions in one table."""
+"""``spragsym bifurcation``: folds and onsets of flutter along one parameter, cusps in the plane of two."""
 
 from __future__ import annotations
 
-import math
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import click
+import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import shown
-from .commands import command
-from .data import data, length
-from .options import as_json, build, parameters
-from .tables import print_json, print_table
+from .of_model import Case, method, of_model
+from .options import as_json
+from .points import points_of, print_points
+from .spans import Span, Typed, box, span, vary, within
+from .tables import busy, print_json
 from .targets import force, refuse
-from .with_model import ForModels, made_for, model_option
 
 
-@command(cls=ForModels)
-@model_option
-@parameters
-@as_json
+@of_model(statics=True)
+@vary(
+    "A parameter, with a range as theta0=5:175. Of two, folds and onsets are looked for along the first, cusps in the plane of "
+    "both; of one, no cusps. Default: {axes}.",
+    multiple=True,
+)
+@within
+@click.option("--undamped", is_flag=True, help="Onsets of flutter by (27), without dampers and the slope of the friction law.")
+@method
 @click.option(
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the bifurcation set (pdf, png, svg)."
 )
+@click.option(
+    "--n", type=click.IntRange(2, 2000), default=60, show_default=True,
+    help="Lines of either parameter on which --plot searches for folds, where there is no closed form.",
+)  # fmt: skip
 @force
-@data
-def bifurcation(json_output: bool, plot: Path | None, force: bool, **values: float) -> None:
-    """Cusps, folds at the given friction, flutter onsets, and the critical frictions.
-
-    For a flutter onset, branch is the rank of the equilibrium by theta, from 0, and side says where it flutters: 1 at larger
-    theta0, -1 at smaller theta0.
+@as_json
+def bifurcation(
+    case: Case, vary: tuple[Typed, ...], within: tuple[Typed, ...], undamped: bool, plot: Path | None, n: int, force: bool,
+    json_output: bool,
+) -> None:  # fmt: skip
+    """All folds and flutter onsets along one parameter, and all cusps in the plane of two, proved.
 
     \b
     Examples:
       spragsym bifurcation
-      spragsym bifurcation --alpha 0.7 --json
+      spragsym bifurcation --alpha 0.7 --undamped --json
       spragsym bifurcation --plot folds.pdf
       spragsym bifurcation --data brake.toml
-      spragsym bifurcation --model two_springs
+      spragsym bifurcation --model two_springs --vary theta0=10:80 --vary mu0=0:1
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
+    along = [span(case, typed, "") for typed in vary or [Typed(name, name) for name in case.model.axes]]
+    _check(vary, along, plot, force)
+    line, (name, *_) = along[:1], (one.name for one in along)
+    between, asked, p = line[0].between, box(case, within), case.set(name)
+    damped = {"damping": False} if undamped else {}
+    ways = case.searching(between, asked)
+    questions: dict[str, Callable[[], Any]] = {
+        "folds": lambda: case.model.folds(p, name, **ways),
+        "onsets": lambda: case.model.flutter_onsets(p, name, **damped, **ways),
+    }
+    both, ranges = tuple(one.name for one in along), {key: ends for one in along for key, ends in one.between.items()}
+    if len(along) == 2:
+        questions["cusps"] = lambda: case.model.cusps(case.set(*both), both, **case.searching(ranges, asked))
+    told, found = {}, {}
+    for title, question in questions.items():
+        with busy(f"searching for {title} along {' and '.join(both if title == 'cusps' else (name,))}"):
+            found[title] = within_ranges(question())
+        told[title] = points_of(case, found[title], along if title == "cusps" else line)
+    if plot is not None:
+        _draw(case, plot, both, ranges, found["cusps"], n)
+    if json_output:
+        print_json({"model": case.model.name, "parameters": case.told(), **told})
+        return
+    for title, one in told.items():
+        print_points(title.capitalize(), one, along if title == "cusps" else line)
+
+
+def within_ranges(found: Any) -> Any:
+    """Those points at which all that varies is in its range: closed forms know mirror images beyond it."""
+    ranges, inside = [found.parameters.ranges[name] for name in found.vary], np.ones(len(found), dtype=np.bool_)
+    for name, allowed in zip(found.vary, ranges, strict=True):
+        inside &= allowed.inside(getattr(found, name))
+    region, first = found.region.copy(), len(found.region) - len(found.vary)
+    region[first:] = np.clip(region[first:].T, [one.low for one in ranges], [one.high for one in ranges]).T
+    return replace(found.select(inside), region=region)
+
+
+def _check(vary: tuple[Typed, ...], along: list[Span], plot: Path | None, force: bool) -> None:
+    """Refuse, before anything is computed, what can't be drawn, and more than a plane."""
+    if len(along) > 2 or len({one.name for one in along}) < len(along):
+        raise ParameterError(f"--vary {' --vary '.join(typed.text for typed in vary)}: give one parameter, or two different ones")
     if plot is not None and plot.suffix not in (".pdf", ".png", ".svg"):
         raise ParameterError(f"--plot {plot}: the ending must be .pdf, .png or .svg")
+    if plot is not None and len(along) < 2:
+        raise ParameterError("--plot shows the plane of two parameters; give the second one with another --vary")
     refuse([] if plot is None else [plot], force)
-    summary = _summary(values)
-    if plot is not None:
-        from ..figures import FORMATS, bifurcation_figure
-        from ..figures.style import house_style
-
-        kind = plot.suffix[1:]
-        with house_style():
-            bifurcation_figure(build(None, **values)).savefig(plot, format=kind, metadata=FORMATS[kind])
-        click.echo(f"drew {plot}", err=True)
-    if json_output:
-        print_json(summary)
-        return
-    place = tuple(name + length()[1] for name in ("x", "y"))
-    for title, name, header in (
-        ("Cusps in contact, mirror images included", "cusps", ("theta0_deg", "mu0", "theta_deg", *place)),
-        (f"Folds at mu0 = {shown(values['mu0'])}", "folds", ("theta0_deg", "theta_deg", *place)),
-        (f"Flutter onsets at mu0 = {shown(values['mu0'])}", "flutter", ("theta0_deg", "theta_deg", *place, "branch", "side")),
-    ):
-        print_table(title, header, [[row[column] for column in header] for row in summary[name]])
-    print_table("Critical frictions", ("", "mu"), [
-        ("mu_cr, linear sprag model: poles above it", _or(summary["mu_cr"], "out of range")),
-        ("mu_lowest: no jump from small deformation below it", _or(summary["mu_lowest"], "none")),
-        ("mu_cusp: the lowest cusp", _or(summary["mu_cusp"], "none")),
-    ])  # fmt: skip
 
 
-def _or(value: float | None, word: str) -> float | str:
-    return word if value is None else value
+def _draw(case: Case, path: Path, vary: tuple[str, ...], ranges: dict[str, Any], cusps: Any, n: int) -> None:
+    """The bifurcation set; by closed forms where the model has them for all of this plane."""
+    from ..figures import FORMATS, bifurcation_figure, model_figure
+    from ..figures.models import window
+    from ..figures.style import house_style
 
-
-def _summary(values: dict[str, float]) -> dict[str, Any]:
-    import numpy as np
-
-    from .. import catastrophe
-    from ..catastrophe import flutter_points as flutter
-
-    p = build(None, **values)
-    found, turns, onsets = catastrophe.cusps(p), catastrophe.folds(p), flutter.flutter_onsets(p)
-    lowest, cusp = catastrophe.critical_friction(p), float(catastrophe.cusp_friction(p))
-    with np.errstate(all="ignore"):  # stiffnesses of very different size
-        linear = float(catastrophe.linear_critical_friction(p))
-
-    size, end = length()
-    units = {name: (math.degrees(1.0), "_deg") for name in ("theta0", "theta")} | dict.fromkeys(("L", "x", "y"), (size, end))
-
-    def rows(points: Any, names: tuple[str, ...]) -> list[dict[str, float]]:
-        return [
-            {
-                name + units.get(name, (1.0, ""))[1]: getattr(points, name)[i].item() * units[name][0]
-                if name in units
-                else getattr(points, name)[i].item()
-                for name in names
-            }
-            for i in range(points.theta0.size)
-        ]
-
-    return {
-        "parameters": values,
-        "cusps": rows(found, ("theta0", "mu0", "theta", "L", "x", "y")),
-        "folds": rows(turns, ("theta0", "theta", "L", "x", "y")),
-        "flutter": rows(onsets, ("theta0", "theta", "L", "x", "y", "branch", "side")),
-        "mu_cr": linear if math.isfinite(linear) else None,
-        "mu_lowest": float(lowest) if lowest.kind else None,
-        "theta0_lowest_deg": math.degrees(lowest.theta0) if lowest.kind else None,
-        "kind_lowest": lowest.kind or None,
-        "mu_cusp": None if math.isinf(cusp) else cusp,
-    }
-
-
-made_for(bifurcation, "model_statics", "bifurcation_of")
+    kind, p = path.suffix[1:], case.set(*vary)
+    closed = case.has_closed("bifurcation_set") and vary == case.model.axes and not ranges
+    with house_style(), busy(f"drawing folds and cusps in the plane of {' and '.join(vary)}"):
+        if closed:
+            figure = bifurcation_figure(p)  # type: ignore[arg-type]  # of the model with closed forms
+        else:
+            figure = model_figure(case.model.search, p, vary, between=window(case.model, vary, ranges, cusps), n=n)
+        figure.savefig(path, format=kind, metadata=FORMATS[kind])
+    click.echo(f"drew {path}", err=True)

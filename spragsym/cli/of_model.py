@@ -47,22 +47,35 @@ class Case:
     ask: dict[str, str]
 
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
-        """The parameters, without those that vary."""
+        """The parameters; those that vary need no value."""
         values = {**self.values, **changes}
         for name, value in values.items():
             if value is None and name not in spanned:
                 flag = options_of(self.model.about, name)[0]
                 raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
-        p: ParameterSet = self.model.Parameters(**{name: None if name in spanned else value for name, value in values.items()})
+        p: ParameterSet = self.model.Parameters(**values)
         return p
+
+    def has_closed(self, name: str) -> bool:
+        """Whether the model brings a closed form for this, and it is not the search that is asked for."""
+        return name in self.model.closed and self.ask.get("method") != "search"
+
+    def searching(self, between: dict[str, Any], within: dict[str, Any] | None) -> dict[str, Any]:
+        """How points are asked for: the method, and ranges of what varies and of coordinates where they were given."""
+        return {**self.ask, **({"between": between} if between else {}), **({"within": within} if within else {})}
+
+    def told(self) -> dict[str, Any]:
+        """The parameters in the units of the answer."""
+        titles = ((self.units.parameter(name), value) for name, value in self.values.items())
+        return {title: None if value is None else unit * value for (title, unit), value in titles}
 
 
 class OfModel(click.Command):
     """A command whose options are its own and one for each parameter of a model; its work is given a :class:`Case`.
 
     Parameters are of the type ``kind``. With ``start`` each number of the initial state has an option too. ``statics`` of a brake
-    takes the friction that works at the speed of its belt. Texts of help may name ``{time}``, the unit of time, ``{axis}``, what
-    varies unless told otherwise, ``{coordinate}``, the first, and ``{state}``, all of the initial state.
+    takes the friction that works at the speed of its belt. Texts of help may name ``{time}``, the unit of time, ``{axes}``, what
+    varies unless told otherwise, ``{last}`` of them, ``{coordinate}``, the first, and ``{state}``, all of the initial state.
     """
 
     def __init__(
@@ -75,7 +88,8 @@ class OfModel(click.Command):
     def _be_about(self, model: Model) -> None:
         self.model = model
         words = {
-            "time": model.about["scales"]["time"].replace("**", "^"), "axis": " and ".join(model.axes) or "none",
+            "time": model.about["scales"]["time"].replace("**", "^"), "axes": " and ".join(model.axes),
+            "last": "".join(model.axes[-1:]),
             "coordinate": model.coordinates[0], "state": ",".join((*model.coordinates, *model.rates)).upper(),
         }  # fmt: skip
         asked = [click.Option(["--model"], metavar="NAME|DIR", expose_value=False, help=MODEL)]

@@ -19,7 +19,7 @@ def rows_of(eq: Any, units: Units) -> list[dict[str, Any]]:
 
     from ..statics import Stability
 
-    growth, per = units.growth()
+    growth, per = units.rate("growth")
     return [
         {
             "state": eq.regime,
@@ -62,13 +62,3 @@ def summed(boxes: Sequence[dict[str, Any]]) -> str:
         f"{title} in [{min(box[title][0] for box in boxes):.8g}, {max(box[title][1] for box in boxes):.8g}]" for title in titles
     )
     return f"{'1 box is' if len(boxes) == 1 else f'{len(boxes)} boxes are'} undecided, within {hull}"
-
-
-def words_of(path: Any) -> list[dict[str, Any]]:
-    """Of each state of a path what grows, with (27)'s word beside it, and how fast."""
-    from ..statics import Stability
-
-    return [
-        {"stability": str(kind), "undamped": Stability(int(code)).name.lower(), "growth": float(growth)}
-        for kind, code, growth in zip(path.kind, path.stability, path.growth, strict=True)
-    ]

@@ -109,22 +109,6 @@ def busy(part: str) -> Iterator[None]:
         yield
 
 
-def print_path(about: dict[str, Any], states: list[dict[str, Any]], jumps: list[dict[str, Any]], as_json: bool) -> None:
-    """Print the states of a path and its jumps, rows by the names of their columns; as JSON with what they are about."""
-    import click
-
-    if as_json:
-        print_json({**about, "states": states, "jumps": jumps})
-        return
-    print_table("States", tuple(states[0]), [
-        [f"{value:.1e}" if name == "growth" else value for name, value in row.items()] for row in states
-    ])  # fmt: skip
-    if jumps:
-        print_table("Jumps", tuple(jumps[0]), [list(row.values()) for row in jumps])
-    else:
-        click.echo("No jumps")
-
-
 def print_json(thing: Any) -> None:
     """Print JSON; NaN and infinities, which JSON does not have, become null."""
     import click

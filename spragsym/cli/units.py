@@ -31,9 +31,9 @@ class Units:
         known = {entry["name"]: entry["unit"] for entry in self.model.about["coordinates"]}
         return self._of(name + end, known.get(name, "rad" if name.partition("_")[0] == "theta" else "m"))
 
-    def growth(self) -> tuple[str, float]:
-        """The same of a rate of growth."""
-        return ("growth", 1.0) if self.study is None else ("growth_per_s", 1.0 / self.study.scales.time)
+    def rate(self, name: str) -> tuple[str, float]:
+        """The same of a rate of growth, and of a frequency."""
+        return (name, 1.0) if self.study is None else (f"{name}_per_s", 1.0 / self.study.scales.time)
 
     def varied(self, name: str) -> tuple[str, float, str]:
         """Of a parameter, or with a file of a quantity: the parameter, what one of it is there, and what it is called."""

@@ -24,6 +24,12 @@ from ..dynamics.shooting import (
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
 
+#: Largest angle between a step of a branch and its tangents, as its cosine.
+STRAIGHT = 0.97
+
+#: A branch is not followed to a value of the parameter by steps that are a smaller share of the way.
+LEAST_SHARE = 1e-3
+
 
 @dataclass(frozen=True)
 class Setting:
@@ -107,6 +113,41 @@ def fixed(setting: Setting, loop: Loop) -> Loop:
 
     found = solved(setting.field, setting.fly, loop.guess, conditions)
     return looped(setting.field, setting.fly, found.guess, setting.free)
+
+
+def placed(setting: Setting, point: Point, step: FloatArray, value: float) -> Point:
+    """The point at a value of the first free parameter, near a step from another point."""
+    moved = point.loop.guess.moved(step, setting.free)
+    values = list(moved.values)
+    values[setting.free[0]] = value  # exactly, since there may be no parameters beyond
+    near = looped(setting.field, setting.fly, Guess(moved.states, moved.period, tuple(values)), setting.free)
+    return point_of(setting, fixed(setting, near), point.tangent)
+
+
+def along(setting: Setting, point: Point, value: float) -> Point:
+    """The point at a value of the free parameter on the same sheet of a branch, which may not turn back on the way.
+
+    By steps each of which agrees with the tangents at both of its ends: Newton's method alone may find another sheet, or another
+    branch. ConvergenceError where there is no such way.
+    """
+    now = point.loop.guess.values[setting.free[0]]
+    whole, direction = abs(value - now), 1.0 if value > now else -1.0
+    point, length = Point(point.loop, (1.0 if point.tangent[-1] * direction > 0 else -1.0) * point.tangent), whole
+    while now != value:
+        ahead = value if abs(value - now) <= length else now + direction * length
+        try:
+            step = (ahead - now) / float(point.tangent[-1]) * point.tangent
+            found = placed(setting, point, step, ahead)
+            agrees = found.tangent[-1] * direction > 0 and aligned(setting, point, found) > STRAIGHT
+        except (ConvergenceError, ZeroDivisionError):
+            agrees = False
+        if agrees:
+            now, point, length = ahead, cut_finer(setting, found), 2 * length
+        elif length < LEAST_SHARE * whole:
+            raise ConvergenceError(f"the cycle ends near {setting.field.parameters[setting.free[0]]} = {now:.10g} on the way")
+        else:
+            length /= 3
+    return point
 
 
 def cut_finer(setting: Setting, point: Point) -> Point:

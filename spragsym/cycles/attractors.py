@@ -12,11 +12,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..dynamics.field import Field
+from ..dynamics.flows import carrier
 from ..dynamics.regimes import ATTRACTOR, Outcome, Regime
 from ..errors import ConvergenceError
 from ..parameters import FloatArray
+from .arclength import Setting, along, started
 from .finding import cycle_at, cycle_near
-from .orbit import Cycle
+from .orbit import Cycle, cycle_of
 from .saddles import equilibrium_near, linearization, rounding_of
 
 #: A motion is judged at the first of these times, and again at the next as long as it is undecided.
@@ -33,6 +35,9 @@ ON = 0.05
 
 #: An equilibrium that is followed moves by no more than this in one step.
 NEAR = 0.1
+
+#: Nor may the one at the middle of the step lie farther off the straight line, as a share of the step.
+BENT = 0.25
 
 
 @dataclass(frozen=True)
@@ -117,27 +122,42 @@ def attractor(field: Field, values: tuple[float, ...], verdict: Verdict, backend
 
 
 def followed(field: Field, known: Attractor, values: tuple[float, ...], backend: str) -> Attractor:
-    """The same attractor at other values of the parameters; ConvergenceError where it ends or is lost on the way."""
-    if known.kind == Regime.LIFT_OFF:
-        return Attractor(known.kind, values, known.state)
+    """The same attractor at another value of one parameter; ConvergenceError where it ends or is lost on the way."""
+    if known.kind == Regime.LIFT_OFF or known.values == values:
+        return Attractor(known.kind, values, known.state, known.orbit)
     if known.orbit is not None:
-        orbit = cycle_near(field, values, known.orbit, backend)
+        orbit = followed_cycle(field, known.orbit, values, backend)
         return _stable(Attractor(known.kind, values, orbit.state, orbit))
     begin, end = np.array(known.values), np.array(values)
+
+    def at(share: float, near: FloatArray) -> FloatArray:
+        return equilibrium_near(field, tuple(((1 - share) * begin + share * end).tolist()), near)
+
     state, share, step = known.state, 0.0, 1.0
     while share < 1:
         ahead = min(share + step, 1.0)
         try:
-            place = equilibrium_near(field, tuple(((1 - ahead) * begin + ahead * end).tolist()), state)
+            middle = at((share + ahead) / 2, state)
+            place = at(ahead, middle)
         except ConvergenceError:
-            place = np.full_like(state, np.inf)
-        if np.abs(place - state).max() <= NEAR:
-            state, share = place, ahead
+            place = middle = np.full_like(state, np.inf)
+        with np.errstate(invalid="ignore"):
+            moved, bent = np.abs(place - state).max(), np.abs(2 * middle - state - place).max()
+        if moved <= NEAR and bent <= BENT * moved + SAME:
+            state, share, step = place, ahead, 2 * step
         elif step < 1e-3:
             raise ConvergenceError("the equilibrium ends on the way")
         else:
             step /= 2
     return _at_rest(field, values, state)
+
+
+def followed_cycle(field: Field, known: Cycle, values: tuple[float, ...], backend: str) -> Cycle:
+    """The same cycle at another value of one parameter; ConvergenceError where it turns back, or is lost, on the way."""
+    (index,) = (i for i, (now, then) in enumerate(zip(known.values, values, strict=True)) if now != then)
+    fly, name = carrier(field, backend)
+    setting = Setting(field, fly, (index,), known.period, (abs(values[index] - known.values[index]),))
+    return cycle_of(along(setting, started(setting, known.loop.guess), values[index]).loop, fly, name)
 
 
 def limiting(field: Field, known: Attractor) -> FloatArray:
@@ -157,10 +177,14 @@ def same(one: Attractor, other: Attractor) -> bool:
         return False
     if one.orbit is None or other.orbit is None:
         return one.kind == Regime.LIFT_OFF or bool(np.abs(one.state - other.state).max() < SAME * (1 + np.abs(one.state).max()))
-    a, b = one.orbit, other.orbit
-    size = max(a.amplitude, b.amplitude)
-    alike = abs(a.period / b.period - 1) < SAME and max(abs(a.rms - b.rms), abs(a.mean - b.mean)) < SAME * size
-    return bool(alike and np.abs(a.samples.states - b.state[:, None]).max(axis=0).min() < ON * size)
+    return same_cycle(one.orbit, other.orbit)
+
+
+def same_cycle(one: Cycle, other: Cycle) -> bool:
+    """Whether two cycles at the same values of the parameters are one."""
+    size = max(one.amplitude, other.amplitude)
+    alike = abs(one.period / other.period - 1) < SAME and max(abs(one.rms - other.rms), abs(one.mean - other.mean)) < SAME * size
+    return bool(alike and np.abs(one.samples.states - other.state[:, None]).max(axis=0).min() < ON * size)
 
 
 def _at_rest(field: Field, values: tuple[float, ...], state: FloatArray) -> Attractor:

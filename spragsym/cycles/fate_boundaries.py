@@ -16,10 +16,11 @@ from ..display import Result
 from ..dynamics.cycles import same_orbit
 from ..dynamics.field import Field
 from ..dynamics.flows import carrier, follower
-from ..dynamics.regimes import Outcome
+from ..dynamics.regimes import Outcome, Regime
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, Parameters, as_number
-from .attractors import JUDGED, Verdict, attractor, followed, judged, same
+from .attractors import JUDGED, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle
+from .branch import MERGES, cycle_branch
 from .finding import cycle_at
 from .saddles import growth_of_cycle, saddle_near
 from .sprag import SPRAG
@@ -36,14 +37,20 @@ ROUGH, FINE = 1e-12, 1e-13
 #: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
 NARROW, TOO_WIDE = 1e-13, 1e-8
 
-#: To either side of what was found it is looked whether fates alternate, and whether both tolerances come to the same.
+#: To either side of what was found it is looked whether fates alternate.
 ASIDE = (1e-8, 1e-6)
+
+#: As many errors to either side of it both tolerances come to the same, and nearest to it to what was found.
+RESOLVED = (3, 6, 12)
+
+#: Periods whose ratio is this close to 2 may be those of a cycle and of what it becomes by a doubling, at most so many points on.
+DOUBLE, FOLLOWED = 0.05, 40
 
 #: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its extent.
 CLOSE = 0.05
 
-#: Motions have parted beyond this.
-PARTED = 1e-3
+#: Motions have parted beyond this; where they have, so many that begin within rounding are followed as well.
+PARTED, BESIDE = 1e-3, 4
 
 #: Time units that the motions of a call are followed in all; what is open by then stays open.
 LONGEST = 5e6
@@ -104,7 +111,8 @@ def fate_boundary(
     """The value of a parameter at which a start changes its fate, and which saddle it then hovers at.
 
     Bisection on the attractors that the motion comes to, which are proved by Newton's method and their eigenvalues or
-    multipliers, and followed from one side to the other. What has not settled by t = 40 000 is no fate.
+    multipliers, and followed from one side to the other: a cycle and what it becomes by doubling its period are one attractor.
+    What has not settled by t = 40 000 is no fate, nor is what motions that begin within rounding do not share.
 
     Parameters
     ----------
@@ -169,7 +177,7 @@ def boundary_of(
 
     low, high = sorted(bracket)
     asked = _Asked(field, at, vary, start, name)
-    ends = asked.ask(low), asked.ask(high)
+    ends = asked.surely(asked.ask(low)), asked.surely(asked.ask(high))
     for share in LOOKED_AT:
         asked.ask(low + share * (high - low))
     if ends[0].label == ends[1].label >= 0:
@@ -189,12 +197,20 @@ def boundary_of(
 
 @dataclass(frozen=True)
 class _Fate:
-    """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided."""
+    """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided.
+
+    ``otherwise`` is what a motion within rounding comes to, where that is something else.
+    """
 
     value: float
     rtol: float
     verdict: Verdict
     label: int
+    otherwise: str = ""
+
+    def told(self) -> str:
+        """In words."""
+        return self.verdict.told() + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
 
 
 @dataclass(frozen=True)
@@ -220,6 +236,29 @@ class _Asked:
         found = _Fate(value, rtol, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
         return found
+
+    def surely(self, fate: _Fate) -> _Fate:
+        """A fate, or an undecided one where rounding decides it.
+
+        That is where motions by both tolerances part on their way, as irregular ones do, and one of them, or of some that begin
+        within rounding, comes to something else.
+        """
+        if fate.label < 0:
+            return fate
+        times, values = np.arange(0.0, fate.verdict.t), self.at(fate.value)
+        one, other = (
+            self.field.simulate(values, self.start, fate.verdict.t, backend=self.backend, rtol=rtol)(times)
+            for rtol in (ROUGH, FINE)
+        )
+        if not np.abs(one - other).max() > PARTED:
+            return fate
+        for i in range(BESIDE + 1):
+            start, rtol = self.start + i * ROUGH, ROUGH if i else FINE
+            beside = judged(self.field, values, start, self.backend, rtol=rtol)
+            if not beside.decided or self._label(fate.value, beside) != fate.label:
+                self.known[self.known.index(fate)] = fate = replace(fate, label=-1, otherwise=beside.told())
+                break
+        return fate
 
     def _label(self, value: float, verdict: Verdict) -> int:
         """That of the attractor among those that are known, or a new one; should it be a known one after all, that shows later.
@@ -262,7 +301,7 @@ class _Asked:
 
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
         """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
-        decided = [each for each in self.known if each.label >= 0]
+        decided = [each for each in self.known if each.label >= 0 and each.rtol == ROUGH]
         pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
         yield from sorted(pairs, key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known))
 
@@ -284,22 +323,42 @@ class _Asked:
     def no_change(self, low: _Fate, high: _Fate) -> ParameterError:
         """That both ends of the bracket have one fate."""
         other = next((each for each in self.known if each.label not in (-1, low.label)), None)
+        one, another = low.verdict.told(), high.verdict.told()
+        ends = f"{one} at both ends" if one == another else f"{one} at one end and to {another} at the other"
         return ParameterError(
-            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {low.verdict.told()} at both ends, which is one "
-            "attractor" + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
+            f"bracket = ({low.value:g}, {high.value:g}): the start comes to {ends}, which is one attractor"
+            + (f", and to {other.verdict.told()} at {other.value:g} between" if other else "")
             + "; give values of different fates"
-        )  # fmt: skip
+        )
 
     def told(self, low: _Fate, high: _Fate) -> str:
         """What the start comes to on two sides."""
-        return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
+        return " and ".join(f"it comes to {each.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
 
-    def alternating(self, low: _Fate, high: _Fate, value: float) -> str:
+    def alternating(self, low: _Fate, high: _Fate, value: float, width: float) -> ConvergenceError:
         """That no value can be told, and why."""
-        return (
-            f"{self.told(low, high)}, and between the two fates alternate: near {self.vary} = {value:.12g} motions come to "
-            f"either on both sides, and to different ones at the tolerances {ROUGH:g} and {FINE:g}"
+        return ConvergenceError(
+            f"{self.told(low, high)}, and between the two fates alternate more closely than rounding can tell: within "
+            f"{width:.1g} of {self.vary} = {value:.15g} motions by the tolerances {ROUGH:g} and {FINE:g} do not have one and the "
+            "same change"
         )
+
+    def resolved(self, value: float, error: float, kept: int, below: bool) -> bool:
+        """Whether next to a value, and somewhat farther off, the fate is ``kept`` below it only, or above it only.
+
+        Farther off it may be another one, but not by one tolerance only. What is undecided says nothing.
+        """
+        for times in RESOLVED:
+            for sign in (-1, 1):
+                asked = [self.ask(place, rtol) for place in self.inside(value + sign * times * error) for rtol in (ROUGH, FINE)]
+                found = {each.label == kept for each in asked if each.label >= 0}
+                if len(found) > 1 or (times == RESOLVED[0] and found and found != {below == (sign < 0)}):
+                    return False
+        return True
+
+    def inside(self, *values: float) -> list[float]:
+        """Those within the bracket."""
+        return [value for value in values if self.known[0].value <= value <= self.known[-1].value]
 
 
 def _unlike(one: Outcome, other: Outcome) -> float:
@@ -344,6 +403,10 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
     """
     low, high = asked.narrowed(low, high, kept, NARROW * (1 + abs(low.value) + abs(high.value)))
     if high.value - low.value > TOO_WIDE * (1 + abs(low.value)):
+        if _doubles(asked, low, high):
+            asked.merge(low.label, high.label)
+            return None
+        low, high = asked.surely(low), asked.surely(high)
         raise ConvergenceError(f"{asked.told(low, high)}, and between those it is undecided")
     for one, other in ((low, high), (high, low)):
         try:
@@ -354,11 +417,10 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
             asked.merge(low.label, high.label)
             return None
     value, error = _anew(asked, low, high, kept)
-    first, last = asked.known[0].value, asked.known[-1].value
-    sides = [{asked.ask(value + sign * aside, rtol).label for aside in ASIDE for rtol in (ROUGH, FINE)
-              if first < value + sign * aside < last} - {-1} for sign in (-1, 1)]  # fmt: skip
-    if sides[0] & sides[1]:
-        raise ConvergenceError(asked.alternating(low, high, value))
+    if not asked.resolved(value, error, kept, low.label == kept):
+        raise asked.alternating(low, high, value, RESOLVED[-1] * error)
+    for place in asked.inside(*(value + sign * aside for aside in ASIDE for sign in (-1, 1))):
+        asked.ask(place)
     kind, state, growth, distance = _saddle(asked, low.value, high.value)
     others = {(a.value, b.value) for a, b in asked.changes() if a.value < b.value and not a.value <= value <= b.value}
     return FateBoundary(
@@ -381,7 +443,29 @@ def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, flo
             fine = (one.value + other.value) / 2
             return fine, other.value - one.value + 2 * abs(fine - rough) + 4 * float(np.spacing(abs(fine)))
         half *= 8
-    raise ConvergenceError(asked.alternating(low, high, rough))
+    raise asked.alternating(low, high, rough, TOO_WIDE * (1 + abs(rough)))
+
+
+def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
+    """Whether one of two cycles comes out of the other, of half its period, by a doubling between: a single attractor."""
+    if any(each.verdict.kind != Regime.LIMIT_CYCLE for each in (low, high)):
+        return False
+    short, long = sorted((low, high), key=lambda each: each.verdict.outcome.period)
+    if abs(long.verdict.outcome.period / short.verdict.outcome.period / 2 - 1) > DOUBLE:
+        return False
+    try:
+        single, double = asked.attractor(short), asked.attractor(long)
+        # Beyond where the other one is, since the range tells how long steps are as well.
+        bounds = (low.value, asked.known[-1].value) if long is low else (asked.known[0].value, high.value)
+        branch = cycle_branch(double.orbit, asked.vary, bounds, points=FOLLOWED)
+        between = (branch.values >= low.value) & (branch.values <= high.value)
+        for end in branch.of("end"):
+            if end.how == MERGES and low.value < end.value < high.value and branch.stable[between].all():
+                met = followed_cycle(asked.field, single.orbit, asked.at(end.value), asked.backend)
+                return same_cycle(met, end.cycle)
+    except ConvergenceError:
+        pass
+    return False
 
 
 def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, float, float]:

@@ -244,4 +244,4 @@ def exactly(p: Parameters, vary: str, forward: int = 1) -> tuple[float, float]:
         end = min(ahead) / 2
     path = quasi_static_path(p, vary, [start, end])
     jump = next(iter(path.jumps), None)
-    return (jump.value, jump.theta_before) if jump else (math.nan, math.nan)
+    return (jump.value, jump.before["theta"]) if jump else (math.nan, math.nan)

@@ -12,10 +12,11 @@ from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 
 from ..catastrophe.flutter_points import flutter_onsets
-from ..catastrophe.fold_points import Folds, folds
-from ..catastrophe.paths import Path
+from ..catastrophe.fold_points import folds
 from ..door import only_for
 from ..parameters import RANGES, FloatArray, Parameters
+from ..statics.paths import Path
+from ..statics.points import Points
 from ..statics.results import Equilibria, Stability
 from ..statics.solver import equilibria
 from .style import BLACK, LINES, Table, own_axes, styled
@@ -102,7 +103,7 @@ def branches(
     return found
 
 
-def _cuts(p: Parameters, vary: str, low: float, high: float, turns: Folds | None) -> list[float]:
+def _cuts(p: Parameters, vary: str, low: float, high: float, turns: Points | None) -> list[float]:
     """The ends of the range, and between them the folds and the flutter onsets."""
     inner: list[float] = [] if turns is None else getattr(turns, vary).tolist()
     if turns is not None and vary == "theta0":
@@ -111,7 +112,7 @@ def _cuts(p: Parameters, vary: str, low: float, high: float, turns: Folds | None
 
 
 def _pieces(
-    vary: str, values: FloatArray, eq: Equilibria, rank: int, turns: Folds | None, ends: tuple[float, float]
+    vary: str, values: FloatArray, eq: Equilibria, rank: int, turns: Points | None, ends: tuple[float, float]
 ) -> list[Branch]:
     """Equilibria of one rank between two cuts, split by stability; at a fold the piece is extended to the exact point."""
     there = np.flatnonzero(eq.count > rank)
@@ -130,9 +131,9 @@ def _pieces(
     return pieces
 
 
-def _to_fold(piece: Branch, eq: Equilibria, at: int, rank: int, turns: Folds, end: float) -> Branch:
+def _to_fold(piece: Branch, eq: Equilibria, at: int, rank: int, turns: Points, end: float) -> Branch:
     """The piece, extended to the fold at its first or last point if its equilibrium is one of the two that meet there."""
-    (here,) = np.nonzero(getattr(turns, turns.vary) == end)
+    (here,) = np.nonzero(getattr(turns, turns.vary[0]) == end)
     if not here.size or eq.count[at] < 2:
         return piece
     fold = int(here[0])
@@ -164,7 +165,7 @@ def draw_branches(
 
 @styled
 def mark_folds(
-    turns: Folds,
+    turns: Points,
     quantity: str = "x",
     *,
     ax: Axes | None = None,
@@ -173,10 +174,10 @@ def mark_folds(
     **options: Any,
 ) -> list[Line2D]:
     """Mark folds at their exact positions between ``low`` and ``high`` of the parameter that varies."""
-    along = getattr(turns, turns.vary)
+    along = getattr(turns, turns.vary[0])
     inside = (low <= along) & (along <= high)
     x, y = along[inside], getattr(turns, quantity)[inside]
-    x = np.degrees(x) if turns.vary in _ANGLES else x
+    x = np.degrees(x) if turns.vary[0] in _ANGLES else x
     y = np.degrees(y) if quantity in _ANGLES else y
     style: dict[str, Any] = {
         "linestyle": "none",
@@ -271,7 +272,7 @@ def passages(path: Path, quantity: str = "x") -> list[tuple[FloatArray, FloatArr
     head: tuple[list[float], list[float]] = ([], [])
     for jump in path.jumps:
         stop = int(np.searchsorted(forward * values, forward * jump.value, side="right"))
-        before, after = getattr(jump, f"{quantity}_before"), getattr(jump, f"{quantity}_after")
+        before, after = jump.before[quantity], jump.after[quantity]
         pieces.append((
             np.concatenate([head[0], values[begin:stop], [jump.value]]),
             np.concatenate([head[1], states[begin:stop], [before]]),

@@ -13,7 +13,7 @@ from ..models import Model
 from ..models.bifurcation import ModelBifurcationSet
 from ..models.describe import units_of
 from ..models.hopf_curves import OnsetCurves
-from ..models.points import ModelPoints
+from ..statics.points import Points
 from ..statics.results import Stability
 from .labels import label
 from .motion_pictures import draw_motion
@@ -33,7 +33,7 @@ COLOURS: Mapping[Stability, str] = {
 ROOM = 1.25
 
 
-def window(model: Model, vary: Sequence[str], between: Between, cusps: ModelPoints | None = None) -> Between:
+def window(model: Model, vary: Sequence[str], between: Between, cusps: Points | None = None) -> Between:
     """Ranges to show: those given, the parameter's own, or one that has room for its base value, for 1 and for all cusps."""
     entries = {entry["name"]: entry for entry in model.about["parameters"]}
     out = dict(between)

@@ -7,8 +7,9 @@ from matplotlib.axes import Axes
 
 from ..assumed import MU0_RANGE
 from ..catastrophe import folds
-from ..catastrophe.paths import Path, quasi_static_path
+from ..catastrophe.paths import quasi_static_path
 from ..parameters import FloatArray, Parameters
+from ..statics import Path
 from ..statics.solver import equilibria
 from .captions import BASE_TEXT, LINES_TEXT, PATHS_DEG, RANGE_TEXT
 from .curves import LABELS, branches, draw_branches, draw_path, mark_folds, passages, table_of

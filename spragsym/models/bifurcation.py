@@ -12,14 +12,15 @@ from numpy.typing import NDArray
 from ..display import Result
 from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
+from ..statics.named_columns import Columns
+from ..statics.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Fold
 from .cusps import cusps
 from .defining_systems import Augmented, Condition
 from .fold_curves import FoldCurves
 from .forces import Model
-from .named_columns import Columns
-from .points import ModelPoints, given_column, ranges, search
+from .points import given_column, ranges, search
 from .regions import by_hand
 
 #: Rounds in which points are joined to those next to them.
@@ -48,7 +49,7 @@ class ModelBifurcationSet(Result):
     curves : tuple of ModelCurve
         Folds in the order in which they follow each other, cusps among them, as many as make straight lines between them look
         smooth. Each is proved; that they are joined in the right order is not.
-    cusps : ModelPoints
+    cusps : Points
         All cusps of the region, proved.
     lines : mapping
         For each parameter the values at which all folds along the other one are known.
@@ -60,7 +61,7 @@ class ModelBifurcationSet(Result):
 
     vary: tuple[str, ...]
     curves: tuple[ModelCurve, ...]
-    cusps: ModelPoints
+    cusps: Points
     lines: Mapping[str, FloatArray] = field(repr=False)
     complete: bool
     undecided: FloatArray
@@ -175,7 +176,7 @@ def _with_line(middle: FloatArray, line: FloatArray, along: int) -> FloatArray:
     return np.concatenate([middle[:-1], *(pair if along == 0 else pair[::-1])])
 
 
-def rows_of(balance: Balance, vary: Sequence[str], found: ModelPoints) -> FloatArray:
+def rows_of(balance: Balance, vary: Sequence[str], found: Points) -> FloatArray:
     """Coordinates and both parameters of points, shape (n + 2, points)."""
     return np.array([getattr(found, name) for name in (*balance.coordinates, *vary)]).reshape(balance.n + 2, -1)
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..statics.points import Points
 from ..statics.results import Stability
 from .balance import Balance
 from .bifurcation_conditions import FoldOnBorder, Touch, TouchTurn, Turn
@@ -19,7 +20,7 @@ from .equilibria import equilibria
 from .folds import folds
 from .forces import Model
 from .paths import OVER_BORDER, ModelEnd, first_end
-from .points import ModelPoints, arranged, endless, given_column, ranges, search
+from .points import arranged, endless, given_column, ranges, search
 from .remarks import of_ranges
 from .tubes import carried
 
@@ -177,7 +178,7 @@ class _Search:
                 remarks += [f"of the kind {kind} not all states are known to lie in what was searched"]
         return sorted(found, key=lambda one: one.value), open_from, tuple(remarks)
 
-    def points(self) -> Iterator[tuple[str, ModelPoints]]:
+    def points(self) -> Iterator[tuple[str, Points]]:
         """Cusps, turns, ends; and the same of the border, if the model has one."""
         both = (self.over, self.vary)
         between = {name: (float(low), float(high)) for name, (low, high) in zip(both, self.spans, strict=True)}
@@ -195,14 +196,13 @@ class _Search:
             for end in self.spans[0]:
                 yield "border", self.of(beyond, Touch(), (self.vary,), {self.over: float(end)})
 
-    def of(
-        self, balance: Balance, condition: Any, vary: Sequence[str], changed: Mapping[str, float] | None = None
-    ) -> ModelPoints:
+    def of(self, balance: Balance, condition: Any, vary: Sequence[str], changed: Mapping[str, float] | None = None) -> Points:
         """Points of one condition."""
-        given = given_column(self.p.replace(**(changed or {})), balance.parameters, vary)
+        p = self.p.replace(**(changed or {}))
+        given = given_column(p, balance.parameters, vary)
         spans = self.spans[[(self.over, self.vary).index(name) for name in vary]]
         found = search(balance, vary, condition, given, spans)
-        return arranged(balance, vary, given, found, np.full(found.roots.point.size, "candidate"))
+        return arranged(balance, p, vary, given, found, np.full(found.roots.point.size, "candidate"))
 
     def begin(self, places: list[float]) -> None:
         """The state at the lower end of ``vary``, wherever it is followed from there."""

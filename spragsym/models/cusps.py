@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from ..errors import ParameterError
 from ..exact.interval_arrays import Intervals
 from ..exact.jets import variables
+from ..statics.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Cusp, change, cofactor
 from .defining_systems import Augmented
 from .forces import Model
-from .points import Found, ModelPoints, arranged, endless, given_column, picked, ranges, search
+from .points import Found, arranged, endless, given_column, picked, ranges, search
 from .regions import by_hand
 
 
@@ -27,7 +28,7 @@ def cusps(
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
-) -> ModelPoints:
+) -> Points:
     """Cusps in contact in the plane of two parameters, the others fixed; ``complete`` says whether these are all.
 
     Parameters
@@ -44,7 +45,7 @@ def cusps(
 
     Returns
     -------
-    ModelPoints
+    Points
         Of the kind ``"cusp"``.
 
     Notes
@@ -62,7 +63,7 @@ def cusps(
     left_point = np.concatenate([found.roots.left_point, found.roots.point[unclear]])
     kept = replace(found, roots=replace(picked(found.roots, proved), left=left, left_point=left_point))
     kind = np.full(int(proved.sum()), "cusp")
-    return arranged(balance, vary, given, kept, kind, endless=endless(model, vary, between or {}))
+    return arranged(balance, p, vary, given, kept, kind, endless=endless(model, vary, between or {}))
 
 
 def told_apart(

@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
 from ..exact.jets import Jet, gradient
+from ..statics.onsets import Onsets, onsets_of
+from ..statics.points import Points
 from . import stability
 from .balance import NOTHING, Balance, matrix
 from .bifurcation_conditions import FLAT, Flutter, FrictionHopf, Hopf, NoSlope
 from .defining_systems import Augmented, Condition
 from .model import Model
-from .onsets import Onsets, onsets_of
-from .points import Found, ModelPoints, arranged, endless, given_column, nothing, picked, ranges, search
+from .points import Found, arranged, endless, given_column, nothing, picked, ranges, search
 from .regions import by_hand
 from .seen import VALUES, with_seen
 
@@ -111,7 +112,7 @@ def flutter_onsets(
             parts.append(searched(NoSlope(), "hopf", _every))
             flat = True
     parts[1:1] = seen
-    return onsets_of(model, _joined(balance, vary, given, parts, flat, endless(model, (vary,), between or {})))
+    return onsets_of(_joined(balance, p, vary, given, parts, flat, endless(model, (vary,), between or {})))
 
 
 # ------------------------------------------------------------------------------------------------------- what damps
@@ -262,7 +263,9 @@ def _every(M: FloatArray, C: FloatArray, K: FloatArray) -> list[float]:
     return sorted(float(np.sqrt(one.real)) for one in squares if one.real > 0 and abs(one.imag) <= scale)
 
 
-def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], flat: bool, cut: tuple[str, ...]) -> ModelPoints:
+def _joined(
+    balance: Balance, p: Any, vary: str, given: FloatArray, parts: list[_Part], flat: bool, cut: tuple[str, ...]
+) -> Points:
     """All parts in one result; ``flat`` where the last is of places without slope, ``cut`` parameters whose range was cut."""
     first, roots = parts[0].found, [part.found.roots for part in parts]
     every = concatenated(roots, balance.n + 1)
@@ -276,7 +279,7 @@ def _joined(balance: Balance, vary: str, given: FloatArray, parts: list[_Part], 
     region = np.minimum.reduce([part.found.region for part in parts])
     whole = np.logical_and.reduce([part.found.whole for part in parts])
     found = replace(first, region=region, whole=whole, roots=every)
-    return arranged(balance, (vary,), given, found, kind, {"omega": omega}, endless=cut, remarks=remarks)
+    return arranged(balance, p, (vary,), given, found, kind, {"omega": omega}, endless=cut, remarks=remarks)
 
 
 def _at_ends(balance: Balance, vary: str, given: FloatArray, span: FloatArray, left: FloatArray) -> tuple[str, ...]:

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 
 from ..exact.interval_arrays import FloatArray
+from ..statics.points import Points
 from .balance import Balance
 from .bifurcation_conditions import Fold
 from .defining_systems import Augmented
 from .degenerate_ends import vanishes
 from .forces import Model
-from .points import Found, ModelPoints, arranged, endless, given_column, ranges, search
+from .points import Found, arranged, endless, given_column, ranges, search
 from .regions import by_hand
 from .symmetry import with_pitchforks
 
@@ -25,7 +26,7 @@ def folds(
     *,
     between: Mapping[str, tuple[float, float]] | None = None,
     within: Mapping[str, tuple[float, float]] | None = None,
-) -> ModelPoints:
+) -> Points:
     """Folds in contact along one parameter, the others fixed; ``complete`` of the result says whether these are all.
 
     Parameters
@@ -43,7 +44,7 @@ def folds(
 
     Returns
     -------
-    ModelPoints
+    Points
         Of the kind ``"fold"``: two equilibria meet and vanish there; or ``"pitchfork"``: three become one, all of them in one
         point, in a model that is its own mirror image. Other degenerate points are no regular roots and stay among the undecided
         boxes.
@@ -60,7 +61,7 @@ def folds(
     found, pitchforks = with_pitchforks(balance, vary, given, spans[0], found)
     kind = np.where(np.arange(found.roots.point.size) < found.roots.point.size - pitchforks, "fold", "pitchfork")
     return arranged(
-        balance, (vary,), given, found, kind,
+        balance, p, (vary,), given, found, kind,
         endless=endless(model, (vary,), between or {}), remarks=_remarks(balance, vary, given, spans[0], found),
     )  # fmt: skip
 

@@ -16,16 +16,17 @@ from ..exact import contractors
 from ..exact.certified_roots import concatenated
 from ..exact.interval_arrays import FloatArray, Intervals
 from ..exact.polynomials import Undecided
+from ..statics.named_columns import Columns
+from ..statics.onsets import criticality
+from ..statics.points import Points
 from . import stability
 from .balance import Balance
 from .bifurcation import on_lines, require_lines, rows_of
 from .bifurcation_conditions import BogdanovTakens, DoubleHopf, FrictionHopf, Hopf, ZeroHopf
 from .defining_systems import Condition
 from .fold_curves import FoldCurves
-from .named_columns import Columns
 from .normal_forms import NormalForm, normal_form
-from .onsets import criticality
-from .points import ModelPoints, arranged, given_column, picked, ranges, search
+from .points import arranged, given_column, picked, ranges, search
 
 if TYPE_CHECKING:
     from .model import Model
@@ -48,7 +49,7 @@ class OnsetCurve(Columns, held_in="values"):
 
     @property
     def criticality(self) -> NDArray[np.str_]:
-        """As of :class:`spragsym.models.onsets.Onsets`, of every point."""
+        """As of :class:`spragsym.Onsets`, of every point."""
         return criticality(self.lyapunov, self.lyapunov_error)
 
 
@@ -62,7 +63,7 @@ class OnsetCurves(Result):
         The two parameters.
     curves : tuple of OnsetCurve
         Hopf points in the order in which they follow each other. Each is proved; that they are joined in the right order is not.
-    points : ModelPoints
+    points : Points
         All points of the kinds ``"BT"`` (Bogdanov–Takens: a curve ends on a fold), ``"ZH"`` (zero–Hopf: it meets a fold) and
         ``"HH"`` (double Hopf: two curves meet; sought with two coordinates), proved.
     changes : mapping
@@ -78,7 +79,7 @@ class OnsetCurves(Result):
 
     vary: tuple[str, ...]
     curves: tuple[OnsetCurve, ...]
-    points: ModelPoints
+    points: Points
     changes: Mapping[str, FloatArray]
     lines: Mapping[str, FloatArray] = field(repr=False)
     complete: bool
@@ -126,7 +127,7 @@ def onset_curves(
     spans = ranges(model, vary, between or {})
     given = given_column(p, balance.parameters, vary)
     condition = _condition(balance)
-    points = _points(balance, vary, given, spans)
+    points = _points(balance, p, vary, given, spans)
     found = on_lines(balance, vary, condition, given, spans, n, rows_of(balance, vary, points)[:, points.kind == "BT"])
     lines = _Lines(model, balance, tuple(vary), given, found.curves)
     curves, changes = [], []
@@ -150,7 +151,7 @@ def _condition(balance: Balance) -> Condition:
     return FrictionHopf(balance.coordinates.index(friction["along"])) if alone and balance.n > 1 else Hopf()
 
 
-def _points(balance: Balance, vary: Sequence[str], given: FloatArray, spans: FloatArray) -> ModelPoints:
+def _points(balance: Balance, p: Any, vary: Sequence[str], given: FloatArray, spans: FloatArray) -> Points:
     """All points of all kinds."""
     kinds, parts = [], []
     for kind, condition in KINDS.items():
@@ -162,7 +163,7 @@ def _points(balance: Balance, vary: Sequence[str], given: FloatArray, spans: Flo
         parts.append(replace(found, roots=picked(found.roots, kept)))
         kinds += [kind] * int(kept.sum())
     every = concatenated([part.roots for part in parts], balance.n + 2)
-    return arranged(balance, vary, given, replace(parts[0], roots=every), np.array(kinds, dtype=np.str_))
+    return arranged(balance, p, vary, given, replace(parts[0], roots=every), np.array(kinds, dtype=np.str_))
 
 
 def _roots(balance: Balance, given: FloatArray, vary: Sequence[str], state: FloatArray) -> NDArray[np.complex128]:

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
+    from ..statics.onsets import Onsets
+    from ..statics.paths import Path
+    from ..statics.points import Points
     from ..statics.results import Equilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
@@ -30,9 +33,6 @@ if TYPE_CHECKING:
     from .critical import LowestEnd
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
-    from .onsets import Onsets
-    from .paths import ModelPath
-    from .points import ModelPoints
 
 
 class Model:
@@ -189,7 +189,7 @@ class Model:
         return found.count
 
     @question
-    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> ModelPoints:
+    def folds(self, p: ParameterSet, vary: str | None = None, **options: Any) -> Points:
         """Folds along one parameter, each proved, and whether these are all; ``p`` are scalars.
 
         ``between={"mu0": (0, 1)}`` is the range of what varies.
@@ -201,7 +201,7 @@ class Model:
         return folds(self, p, self._one(vary), **options)
 
     @question
-    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> ModelPoints:
+    def cusps(self, p: ParameterSet, vary: Sequence[str] | None = None, **options: Any) -> Points:
         """Cusps in the plane of two parameters, each proved, and whether these are all; ``between`` as for :meth:`folds`.
 
         See :func:`spragsym.models.cusps.cusps`.
@@ -245,7 +245,7 @@ class Model:
         return critical_friction(self, p, vary, over, **options)
 
     @question
-    def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> ModelPath:
+    def quasi_static_path(self, p: ParameterSet, vary: str, values: Any, **options: Any) -> Path:
         """A state followed as a parameter takes ``values``, with its jumps; ``p`` are scalars.
 
         See :func:`spragsym.models.paths.quasi_static_path`.

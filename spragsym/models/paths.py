@@ -7,7 +7,7 @@ only to the state that is proved to lie on the same branch: see :mod:`spragsym.m
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,8 @@ from ..display import Result
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_numbers
+from ..statics.paths import Jump, Path, followed
+from ..statics.points import Points
 from ..statics.results import Equilibria, Stability, one_each
 from .balance import Balance
 from .bifurcation_conditions import Touch
@@ -24,26 +26,13 @@ from .branches import Along, links
 from .equilibria import columns, equilibria
 from .folds import folds
 from .forces import Model
-from .named_columns import Columns
-from .points import ModelPoints, arranged, given_column, search
+from .points import arranged, given_column, search
 from .stability import linearization
 
 #: Distance from a fold, over its value if that is larger than 1, at which the states beside it are looked at.
 BESIDE = 1e-3
 #: How far beyond the border of the contact states on it are looked for.
 OVER_BORDER = 1e-3
-
-
-@dataclass(frozen=True)
-class ModelJump(Result):
-    """A state that vanishes at a fold or leaves the contact, and the one that takes its place."""
-
-    value: float  #: of the parameter, at the fold or on the border
-    kind: str  #: ``"fold"``, or ``"border"`` where the state leaves the contact
-    before: Mapping[str, float]  #: coordinates there
-    after: Mapping[str, float]  #: coordinates there of the state that it jumps to
-    stability_after: Stability
-    error: float  #: bound on the error of ``value``
 
 
 @dataclass(frozen=True)
@@ -56,44 +45,15 @@ class ModelEnd(Result):
     error: float  #: bound on the error of ``value``
 
 
-@dataclass(frozen=True, eq=False)
-class ModelPath(Columns, held_in="coordinates"):
-    """States along the values of the parameter, in the order in which they are passed, and the jumps between them.
-
-    ``stability`` has the codes of (27), ``growth``, ``stable`` and ``kind`` are those of the full linearization, as
-    :class:`spragsym.Equilibria` has them; on a fold ``kind`` is ``"marginal"`` unless something else grows there.
-    """
-
-    vary: str
-    values: FloatArray
-    stability: NDArray[np.int8]
-    jumps: tuple[ModelJump, ...]
-    coordinates: Mapping[str, FloatArray] = field(repr=False)
-    _along: Equilibria = field(repr=False)
-
-    @property
-    def growth(self) -> FloatArray:
-        """Largest real part of all λ of the full linearization, as of :class:`spragsym.Equilibria`."""
-        return self._along.growth[:, 0]
-
-    @property
-    def stable(self) -> NDArray[np.bool_]:
-        """Where it is proved that nothing grows."""
-        return self._along.stable[:, 0]
-
-    @property
-    def kind(self) -> NDArray[np.str_]:
-        """What grows, in a word."""
-        return self._along.kind[:, 0]
-
-
+#: Stability that nobody asks for.
+NONE = np.zeros(2, dtype=np.int8)
 #: Chooses among the slots of the equilibria behind a fold, given the coordinates of the fold: (eq, before) → slot.
 Choice = Callable[[Equilibria, Mapping[str, float]], int]
 
 
 def quasi_static_path(
     model: Model, p: Any, vary: str, values: ArrayLike, *, start: int | str = "small", after_jump: Choice | None = None
-) -> ModelPath:
+) -> Path:
     """Follow an equilibrium in contact as a parameter moves through ``values``, up or down, with its jumps.
 
     Parameters
@@ -113,7 +73,7 @@ def quasi_static_path(
 
     Returns
     -------
-    ModelPath
+    Path
 
     Raises
     ------
@@ -143,8 +103,7 @@ def quasi_static_path(
             out.append(way.state(stop, place))
     coordinates = {name: np.array([state[0][i] for state in out]) for i, name in enumerate(way.balance.coordinates)}
     stability, error = np.array([state[1] for state in out], dtype=np.int8), np.array([state[2] for state in out])
-    eq = one_each(p.replace(**{vary: along}), coordinates, stability, error)
-    return ModelPath(vary, along, stability, tuple(jumps), coordinates, eq)
+    return followed(p, vary, along, coordinates, stability, error, tuple(jumps))
 
 
 def first_end(model: Model, p: Any, vary: str, span: tuple[float, float], *, start: int | str = "small") -> ModelEnd | None:
@@ -178,7 +137,7 @@ class _Way:
         allowed: Range = p.ranges.get(vary, Range(-np.inf, np.inf))
         low = max(low - BESIDE * max(1.0, abs(low)), allowed.low)
         high = min(high + BESIDE * max(1.0, abs(high)), allowed.high)
-        self.folds: ModelPoints = folds(model, p, vary, between={vary: (low, high)})
+        self.folds: Points = folds(model, p, vary, between={vary: (low, high)})
         if not self.folds.decided:
             raise ConvergenceError(
                 f"folds along {vary} between {low:.17g} and {high:.17g} are not all decided; model.folds lists the boxes, and a "
@@ -199,14 +158,14 @@ class _Way:
         chosen: NDArray[Any] = column[(at >= self.ends_at[0]) & (at <= self.ends_at[1])]
         return chosen
 
-    def _touches(self, span: tuple[float, float]) -> list[ModelPoints]:
+    def _touches(self, span: tuple[float, float]) -> list[Points]:
         """Where an equilibrium gets into contact or out of it."""
         if not self.balance.opens:
             return []
         beyond = Balance(self.model, contact=True, room=OVER_BORDER)
         given = given_column(self.p, beyond.parameters, (self.vary,))
         found = search(beyond, (self.vary,), Touch(), given, np.array([span]))
-        points = arranged(beyond, (self.vary,), given, found, np.full(found.roots.point.size, "border"))
+        points = arranged(beyond, self.p, (self.vary,), given, found, np.full(found.roots.point.size, "border"))
         if not points.decided:
             raise ConvergenceError(f"whether equilibria leave the contact along {self.vary} is not decided; shorten the range")
         return [points]
@@ -260,7 +219,7 @@ class _Way:
             return int(Stability.FLUTTER)
         return int(Stability.STABLE if (others.real > 0).all() else Stability.DIVERGENT)
 
-    def moved(self, stop: int, place: int, choose: Choice | None) -> tuple[int, ModelJump | None]:
+    def moved(self, stop: int, place: int, choose: Choice | None) -> tuple[int, Jump | None]:
         """The slot at a stop of the state that was in a slot at the one before, with the jump if it vanishes on the way."""
         following = self.followed(stop, place)
         return self.jump(stop, choose) if following is None else (following, None)
@@ -286,7 +245,7 @@ class _Way:
         values = [float(self.eq.coordinates[name][stop, slot]) for name in self.balance.coordinates]
         return values, int(self.eq.stability[stop, slot]), float(self.eq.error[stop, slot])
 
-    def jump(self, stop: int, choose: Choice | None) -> tuple[int, ModelJump]:
+    def jump(self, stop: int, choose: Choice | None) -> tuple[int, Jump]:
         """The slot behind the fold that ends the branch."""
         end = self.end(stop)
         before = end.before
@@ -308,7 +267,10 @@ class _Way:
         behind = np.array([float(eq.coordinates[name][slot]) for name in before])
         after = dict(zip(before, self._at_end(end, behind), strict=True))
         kind = Stability(int(eq.stability[slot]))
-        return slot, ModelJump(end.value, end.kind, before, after, kind, end.error)
+        places = [np.array([before[name], after[name]]) for name in before]
+        at = one_each(self.p.replace(**{self.vary: [end.value] * 2}), dict(zip(before, places, strict=True)), NONE, end.error)
+        both = [{name: float(getattr(at, name)[row, 0]) for name in at.columns} for row in range(2)]
+        return slot, Jump(end.value, end.kind, both[0], both[1], kind, end.error)
 
     def _at_end(self, end: ModelEnd, behind: FloatArray) -> list[float]:
         """Coordinates at the end of a branch of the state that has these at the stop behind it."""

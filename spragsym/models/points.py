@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -14,14 +14,14 @@ from ..errors import ParameterError, ParameterTypeError
 from ..exact import boxes, certified_roots
 from ..exact.certified_roots import Roots
 from ..exact.interval_arrays import FloatArray, Intervals
-from ..parameters import as_numbers
+from ..parameters import ParameterSet, as_numbers
+from ..statics.points import Points
 from . import near_zero
 from .balance import Balance
 from .border import BITS, on_its_side
 from .defining_systems import Augmented, Condition
 from .degenerate_ends import shared
 from .forces import Model
-from .named_columns import Columns
 from .periodic_coordinates import once_around
 from .precise_points import PreciseAugmented, settled
 from .regions import region
@@ -33,58 +33,6 @@ BUDGET, LARGE_BUDGET, COSTLY_BUDGET = 200_000, 1_000_000, 6_000
 MANY = 200
 #: End of the range of a parameter that has none, over its base value if that is larger than 1.
 FAR = 10.0
-
-
-@dataclass(frozen=True, eq=False)
-class ModelPoints(Columns, held_in="values"):
-    """Points at which equilibria change, sorted by the first parameter that varies.
-
-    Every parameter and coordinate is an attribute under its own name, one number a point.
-
-    Attributes
-    ----------
-    vary : tuple of str
-        The parameters that were unknowns.
-    kind : ndarray of str
-        What happens there.
-    error : ndarray
-        Bound on |error| / max(1, |value|) of coordinates and of the parameters that vary.
-    region : ndarray
-        Lower and upper ends of the box that was searched, shape (unknowns, 2): coordinates, then parameters. A parameter that is
-        larger than 0 may begin at 2⁻³⁰⁰, where nothing is known of what is below.
-    whole : bool
-        Whether that box is proved to hold all equilibria for all parameters in it.
-    endless : tuple of str
-        Parameters whose range has no end, and no ``between``: they were searched to the end that ``region`` says, no farther.
-    undecided : ndarray
-        Lower and upper ends of the boxes that are not decided, shape (boxes, unknowns, 2); many of them as the boxes around those
-        whose ranges of the parameter touch.
-    remarks : tuple of str
-        What is known of these boxes, and what was not searched: why the result is not complete.
-    """
-
-    vary: tuple[str, ...]
-    kind: NDArray[np.str_]
-    error: FloatArray
-    region: FloatArray
-    whole: bool
-    endless: tuple[str, ...]
-    undecided: FloatArray
-    values: Mapping[str, FloatArray] = field(repr=False)
-    remarks: tuple[str, ...] = ()
-
-    def __len__(self) -> int:
-        return int(self.error.size)
-
-    @property
-    def decided(self) -> bool:
-        """Whether every box of the region is decided."""
-        return not len(self.undecided)
-
-    @property
-    def complete(self) -> bool:
-        """Whether these are all: everywhere, for all values of the parameters, or for those of ``between``."""
-        return self.decided and self.whole and not self.endless
 
 
 @dataclass(frozen=True)
@@ -227,6 +175,7 @@ def picked(roots: Roots, which: NDArray[np.bool_]) -> Roots:
 
 def arranged(
     balance: Balance,
+    p: ParameterSet,
     vary: Sequence[str],
     given: FloatArray,
     found: Found,
@@ -235,12 +184,11 @@ def arranged(
     *,
     endless: tuple[str, ...] = (),
     remarks: tuple[str, ...] = (),
-) -> ModelPoints:
+) -> Points:
     """The points as a result, sorted by the parameters that vary; given parameters of shape (parameters, 1)."""
     n, middle, left = balance.n, found.roots.middle, found.roots.left
     order = np.lexsort(middle[n:][::-1])
-    values: dict[str, FloatArray] = {name: np.full(order.size, given[i, 0]) for i, name in enumerate(balance.parameters)}
-    values |= {name: middle[n + i, order] for i, name in enumerate(vary)}
+    values: dict[str, FloatArray] = {name: middle[n + i, order] for i, name in enumerate(vary)}
     values |= {name: middle[i, order] for i, name in enumerate(balance.coordinates)}
     values |= {name: column[order] for name, column in (more or {}).items()}
     box = np.stack([-found.region[0, :, 0], found.region[1, :, 0]], axis=-1)
@@ -251,6 +199,6 @@ def arranged(
     remarks += of_ranges(endless, box[[n + list(vary).index(name) for name in endless]])
     left = _merged(left) if len(vary) == 1 else left
     boxes_left = np.moveaxis(np.stack([-left[0], left[1]], axis=-1), 1, 0)
-    return ModelPoints(
-        tuple(vary), kind[order], found.roots.error[order], box, bool(found.whole.all()), endless, boxes_left, values, remarks
+    return Points(
+        p, tuple(vary), kind[order], found.roots.error[order], box, bool(found.whole.all()), endless, boxes_left, remarks, values
     )

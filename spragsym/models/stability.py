@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..exact.interval_arrays import FloatArray
-from ..statics.results import Equilibria, Stability
+from ..statics.results import Equilibria, Stability, columns_of
 from . import spectrum
 from .balance import Balance
 from .forces import undecorated
@@ -94,13 +94,9 @@ def springs(eq: Equilibria) -> dict[str, FloatArray]:
     q = [getattr(eq, name) for name in balance.coordinates]
     shape = q[0].shape
     values = {name: value[..., None] for name, value in _values(balance, eq.parameters.broadcast(*balance.parameters)).items()}
-    found = {}
     with np.errstate(all="ignore"):
-        for number, (dx, dy, _) in enumerate(balance.geometry(q, values, np)):
-            end = f"_{number + 1}" if balance.springs > 1 else ""
-            found[f"theta{end}"] = np.broadcast_to(np.arctan2(dy, dx), shape)
-            found[f"L{end}"] = np.broadcast_to(np.hypot(dx, dy), shape)
-    return found
+        found = [of(dx, dy) for dx, dy, _ in balance.geometry(q, values, np) for of in (lambda x, y: np.arctan2(y, x), np.hypot)]
+    return {name: np.broadcast_to(column, shape) for name, column in zip(columns_of(balance.model), found, strict=False)}
 
 
 def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: FloatArray, alone: FloatArray) -> Types:

@@ -69,6 +69,13 @@ def one_each(p: Any, places: Mapping[str, NDArray[Any]], stability: NDArray[np.i
     return Equilibria(p, True, ones, known, (), (), Held({name: column[..., None] for name, column in columns.items()}))
 
 
+def columns_of(model: Any) -> tuple[str, ...]:
+    """Names of what says where a state of a model is: direction and length of each inclined spring, and the coordinates."""
+    number = len(model.about["springs"])
+    ends = [f"_{place + 1}" if number > 1 else "" for place in range(number)]
+    return tuple(dict.fromkeys([*(f"{name}{end}" for end in ends for name in ("theta", "L")), *model.coordinates]))
+
+
 @dataclass(frozen=True, eq=False)
 class Equilibria(Result):
     """The equilibria of every parameter point, and whether these are all.
@@ -141,7 +148,7 @@ class Equilibria(Result):
     @property
     def columns(self) -> tuple[str, ...]:
         """Names of the columns that say where a state is: directions and lengths of springs, and the coordinates."""
-        return tuple(dict.fromkeys([*self._springs, *self._model.coordinates]))
+        return columns_of(self._model)
 
     @property
     def states(self) -> tuple[NDArray[np.int64], ...]:

@@ -64,12 +64,12 @@ def jump_peak(study: Study, jump: float) -> JumpPeak | None:
     if not path.jumps:
         return None
     turn = path.jumps[0]
-    start, end = (turn.x_before, turn.y_before), (turn.x_after, turn.y_after)
+    start, end = (turn.before["x"], turn.before["y"]), (turn.after["x"], turn.after["y"])
     at = p.replace(mu0=jump / study.fraction if study.fraction else jump)
     if jump > study.friction[2]:
         belt["V"] = jump_speed(study, jump) * scales.time / scales.length
         at = p.replace(mu0=jump / float(sliding_friction(1.0, **belt)))
-    theta = (1 - _AWAY) * turn.theta_before + _AWAY * turn.theta_after
+    theta = (1 - _AWAY) * turn.before["theta"] + _AWAY * turn.after["theta"]
     given = p.scalars("theta0", "kappa", "sigma", "beta")
     _, x, y = kernel.state(math.cos(theta), math.sin(theta), math.cos(given[0]), math.sin(given[0]), *given[1:], 1)
     for t_end in _T_END:

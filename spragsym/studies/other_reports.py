@@ -223,7 +223,7 @@ def _cusp(model: Any, p: Any, warnings: list[str]) -> float | None:
     except SpragsymError as reason:
         warnings.append(f"cusps are not known: {reason}")
         return None
-    positive = np.asarray(found.values["mu0"])
+    positive = np.asarray(found.mu0)
     positive = positive[positive > 0]
     if not positive.size:
         warnings.append("no cusp was found with this model")
@@ -276,4 +276,4 @@ def _folds(model: Any, p: Any) -> tuple[tuple[float, ...], bool]:
         found = model.folds(p, "mu0")
     except SpragsymError:
         return (), False
-    return tuple(sorted(float(value) for value in found.values["mu0"])), found.decided and found.whole
+    return tuple(sorted(float(value) for value in found.mu0)), found.decided and found.whole

@@ -9,10 +9,10 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from ..catastrophe import critical_friction, cusp_friction, folds
-from ..catastrophe.fold_points import Folds
 from ..design import jump_margin, jump_value
 from ..display import Result
 from ..errors import ParameterError
+from ..statics.points import Points
 from .cautions import cautions
 from .facts import Facts, facts
 from .jumps import JumpPeak, jump_peak
@@ -46,7 +46,7 @@ class Report(Result):
         The nearest jump in tolerances, see :func:`spragsym.jump_margin`; NaN where nothing has one.
     states : tuple of State
         All states in contact.
-    folds : dict of str to Folds
+    folds : dict of str to Points
         Folds along the friction and along the inclination.
     oscillation : Oscillation or None
     certificate : BoxCertificate or None
@@ -75,7 +75,7 @@ class Report(Result):
     margin_percent: float
     distance: float
     states: tuple[State, ...]
-    folds: Mapping[str, Folds]
+    folds: Mapping[str, Points]
     oscillation: Oscillation | None
     certificate: BoxCertificate | None
     probability: Chance | None

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from ..catastrophe.fold_points import Folds
+from ..statics.points import Points
 from .facts import Facts
 from .redesigns import Change
 from .states import State
@@ -184,16 +184,16 @@ def _peak(report: Report) -> Iterator[tuple[str, str]]:
     yield ("then", ends_in[found.settles])
 
 
-def fold_rows(found: Folds, scale: float = 1.0) -> list[dict[str, Any]]:
+def fold_rows(found: Points, scale: float = 1.0) -> list[dict[str, Any]]:
     """Each fold: where, which state ends there, when, and where that jumps to."""
-    value = getattr(found, found.vary)
-    rows = []
+    (vary,) = found.vary
+    value, rows = getattr(found, vary), []
     for i in range(value.size):
-        at = math.degrees(value[i]) if found.vary == "theta0" else float(value[i])
+        at = math.degrees(value[i]) if vary == "theta0" else float(value[i])
         rows.append({
-            "theta0_deg" if found.vary == "theta0" else found.vary: at, "kind": str(found.kind[i]), "ends": str(found.ends[i]),
+            "theta0_deg" if vary == "theta0" else vary: at, "kind": str(found.kind[i]), "ends": str(found.ends[i]),
             "when": str(found.when[i]), "theta_deg": math.degrees(found.theta[i]), "x": scale * float(found.x[i]),
-            "theta_after_deg": math.degrees(found.theta_after[i]), "x_after": scale * float(found.x_after[i]),
+            "theta_after_deg": math.degrees(found.after["theta"][i]), "x_after": scale * float(found.after["x"][i]),
         })  # fmt: skip
     return rows
 

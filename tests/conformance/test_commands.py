@@ -13,6 +13,7 @@ import pytest
 import spragsym as ss
 from spragsym.cli import main
 from spragsym.models.load import shipped
+from tests.support import few
 
 MODELS = shipped()
 
@@ -103,3 +104,91 @@ def test_a_second_witness_is_an_option(capsys: pytest.CaptureFixture[str]) -> No
     assert list(closed[0]) == list(search[0])
     assert np.allclose([row["x"] for row in closed], [row["x"] for row in search], atol=1e-12)
     assert "damped has no closed form" in run(capsys, "equilibria", *of("damped"), "--method", "closed", code=2)
+
+
+# ----------------------------------------------------------------------------------------------- points and paths
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_folds_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = json.loads(run(capsys, "folds", *of(name), "--json"))
+    assert list(told) == ["model", "vary", "points", "complete", "searched", "undecided", "remarks"]
+    model, p = ss.load(name), a_set(name)
+    found = model.folds(p, model.axes[-1])
+    known = _degrees(model, model.axes[-1], getattr(found, model.axes[-1]))
+    assert [row[told["vary"]] for row in told["points"]] == pytest.approx(known, rel=1e-12)
+    assert (told["complete"], told["remarks"]) == (found.complete, list(found.remarks))
+    places = [_title(model, column) for column in found.columns]
+    after = [_title(model, column, "_after") for column in found.columns]
+    for row in told["points"]:
+        assert list(row) == [told["vary"], "kind", *places, "ends", "when", *after, "error"]
+    assert run(capsys, "folds", *of(name))
+
+
+def _title(model: ss.Model, column: str, end: str = "") -> str:
+    angles = {entry["name"] for entry in model.about["coordinates"] if entry["unit"] == "rad"}
+    return column + end + "_deg" * (column in angles or column.startswith("theta"))
+
+
+def _degrees(model: ss.Model, name: str, values: Any) -> list[float]:
+    return [math.degrees(value) if name in model.about["angles"] else value for value in values.tolist()]
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_onsets_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = json.loads(run(capsys, "bifurcation", *of(name), "--vary", ss.load(name).axes[0], "--json"))
+    assert list(told) == ["model", "parameters", "folds", "onsets"]
+    for row in told["onsets"]["points"]:
+        keys = ["omega", "criticality", "lyapunov", "lyapunov_error", "crossing", "why", "error"]
+        assert list(row)[-7:] == keys
+    shown = run(capsys, "bifurcation", *of(name), "--vary", ss.load(name).axes[0], "--undamped")
+    assert "Onsets" in shown
+
+
+PLANES = [name for name in MODELS if len(ss.load(name).axes) == 2]
+
+
+@pytest.mark.parametrize("name", few(PLANES, "kang_nam", "cubic_contact"))
+def test_cusps_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    told = json.loads(run(capsys, "bifurcation", *of(name), "--vary", "theta0=5:85", "--vary", "mu0=0:1", "--json"))
+    assert list(told) == ["model", "parameters", "folds", "onsets", "cusps"]
+    model = ss.load(name)
+    for row in told["cusps"]["points"]:
+        places = [_title(model, column) for column in model.equilibria(a_set(name)).columns]
+        assert list(row) == ["theta0_deg", "mu0", "kind", *places, "error"]
+    assert told["cusps"]["searched"]["mu0"] == [0.0, 1.0]
+    assert told["folds"]["searched"]["theta0_deg"] == pytest.approx([5.0, 85.0])
+
+
+@pytest.mark.parametrize("name", few(MODELS, "kang_nam", "stick_slip", "sprag_rod"))
+def test_critical_values_have_the_same_keys(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    model = ss.load(name)
+    vary = model.axes[-1]
+    ends = "=20:60" if vary in model.about["angles"] else "=0.05:0.9"
+    told = json.loads(run(capsys, "critical", *of(name), "--vary", f"{vary}{ends}", "--json"))
+    frictions = ["mu_jump", "mu_lowest", "theta0_lowest_deg", "kind_lowest", "mu_cusp", "mu_cr"]
+    assert list(told) == ["model", "vary", "jumps", "jumped", *frictions, "remarks"]
+    (jump,) = told["jumps"]
+    places = [_title(model, name) for name in model.coordinates]
+    assert list(jump) == ["way", "searched", told["vary"], "kind", *places, "error"]
+    assert told["mu_cr"] is not None or any(
+        text.startswith("mu_cr: linear_critical_friction is not there") for text in told["remarks"]
+    )
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_paths_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    model = ss.load(name)
+    vary = "mu0" if "mu0" in model.parameters else "V"
+    told = json.loads(run(capsys, "path", *of(name), "--vary", f"{vary}=0.1:0.6:3", "--json"))
+    found = model.quasi_static_path(a_set(name), vary, np.linspace(0.1, 0.6, 3))
+    assert list(told) == ["model", "vary", "states", "jumps"]
+    places = [_title(model, column) for column in found.columns]
+    assert [row[vary] for row in told["states"]] == pytest.approx(found.values, rel=1e-15)
+    for row in told["states"]:
+        assert list(row) == [vary, "stability", "undamped", "growth", *places]
+    for column, place in zip(found.columns, places, strict=True):
+        unit = math.degrees(1.0) if place.endswith("_deg") else 1.0
+        assert [row[place] for row in told["states"]] == pytest.approx(unit * found.places[column], rel=1e-12)
+    assert len(told["jumps"]) == len(found.jumps)
+    assert "States" in run(capsys, "path", *of(name), "--vary", f"{vary}=0.1:0.6:3")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+import importlib
+from dataclasses import dataclass, fields
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -12,12 +13,11 @@ from numpy.typing import NDArray
 from ..errors import ParameterError, ParameterTypeError
 from ..exact.interval_arrays import FloatArray
 from ..exact.polynomials import Undecided
-from .normal_forms import NormalForm, normal_form
-from .points import ModelPoints
+from .points import Points
 
 if TYPE_CHECKING:
     from ..cycles import Cycle
-    from .model import Model
+    from ..models.normal_forms import NormalForm
 
 #: Why an onset of (27) has no coefficient.
 UNDAMPED = (
@@ -29,10 +29,10 @@ NEAR_ZERO = "the first Lyapunov coefficient is not told from 0 by its bound"
 
 
 @dataclass(frozen=True, eq=False)
-class Onsets(ModelPoints, held_in="values"):
+class Onsets(Points):
     """Onsets of flutter along one parameter, of the kind ``"hopf"`` or ``"flutter"``, with their normal forms.
 
-    What follows is computed when it is first asked for; with all that :class:`ModelPoints` has, ``omega`` the frequency.
+    What follows is computed when it is first asked for; with all that :class:`Points` has, ``omega`` the frequency.
 
     Attributes
     ----------
@@ -48,8 +48,6 @@ class Onsets(ModelPoints, held_in="values"):
     why : tuple of str
         Why an onset is undecided; empty for the others.
     """
-
-    model: Model = field(repr=False, kw_only=True)
 
     @cached_property
     def normal_forms(self) -> tuple[NormalForm | str, ...]:
@@ -91,8 +89,7 @@ class Onsets(ModelPoints, held_in="values"):
 
     def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Cycle:
         """The cycle that is born at one of the onsets: see :func:`spragsym.models.births.born`."""
-        from .births import born
-
+        born = importlib.import_module("spragsym.models.births").born
         if not isinstance(index, int | np.integer) or isinstance(index, bool):
             raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
         if not 0 <= index < len(self):
@@ -100,24 +97,29 @@ class Onsets(ModelPoints, held_in="values"):
         form = self.normal_forms[int(index)]
         if isinstance(form, str):
             raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
-        return born(self.model, self._given(int(index)), self._state(int(index)), self.vary[0], form, amplitude, backend)
+        found: Cycle = born(
+            self.parameters.model, self._given(int(index)), self._state(int(index)), self.vary[0], form, amplitude, backend
+        )
+        return found
 
     def _normal_form(self, row: int) -> NormalForm | str:
         if self.kind[row] != "hopf":
             return UNDAMPED
         state, vary = self._state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
-        radii = self.error[row] * np.maximum(1.0, np.abs([*state, self.values[vary][row]])) * (1 + 2.0**-50)
+        radii = self.error[row] * np.maximum(1.0, np.abs([*state, getattr(self, vary)[row]])) * (1 + 2.0**-50)
+        forms = importlib.import_module("spragsym.models.normal_forms")  # a room above this one
         try:
-            return normal_form(self.model, self._given(row), state, vary, radii)
+            form: NormalForm = forms.normal_form(self.parameters.model, self._given(row), state, vary, radii)
         except Undecided as reason:
             return str(reason)
+        return form
 
     def _given(self, row: int) -> FloatArray:
-        return np.array([self.values[name][row] for name in self.model.parameters])
+        return np.array([getattr(self, name)[row] for name in self.parameters.model.parameters])
 
     def _state(self, row: int) -> FloatArray:
-        return np.array([self.values[name][row] for name in self.model.coordinates])
+        return np.array([getattr(self, name)[row] for name in self.parameters.model.coordinates])
 
     def _column(self, name: str, missing: float) -> FloatArray:
         return np.array([missing if isinstance(each, str) else getattr(each, name) for each in self.normal_forms])
@@ -129,6 +131,6 @@ def criticality(lyapunov: Any, error: Any) -> NDArray[np.str_]:
     return np.where(known, np.where(lyapunov < 0, "gentle", "dangerous"), "undecided")
 
 
-def onsets_of(model: Model, found: ModelPoints) -> Onsets:
-    """Points as onsets of a model."""
-    return Onsets(**{each.name: getattr(found, each.name) for each in fields(ModelPoints)}, model=model)
+def onsets_of(found: Points) -> Onsets:
+    """Points as onsets."""
+    return Onsets(**{each.name: getattr(found, each.name) for each in fields(Points)})

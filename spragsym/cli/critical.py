@@ -1,0 +1,156 @@
+"""``spragsym critical``: where the state of small deformation jumps first, and the frictions that decide whether it can."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import click
+import numpy as np
+
+from ..errors import ParameterError, SpragsymError
+from ..models.paths import first_end
+from ..models.points import ranges
+from .of_model import Case, method, of_model
+from .options import as_json
+from .spans import Span, Typed, span, vary
+from .states import placed
+from .tables import busy, print_json, print_table
+
+
+@of_model(statics=True)
+@vary("What moves: a parameter, with --data a quantity of the file too; with a range, from its first end on. Default: {last}.")
+@method
+@as_json
+def critical(case: Case, vary: Typed | None, json_output: bool) -> None:
+    """Where the state of small deformation jumps first as one parameter moves, and the frictions that decide whether it can.
+
+    Friction and inclination rise from their lower end; the others move up and down from their value, at a friction at which
+    nothing has jumped.
+
+    \b
+    Examples:
+      spragsym critical --theta0 40
+      spragsym critical --data brake.toml --vary theta0
+      spragsym critical --model two_springs --theta0 40 --vary mu0=0:1
+
+    \b
+    Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
+    """
+    along = span(case, vary, case.model.axes[-1])
+    from_end = along.name in case.model.axes or along.ends is not None
+    p = case.set(*([along.name] if from_end else []))
+    with busy(f"following the state along {along.name}"):
+        frictions, remarks = _frictions(case, p)
+        jumped = (
+            not from_end
+            and "mu0" in case.model.parameters
+            and bool((frictions["mu_jump"] or math.inf) <= float(case.values["mu0"]))
+        )
+        ways = ["range"] if along.ends else ["up"] if from_end else ["up", "down"]
+        jumps = [{"way": way, **_first(case, p, along, way, jumped)} for way in ways]
+    if json_output:
+        told = {"model": case.model.name, "vary": along.title, "jumps": jumps, "jumped": jumped}
+        print_json({**told, **frictions, "remarks": remarks})
+        return
+    none = "it has jumped already" if jumped else "never"
+    rows = [(f"{along.title} at the first jump, {_where(jump)}", _or(jump[along.title], none)) for jump in jumps]
+    for name, text in _meanings(frictions, along.name).items():
+        rows.append((text, _or(frictions[name], "unknown" if frictions[name] is None else "none")))
+    print_table("", ("", "value"), rows)
+    for remark in remarks:
+        click.echo(remark)
+
+
+def _where(jump: dict[str, Any]) -> str:
+    low, high = jump["searched"]
+    return f"from {low:g} to {high:g}" if math.isfinite(high - low) else str(jump["way"])
+
+
+def _or(value: float | None, word: str) -> float | str:
+    return value if value is not None and math.isfinite(value) else word
+
+
+def _first(case: Case, p: Any, along: Span, way: str, jumped: bool) -> dict[str, Any]:
+    """Where the state ends first, by closed forms where the model has them; ``searched`` says up to where."""
+    name, searched = along.name, tuple(along.unit * end for end in _ends(case, p, along, way))
+    (entry,) = [entry for entry in case.model.about["parameters"] if entry["name"] == name]
+    found: tuple[float, str, Mapping[str, float], float] | None = None
+    if jumped:
+        searched = (math.nan, math.nan)
+    elif case.has_closed("jump_value") and along.ends is None and entry["role"] == "both":
+        searched = (-math.inf, math.inf)
+        at = float(case.model.jump_value(p, name, direction=way))
+        if math.isfinite(at):
+            folds = case.model.folds(p, name)
+            row = int(np.abs(getattr(folds, name) - at).argmin())
+            before = {key: float(column[row]) for key, column in folds.coordinates.items()}
+            found = at, str(folds.kind[row]), before, float(folds.error[row])
+    elif (end := first_end(case.model.search, p, name, _ends(case, p, along, way))) is not None:
+        found = end.value, end.kind, end.before, end.error
+    value, kind, places, error = found or (math.nan, None, dict.fromkeys(case.model.coordinates, math.nan), math.nan)
+    return {
+        "searched": list(searched), along.title: along.unit * value if found else None, "kind": kind,
+        **placed(case.units, case.model.coordinates, lambda key: places[key]), "error": error,
+    }  # fmt: skip
+
+
+def _ends(case: Case, p: Any, along: Span, way: str) -> tuple[float, float]:
+    """From where to where the parameter moves: to an end of its range, or to 10 base values where that has none."""
+    if along.ends is not None:
+        return along.ends
+    name, (entry,) = along.name, [entry for entry in case.model.about["parameters"] if entry["name"] == along.name]
+    low, high = ranges(case.model, (name,), {})[0].tolist()
+    # An end that does not belong to the range: the next float does, and there is none between them.
+    low = math.nextafter(low, math.inf) if entry["low_open"] else low
+    high = math.nextafter(high, -math.inf) if entry["high_open"] and entry["high"] is not None else high
+    if name in case.model.axes:
+        return low, high
+    return float(getattr(p, name)), high if way == "up" else low
+
+
+def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
+    """The frictions that decide; None for what can't be told, with the reason."""
+    model, ask, remarks = case.model, case.ask, []
+
+    def told(name: str, question: Callable[[], Any]) -> Any:
+        try:
+            return question()
+        except SpragsymError as reason:
+            remarks.append(f"{name}: {reason}")
+            return None
+
+    def jump() -> float | None:
+        if None in case.values.values():  # of one that varies
+            return None
+        if "mu0" not in model.parameters:
+            raise ParameterError(f"{model.name} has no mu0")
+        first = _first(case, p, span(case, Typed("mu0", "mu0"), ""), "up", False)["mu0"]
+        return math.nan if first is None else float(first)
+
+    def cusp() -> float:
+        if case.has_closed("cusp_friction"):
+            return float(model.cusp_friction(p))
+        found = model.cusps(p, **ask)
+        remarks.extend(f"mu_cusp: {text}" for text in found.remarks)
+        return float(found.mu0.min(initial=math.inf))
+
+    lowest = told("mu_lowest", lambda: model.critical_friction(p, **ask))
+    remarks += [f"mu_lowest: {text}" for text in getattr(lowest, "remarks", ())]
+    return {
+        "mu_jump": told("mu_jump", jump), "mu_lowest": None if lowest is None else float(lowest),
+        "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),
+        "kind_lowest": None if lowest is None else lowest.kind or None, "mu_cusp": told("mu_cusp", cusp),
+        "mu_cr": told("mu_cr", lambda: float(model.linear_critical_friction(p))),
+    }, remarks  # fmt: skip
+
+
+def _meanings(frictions: dict[str, Any], vary: str) -> dict[str, str]:
+    kind = frictions["kind_lowest"]
+    place = f" (a {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
+    known = {} if vary == "theta0" else {"mu_jump": "mu_jump: at this angle it jumps there"}
+    return known | {
+        "mu_lowest": f"mu_lowest: below it it jumps at no angle{place}", "mu_cusp": "mu_cusp: the lowest cusp",
+        "mu_cr": "mu_cr, linear sprag model: poles above it",
+    }  # fmt: skip

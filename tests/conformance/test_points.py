@@ -1,0 +1,87 @@
+"""Folds, cusps and onsets of every model: one class, the same attributes, and two ways to one answer."""
+
+from __future__ import annotations
+
+import math
+import pickle
+from typing import Any
+
+import numpy as np
+import pytest
+
+import spragsym as ss
+from spragsym.models.load import shipped
+
+#: What the contract names, and what may be asked besides.
+ATTRIBUTES = (
+    "kind", "error", "complete", "undecided", "region", "remarks", "ends", "when", "after", "vary", "parameters", "whole",
+    "endless", "decided", "columns", "coordinates",
+)  # fmt: skip
+
+
+def a_set(name: str) -> Any:
+    """Base values of a model; an angle of 35 degrees where there is none."""
+    model = ss.load(name)
+    return model.Parameters(**({"theta0": math.radians(35.0)} if "theta0" in model.parameters else {}))
+
+
+@pytest.mark.parametrize("question", ["folds", "flutter_onsets"])
+@pytest.mark.parametrize("name", shipped())
+def test_points_of_every_model_have_everything(name: str, question: str) -> None:
+    p = a_set(name)
+    found = getattr(ss, question)(p)
+    assert type(found) is (ss.Points if question == "folds" else ss.Onsets)
+    for attribute in ATTRIBUTES:
+        assert getattr(found, attribute) is not None
+    for column in (*p.model.parameters, *found.columns, "error", "kind", "ends", "when"):
+        assert getattr(found, column).shape == (len(found),)
+    assert found.parameters is p
+    assert tuple(found.after) == found.columns
+    assert found.region.shape == (len(p.model.coordinates) + 1, 2)
+    assert found.undecided.shape[1:] == found.region.shape
+    again = pickle.loads(pickle.dumps(found))  # noqa: S301  # our own bytes
+    assert np.array_equal(again.error, found.error)
+    assert len(found.select(found.error < 0)) == 0
+    with pytest.raises(AttributeError, match="has no attribute 'nothing'; its columns are"):
+        found.nothing  # noqa: B018  # an attribute that is made when asked for
+
+
+@pytest.mark.parametrize("name", [name for name in shipped() if "theta0" in ss.load(name).parameters])
+def test_what_ends_at_a_fold_is_what_the_states_beside_it_say(name: str) -> None:
+    """Two states fewer beyond it, and where a state goes to there is an equilibrium at the fold's very value."""
+    p = a_set(name)
+    found = ss.folds(p)
+    for row in np.flatnonzero(found.kind == "fold"):
+        value, sign = found.theta0[row], {"up": 1, "down": -1}[found.when[row]]
+        before, beyond = (ss.equilibria(p.replace(theta0=value + side * sign * 1e-4)) for side in (-1, 1))
+        assert before.count - beyond.count == 2
+        near = np.argsort(np.abs(before.x if "x" in found.columns else before.phi)[: int(before.count)])
+        assert near.size
+        assert found.ends[row] in ("lower", "upper", "")
+        if found.ends[row]:
+            here = ss.equilibria(p.replace(theta0=value))
+            assert all(np.nanmin(np.abs(getattr(here, key) - column[row])) < 1e-6 for key, column in found.after.items())
+
+
+@pytest.mark.parametrize("vary", ["theta0", "mu0", "kappa", "sigma"])
+def test_what_ends_is_the_same_by_closed_forms_and_by_search(vary: str) -> None:
+    p = ss.Parameters(theta0=0.6, mu0=0.45, alpha=0.01)
+    closed, search = (
+        ss.folds(p, vary, method=method).select(np.ones(number, dtype=bool))
+        for method, number in (("closed", len(ss.folds(p, vary))), ("search", len(ss.folds(p, vary, method="search"))))
+    )
+    known = [int(np.abs(getattr(closed, vary) - value).argmin()) for value in getattr(search, vary)]
+    assert len(known) > 0
+    assert closed.ends[known].tolist() == search.ends.tolist()
+    assert closed.when[known].tolist() == search.when.tolist()
+    for name in closed.columns:
+        assert closed.after[name][known] == pytest.approx(search.after[name], abs=1e-9)
+        assert getattr(closed, name)[known] == pytest.approx(getattr(search, name), abs=1e-10)
+
+
+def test_two_ways_to_one_onset() -> None:
+    p = ss.Parameters(alpha=0.7)
+    closed, search = (ss.flutter_onsets(p, damping=False, method=method) for method in ("closed", "search"))
+    for name in (*closed.columns, "omega", "theta0"):
+        assert getattr(closed, name) == pytest.approx(getattr(search, name), abs=1e-8)
+    assert closed.why == search.why

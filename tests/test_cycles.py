@@ -921,7 +921,7 @@ def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any
     assert slow.to_dataset().attrs["cycle_period"] == slow.period
     near = ",".join(map(str, slow.state))
     picture = tmp_path / "branch.pdf"
-    vary = ["--vary", "theta0", "--from", "41.9", "--to", "42.1", "--points", "2", "--plot", str(picture)]
+    vary = ["--vary", "theta0=41.9:42.1", "--points", "2", "--plot", str(picture)]
     result = CliRunner().invoke(command, ["--theta0", "42", "--near", near, *vary, "--json"])
     told = json.loads(result.stdout)
     assert told["period"] == pytest.approx(slow.period, abs=1e-10)
@@ -941,7 +941,7 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
 @pytest.mark.thorough
 def test_a_loaded_model_on_the_command_line(tmp_path: Any) -> None:
     picture = tmp_path / "branch.svg"
-    vary = ["--vary", "V", "--from", "0.195", "--to", "0.21", "--plot", str(picture)]
+    vary = ["--vary", "V=0.195:0.21", "--plot", str(picture)]
     result = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "-V", "0.2", "--near", "0.61,0", *vary, "--json"])
     told = json.loads(result.stdout)
     assert told["period"] == pytest.approx(ss.load("stick_slip").cycle(ss.load("stick_slip").Parameters(V=0.2)).period, abs=1e-10)

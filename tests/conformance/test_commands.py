@@ -192,3 +192,48 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, capsys: pyt
         assert [row[place] for row in told["states"]] == pytest.approx(unit * found.places[column], rel=1e-12)
     assert len(told["jumps"]) == len(found.jumps)
     assert "States" in run(capsys, "path", *of(name), "--vary", f"{vary}=0.1:0.6:3")
+
+
+# -------------------------------------------------------------------------------------------------------- motions
+
+MOVING = [name for name in MODELS if ss.load(name).about["friction"] is not None]
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_motions_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    model = ss.load(name)
+    first, *_ = model.coordinates
+    angle = {entry["name"]: entry["unit"] for entry in model.about["coordinates"]}[first] == "rad"
+    words = ["--t-end", "30", "--backend", "scipy", "--rtol", "1e-8", f"--{first}0", "2" if angle else "0.05"]
+    told = json.loads(run(capsys, "simulate", *of(name), *words, "--json"))
+    size = ["rms", "rms_about_mean", "mean", "amplitude"]
+    events = [kind.name.lower() for kind in ss.Event]
+    assert list(told) == ["model", *(key + "_deg" * angle for key in size), "period", "converged", *events, "backend"]
+    unit = math.degrees(1.0) if angle else 1.0
+    start = {f"{first}0": math.radians(2.0) if angle else 0.05}
+    tr = ss.simulate(a_set(name), t_end=30.0, rtol=1e-8, backend="scipy", **start)
+    assert told["rms" + "_deg" * angle] == pytest.approx(unit * tr.rms(22.5), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_every_model_is_swept(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["--t-end", "20", "--backend", "scipy", "--speed", "0.4,0.5", "-q", "-o", str(tmp_path / "a.csv")]
+    assert run(capsys, "sweep", *of(name), *words).startswith(str(tmp_path / "a.csv"))
+    found = np.genfromtxt(tmp_path / "a.csv", delimiter=",", names=True, comments="#", dtype=None, encoding="utf-8")
+    assert found["V"].tolist() == [0.4, 0.5]
+    known = ss.rms_sweep(a_set(name), [0.4, 0.5], t_end=20.0, backend="scipy")
+    assert found["rms"] == pytest.approx(known.rms, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
+def test_cycles_of_every_model_are_asked_for_alike(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Where a motion comes to rest, or to no cycle, it is one error; a bad state names what is wrong for all."""
+    said = run(capsys, "cycles", *of(name), "--near", "1", code=2)
+    assert ", ".join((*ss.load(name).coordinates, *ss.load(name).rates)) in said
+    assert "Give it as V=FROM:TO" in run(capsys, "cycles", *of(name), "--vary", "V", code=2)
+
+
+def test_what_is_there_for_one_model_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = run(capsys, "fates", *of("damped"), "-q", "-o", str(tmp_path / "a.csv"), code=2)
+    assert "a map is of the article's model; model.fate(p)" in said
+    assert not list(tmp_path.iterdir())

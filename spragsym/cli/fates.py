@@ -39,7 +39,7 @@ def fates(
     """
     from ..cycles import fate_map
 
-    case.set()  # what is missing is said before anything is computed
+    case.require()
     if plot is not None and (
         plot.suffix not in (".pdf", ".png", ".svg") or any(_size(case, name) < 2 for name in ("theta0", "mu0"))
     ):

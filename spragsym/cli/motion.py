@@ -170,7 +170,7 @@ def sweep(case: Case, t_end: float, transient: float, quiet: bool, output: Path,
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    case.set()  # what is missing is said before anything is computed
+    case.require()
     t_end, transient = times(case, t_end, transient, EACH)
     p, start = grid_of(case)
     options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": output}

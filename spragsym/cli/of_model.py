@@ -52,12 +52,15 @@ class Case:
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
         """The parameters; those that vary need no value."""
         values = {**self.values, **changes}
-        for name, value in values.items():
-            if value is None and name not in spanned:
-                flag = options_of(self.model.about, name)[0]
-                raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
+        self.require([name for name in values if name not in spanned and values[name] is None])
         p: ParameterSet = self.model.Parameters(**values)
         return p
+
+    def require(self, missing: Sequence[str] | None = None) -> None:
+        """An error that names the option of a parameter that has no value."""
+        for name in [name for name, value in self.values.items() if value is None] if missing is None else missing:
+            flag = options_of(self.model.about, name)[0]
+            raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
 
     def has_closed(self, name: str) -> bool:
         """Whether the model brings a closed form for this, and it is not the search that is asked for."""

@@ -74,6 +74,15 @@ def test_equilibria_of_every_model_along_a_range(name: str, capsys: pytest.Captu
     assert [point["parameters"][vary] for point in points] == [0.2, 0.4]
 
 
+def test_several_ranges_are_all_combinations(capsys: pytest.CaptureFixture[str]) -> None:
+    told = json.loads(
+        run(capsys, "equilibria", "--theta0", "30,40", "--mu0", "0.1:0.5:3", "--vary", "kappa=0.005:0.007:2", "--json")
+    )
+    given = [[point["parameters"][key] for key in ("theta0_deg", "mu0", "kappa")] for point in told["points"]]
+    known = [[angle, mu0, kappa] for angle in (30, 40) for mu0 in (0.1, 0.3, 0.5) for kappa in (0.005, 0.007)]
+    assert np.allclose(given, known, rtol=1e-15)
+
+
 def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """With k_3 = 0 cubic_contact is the article's model: the same answers in the file's units, by the model's own law."""
     text = run(capsys, "report", "--example")
@@ -217,12 +226,27 @@ def test_motions_have_the_same_keys_and_are_those_of_python(name: str, capsys: p
 
 @pytest.mark.parametrize("name", MOVING)
 def test_every_model_is_swept(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["--t-end", "20", "--backend", "scipy", "--speed", "0.4,0.5", "-q", "-o", str(tmp_path / "a.csv")]
+    words = [
+        "--t-end",
+        "20",
+        "--backend",
+        "scipy",
+        "--speed",
+        "0.4,0.5",
+        f"--{ss.load(name).coordinates[0]}0",
+        "0,1,2",
+        "-q",
+        "-o",
+        str(tmp_path / "a.csv"),
+    ]
     assert run(capsys, "sweep", *of(name), *words).startswith(str(tmp_path / "a.csv"))
     found = np.genfromtxt(tmp_path / "a.csv", delimiter=",", names=True, comments="#", dtype=None, encoding="utf-8")
-    assert found["V"].tolist() == [0.4, 0.5]
-    known = ss.rms_sweep(a_set(name), [0.4, 0.5], t_end=20.0, backend="scipy")
-    assert found["rms"] == pytest.approx(known.rms, rel=1e-9)
+    assert sorted(set(found["V"].tolist())) == [0.4, 0.5]
+    first = ss.load(name).about["coordinates"][0]
+    begin = np.radians([0.0, 1.0, 2.0]) if first["unit"] == "rad" else np.array([0.0, 1.0, 2.0])
+    p = a_set(name).replace(V=np.array([[0.4], [0.5]]))
+    known = ss.rms_sweep(p, **{f"{first['name']}0": begin}, t_end=20.0, backend="scipy")
+    assert found["rms"] == pytest.approx(known.rms.ravel(), rel=1e-9, nan_ok=True)
 
 
 @pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))

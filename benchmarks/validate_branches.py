@@ -70,15 +70,17 @@ def place(branch: ss.CycleBranch, cycle: ss.Cycle) -> int:
 def told(branch: ss.CycleBranch, inside: tuple[float, float], start: ss.Cycle) -> list[Told]:
     """Events on the piece of a branch around its start that lies within a range."""
     low, high = inside
-    out = np.flatnonzero((branch.values < low) | (branch.values > high))
-    middle = place(branch, start)
-    first, last = max(out[out < middle], default=-1), min(out[out > middle], default=len(branch.values))
+    count, middle = len(branch.values), place(branch, start)
+    turn = 0 if branch.of("end", "homoclinic") else middle - count // 2  # a closed branch goes on where its list ends
+    out = np.flatnonzero((np.roll(branch.values, -turn) < low) | (np.roll(branch.values, -turn) > high))
+    middle -= turn
+    first, last = max(out[out < middle], default=-1), min(out[out > middle], default=count)
     width = high - low
     return [
         (event.kind, event.value, event.cycle.period, float(event.error))
         for event in branch.events
         if event.kind != "end" or "half" in event.how
-        if low + 1e-3 * width < event.value < high - 1e-3 * width and first <= place(branch, event.cycle) <= last
+        if low + 1e-3 * width < event.value < high - 1e-3 * width and first <= (place(branch, event.cycle) - turn) % count <= last
     ]  # fmt: skip
 
 

@@ -39,7 +39,7 @@ VARIED = {"theta0": 0.2, "mu0": 0.15, "kappa": 0.004, "alpha": 0.004, "sigma": 0
 ASIDE = 1e-6
 
 #: Time of a simulation that confirms, and the last part of it, over the halves of which averages are taken, in steps of this.
-LONG, WINDOW, SAMPLED = 40_000.0, 8000.0, 0.1
+LONG, WINDOW, SAMPLED = 40_000.0, 8000.0, 0.4
 
 #: Averages that differ by more than this, and by so many times what they change, are of different ends.
 OTHER, TIMES = 1e-5, 30.0

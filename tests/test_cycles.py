@@ -443,6 +443,55 @@ def test_nothing_is_invented_beside_large_multipliers() -> None:
     assert all(np.abs(event.cycle.multipliers).max() < 1e3 for event in branch.of("period_doubling"))
 
 
+@pytest.fixture(scope="module")
+def next_to_a_grazing() -> ss.CycleBranch:
+    """A branch of doubled cycles that ends 1e-8 after a grazing and a doubling, and 2e-11 before its halves fold."""
+    p = ss.Parameters(
+        theta0=1.0564949527218082, mu0=0.9253447759570808, kappa=0.004290005406816794, alpha=0.005727831336348484,
+        sigma=0.1393571731404502, beta=0.0,
+    )  # fmt: skip
+    state = (2.896574687183739, 0.6385699327244739, 0.0, 0.4451951304086741)
+    begun = ss.cycle(p, V=0.4427840555969569, d=12.501497517120324, near=state)
+    return ss.cycle_branch(begun, "theta0", (1.0564, 1.0567))
+
+
+def test_a_branch_of_doubled_cycles_ends_where_its_halves_are_hardly_apart(next_to_a_grazing: ss.CycleBranch) -> None:
+    """It went on over its end, and back to where it began, with the end as a fold."""
+    assert [event.kind for event in next_to_a_grazing.events].count("period_doubling") == 1
+    (end,) = (event for event in next_to_a_grazing.of("end") if "half" in event.how)
+    assert end.value == pytest.approx(1.0566308634197736, abs=1e-11)
+    assert not next_to_a_grazing.of("fold")
+
+
+def test_an_event_of_doubled_cycles_is_one_of_doubled_cycles(next_to_a_grazing: ss.CycleBranch) -> None:
+    """Its halves differ by 1e-6: as a cycle of half the period it had the multiplier −1.38."""
+    (doubling,) = next_to_a_grazing.of("period_doubling")
+    assert np.abs(doubling.cycle.multipliers[1:] + 1).min() < 1e-2
+    assert doubling.cycle.period > 270
+
+
+@pytest.mark.thorough
+def test_a_closed_branch_is_walked_once() -> None:
+    """On the way round the states go on along the orbit: it was walked on and on, with the same folds again and again."""
+    begun, _ = validate_branches.begun(0)
+    assert begun is not None
+    branch = ss.cycle_branch(begun, "V", (0.31, 0.62), points=150)
+    assert not branch.of("end")
+    assert [round(event.value, 4) for event in branch.of("fold")] == [0.5662, 0.3448]
+
+
+@pytest.mark.thorough
+def test_as_many_points_are_followed_as_is_said(next_to_a_grazing: ss.CycleBranch) -> None:
+    """Steps that fail are no points."""
+    begun = next_to_a_grazing.cycles[0]
+    branch = ss.cycle_branch(begun, "theta0", (1.0, 1.1), points=16)
+    place = int(np.argmin(np.abs(branch.values - begun.parameters["theta0"]) + np.abs(branch.periods - begun.period)))
+    followed = {0: place, -1: len(branch.values) - 1 - place}
+    ends = [side for side in followed if branch.events[side].how == "16 points were followed"]
+    assert ends
+    assert all(followed[side] == 16 for side in ends)
+
+
 # --------------------------------------------------------------------------------------------- fates and exponents
 
 

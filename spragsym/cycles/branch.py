@@ -35,8 +35,14 @@ STILL = 2e-3
 #: Steps longer than this are cut where the halves of a doubled cycle seem to meet and do not.
 COARSE = 1e-4
 
+#: Steps shorter than this are cut no more to see what happens before such an end.
+FINEST = 1e-9
+
 #: The last cycles before such an end: how far apart their halves are, each in that of the one before.
 SHORT_OF = (0.5, 0.5, 0.5)
+
+#: Cycles at one value of the parameter whose periods, ranges and averages differ by less than this, relatively, are one.
+ALIKE = 1e-7
 
 CROSSES = "another branch of cycles crosses this one"
 MERGES = "it meets the cycle of half its period, which doubles there"
@@ -221,9 +227,9 @@ class _Trace:
     def follow(self, start: Point, direction: float) -> Iterator[Point | Finding]:
         """Points and findings in one direction, an end the last of them."""
         point = Point(start.loop, direction * start.tangent)
-        setting, length, before = self.setting, FIRST, None
+        setting, length, before, count = self.setting, FIRST, None, 0
         seen = Seen(setting, point)
-        for count in range(self.points):
+        while count < self.points:
             try:
                 ahead = self._last(point, length) or corrected(setting, point, length, reach=0.5)
             except ConvergenceError as error:
@@ -246,10 +252,11 @@ class _Trace:
             share = meets(point, ahead)
             if share is not None:
                 merged = halved(setting, *between_halves(point, ahead, share, setting.free[0]))
-                if merged is not None:
-                    yield from self._merging(seen, before, *merged)
+                last = self._last_ones(point, merged[0]) if merged is not None else []
+                if merged is not None and (len(last) == len(SHORT_OF) or arc < FINEST):
+                    yield from self._merging(seen, before, last, *merged)
                     return
-                if arc > COARSE:
+                if arc > COARSE or merged is not None:
                     length = arc / 3
                     continue
             after = Seen(setting, ahead)
@@ -264,16 +271,17 @@ class _Trace:
                     return
                 yield found
             yield ahead
+            count += 1
             if stop is not None:
                 yield End("end", ahead.loop, 0.0, how="the range ends")
                 return
-            end = self._ends(start, point, ahead, count)
+            end = self._ends(Point(start.loop, direction * start.tangent), point, ahead, count)
             if end is not None:
                 yield end
                 return
             merged = self._soon(point, ahead)
-            if merged is not None:
-                yield from self._merging(after, seen, *merged)
+            if merged is not None and len(last := self._last_ones(ahead, merged[0])) == len(SHORT_OF):
+                yield from self._merging(after, seen, last, *merged)
                 return
             finer = cut_finer(setting, ahead)
             before = seen if finer is ahead else None
@@ -281,12 +289,22 @@ class _Trace:
             length = min(self.longest, length * (1.6 if straight > 0.995 else 1.1))
         yield End("end", point.loop, abs(float(point.tangent[-1]) * length), how=f"{self.points} points were followed")
 
-    def _merging(self, seen: Seen, before: Seen | None, loop: Loop, error: float) -> Iterator[Point | Finding]:
-        """What happens on the last part of a branch of doubled cycles, a bit short of its end, and the end."""
+    def _last_ones(self, point: Point, end: Loop) -> list[Point]:
+        """The points on the last part of a branch of doubled cycles, a bit short of its end, as far as they are found."""
+        found: list[Point] = []
         for share in SHORT_OF:
-            near = nearer(self.setting, seen.point, loop, share)
+            near = nearer(self.setting, point, end, share)
             if near is None:
                 break
+            found.append(near)
+            point = near
+        return found
+
+    def _merging(
+        self, seen: Seen, before: Seen | None, points: list[Point], loop: Loop, error: float
+    ) -> Iterator[Point | Finding]:
+        """What happens on the last part of a branch of doubled cycles, and the end."""
+        for near in points:
             last = Seen(self.setting, near)
             with suppress(NotLocated):
                 yield from findings(seen, last, between(self.setting, seen.point, near), before)
@@ -300,8 +318,8 @@ class _Trace:
         value = due(point, ahead, index)
         if value is None or not self.to[0] <= value <= self.to[1]:
             return None
-        guess, _, reach = between_halves(point, ahead, 1.0, index)
-        found = halved(self.setting, guess, value, reach)
+        guess, _, reach, way = between_halves(point, ahead, 1.0, index)
+        found = halved(self.setting, guess, value, reach, way)
         if found is None:
             return None
         begun, there = self.value(ahead.loop), found[0].guess.values[index]
@@ -359,15 +377,30 @@ class _Trace:
         return None
 
     def _passes(self, start: Point, point: Point, ahead: Point) -> bool:
-        """Whether the start lies on the step from one point to the next: a branch that closes."""
-        if not len(start.loop.guess.states) == len(point.loop.guess.states) == len(ahead.loop.guess.states):
+        """Whether the start's cycle lies on the step from one point to the next, passed the same way: a branch that closes.
+
+        Its states need not be those of the start: on the way round they may have gone on along the orbit.
+        """
+        loop, begin, end, there = start.loop, *(self.value(each.loop) for each in (point, ahead, start))
+        way = end - begin
+        if not 0 <= (there - begin) * way <= way * way or way * float(start.tangent[-1]) <= 0:
             return False
-        weights = self.setting.weights(len(start.loop.guess.states))
-        begin, end, there = (weights * each.loop.guess.coordinates(self.setting.free) for each in (point, ahead, start))
-        way, off = end - begin, there - begin
-        share = float(way @ off) / float(way @ way)
-        aside = float(np.linalg.norm(off - share * way))
-        return 0 <= share <= 1 and aside < 0.05 * float(np.linalg.norm(way)) and angle(self.setting, start, ahead) > 0.9
+        share, periods = (there - begin) / way, (point.loop.guess.period, ahead.loop.guess.period)
+        expected = periods[0] + share * (periods[1] - periods[0])
+        if abs(expected - loop.guess.period) > 1e-3 * loop.guess.period:
+            return False
+        try:
+            met = placed(self.setting, point, (there - begin) / float(point.tangent[-1]) * point.tangent, there).loop
+        except ConvergenceError:
+            return False
+        return bool(
+            abs(met.guess.period / loop.guess.period - 1) < ALIKE
+            and np.abs(np.subtract(self._shape(met), self._shape(loop))).max() < ALIKE * extent(loop)
+        )
+
+    def _shape(self, loop: Loop) -> tuple[float, ...]:
+        """What does not depend on where a round begins: range and averages."""
+        return (*range_of(loop), *moments(loop, self.backend))
 
     def _lost(self, point: Point, error: ConvergenceError) -> End:
         loop = point.loop

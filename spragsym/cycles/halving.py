@@ -17,14 +17,14 @@ NEAR = 0.5
 SMALL = 0.3
 
 #: Halves this close are one: an orbit twice round.
-ONE = 1e-6
+ONE = 1e-9
 
 #: The halves are followed to where they meet once the square of their distance has fallen by this factor in one step, and will be
 #: gone within so many more.
 LESS, SOON = 0.9, 1.5
 
-#: First step of the parameter, in spans, and most steps.
-FIRST, STEPS = 1e-5, 30
+#: First step of the parameter, in spans at most, and the least, in its own size; most steps.
+FIRST, LEAST, STEPS = 1e-5, 1e-12, 30
 
 
 def in_halves(loop: Loop, setting: Setting) -> Loop:
@@ -36,11 +36,12 @@ def in_halves(loop: Loop, setting: Setting) -> Loop:
 
 
 def parted(point: Point) -> FloatArray:
-    """How far apart the two halves of a round are: the state after half of it less the first one, across the flow."""
-    states = point.loop.guess.states
-    apart = states[len(states) // 2] - states[0]
-    flow = rate(point.loop.field, states[0], point.loop.constants)
-    return np.asarray(apart - flow * (flow @ apart) / (flow @ flow), dtype=float)
+    """How far apart the two halves of a round are: states less those half a round before, across the flow, over √their number."""
+    states, half = point.loop.guess.states, len(point.loop.guess.states) // 2
+    apart = states[half:] - states[:half]
+    flows = np.array([rate(point.loop.field, state, point.loop.constants) for state in states[:half]])
+    along = (flows * apart).sum(axis=1) / (flows * flows).sum(axis=1)
+    return np.asarray((apart - along[:, None] * flows).ravel() / np.sqrt(half), dtype=float)
 
 
 def meets(one: Point, other: Point) -> float | None:
@@ -75,19 +76,21 @@ def due(one: Point, other: Point, index: int) -> float | None:
     return value + share * (value - last) if share < SOON else None
 
 
-def between_halves(one: Point, other: Point, share: float, index: int) -> tuple[Guess, float, float]:
-    """The cycle of half the period near a share of the step, where to look for its doubling, and how far off that may be."""
+def between_halves(one: Point, other: Point, share: float, index: int) -> tuple[Guess, float, float, float]:
+    """The cycle of half the period at a share of a step, where to look for its doubling, how far off that may be, and the way."""
     a, b = one.loop.guess, other.loop.guess
     states, half = (1 - share) * a.states + share * b.states, len(a.states) // 2
     guess = Guess((states[:half] + states[half:]) / 2, ((1 - share) * a.period + share * b.period) / 2, a.values)
     reach = (float(np.linalg.norm(states[:half] - states[half:])) + float(np.linalg.norm(b.states - a.states))) / np.sqrt(half)
-    return guess, (1 - share) * a.values[index] + share * b.values[index], reach
+    way = b.values[index] - a.values[index]
+    return guess, a.values[index] + share * way, reach, way
 
 
-def halved(setting: Setting, begun: Guess, middle: float, reach: float) -> tuple[Loop, float] | None:
+def halved(setting: Setting, begun: Guess, middle: float, reach: float, way: float) -> tuple[Loop, float] | None:
     """The doubling of the cycle of half the period near a guess and a value of the parameter, and the error of its parameter.
 
-    None if there is none whose states are within ``reach``: then the halves have only come near each other.
+    None if there is none whose states are within ``reach``: then the halves have only come near each other. ``way`` is how far
+    the parameter went in the step that leads there: the cycle of half the period may turn back soon after.
     """
     field, index = setting.field, setting.free[0]
 
@@ -101,7 +104,7 @@ def halved(setting: Setting, begun: Guess, middle: float, reach: float) -> tuple
     def started() -> tuple[float, Loop, float, Loop]:
         first = at(middle, begun)
         for sign in (1.0, -1.0):
-            value = middle + sign * FIRST * setting.spans[0]
+            value = middle + sign * max(min(FIRST * setting.spans[0], 0.1 * abs(way)), LEAST * (1 + abs(middle)))
             try:
                 return middle, first, value, at(value, first.guess)
             except ConvergenceError:

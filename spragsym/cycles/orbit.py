@@ -26,11 +26,11 @@ from ..dynamics.shooting import (
     Guess,
     Loop,
     at_rest_along,
+    error_of,
     growth,
     looped,
     once_round,
     recut,
-    rounding,
     solved,
 )
 from ..dynamics.trajectory import Events
@@ -42,7 +42,7 @@ from ..parameters import FloatArray
 NEUTRAL = 1e-7
 
 #: A closed orbit that is begun elsewhere moves by less: where Newton's method goes farther, as at a fold, its shortest steps do.
-STAYS = 1e-7
+STAYS = 1e-9
 
 #: Maxima of x that differ by less than this count as equal; of these the state highest above the belt is taken.
 SAME = 1e-9
@@ -174,7 +174,7 @@ def cycle_of(loop: Loop, fly: Fly, backend: str) -> Cycle:
     (mean, rms), (lowest, highest) = moments(loop, backend), range_of(loop)
     return Cycle(
         period=guess.period, state=guess.states[0].copy(), multipliers=found.values, multiplier_errors=found.errors,
-        stable=is_stable(loop), error=_error(loop), residual=loop.missed,
+        stable=is_stable(loop), error=error_of(loop), residual=loop.missed,
         events=_events(loop), rms=rms, mean=mean, amplitude=(highest - lowest) / 2, backend=backend, loop=loop,
     )  # fmt: skip
 
@@ -279,15 +279,6 @@ def _events(loop: Loop) -> Events:
         kinds.append(Event[name] if name in Event.__members__ else -1)
     states = np.array([crossing.state for crossing in crossings]).reshape(-1, loop.field.size)
     return Events(np.array([crossing.t for crossing in crossings]), states, np.array(kinds, dtype=np.intp))
-
-
-def _error(loop: Loop) -> float:
-    """Largest row sum of the inverse of Newton's matrix, times what does not close and what rounding adds to that."""
-    size = loop.field.size
-    _, rows = at_rest_along(loop.field, loop.guess.states.size + 1)(loop)
-    inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
-    wanted = np.r_[0:size, -1]
-    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop)))
 
 
 def _range(samples: PiecewisePolynomial, force: Any) -> tuple[float, float]:

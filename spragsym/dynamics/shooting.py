@@ -25,6 +25,9 @@ LARGEST_GROWTH = 100.0
 #: Stretches in one round, at most.
 MOST_STRETCHES = 64
 
+#: States this close are one, whatever their errors.
+ONE = 1e-10
+
 
 @dataclass(frozen=True)
 class Guess:
@@ -275,7 +278,10 @@ def recut(loop: Loop, fly: Fly, pieces: int, begin: float = 0.0) -> Guess:
 
 
 def once_round(loop: Loop, fly: Fly) -> Loop:
-    """The same orbit over its least period."""
+    """The same orbit over its least period: rounds are one if they differ by no more than the orbit's error.
+
+    Close to where it came out of a doubling, the rounds of an orbit of twice the period differ by very little.
+    """
     period, turns = loop.guess.period, [turn for turn in loop.turns() if turn.border == -1 and turn.direction < 0]
     if not turns:
         return loop
@@ -283,7 +289,10 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
     first = turns[0]
     for other in turns[1:]:
         share = period / (other.t - first.t)
-        if np.abs((other.state - first.state) / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
+        apart = np.abs(other.state - first.state)
+        if (apart / scale).max() < 1e-5 and abs(share - round(share)) < 1e-4 and round(share) > 1:
+            if apart.max() > max(ONE, 10 * error_of(loop)):
+                continue
             guess = Guess(first.state[None], period / round(share), loop.guess.values)
             try:
                 shorter = solved(loop.field, fly, guess, at_rest_along(loop.field, loop.field.size + 1), reach=1e-3)
@@ -291,6 +300,15 @@ def once_round(loop: Loop, fly: Fly) -> Loop:
                 continue
             return shorter
     return loop
+
+
+def error_of(loop: Loop) -> float:
+    """Largest row sum of the inverse of Newton's matrix, times what does not close and what rounding adds to that."""
+    size = loop.field.size
+    _, rows = at_rest_along(loop.field, loop.guess.states.size + 1)(loop)
+    inverse = np.linalg.pinv(np.vstack([loop.slopes(0), rows]), rcond=1e-12)
+    wanted = np.r_[0:size, -1]
+    return float(np.abs(inverse[wanted]).sum(axis=1).max() * max(loop.missed, rounding(loop)))
 
 
 def extent(loop: Loop) -> float:

@@ -19,7 +19,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import bench_auto, validate_branches, validate_cycles, validate_fates, validate_verdicts
+from benchmarks import bench_auto, validate_basins, validate_branches, validate_cycles, validate_fates, validate_verdicts
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
@@ -566,6 +566,14 @@ def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
     p, settings = of_call(number)
     with pytest.raises(ss.ConvergenceError, match=r"or, as rounding decides, to .*; give values at which the motion settles"):
         ss.fate_boundary(p, **settings)
+
+
+@pytest.mark.thorough
+def test_a_side_that_rounding_decides_is_undecided() -> None:
+    """Both sides were said to come to the cycle of period 35.9; by another integrator they do not."""
+    found = ss.basin_boundary(validate_basins.drawn(0), step=0.05, points=2)
+    assert all("as rounding decides" in told for told in found.sides[3])
+    assert not found.boundary[3]
 
 
 @pytest.mark.thorough

@@ -17,7 +17,7 @@ import numpy as np
 
 import spragsym as ss
 from benchmarks.parts import numbered
-from benchmarks.validate_fates import LONG, apart, averages
+from benchmarks.validate_fates import ALIKE, apart, differ, settled
 
 ASIDE = 1e-6
 
@@ -29,9 +29,9 @@ def drawn(number: int) -> ss.Parameters:
         mu0, V, d = rng.uniform(0.3, 0.9), rng.uniform(0.2, 0.6), rng.uniform(4.0, 12.0)
         p = ss.Parameters.article(mu0=mu0, V=V, d=d)
         edges = ss.folds(p.replace(mu0=ss.sliding_friction(mu0, V, d))).theta0
-        if len(edges) == 2:
-            low, high = float(edges.min()), float(edges.max())
-            return p.replace(theta0=rng.uniform(low, high))
+        if len(edges) == 2:  # there are three below the lower fold
+            low = float(edges.min())
+            return p.replace(theta0=rng.uniform(max(low - 0.3, 0.05), low))
 
 
 def examined(number: int) -> dict[str, Any]:
@@ -47,13 +47,11 @@ def examined(number: int) -> dict[str, Any]:
         along = found.points[min(i + 1, len(found.points) - 1)] - found.points[max(i - 1, 0)]
         across = np.array([-along[1], along[0]]) / np.linalg.norm(along)
         starts = [[x, 0.0, vx, 0.0] for x, vx in (point + sign * ASIDE * across for sign in (-1, 1))]
-        off, within = apart(*(averages(values, start)[0] for start in starts))
-        if not found.boundary[i] and off > max(3 * within, 5e-3):  # they may not have settled
-            off, within = apart(*(averages(values, start, 3 * LONG)[0] for start in starts))
+        sides = [settled(values, start)[0] for start in starts]
+        off, within = apart(*sides)
         told = found.sides[i].tolist()
-        differ = off > 3 * within and off > 1e-3
         open_ = any("nothing" in text for text in told)
-        right = differ if found.boundary[i] else open_ or off < max(3 * within, 5e-3)
+        right = differ(*sides) if found.boundary[i] else open_ or off < max(3 * within, ALIKE)
         line["points"].append(
             {"boundary": bool(found.boundary[i]), "sides": told, "confirmed": bool(right), "off": off, "within": within}
         )

@@ -29,8 +29,8 @@ WORDS = frozenset((
 
 #: What the commands of a model call their options, and the values of these: `spragsym folds --vary`. A test holds this list against them.
 OF_COMMANDS = frozenset((
-    "backend", "data", "diagram", "error", "estimate_error", "force", "from", "help", "high", "json", "json_output", "low", "method",
-    "model", "model_name", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "t_end", "to", "transient", "undamped", "vary", "whole", "within", "workers",
+    "backend", "data", "diagram", "error", "estimate_error", "force", "help", "json", "json_output", "method",
+    "model", "n", "near", "output", "plot", "points", "prove", "quiet", "rtol", "t_end", "transient", "undamped", "vary", "whole", "within", "workers",
 ))  # fmt: skip
 
 #: What sets of parameters have besides their values.

@@ -172,7 +172,7 @@ WRITING = {
     "check": (["check", "--report"], "a.md"),
     "report": (["report", "--no-oscillation", str(Path(ss.__file__).parent / "studies/brake.toml"), "--html"], "a.html"),
     "simulate": (["simulate", *MOTION, "-o"], "a.csv"),
-    "cycles": (["cycles", "--theta0", "42", "--vary", "theta0", "--from", "41.9", "--to", "42.1", "--plot"], "a.svg"),
+    "cycles": (["cycles", "--theta0", "42", "--vary", "theta0=41.9:42.1", "--plot"], "a.svg"),
     "sweep": (["sweep", *MOTION, "--quiet", "-o"], "a.csv"),
     "fates": (["fates", "--theta0", "30,35", "--quiet", "-o"], "a.csv"),
     "figures": (["figures", "--only", "3", "--quiet", "-j", "1", "--out"], "figure_3.pdf"),
@@ -783,8 +783,8 @@ ASKED = {
     "path --theta0 40 --vary kappa=0.01:0": (2, "--vary kappa=0.01:0: kappa = 0 is not in (0, inf)"),
     "critical --theta0 49 --mu0 0.7 --vary kappa": (0, "it has jumped already"),
     "critical --theta0 30 --mu0 0.3 --vary beta": (0, "never"),
-    "simulate --theta0 49 --t-end 1e12": (2, "give at most 2e+06 sqrt(m/k_c)"),
-    "sweep --theta0 49 --t-end 1e12 -o long.csv": (2, "followed to its end: give at most 2e+06 sqrt(m/k_c)"),
+    "simulate --theta0 49 --t-end 1e12": (2, "give at most 2e+06 sqrt(m)/sqrt(k_c)"),
+    "sweep --theta0 49 --t-end 1e12 -o long.csv": (2, "followed to its end: give at most 2e+06 sqrt(m)/sqrt(k_c)"),
 }
 
 

@@ -19,7 +19,7 @@ import pytest
 from click.testing import CliRunner
 
 import spragsym as ss
-from benchmarks import bench_auto, validate_branches, validate_cycles, validate_fates, validate_verdicts
+from benchmarks import bench_auto, validate_basins, validate_branches, validate_cycles, validate_fates, validate_verdicts
 from spragsym.cli import cli
 from spragsym.cli.cycles import cycles as command
 from spragsym.cycles import attractors, fate_boundaries, finding, growth_rates, saddles
@@ -569,6 +569,14 @@ def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
 
 
 @pytest.mark.thorough
+def test_a_side_that_rounding_decides_is_undecided() -> None:
+    """Both sides were said to come to the cycle of period 35.9; by another integrator they do not."""
+    found = ss.basin_boundary(validate_basins.drawn(0), step=0.05, points=2)
+    assert all("as rounding decides" in told for told in found.sides[3])
+    assert not found.boundary[3]
+
+
+@pytest.mark.thorough
 def test_a_cycle_and_what_it_becomes_by_doubling_are_one_attractor() -> None:
     p, settings = of_call(32)
     with pytest.raises(
@@ -970,7 +978,7 @@ def test_a_cycle_in_a_file_and_on_the_command_line(slow: ss.Cycle, tmp_path: Any
     assert slow.to_dataset().attrs["cycle_period"] == slow.period
     near = ",".join(map(str, slow.state))
     picture = tmp_path / "branch.pdf"
-    vary = ["--vary", "theta0", "--from", "41.9", "--to", "42.1", "--points", "2", "--plot", str(picture)]
+    vary = ["--vary", "theta0=41.9:42.1", "--points", "2", "--plot", str(picture)]
     result = CliRunner().invoke(command, ["--theta0", "42", "--near", near, *vary, "--json"])
     told = json.loads(result.stdout)
     assert told["period"] == pytest.approx(slow.period, abs=1e-10)
@@ -990,7 +998,7 @@ def test_a_loaded_model_has_cycles(slow: ss.Cycle) -> None:
 @pytest.mark.thorough
 def test_a_loaded_model_on_the_command_line(tmp_path: Any) -> None:
     picture = tmp_path / "branch.svg"
-    vary = ["--vary", "V", "--from", "0.195", "--to", "0.21", "--plot", str(picture)]
+    vary = ["--vary", "V=0.195:0.21", "--plot", str(picture)]
     result = CliRunner().invoke(cli, ["cycles", "--model", "stick_slip", "-V", "0.2", "--near", "0.61,0", *vary, "--json"])
     told = json.loads(result.stdout)
     assert told["period"] == pytest.approx(ss.load("stick_slip").cycle(ss.load("stick_slip").Parameters(V=0.2)).period, abs=1e-10)

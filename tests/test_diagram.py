@@ -81,7 +81,7 @@ def test_the_figure_and_the_command(born: ss.Diagram, tmp_path: Any) -> None:
     texts = [text.get_text() for text in ss.figures.diagram_figure(born).axes[0].texts]
     assert texts == ["H"]
     picture = tmp_path / "all.svg"
-    call = ["cycles", "--model", "stick_slip", "-V", "0.2", "--vary", "V", "--from", "0.09", "--to", "0.12", "--points", "12"]
+    call = ["cycles", "--model", "stick_slip", "-V", "0.2", "--vary", "V=0.09:0.12", "--points", "12"]
     result = CliRunner().invoke(cli, [*call, "--diagram", "--plot", str(picture), "--json"])
     told = json.loads(result.stdout)
     assert [label["label"] for label in told["labels"]] == ["H"]

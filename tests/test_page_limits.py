@@ -16,7 +16,6 @@ import numpy as np
 import spragsym as ss
 from spragsym.cli import COMMANDS
 from spragsym.cli.of_model import OfModel
-from spragsym.cli.with_model import ForModels
 from spragsym.derive import folder, limits, pages, reserved
 from spragsym.derive.model import PageError
 from tests.support import few
@@ -235,7 +234,7 @@ def test_names_that_commands_take_are_those_of_the_command_line() -> None:
     typed = {"help"}
     for command, (module, _) in COMMANDS.items():
         made = getattr(importlib.import_module(f"spragsym.cli.{module}"), command)
-        if isinstance(made, ForModels | OfModel):
+        if isinstance(made, OfModel):
             options = [option for option in made.of_model(model).params if option.name not in own]
             typed |= {option.name for option in options}
             typed |= {flag[2:].replace("-", "_") for option in options for flag in option.opts if flag.startswith("--")}

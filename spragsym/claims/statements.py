@@ -259,7 +259,7 @@ STATEMENTS: tuple[Statement, ...] = (
         consequence="to stay below the catastrophe rules out the jump of slow changes, not the oscillation: a knock can start it "
         "where the statics see nothing",
         test="test_the_oscillation_far_below_the_fold",
-        command="spragsym cycles --theta0 42 --vary theta0 --from 10 --to 60",
+        command="spragsym cycles --theta0 42 --vary theta0=10:60",
         digits=9,
         tolerance="a unit of the last digit given: the error of the cycles is below 1e-10",
     ),

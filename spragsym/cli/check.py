@@ -15,10 +15,10 @@ import click
 
 from ..errors import MissingExtraError, ParameterError
 from .commands import command
+from .of_model import TEXT, page_of
 from .options import as_json
 from .tables import print_json, show
 from .targets import force, holds, refuse
-from .with_model import TEXT, page_of
 
 _STYLES = {"confirmed": "green", "misprint": "yellow", "approximation": "cyan", "definition": "dim", "failed": "bold red"}
 

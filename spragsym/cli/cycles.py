@@ -2,123 +2,76 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from ..errors import ParameterError
-from ..parameters import ARTICLE
-from .commands import command
-from .data import PHYSICAL, data, in_units, varied
-from .options import DEGREES, Number, as_json, belt, build, parameters, sentence
+from .of_model import Case, of_model
+from .options import as_json
+from .spans import Span, Typed, span, vary
 from .tables import print_json, print_table
 from .targets import force, refuse
-from .with_model import ForModels, made_for, model_option
 
 if TYPE_CHECKING:
     from ..cycles import Cycle, CycleBranch
     from ..parameters import ParameterSet
 
-F = TypeVar("F", bound=Callable[..., Any])
 
-#: Parameters that can be varied.
-VARIED = ("theta0", *ARTICLE, "V", "d")
-
-
-def search(place: str, choices: Sequence[str]) -> Callable[[F], F]:
-    """Where to begin, what varies, and what to do with it; ``place`` names a state's numbers."""
-    options = (
-        click.option("--near", metavar=place, help="A state near the cycle. Default: the motion from rest at x = y = 0."),
-        click.option("--vary", type=click.Choice(choices), help="Follow the cycle as this varies."),
-        click.option("--from", "low", type=Number(), help="Where the range begins, degrees for angles."),
-        click.option("--to", "high", type=Number(), help="Where it ends."),
-        click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way."),
-        click.option(
-            "--diagram", "whole", is_flag=True, help="Equilibria too, and cycles from Hopf points and doublings; with --vary."
-        ),
-        click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute."),
-        click.option(
-            "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg)."
-        ),
-    )
-
-    def add(function: F) -> F:
-        for option in reversed(options):
-            function = option(function)
-        return function
-
-    return add
-
-
-@command(cls=ForModels)
-@model_option
-@click.option("--theta0", "theta0_deg", type=Number(DEGREES), help=f"{sentence('theta0')[:-1]}, degrees. Default: --from.")
-@parameters
-@belt
-@search("X,Y,VX,VY", (*VARIED, *PHYSICAL))
+@of_model()
+@click.option("--near", metavar="{state}", help="A state near the cycle. Default: the motion from rest at 0.")
+@vary("Follow the cycle as this varies, with a range as theta0=38:60; with --data a quantity of the file too.")
+@click.option("--points", type=click.IntRange(1), default=200, show_default=True, help="Most points each way.")
+@click.option("--diagram", "whole", is_flag=True, help="Equilibria too, and cycles from Hopf points and doublings; with --vary.")
+@click.option("--prove", is_flag=True, help="Prove the cycle in ball arithmetic: a minute.")
+@click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the branch (pdf, png, svg).")
 @force
-@data
 @as_json
 def cycles(
-    theta0_deg: float | None, V: float, d: float, mu0: float, kappa: float, alpha: float, sigma: float, beta: float, **rest: Any
-) -> None:
+    case: Case, near: str | None, vary: Typed | None, points: int, whole: bool, prove: bool, plot: Path | None, force: bool,
+    json_output: bool,
+) -> None:  # fmt: skip
     """A cycle of the motion with its multipliers; with --vary, a branch of cycles with the events on it.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
-    assumption.
+    assumption. A parameter that varies begins at the first end of its range, where it has no value of its own.
 
     \b
     Examples:
       spragsym cycles --theta0 42
       spragsym cycles --data brake.toml
-      spragsym cycles --theta0 42 --vary theta0 --from 38 --to 60 --plot branch.pdf
-      spragsym cycles --theta0 42 --near 2.54,3.36,0,0.36 --vary theta0 --from 30 --to 80 --diagram --plot all.pdf
-      spragsym cycles --model stick_slip -V 0.2 --vary V --from 0.08 --to 0.3
+      spragsym cycles --theta0 42 --vary theta0=38:60 --plot branch.pdf
+      spragsym cycles --theta0 42 --near 2.54,3.36,0,0.36 --vary theta0=30:80 --diagram --plot all.pdf
+      spragsym cycles --model stick_slip -V 0.2 --vary V=0.08:0.3
 
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    if theta0_deg is None:
-        if rest["vary"] != "theta0" or rest["low"] is None:
-            raise click.UsageError("--theta0 is missing")
-        theta0_deg = rest["low"]
-    from ..cycles import cycle
-
-    p = build(theta0_deg, mu0=mu0, kappa=kappa, alpha=alpha, sigma=sigma, beta=beta)
-    p = p.replace(V=V, d=d)
-    tell(p, lambda near: cycle(p, near=near), 4, varied, **rest)
-
-
-def tell(
-    p: ParameterSet, find: Callable[[Any], Cycle], size: int, unit_of: Callable[[str], tuple[str, float, str]], *,
-    near: str | None, vary: str | None, low: float | None, high: float | None, points: int, whole: bool, prove: bool,
-    plot: Path | None, force: bool, json_output: bool,
-) -> None:  # fmt: skip
-    """Find a cycle near a state of ``size`` numbers, prove it, follow it and draw the branch, as asked for; print all that."""
-    if (vary is None) != (low is None) or (low is None) != (high is None):
-        raise click.UsageError("--vary, --from and --to belong together")
-    if plot is not None and (vary is None or plot.suffix not in (".pdf", ".png", ".svg")):
+    along = None if vary is None else span(case, vary, "")
+    if plot is not None and (along is None or plot.suffix not in (".pdf", ".png", ".svg")):
         raise ParameterError(f"--plot {plot}: it draws a branch, so it needs --vary, and the ending .pdf, .png or .svg")
+    if along is not None and along.ends is None:
+        raise click.UsageError(f"--vary {along.name}: from where to where? Give it as {along.name}=FROM:TO")
+    if whole and (along is None or prove):
+        raise click.UsageError("--diagram goes with --vary, and without --prove")
     refuse([] if plot is None else [plot], force)
-    if whole:
-        if vary is None or low is None or high is None or prove:
-            raise click.UsageError("--diagram goes with --vary, --from and --to, and without --prove")
-        name, unit, title = unit_of(vary)
-        starts = [] if near is None else [_state(near, size)]
-        _tell_diagram(p, name, (low / unit, high / unit), unit, title, starts, points, plot, json_output)
+    p = case.set(**({along.name: along.ends[0]} if along and along.ends and case.values[along.name] is None else {}))
+    start = _state(near, case)
+    if whole and along is not None:
+        _tell_diagram(case, p, along, [] if start is None else [start], points, plot, json_output)
         return
-    found = find(_state(near, size))
-    summary, title = in_units(_summary(found)), ""
+    found = case.model.cycle(p, start)
+    summary, title = case.units.measured({"model": case.model.name, **_summary(found)}), ""
     if prove:
         summary |= _proof(found)
-    if vary is not None and low is not None and high is not None:
+    if along is not None:
         from ..cycles import cycle_branch
 
-        name, unit, title = unit_of(vary)
-        branch = cycle_branch(found, name, (low / unit, high / unit), points=points)
-        summary |= _branch(branch, unit, title)
+        title = along.title
+        branch = cycle_branch(found, along.name, along.ends, points=points)  # type: ignore[arg-type]  # they are given
+        summary |= _branch(case, branch, along)
         if plot is not None:
             _draw(branch, plot)
     if json_output:
@@ -128,17 +81,18 @@ def tell(
     print_table("", ("", ""), [(name, _shown(value)) for name, value in summary.items()])
     if rows is not None:
         print_table("Branch", tuple(rows[0]), [list(row.values()) for row in rows])
-        print_table("Events", ("kind", title, "error", *in_units({"period": 0.0}), "how"), [list(row.values()) for row in events])
+        period = case.units.measured({"period": 0.0})
+        print_table("Events", ("kind", title, "error", *period, "how"), [list(row.values()) for row in events])
 
 
 def _tell_diagram(
-    p: ParameterSet, name: str, to: tuple[float, float], unit: float, title: str, starts: list[Any], points: int,
-    plot: Path | None, json_output: bool,
-) -> None:  # fmt: skip
+    case: Case, p: ParameterSet, along: Span, starts: list[Any], points: int, plot: Path | None, json_output: bool
+) -> None:
     """Equilibria and cycles over a parameter: the labelled points, and the figure."""
     from ..models.diagram import diagram
 
-    found = diagram(p, name, to, starts=starts, points=points)
+    unit, title = along.unit, along.title
+    found = diagram(p, along.name, along.ends, starts=starts, points=points)  # type: ignore[arg-type]  # they are given
     if plot is not None:
         from ..figures import diagram_figure
 
@@ -158,7 +112,7 @@ def _tell_diagram(
         for i, branch in enumerate(found.cycles)
     ]  # fmt: skip
     if json_output:
-        print_json({"labels": labels, "branches": branches, "remarks": list(found.remarks)})
+        print_json({"model": case.model.name, "labels": labels, "branches": branches, "remarks": list(found.remarks)})
         return
     print_table("Branches", tuple(branches[0]) if branches else (), [list(row.values()) for row in branches])
     print_table("Labels", tuple(labels[0]) if labels else (), [list(row.values()) for row in labels])
@@ -176,16 +130,17 @@ def _proof(found: Cycle) -> dict[str, Any]:
     return {"proved": True, **decimals, "stable_proved": proof.stable}
 
 
-def _state(text: str | None, size: int) -> list[float] | None:
+def _state(text: str | None, case: Case) -> list[float] | None:
+    names = (*case.model.coordinates, *case.model.rates)
     if text is None:
         return None
     try:
         numbers = [float(part) for part in text.split(",")]
     except ValueError:
         numbers = []
-    if len(numbers) != size:
-        raise ParameterError(f"--near {text!r} is not {size} numbers with commas, coordinates, then speeds")
-    return numbers
+    if len(numbers) != len(names):
+        raise ParameterError(f"--near {text!r} is not {len(names)} numbers with commas, {', '.join(names)}")
+    return [number / case.units.state(name) for name, number in zip(names, numbers, strict=True)]
 
 
 def _summary(found: Cycle) -> dict[str, Any]:
@@ -198,7 +153,8 @@ def _summary(found: Cycle) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _branch(branch: CycleBranch, unit: float, name: str) -> dict[str, Any]:
+def _branch(case: Case, branch: CycleBranch, along: Span) -> dict[str, Any]:
+    unit, name, in_units = along.unit, along.title, case.units.measured
     columns = zip(branch.values.tolist(), branch.periods.tolist(), branch.rms.tolist(), branch.stable.tolist(), strict=True)
     return {
         "branch": [
@@ -241,6 +197,3 @@ def _shown(value: Any) -> Any:
 def _number(item: Any) -> str:
     real, imaginary = item if isinstance(item, list) else (item, 0.0)
     return f"{real:.10g}" + (f"{imaginary:+.10g}i" if imaginary else "")
-
-
-made_for(cycles, "model_motion", "cycles_of")

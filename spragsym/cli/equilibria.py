@@ -43,7 +43,7 @@ def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_o
         if along.ends is None:
             raise click.UsageError(f"--vary {vary.text}: from where to where? Give it as {vary.text}=FROM:TO")
         case.values[along.name], titles[along.name] = along.values, (along.title, along.unit)
-    case.set()
+    case.require()
     many = [name for name, value in case.values.items() if not isinstance(value, float) and value.ndim]
     asked = box(case, within)
     found = []

@@ -15,8 +15,8 @@ from ..errors import MissingExtraError, ParameterError
 from ..explorer import Derived, Preset, Units, explorer_page, model_page, model_preset
 from .commands import command
 from .export import of_model
+from .of_model import page_of
 from .targets import force, holds, refuse
-from .with_model import page_of
 
 if TYPE_CHECKING:
     from ..models import Model

@@ -12,8 +12,8 @@ import click
 
 from ..errors import MissingExtraError
 from .commands import command
+from .of_model import TEXT, page_of
 from .targets import force, holds, refuse
-from .with_model import TEXT, page_of
 
 if TYPE_CHECKING:
     from ..models import Model

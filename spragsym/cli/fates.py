@@ -3,22 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import Parameters
-from .commands import command
-from .motion import BACKEND, axes, open_grid, start
-from .options import workers
+from .motion import BACKEND, grid_of
+from .of_model import Case, of_model
+from .options import Axis, workers
 from .targets import force, refuse, resumed
 
 
-@command()
-@axes
-@start
+@of_model(kind=Axis, start=True)
 @click.option("--t-end", type=float, default=40_000.0, show_default=True, help="How long to follow a motion.")
 @BACKEND
 @workers(1)
@@ -27,7 +23,7 @@ from .targets import force, refuse, resumed
 @click.option("--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the map (pdf, png, svg).")
 @force
 def fates(
-    t_end: float, backend: str | None, workers: int, quiet: bool, output: Path, plot: Path | None, force: bool, **values: Any
+    case: Case, t_end: float, backend: str | None, workers: int, quiet: bool, output: Path, plot: Path | None, force: bool
 ) -> None:
     """What motions come to: rest, a cycle, chaos, lift-off, or undecided, and why.
 
@@ -43,17 +39,16 @@ def fates(
     """
     from ..cycles import fate_map
 
-    begin = [values.pop(name) for name in ("x0", "y0", "vx0", "vy0")]
-    values["theta0"] = np.radians(values.pop("theta0_deg"))
-    grid = {name: values[name] for name in Parameters.ranges}
-    if plot is not None and (plot.suffix not in (".pdf", ".png", ".svg") or min(grid["theta0"].size, grid["mu0"].size) < 2):
+    case.require()
+    if plot is not None and (
+        plot.suffix not in (".pdf", ".png", ".svg") or any(_size(case, name) < 2 for name in ("theta0", "mu0"))
+    ):
         raise ParameterError(f"--plot {plot}: it draws a map over --theta0 and --mu0, and the ending is .pdf, .png or .svg")
     refuse([] if plot is None else [plot], force)
-    opened = dict(zip(grid, open_grid(list(grid.values())), strict=True))
+    p, start = grid_of(case)
+    begin = [float(value) for value in start.values()]
     with resumed(output, force):
-        found = fate_map(
-            Parameters(**opened), start=begin, t_end=t_end, backend=backend, workers=workers, progress=not quiet, store=output
-        )
+        found = fate_map(p, start=begin, t_end=t_end, backend=backend, workers=workers, progress=not quiet, store=output)
     if plot is not None:
         from ..figures import FORMATS, fate_map_figure
         from ..figures.style import house_style
@@ -62,3 +57,7 @@ def fates(
         with house_style():
             fate_map_figure(found).savefig(plot, format=kind, metadata=FORMATS[kind])
     click.echo(f"{output}: " + ", ".join(f"{count} {name}" for name, count in found.count().items() if count))
+
+
+def _size(case: Case, name: str) -> int:
+    return int(np.size(case.values.get(name, ())))

@@ -12,17 +12,17 @@ import click
 import numpy as np
 
 from ..errors import ParameterError
-from ..parameters import ARTICLE, NAMES, RANGES, FloatArray, Parameters, Range
-from .commands import command
-from .data import current, data, in_units, length, own_units
-from .options import BELT, DEGREES, Axis, Number, as_json, belt, build, parameters, theta0, window, workers
+from ..parameters import FloatArray
+from .of_model import Case, of_model
+from .options import Axis, as_json, window, workers
 from .tables import print_json
 from .targets import force, refuse, resumed
-from .with_model import ForModels, made_for, model_option
 
 if TYPE_CHECKING:
     from ..dynamics import Trajectory
 
+#: Where a value came from that was typed.
+COMMANDLINE = click.core.ParameterSource.COMMANDLINE
 BACKEND = click.option(
     "--backend",
     type=click.Choice(["heyoka", "compiled", "scipy"]),
@@ -31,7 +31,7 @@ BACKEND = click.option(
 PLOT = click.option(
     "--plot", type=click.Path(dir_okay=False, path_type=Path), metavar="FILE", help="Draw the motion (pdf, png, svg)."
 )
-#: Longest motion that a command follows, in sqrt(m/k_c): a single one is kept whole, those of a sweep are followed to their ends.
+#: Longest motion that a command follows, in the model's unit of time: one is kept whole, those of a sweep followed to the end.
 LONGEST = 2e6
 #: Why it is bounded in a sweep.
 EACH = "each motion of a sweep is followed to its end"
@@ -39,43 +39,20 @@ EACH = "each motion of a sweep is followed to its end"
 RTOL = click.option("--rtol", type=float, default=1e-10, show_default=True, help="Relative tolerance.")
 
 
-def start(function: Any) -> Any:
-    """``--x0 --y0 --vx0 --vy0``."""
-    for name, meaning in (
-        ("vy0", "speed across it"),
-        ("vx0", "speed along it"),
-        ("y0", "place across it"),
-        ("x0", "place along the belt"),
-    ):
-        function = click.option(f"--{name}", type=Number(), default=0.0, show_default=True, help=f"Initial {meaning}.")(function)
-    return function
-
-
-@command(cls=ForModels)
-@model_option
-@theta0
-@parameters
-@belt
-@start
+@of_model(start=True)
 @window
 @RTOL
 @BACKEND
-@click.option(
-    "--error",
-    "estimate_error",
-    is_flag=True,
-    help="Estimate the error by a second run at a tighter tolerance.",
-)
+@click.option("--error", "estimate_error", is_flag=True, help="Estimate the error by a second run at a tighter tolerance.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), help="Write the motion to FILE.nc or FILE.csv.")
 @PLOT
 @force
-@data
 @as_json
 def simulate(
-    theta0_deg: float, V: float, d: float, t_end: float, transient: float, rtol: float, backend: str | None,
-    estimate_error: bool, output: Path | None, plot: Path | None, force: bool, json_output: bool, **values: float,
+    case: Case, t_end: float, transient: float, rtol: float, backend: str | None, estimate_error: bool, output: Path | None,
+    plot: Path | None, force: bool, json_output: bool,
 ) -> None:  # fmt: skip
-    """Integrate the motion from an initial state, by default from rest at x = y = 0.
+    """Integrate the motion from an initial state, by default from rest where all coordinates are 0.
 
     The article states neither the belt speed V nor the steepness d of the friction law: the defaults are an
     assumption. With --data, --t-end and --transient are in seconds, and the initial state in the file's units.
@@ -90,33 +67,34 @@ def simulate(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-    from ..dynamics import simulate as integrate
-
-    p = build(theta0_deg, **{name: values.pop(name) for name in ARTICLE})
-    times, values = own_units({"t_end": t_end, "transient": transient}, values)
-    t_end, transient = times["t_end"], times["transient"]
-    check_length(t_end)
+    p, (t_end, transient) = case.set(), times(case, t_end, transient)
     refuse_targets(output, plot, force)
-    tr = integrate(
-        p, V=V, d=d, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **values  # type: ignore[arg-type]  # values by name, of several types
-    )  # fmt: skip
-    summary = in_units(summary_of(tr, transient))
+    tr = case.model.simulate(p, t_end=t_end, rtol=rtol, backend=backend, estimate_error=estimate_error, **case.start)
+    summary = {"model": case.model.name, **case.units.measured(summary_of(tr, transient))}
     if output is not None:
         tr.save(output)
     if plot is not None:
-        _draw(tr, transient, plot)
+        _draw(case, tr, transient, plot)
         click.echo(f"drew {plot}", err=True)
     print_summary(summary, json_output)
 
 
-def check_length(t_end: float, why: str = "all of a motion is kept") -> None:
-    """Refuse a motion that memory can't hold, or that would last for days, and say on a terminal that a long one lasts."""
+def times(case: Case, t_end: float, transient: float, why: str = "all of a motion is kept") -> tuple[float, float]:
+    """Until when, and from when on it is measured, in the model's unit of time; with a file they are typed in seconds."""
+    second = case.units.time
+    typed = {name: click.get_current_context().get_parameter_source(name) == COMMANDLINE for name in ("t_end", "transient")}
+    t_end = t_end / second if typed["t_end"] else t_end
+    transient = transient / second if typed["transient"] else 0.75 * t_end
+    if transient >= t_end:
+        ends = f"--transient = {transient * second:.6g} s is not below --t-end = {t_end * second:.6g} s"
+        raise ParameterError(f"{ends}; nothing would be left to measure")
+    unit = case.model.about["scales"]["time"].replace("**", "^")
     if t_end > LONGEST:
-        study = current()
-        limit = f"{LONGEST:g} sqrt(m/k_c)" + ("" if study is None else f", which is {LONGEST * study.scales.time:.3g} s")
-        raise ParameterError(f"--t-end is {t_end:g} sqrt(m/k_c), and {why}: give at most {limit}")
+        limit = f"{LONGEST:g} {unit}" + ("" if case.units.study is None else f", which is {LONGEST * second:.3g} s")
+        raise ParameterError(f"--t-end is {t_end:g} {unit}, and {why}: give at most {limit}")
     if t_end > LONGEST / 20 and sys.stderr.isatty():
-        click.echo(f"following the motion over {t_end:g} sqrt(m/k_c), for up to minutes; Ctrl-C ends it", err=True)
+        click.echo(f"following the motion over {t_end:g} {unit}, for up to minutes; Ctrl-C ends it", err=True)
+    return t_end, transient
 
 
 def refuse_targets(output: Path | None, plot: Path | None, force: bool) -> None:
@@ -155,34 +133,19 @@ def print_summary(summary: dict[str, Any], json_output: bool) -> None:
         click.echo(f"{name:18} {value:.10g}" if isinstance(value, float) else f"{name:18} {value}")
 
 
-def _draw(tr: Trajectory, transient: float, path: Path) -> None:
-    from ..figures import FORMATS, motion_figure
+def _draw(case: Case, tr: Trajectory, transient: float, path: Path) -> None:
+    from ..figures import FORMATS, model_motion_figure, motion_figure
     from ..figures.motion_pictures import Units
     from ..figures.style import house_style
 
-    kind, study = path.suffix[1:], current()
-    units = None if study is None else Units(length()[0], study.scales.time, study.quantities["L_0"].unit)
+    kind, study, (title, size) = path.suffix[1:], case.units.study, case.units.place(case.model.coordinates[0])
+    units = None if study is None else Units(size, study.scales.time, title.rpartition("_")[2])
     with house_style():
-        motion_figure(tr, transient, units).savefig(path, format=kind, metadata=FORMATS[kind])
+        figure = motion_figure(tr, transient, units) if "prepare" in case.model.closed else model_motion_figure(tr)
+        figure.savefig(path, format=kind, metadata=FORMATS[kind])
 
 
-def axes(function: Any) -> Any:
-    """Every parameter as an axis of the grid."""
-    axes: list[tuple[tuple[str, ...], float | None, Range, str]] = [
-        (("--theta0", "theta0_deg"), None, DEGREES, "Inclination, degrees.")
-    ]
-    axes += [((f"--{name}",), value, RANGES[name], f"Parameter {name}.") for name, value in ARTICLE.items()]
-    axes += [((flag, short, name), default, allowed, text) for flag, short, name, default, allowed, text in reversed(BELT)]
-    for names, default, allowed, text in reversed(axes):
-        required, kind = default is None, Axis(allowed)
-        function = click.option(*names, type=kind, default=default, required=required, show_default=True, help=text)(function)
-    return function
-
-
-@command(cls=ForModels)
-@model_option
-@axes
-@start
+@of_model(kind=Axis, start=True)
 @window
 @RTOL
 @BACKEND
@@ -190,11 +153,7 @@ def axes(function: Any) -> Any:
 @click.option("--quiet", "-q", is_flag=True, help="No progress bar.")
 @click.option("--output", "-o", type=click.Path(path_type=Path), required=True, help="FILE.nc or FILE.csv.")
 @force
-@data
-def sweep(
-    V: FloatArray, d: FloatArray, t_end: float, transient: float, rtol: float, backend: str | None,
-    workers: int, quiet: bool, output: Path, force: bool, **values: Any,
-) -> None:  # fmt: skip
+def sweep(case: Case, t_end: float, transient: float, quiet: bool, output: Path, force: bool, **settings: Any) -> None:
     """Simulate over a grid of parameters, to a file.
 
     Every option that takes numbers is an axis: a single number, a,b,c, or start:stop:count. The grid is all
@@ -211,21 +170,22 @@ def sweep(
     \b
     Exit codes: 0 done, 1 failed, 2 usage, 130 interrupted.
     """
-
-    from ..sweeps import rms_sweep
-
-    start = {name: values.pop(name) for name in ("x0", "y0", "vx0", "vy0")}
-    times, start = own_units({"t_end": t_end, "transient": transient}, start)
-    check_length(times["t_end"], EACH)
-    axes = {"theta0": np.radians(values.pop("theta0_deg")), **values, "V": V, "d": d}
-    grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))
-    p = Parameters(**{name: grid[name] for name in NAMES})
-    settings: dict[str, Any] = {"rtol": rtol, "backend": backend, "workers": workers, **times}
-    run_sweep(lambda: rms_sweep(p, grid["V"], grid["d"], **start, **settings, progress=not quiet, store=output), output, force)
-    study = current()
+    case.require()
+    t_end, transient = times(case, t_end, transient, EACH)
+    p, start = grid_of(case)
+    options = {**start, **settings, "t_end": t_end, "transient": transient, "progress": not quiet, "store": output}
+    run_sweep(lambda: case.model.rms_sweep(p, **options), output, force)
+    study = case.units.study
     if study is not None:
-        scales = study.scales
-        click.echo(f"{output}: lengths are in units of {study.shown('L_0', scales.length)}, times in {scales.time:.6g} s")
+        unit, size = study.unit_of("m")
+        click.echo(f"{output}: lengths are in units of {size:.4g} {unit}, times in {study.scales.time:.6g} s")
+
+
+def grid_of(case: Case) -> tuple[Any, dict[str, FloatArray]]:
+    """The parameters and the initial state, each axis of more than one number along a dimension of its own."""
+    axes = {**case.values, **case.start}
+    grid = dict(zip(axes, open_grid(list(axes.values())), strict=True))
+    return case.model.Parameters(**{name: grid.pop(name) for name in case.values}), grid
 
 
 def run_sweep(run: Callable[[], Any], output: Path, force: bool) -> None:
@@ -244,7 +204,3 @@ def open_grid(axes: list[FloatArray]) -> list[FloatArray]:
     long = [i for i, axis in enumerate(axes) if axis.size > 1]
     opened = dict(zip(long, np.ix_(*(axes[i] for i in long)), strict=True))
     return [opened.get(i, axis.reshape(()) if axis.size == 1 else axis) for i, axis in enumerate(axes)]
-
-
-made_for(simulate, "model_motion", "simulate_of")
-made_for(sweep, "model_motion", "sweep_of")

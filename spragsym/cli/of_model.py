@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
@@ -28,7 +29,8 @@ F = TypeVar("F", bound=Callable[..., Any])
 
 #: The model that commands are about unless told otherwise.
 USUAL = "kang_nam"
-MODEL = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote. Its parameters become options."
+TEXT = "Another model: the name of a shipped one, or a folder that `spragsym derive` wrote."
+MODEL = f"{TEXT} Its parameters become options."
 DATA = "Take the parameters, and the model, from the data of a brake, and answer in the units of that file."
 METHOD = "Closed forms that a model brings, or the search that serves every model. Default: what is faster."
 
@@ -37,24 +39,28 @@ METHOD = "Closed forms that a model brings, or the search that serves every mode
 class Case:
     """What a command is about.
 
-    ``values`` of its parameters are radians, None for those that were not given and have no base value; ``ask`` goes with every
-    question to the model.
+    ``values`` of its parameters are radians, None for those that were not given and have no base value; ``start`` is the initial
+    state, ``x0`` and the like, as the model takes it; ``ask`` goes with every question to the model.
     """
 
     model: Model
     values: dict[str, Any]
+    start: dict[str, Any]
     units: Units
     ask: dict[str, str]
 
     def set(self, *spanned: str, **changes: Any) -> ParameterSet:
         """The parameters; those that vary need no value."""
         values = {**self.values, **changes}
-        for name, value in values.items():
-            if value is None and name not in spanned:
-                flag = options_of(self.model.about, name)[0]
-                raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
+        self.require([name for name in values if name not in spanned and values[name] is None])
         p: ParameterSet = self.model.Parameters(**values)
         return p
+
+    def require(self, missing: Sequence[str] | None = None) -> None:
+        """An error that names the option of a parameter that has no value."""
+        for name in [name for name, value in self.values.items() if value is None] if missing is None else missing:
+            flag = options_of(self.model.about, name)[0]
+            raise click.UsageError(f"Missing option {flag!r}: {name} has no base value in {self.model.name}")
 
     def has_closed(self, name: str) -> bool:
         """Whether the model brings a closed form for this, and it is not the search that is asked for."""
@@ -124,8 +130,9 @@ class OfModel(click.Command):
         angles = self.model.about["angles"]
         values = {name: ctx.params.pop(name) for name in self.model.parameters}
         radians = {name: np.radians(values[name]) for name in angles if values[name] is not None}
-        method = ctx.params.pop("method", None)
-        case = Case(self.model, values | radians, Units(self.model, ctx.obj), {"method": method} if method else {})
+        method, units = ctx.params.pop("method", None), Units(self.model, ctx.obj)
+        start = {f"{name}0": ctx.params.pop(f"{name}0") / units.state(name) for name in self._state()}
+        case = Case(self.model, values | radians, start, units, {"method": method} if method else {})
         assert self.callback is not None  # each has its work
         return ctx.invoke(partial(self.callback, case), **ctx.params)
 
@@ -145,18 +152,17 @@ class OfModel(click.Command):
             options.append(click.Option(flags, type=self.kind(allowed), default=default, show_default=shown, help=f"{meaning}."))
         return options
 
+    def _state(self) -> tuple[str, ...]:
+        return (*self.model.coordinates, *self.model.rates) if self.start else ()
+
     def _start(self) -> list[click.Option]:
-        names = (*self.model.coordinates, *self.model.rates) if self.start else ()
-        return [
-            click.Option(
-                [f"--{name}0", f"{name}0"],
-                type=self.kind(Range(-math.inf)),
-                default=0.0,
-                show_default=True,
-                help=f"Initial {name}.",
-            )
-            for name in names
-        ]
+        angles = [entry["name"] for entry in self.model.about["coordinates"] if entry["unit"] == "rad"]
+        options = []
+        for name in self._state():
+            text = f"Initial {name}{', degrees' if name in angles else ''}."
+            kind = self.kind(Range(-math.inf))
+            options.append(click.Option([f"--{name}0", f"{name}0"], type=kind, default=0.0, show_default=True, help=text))
+        return options
 
     def _defaults(self, study: Study) -> dict[str, str]:
         """The values of a file, as options take them."""
@@ -173,6 +179,11 @@ class OfModel(click.Command):
         given = {entry["name"] for entry in model.about["parameters"] if entry["quantity"] in study.quantities}
         values = {name: float(getattr(p, name)) for name in given}
         return {name: str(degrees(value) if name in model.about["angles"] else value) for name, value in values.items()}
+
+
+def page_of(model: Model, shipped: Path) -> Path:
+    """Where the page of a model stands: among the shipped ones, or in its folder."""
+    return shipped / f"{model.name}.py" if model.where == model.name else Path(model.where) / "page.py"
 
 
 def of_model(**options: Any) -> Callable[[Callable[..., Any]], OfModel]:

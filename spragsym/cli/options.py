@@ -2,24 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any, TypeVar
 
 import click
 import numpy as np
 
-from ..assumed import D, V
 from ..errors import ParameterError
-from ..generated.quantities import QUANTITIES
 from ..parameters import (
-    ARTICLE,
     FINITE,
     NOT_NEGATIVE,
     POSITIVE,
-    RANGES,
     FloatArray,
-    Parameters,
     Range,
     as_number,
     as_numbers,
@@ -27,23 +21,6 @@ from ..parameters import (
 )
 
 F = TypeVar("F", bound=Callable[..., Any])
-
-#: Inclinations as they are typed.
-DEGREES = Range(0.0, 180.0, open_low=True, remedy="give the inclination of the undeformed spring in degrees")
-
-_SPEED = Range(0.0, remedy=RANGES["mu0"].remedy)
-_CREEP = Range(0.0, open_low=True, remedy="without it there is no friction")
-#: Flags, name, default, range and meaning of what the article does not state.
-BELT = (
-    ("--creep", "-d", "d", D, _CREEP, "Steepness d of the friction law. Our assumption."),
-    ("--speed", "-V", "V", V, _SPEED, "Belt speed V. Our assumption."),
-)
-
-
-def sentence(name: str) -> str:
-    """The meaning of a quantity of the nomenclature, as help says it."""
-    meaning = QUANTITIES[name].meaning
-    return f"{meaning[0].upper()}{meaning[1:]}."
 
 
 class Number(click.ParamType):  # type: ignore[type-arg,unused-ignore]  # generic in some versions of click
@@ -117,50 +94,11 @@ def _flag(param: click.Parameter | None) -> str:
     return "value" if param is None else max(param.opts, key=len)
 
 
-def parameters(function: F, kind_of: type[Number] = Number) -> F:
-    """``--mu0 --kappa --alpha --sigma --beta``, with the article's base values as defaults."""
-    for name, value in reversed(ARTICLE.items()):
-        kind = kind_of(RANGES[name])
-        function = click.option(f"--{name}", type=kind, default=value, show_default=True, help=sentence(name))(function)
-    return function
-
-
-def theta0(function: F, kind_of: type[Number] = Number) -> F:
-    """``--theta0`` in degrees."""
-    text = f"{sentence('theta0')[:-1]}, degrees."
-    return click.option("--theta0", "theta0_deg", type=kind_of(DEGREES), required=True, help=text)(function)
-
-
-def theta0_unless_varied(function: F) -> F:
-    """``--theta0`` in degrees, which ``--vary theta0`` does not need."""
-    text = f"{sentence('theta0')[:-1]}, degrees; needed unless it varies."
-    return click.option("--theta0", "theta0_deg", type=Number(DEGREES), help=text)(function)
-
-
-def check_theta0(theta0_deg: float | None, vary: str) -> None:
-    """An error if it is needed and missing."""
-    if theta0_deg is None and vary != "theta0":
-        raise click.UsageError("Missing option '--theta0'.")
-
-
-def ranges(function: F) -> F:
-    """``--theta0`` and the other parameters, each of which may be numbers ``a,b,c`` or ``start:stop:count``."""
-    return theta0(parameters(function, Numbers), Numbers)
-
-
-def belt(function: F) -> F:
-    """``-V --speed`` and ``-d --creep``: belt speed and steepness of the friction law, which the article does not state."""
-    for flag, short, name, default, allowed, text in BELT:
-        kind = Number(allowed)
-        function = click.option(flag, short, name, type=kind, default=default, show_default=True, help=text)(function)
-    return function
-
-
-def window(function: F, unit: str = "sqrt(m/k_c)") -> F:
-    """``--t-end --transient``: until when a motion is integrated, in this unit of time, and from when on it is measured."""
+def window(function: F) -> F:
+    """``--t-end --transient``: until when a motion is integrated, and from when on it is measured."""
     text = "What to leave out of RMS, amplitude and period. Default: three quarters of --t-end."
     function = click.option("--transient", type=Number(NOT_NEGATIVE), callback=_after_t_end, help=text)(function)
-    text = f"Until when, in {unit}."
+    text = "Until when, in {time}; with --data in seconds, as --transient."
     # Eager options are read first: --transient is checked against this one.
     return click.option("--t-end", type=Number(POSITIVE), default=2000.0, show_default=True, is_eager=True, help=text)(function)
 
@@ -185,8 +123,3 @@ def workers(default: int) -> Callable[[F], F]:
 def as_json(function: F) -> F:
     """``--json``."""
     return click.option("--json", "json_output", is_flag=True, help="Print JSON instead of a table.")(function)
-
-
-def build(theta0_deg: float | None, **values: float) -> Parameters:
-    """Parameters from the options of a command."""
-    return Parameters(theta0=None if theta0_deg is None else math.radians(theta0_deg), **values)

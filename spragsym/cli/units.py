@@ -54,6 +54,18 @@ class Units:
         known = list(dict.fromkeys(known if self.study else self.model.parameters))
         raise click.UsageError(f"--vary: {name!r} is not one of {', '.join(known)}{hint(name, known)}")
 
+    def state(self, name: str) -> float:
+        """What one of a coordinate or of its rate is where a state is typed: angles are degrees, their rates are not."""
+        rates = {entry["rate"]: entry["unit"] for entry in self.model.about["coordinates"]}
+        if name not in rates:
+            return self.place(name)[1]
+        return 1.0 if self.study is None else self.study.unit_of("1/s" if rates[name] == "rad" else "m/s")[1]
+
+    @property
+    def time(self) -> float:
+        """What one of a time is in the answer: seconds, with a file."""
+        return 1.0 if self.study is None else self.study.scales.time
+
     def parameter(self, name: str) -> tuple[str, float]:
         """What a parameter is called, and what one of it is there."""
         return (f"{name}_deg", math.degrees(1.0)) if name in self.model.about["angles"] else (name, 1.0)

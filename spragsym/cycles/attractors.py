@@ -6,8 +6,8 @@ orbit by Newton's method, which can be followed to other values of the parameter
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -23,6 +23,12 @@ from .saddles import equilibrium_near, linearization, rounding_of
 
 #: A motion is judged at the first of these times, and again at the next as long as it is undecided.
 JUDGED = (2000.0, 10_000.0, 40_000.0)
+
+#: Tolerances of motions, the second of which tells what rounding does to those of the first.
+TOLERANCES = (1e-12, 1e-13)
+
+#: Motions have parted beyond this; where they have, so many that begin within rounding are followed as well.
+PARTED, BESIDE = 1e-3, 4
 
 #: What a motion comes to, where that is told, and its word.
 KINDS = {Regime.EQUILIBRIUM: "rest", Regime.LIMIT_CYCLE: "cycle", Regime.LIFT_OFF: "lift-off"}
@@ -50,11 +56,14 @@ class Verdict:
     end : ndarray, shape (m,)
         Where the motion is at ``t``.
     t : float
+    otherwise : str
+        What a motion within rounding comes to, where that is something else.
     """
 
     outcome: Outcome
     end: FloatArray
     t: float
+    otherwise: str = ""
 
     @property
     def kind(self) -> Regime:
@@ -64,10 +73,13 @@ class Verdict:
     @property
     def decided(self) -> bool:
         """Whether it is seen to come to an attractor."""
-        return self.kind in KINDS
+        return self.kind in KINDS and not self.otherwise
 
     def told(self) -> str:
         """In words."""
+        return self._limit() + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
+
+    def _limit(self) -> str:
         found = self.outcome
         if self.kind == Regime.EQUILIBRIUM:
             return f"rest at x = {found.rest_x:.6g}" + (f", y = {found.rest_y:.6g}" if np.isfinite(found.rest_y) else "")
@@ -88,6 +100,28 @@ def judged(
         if verdict.decided:
             break
         state, begun = verdict.end, t_end
+    return verdict
+
+
+def surely(
+    field: Field, values: tuple[float, ...], start: FloatArray, verdict: Verdict, backend: str,
+    alike: Callable[[Verdict], bool],
+) -> Verdict:  # fmt: skip
+    """A verdict, or an undecided one where rounding decides it.
+
+    That is where motions by two tolerances part on their way, as irregular ones do, and the finer one, or one of some that
+    begin within rounding, comes to something that is not ``alike``.
+    """
+    if not verdict.decided:
+        return verdict
+    times = np.arange(0.0, verdict.t)
+    one, other = (field.simulate(values, start, verdict.t, backend=backend, rtol=rtol)(times) for rtol in TOLERANCES)
+    if not np.abs(one - other).max() > PARTED:
+        return verdict
+    for i in range(BESIDE + 1):
+        beside = judged(field, values, start + i * TOLERANCES[0], backend, rtol=TOLERANCES[0] if i else TOLERANCES[1])
+        if not beside.decided or not alike(beside):
+            return replace(verdict, otherwise=beside.told())
     return verdict
 
 

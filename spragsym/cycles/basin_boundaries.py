@@ -15,7 +15,7 @@ from ..dynamics.flows import carrier, flow
 from ..dynamics.segment import Fly
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, Parameters, as_number
-from .attractors import Verdict, attractor, judged, same
+from .attractors import Verdict, attractor, judged, same, surely
 from .saddles import Saddle, saddle_near, side
 from .sprag import SPRAG
 
@@ -167,8 +167,21 @@ def _sides(walk: _Walk, backend: str, state: FloatArray, span: float) -> tuple[V
     normal = walk.off(state, span)[1]
     across = np.zeros_like(state)
     across[list(walk.axes)] = ASIDE * normal / np.linalg.norm(normal)
-    one, other = (judged(walk.field, walk.values, state + sign * across, backend) for sign in (-1, 1))
+    one, other = (_surely(walk, state + sign * across, backend) for sign in (-1, 1))
     return one, other
+
+
+def _surely(walk: _Walk, start: FloatArray, backend: str) -> Verdict:
+    """What a motion comes to, unless rounding decides that."""
+    found = judged(walk.field, walk.values, start, backend)
+    return surely(
+        walk.field,
+        walk.values,
+        start,
+        found,
+        backend,
+        lambda beside: not _differ(walk.field, walk.values, found, beside, backend),
+    )
 
 
 def _differ(field: Field, values: tuple[float, ...], one: Verdict, other: Verdict, backend: str) -> bool:

@@ -19,7 +19,19 @@ from ..dynamics.flows import carrier, follower
 from ..dynamics.regimes import Outcome, Regime
 from ..errors import ConvergenceError, ParameterError
 from ..parameters import FINITE, FloatArray, Parameters, as_number
-from .attractors import JUDGED, Verdict, attractor, followed, followed_cycle, judged, same, same_cycle
+from .attractors import (
+    JUDGED,
+    PARTED,
+    TOLERANCES,
+    Verdict,
+    attractor,
+    followed,
+    followed_cycle,
+    judged,
+    same,
+    same_cycle,
+    surely,
+)
 from .branch import MERGES, cycle_branch
 from .finding import cycle_at
 from .saddles import growth_of_cycle, saddle_near
@@ -32,7 +44,7 @@ LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
 NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
 
 #: Tolerances of the motions by which a bracket is narrowed, and by which that is done anew: the difference tells the error.
-ROUGH, FINE = 1e-12, 1e-13
+ROUGH, FINE = TOLERANCES
 
 #: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
 NARROW, TOO_WIDE = 1e-13, 1e-8
@@ -48,9 +60,6 @@ DOUBLE, FOLLOWED = 0.05, 40
 
 #: A motion that comes as close as this to a saddle hovers at it; of a cycle, relative to its extent.
 CLOSE = 0.05
-
-#: Motions have parted beyond this; where they have, so many that begin within rounding are followed as well.
-PARTED, BESIDE = 1e-3, 4
 
 #: Time units that the motions of a call are followed in all; what is open by then stays open.
 LONGEST = 5e6
@@ -197,20 +206,12 @@ def boundary_of(
 
 @dataclass(frozen=True)
 class _Fate:
-    """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided.
-
-    ``otherwise`` is what a motion within rounding comes to, where that is something else.
-    """
+    """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided."""
 
     value: float
     rtol: float
     verdict: Verdict
     label: int
-    otherwise: str = ""
-
-    def told(self) -> str:
-        """In words."""
-        return self.verdict.told() + (f" or, as rounding decides, to {self.otherwise}" if self.otherwise else "")
 
 
 @dataclass(frozen=True)
@@ -238,26 +239,14 @@ class _Asked:
         return found
 
     def surely(self, fate: _Fate) -> _Fate:
-        """A fate, or an undecided one where rounding decides it.
-
-        That is where motions by both tolerances part on their way, as irregular ones do, and one of them, or of some that begin
-        within rounding, comes to something else.
-        """
-        if fate.label < 0:
-            return fate
-        times, values = np.arange(0.0, fate.verdict.t), self.at(fate.value)
-        one, other = (
-            self.field.simulate(values, self.start, fate.verdict.t, backend=self.backend, rtol=rtol)(times)
-            for rtol in (ROUGH, FINE)
-        )
-        if not np.abs(one - other).max() > PARTED:
-            return fate
-        for i in range(BESIDE + 1):
-            start, rtol = self.start + i * ROUGH, ROUGH if i else FINE
-            beside = judged(self.field, values, start, self.backend, rtol=rtol)
-            if not beside.decided or self._label(fate.value, beside) != fate.label:
-                self.known[self.known.index(fate)] = fate = replace(fate, label=-1, otherwise=beside.told())
-                break
+        """A fate, or an undecided one where rounding decides it."""
+        if fate.label >= 0:
+            verdict = surely(
+                self.field, self.at(fate.value), self.start, fate.verdict, self.backend,
+                lambda beside: self._label(fate.value, beside) == fate.label,
+            )  # fmt: skip
+            if not verdict.decided:
+                self.known[self.known.index(fate)] = fate = replace(fate, verdict=verdict, label=-1)
         return fate
 
     def _label(self, value: float, verdict: Verdict) -> int:
@@ -333,7 +322,7 @@ class _Asked:
 
     def told(self, low: _Fate, high: _Fate) -> str:
         """What the start comes to on two sides."""
-        return " and ".join(f"it comes to {each.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
+        return " and ".join(f"it comes to {each.verdict.told()} at {self.vary} = {each.value:.12g}" for each in (low, high))
 
     def alternating(self, low: _Fate, high: _Fate, value: float, width: float) -> ConvergenceError:
         """That no value can be told, and why."""

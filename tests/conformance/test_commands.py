@@ -74,6 +74,15 @@ def test_equilibria_of_every_model_along_a_range(name: str, capsys: pytest.Captu
     assert [point["parameters"][vary] for point in points] == [0.2, 0.4]
 
 
+def test_several_ranges_are_all_combinations(capsys: pytest.CaptureFixture[str]) -> None:
+    told = json.loads(
+        run(capsys, "equilibria", "--theta0", "30,40", "--mu0", "0.1:0.5:3", "--vary", "kappa=0.005:0.007:2", "--json")
+    )
+    given = [[point["parameters"][key] for key in ("theta0_deg", "mu0", "kappa")] for point in told["points"]]
+    known = [[angle, mu0, kappa] for angle in (30, 40) for mu0 in (0.1, 0.3, 0.5) for kappa in (0.005, 0.007)]
+    assert np.allclose(given, known, rtol=1e-15)
+
+
 def test_a_file_of_a_brake_brings_its_model(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """With k_3 = 0 cubic_contact is the article's model: the same answers in the file's units, by the model's own law."""
     text = run(capsys, "report", "--example")
@@ -192,3 +201,63 @@ def test_paths_have_the_same_keys_and_are_those_of_python(name: str, capsys: pyt
         assert [row[place] for row in told["states"]] == pytest.approx(unit * found.places[column], rel=1e-12)
     assert len(told["jumps"]) == len(found.jumps)
     assert "States" in run(capsys, "path", *of(name), "--vary", f"{vary}=0.1:0.6:3")
+
+
+# -------------------------------------------------------------------------------------------------------- motions
+
+MOVING = [name for name in MODELS if ss.load(name).about["friction"] is not None]
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_motions_have_the_same_keys_and_are_those_of_python(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    model = ss.load(name)
+    first, *_ = model.coordinates
+    angle = {entry["name"]: entry["unit"] for entry in model.about["coordinates"]}[first] == "rad"
+    words = ["--t-end", "30", "--backend", "scipy", "--rtol", "1e-8", f"--{first}0", "2" if angle else "0.05"]
+    told = json.loads(run(capsys, "simulate", *of(name), *words, "--json"))
+    size = ["rms", "rms_about_mean", "mean", "amplitude"]
+    events = [kind.name.lower() for kind in ss.Event]
+    assert list(told) == ["model", *(key + "_deg" * angle for key in size), "period", "converged", *events, "backend"]
+    unit = math.degrees(1.0) if angle else 1.0
+    start = {f"{first}0": math.radians(2.0) if angle else 0.05}
+    tr = ss.simulate(a_set(name), t_end=30.0, rtol=1e-8, backend="scipy", **start)
+    assert told["rms" + "_deg" * angle] == pytest.approx(unit * tr.rms(22.5), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_every_model_is_swept(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = [
+        "--t-end",
+        "20",
+        "--backend",
+        "scipy",
+        "--speed",
+        "0.4,0.5",
+        f"--{ss.load(name).coordinates[0]}0",
+        "0,1,2",
+        "-q",
+        "-o",
+        str(tmp_path / "a.csv"),
+    ]
+    assert run(capsys, "sweep", *of(name), *words).startswith(str(tmp_path / "a.csv"))
+    found = np.genfromtxt(tmp_path / "a.csv", delimiter=",", names=True, comments="#", dtype=None, encoding="utf-8")
+    assert sorted(set(found["V"].tolist())) == [0.4, 0.5]
+    first = ss.load(name).about["coordinates"][0]
+    begin = np.radians([0.0, 1.0, 2.0]) if first["unit"] == "rad" else np.array([0.0, 1.0, 2.0])
+    p = a_set(name).replace(V=np.array([[0.4], [0.5]]))
+    known = ss.rms_sweep(p, **{f"{first['name']}0": begin}, t_end=20.0, backend="scipy")
+    assert found["rms"] == pytest.approx(known.rms.ravel(), rel=1e-9, nan_ok=True)
+
+
+@pytest.mark.parametrize("name", few(MOVING, "kang_nam", "stick_slip"))
+def test_cycles_of_every_model_are_asked_for_alike(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """Where a motion comes to rest, or to no cycle, it is one error; a bad state names what is wrong for all."""
+    said = run(capsys, "cycles", *of(name), "--near", "1", code=2)
+    assert ", ".join((*ss.load(name).coordinates, *ss.load(name).rates)) in said
+    assert "Give it as V=FROM:TO" in run(capsys, "cycles", *of(name), "--vary", "V", code=2)
+
+
+def test_what_is_there_for_one_model_says_so(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = run(capsys, "fates", *of("damped"), "-q", "-o", str(tmp_path / "a.csv"), code=2)
+    assert "a map is of the article's model; model.fate(p)" in said
+    assert not list(tmp_path.iterdir())

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from .critical import LowestEnd
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
+    from .normal_forms import NormalForm
 
 
 class Model:
@@ -443,6 +444,20 @@ class Model:
         from ..sweeps import sensitivity
 
         return sensitivity(p, V, d, **options)  # type: ignore[arg-type]  # a set of any model
+
+    def normal_form(self, given: FloatArray, state: FloatArray, vary: str, radii: FloatArray) -> NormalForm:
+        """Of a Hopf point among :class:`~spragsym.Onsets`: see :func:`spragsym.models.normal_forms.normal_form`."""
+        from .normal_forms import normal_form
+
+        return normal_form(self, given, state, vary, radii)
+
+    def born(
+        self, given: FloatArray, state: FloatArray, vary: str, form: NormalForm, amplitude: float | None, backend: str | None
+    ) -> Cycle:
+        """The cycle that is born at one of them: see :func:`spragsym.models.births.born`."""
+        from .births import born
+
+        return born(self, given, state, vary, form, amplitude, backend)
 
     def _one(self, vary: str | None) -> str:
         if not self.parameters:

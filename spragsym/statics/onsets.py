@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import importlib
 from dataclasses import dataclass, fields
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,10 +13,6 @@ from ..errors import ParameterError, ParameterTypeError
 from ..exact.interval_arrays import FloatArray
 from ..exact.polynomials import Undecided
 from .points import Points
-
-if TYPE_CHECKING:
-    from ..cycles import Cycle
-    from ..models.normal_forms import NormalForm
 
 #: Why an onset of (27) has no coefficient.
 UNDAMPED = (
@@ -50,8 +45,8 @@ class Onsets(Points):
     """
 
     @cached_property
-    def normal_forms(self) -> tuple[NormalForm | str, ...]:
-        """The normal form of each, or why it has none."""
+    def normal_forms(self) -> tuple[Any, ...]:
+        """The :class:`~spragsym.models.normal_forms.NormalForm` of each, or why it has none."""
         return tuple(self._normal_form(row) for row in range(len(self)))
 
     @cached_property
@@ -87,9 +82,8 @@ class Onsets(Points):
             for each in self.normal_forms
         )
 
-    def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Cycle:
+    def cycle(self, index: int = 0, amplitude: float | None = None, backend: str | None = None) -> Any:
         """The cycle that is born at one of the onsets: see :func:`spragsym.models.births.born`."""
-        born = importlib.import_module("spragsym.models.births").born
         if not isinstance(index, int | np.integer) or isinstance(index, bool):
             raise ParameterTypeError(f"index = {index!r:.60} is no number of an onset; give an integer")
         if not 0 <= index < len(self):
@@ -97,23 +91,20 @@ class Onsets(Points):
         form = self.normal_forms[int(index)]
         if isinstance(form, str):
             raise ParameterError(f"index = {index}: no cycle is known to be born there, for {form}")
-        found: Cycle = born(
-            self.parameters.model, self._given(int(index)), self._state(int(index)), self.vary[0], form, amplitude, backend
+        return self.parameters.model.born(
+            self._given(int(index)), self._state(int(index)), self.vary[0], form, amplitude, backend
         )
-        return found
 
-    def _normal_form(self, row: int) -> NormalForm | str:
+    def _normal_form(self, row: int) -> Any:
         if self.kind[row] != "hopf":
             return UNDAMPED
         state, vary = self._state(row), self.vary[0]
         # The error is relative to max(1, |value|), and its product with that is rounded.
         radii = self.error[row] * np.maximum(1.0, np.abs([*state, getattr(self, vary)[row]])) * (1 + 2.0**-50)
-        forms = importlib.import_module("spragsym.models.normal_forms")  # a room above this one
         try:
-            form: NormalForm = forms.normal_form(self.parameters.model, self._given(row), state, vary, radii)
+            return self.parameters.model.normal_form(self._given(row), state, vary, radii)
         except Undecided as reason:
             return str(reason)
-        return form
 
     def _given(self, row: int) -> FloatArray:
         return np.array([getattr(self, name)[row] for name in self.parameters.model.parameters])

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
+import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -29,6 +30,9 @@ from .events import have_jumped
 
 #: Variables by name: a number, a range of equal probability, or a frozen distribution of SciPy; or corners of a box.
 Distribution: TypeAlias = Mapping[str, Any] | tuple[Parameters, Parameters] | tuple[PhysicalParameters, PhysicalParameters]
+
+#: What may happen at many points: quantities by name → 1 or 0, or NaN where that is unknown.
+Event: TypeAlias = Callable[[dict[str, Any]], FloatArray]
 
 #: Of the belt: its speed and the steepness of the friction law.
 BELT = ("V", "d")
@@ -56,6 +60,9 @@ class JumpProbability(Result):
         or nothing, and empty if not asked for.
     first_error, total_error : dict of str to float
         Half-widths of their intervals.
+    proved : tuple of float
+        Bracket that no sampling can leave: the probability of what is proved to jump, and one minus that of what is proved not
+        to; (0, 1) where nothing was asked to be proved.
     """
 
     probability: float
@@ -68,11 +75,14 @@ class JumpProbability(Result):
     total: Mapping[str, float]
     first_error: Mapping[str, float]
     total_error: Mapping[str, float]
+    proved: tuple[float, float] = (0.0, 1.0)
 
     def as_table(self) -> Table:
         """The probability on the line above, and the indices."""
         ends = f"{self.low:.4g} to {self.high:.4g} with confidence {self.confidence:.4g}"
-        title = f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}"
+        low, high = math.floor(1e4 * self.proved[0]) / 1e4, math.ceil(1e4 * self.proved[1]) / 1e4
+        proved = f", proved {low:g} to {high:g}" if self.proved != (0.0, 1.0) else ""
+        title = f"JumpProbability {self.probability:.4g}, {ends}, n = {self.n}{proved}"
         header = ("", "first order", "±", "total", "±")
         columns = (self.first, self.first_error, self.total, self.total_error)
         rows = tuple((f"of {name}", *(f"{column[name]:.4f}" for column in columns)) for name in self.first)
@@ -145,7 +155,28 @@ def jump_probability(
     >>> round(found.probability, 2), found.high - found.low < 0.01, max(found.total, key=found.total.get)
     (0.39, True, 'mu0')
     """
-    variables = _variables(distribution)
+    return estimated(
+        _variables(distribution), _has_jumped, correlation=correlation, n=n, rng=rng, confidence=confidence, sobol=sobol,
+        replicates=replicates, workers=workers, progress=progress, store=store,
+    )  # fmt: skip
+
+
+def estimated(
+    variables: Mapping[str, Any],
+    event: Event,
+    *,
+    of: str = "",
+    correlation: Correlation | None,
+    n: int,
+    rng: int | np.random.Generator | None,
+    confidence: float,
+    sobol: bool,
+    replicates: int,
+    workers: Workers,
+    progress: bool,
+    store: str | os.PathLike[str] | None,
+) -> JumpProbability:
+    """The probability of any event, 1 or 0 of many points or NaN; ``of`` says in a store what else the event depends on."""
     varied = tuple(name for name, one in variables.items() if not isinstance(one, float))
     if not varied:
         raise ParameterError("no quantity of distribution varies; give a range or a distribution for one, or use jump_value")
@@ -157,14 +188,17 @@ def jump_probability(
         raise ParameterError("store needs rng = an integer, so that the same call has the same points")
     seeds = np.random.default_rng(rng).integers(0, 2**63 - 1, replicates).tolist()
     tasks = sampling.chunks(n, replicates, seeds)
-    work = partial(sampling.sums, partial(_jumps, variables, together), together.groups, sobol)
-    records = _records(work, tasks, workers, progress, store, _settings(variables, together, sobol, tasks))
+    work = partial(sampling.sums, partial(_at_points, variables, together, event), together.groups, sobol)
+    settings = _settings(variables, together, sobol, tasks) | ({"of": of} if of else {})
+    records = _records(work, tasks, workers, progress, store, settings)
     found = sampling.estimate(records, [task.replicate for task in tasks], confidence, True)
-    named = (
+    first, total, first_error, total_error = (
         dict(zip(together.titles, part.tolist(), strict=True)) if sobol else {}
         for part in (found.first, found.total, found.first_error, found.total_error)
     )
-    return JumpProbability(found.mean, found.low, found.high, confidence, found.n, found.undecided, *named)
+    return JumpProbability(
+        found.mean, found.low, found.high, confidence, found.n, found.undecided, first, total, first_error, total_error
+    )
 
 
 def _check(n: int, replicates: int, confidence: float) -> None:
@@ -186,6 +220,9 @@ class _Uniform:
     def ppf(self, share: Any) -> Any:
         return self.low + share * self.width
 
+    def cdf(self, value: Any) -> Any:
+        return np.clip((value - self.low) / self.width, 0.0, 1.0)
+
 
 def _variables(distribution: Distribution) -> dict[str, Any]:
     """Each quantity as a float, or as something with a quantile function ``ppf``."""
@@ -199,7 +236,7 @@ def _variables(distribution: Distribution) -> dict[str, Any]:
     missing = [name for name in names if name not in given]
     if missing:
         raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
-    return {name: _variable(name, given[name]) for name in names}
+    return {name: variable(name, given[name], RANGES[name] if name in RANGES else range_of(name)) for name in names}
 
 
 def _box(low: Any, high: Any) -> dict[str, Any]:
@@ -210,8 +247,8 @@ def _box(low: Any, high: Any) -> dict[str, Any]:
     return {name: one if one == other else (one, other) for name, one, other in ends}
 
 
-def _variable(name: str, given: Any) -> Any:
-    allowed = RANGES[name] if name in RANGES else range_of(name)
+def variable(name: str, given: Any, allowed: Range) -> Any:
+    """A quantity as a float, or as something with a quantile function ``ppf``, within what is allowed."""
     if hasattr(given, "ppf"):
         _check_reach(name, float(given.ppf(0.0)), float(given.ppf(1.0)), allowed)
         return given
@@ -234,23 +271,27 @@ def _check_reach(name: str, low: float, high: float, allowed: Range) -> None:
         )
 
 
-def _jumps(variables: Mapping[str, Any], together: Dependence, points: FloatArray) -> FloatArray:
-    """1 where the state jumps, 0 where it does not, NaN where that is unknown."""
+def _at_points(variables: Mapping[str, Any], together: Dependence, event: Event, points: FloatArray) -> FloatArray:
+    """The event at points of the unit cube."""
     points = together.shares(points)
     values: dict[str, Any] = {}
     column = 0
     for name, one in variables.items():
         if isinstance(one, float):
-            values[name] = one
+            values[name] = np.full(len(points), one)
         else:
             values[name] = one.ppf(points[:, column])
             column += 1
+    return event(values)
+
+
+def _has_jumped(values: dict[str, Any]) -> FloatArray:
+    """1 where the state jumps, 0 where it does not, NaN where that is unknown."""
     if "V" in values:
         values["mu0"] = sliding_friction(
             *(values[name] for name in ("mu0", *BELT))
         )  # d V has no dimension, in SI as without units
-    parameters = {name: np.broadcast_to(value, len(points)) for name, value in dimensionless(values).items()}
-    found = have_jumped(Parameters(**parameters))
+    found = have_jumped(Parameters(**dimensionless(values)))
     result = np.where(found.jumped, 1.0, 0.0)
     result[list(found.reasons)] = np.nan
     return result

@@ -100,6 +100,13 @@ class Forces:
             parts += [] if self.only_turns(name) else [value]
         return stacked(parts, bounds.shape[1:])
 
+    def floats(self, columns: NDArray[np.float64]) -> dict[str, Any]:
+        """Arguments by name, from floats of shape (parameters, N)."""
+        values = dict(zip(self.parameters, columns, strict=True))
+        for name, (cosine, sine) in self.angles.items():
+            values |= {cosine: np.cos(values[name]), sine: np.sin(values[name])}
+        return values
+
     def only_turns(self, name: str) -> bool:
         """Whether a parameter is an angle of which the functions take cosine and sine, and not itself."""
         return name in self.angles and name not in self.alone
@@ -209,6 +216,17 @@ class Forces:
         mu = self.friction(values, xp)
         function = undecorated(getattr(self.model.statics, name))
         return function(*q, *directions, *self._listed(values, "statics"), mu, self.pushing, xp=xp)
+
+    def by_parameters(
+        self, names: Sequence[str], q: Sequence[Any], directions: Sequence[Any], values: Mapping[str, Any], xp: Any = XP
+    ) -> list[list[Any]]:
+        """Derivatives of the forces along each coordinate by parameters, through the friction law too; an angle as the angle."""
+        law = undecorated(self.model.statics.friction_by_parameters)(*self._listed(values, "motion"), xp=xp)
+        own = self.model.about["by_parameters"]
+        return [
+            [(row[own.index(name)] if name in own else 0) + row[-1] * law[self.parameters.index(name)] for name in names]
+            for row in self.by_coordinate("forces_by_parameters", q, directions, values, xp)
+        ]
 
     def friction(self, values: Mapping[str, Any], xp: Any = XP) -> Any:
         """The friction coefficient at steady sliding."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cached_property
 from types import ModuleType
@@ -18,6 +19,7 @@ from .describe import described, explained
 
 if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
+    from ..design import Certificate, JumpProbability
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
@@ -373,11 +375,53 @@ class Model:
 
         return rest_index(self, p, x, y)
 
+    @question
+    def certify(
+        self, low: ParameterSet, high: ParameterSet, claim: str = "no jump", *, vary: str | None = None,
+        begin: float | None = None, **options: Any,
+    ) -> Certificate:  # fmt: skip
+        """Prove for every point of a box of parameters that the followed state does not end, or find one at which it does.
+
+        ``vary`` is what rises, mu0 unless told otherwise, from ``begin``, the lower end of its range: see
+        :func:`spragsym.models.certificates.certify`.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("two_springs")
+        >>> low = model.Parameters(theta0=0.5, mu0=0.2)
+        >>> model.certify(low, low.replace(theta0=0.52, mu0=0.3, sigma=0.11), "no jump").outcome
+        'proved'
+        """
+        from .certificates import certify
+
+        vary, begin = self._rising(vary, begin)
+        return certify(low, high, claim, vary=vary, begin=begin, **options)
+
+    @question
+    def jump_probability(
+        self, distribution: Any, *, vary: str | None = None, begin: float | None = None, **options: Any
+    ) -> JumpProbability:
+        """The probability that the followed state ends, by samples, and between proved bounds if ``max_boxes`` is given.
+
+        See :func:`spragsym.models.probability.jump_probability`.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("inclined_belt")
+        >>> found = model.jump_probability({"theta0": 1.0, "mu0": (0.2, 0.4)}, n=256, rng=1, max_boxes=64)
+        >>> found.low < found.proved[0] < found.proved[1] < found.high, found.proved[1] - found.proved[0] < 0.01
+        (True, True)
+        """
+        from .probability import jump_probability
+
+        vary, begin = self._rising(vary, begin)
+        return jump_probability(self, distribution, vary=vary, begin=begin, **options)
+
     jump_value = unanswered("quasi_static_path(p, vary, values) follows the state to its jump")
     jump_gradient = unanswered("folds(p, vary) at neighbouring values has the differences")
     jump_margin = unanswered("folds(p, vary) has the folds along each parameter")
-    jump_probability = unanswered("quasi_static_path(p, vary, values) answers for one point")
-    certify = unanswered("count(p) and equilibria(p) answer for points")
     redesign = unanswered("folds(p, vary) says how far a parameter has to go")
     cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
     critical_value = unanswered("cusps(p) has all cusps at each value of a parameter")
@@ -404,6 +448,20 @@ class Model:
         if not self.parameters:
             raise ParameterError(f"{self.name} has no parameters, so that nothing can vary")
         return self.axes[0] if vary is None else vary
+
+    def _rising(self, vary: str | None, begin: float | None) -> tuple[str, float]:
+        """What rises unless told otherwise, the friction at full slip, and from where."""
+        if vary is None and "mu0" not in self.parameters:
+            raise ParameterError(
+                f"{self.name} has no mu0; give vary, the parameter that rises, one of {', '.join(self.parameters)}"
+            )
+        name = vary or "mu0"
+        if name not in self.parameters:
+            raise ParameterError(f"vary = {name!r} is not a parameter of {self.name}; choose one of {', '.join(self.parameters)}")
+        low = self.Parameters.ranges[name].low
+        if begin is None and not math.isfinite(low):
+            raise ParameterError(f"{name} has no lower end; give begin, from where it rises")
+        return name, low if begin is None else begin
 
     def _two(self, vary: Sequence[str] | None) -> Sequence[str]:
         if vary is None and len(self.axes) < 2:

@@ -1,23 +1,358 @@
-"""One state of a model along a parameter, proved: a chain of boxes, each with exactly one state for every value in it."""
+"""Tubes around curves of states, proved: boxes that hold one state for each value of what moves, for whole boxes of parameters.
+
+A point of a curve is z = (q, v): the coordinates, and the parameter that moves. One of these is the pivot s, which the others
+follow: v itself, or a coordinate where a fold is to be passed. About a middle m, with the parameters p about their middle c,
+
+    z = m + d s + D (p − c) + u,   F(m, c) + (F_z d) s + (F_z D + F_p) (p − c) + F_z u = 0,
+
+by the mean value theorem with slopes over the whole box. Where d and D are near the curve's own slopes, little is left of the
+two terms in the middle, and interval Newton in u proves that each s and each p have one state in the box, and only one.
+Segments hold together where the set of states at the end of one lies in the box of the next.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+from typing import Any
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ..exact import contractors
 from ..exact.interval_arrays import FloatArray, Intervals, stacked
-from ..exact.jets import gradient, variables
 from .balance import Balance, matrix
-from .bifurcation_conditions import Fold
 from .border import on_side
-from .defining_systems import Augmented
+from .laws import XP
 
-#: The first step over the whole way, and most steps.
-FIRST, MOST = 2.0**-5, 400
+Flags = NDArray[np.bool_]
+
+#: The first step over the whole way, the least one, and most steps.
+FIRST, LEAST, MOST = 2.0**-5, 2.0**-14, 400
 #: Half-width of a box at least, over its size; how often it is made wider, and by how much of its width.
 NARROW, INFLATIONS, ROOM = 1e-9, 6, 0.1
 #: Steps of Newton's method at the end of a step.
 STEPS = 6
+#: Steps through a fold, the first one as a share of the straight way, and what counts as no size of a coordinate.
+TURNS, TURN, SMALL = 60, 0.25, 1e-3
+#: A slope that is not nothing.
+TINY = 1e-12
+#: A sum of a few products of floats, rounded up.
+UP = 1 + 2.0**-40
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Boxes of parameters, one a column: all of them, and middle and half-width of those that have a width or move.
+
+    ``fixed`` has the shape (parameters, N), ``centre`` and ``half`` have (free, N).
+    """
+
+    fixed: FloatArray
+    centre: FloatArray
+    half: FloatArray
+
+    def __getitem__(self, rows: Any) -> Parts:
+        return Parts(self.fixed[:, rows], self.centre[:, rows], self.half[:, rows])
+
+    def middles(self) -> Parts:
+        """The same without width."""
+        return replace(self, half=np.zeros_like(self.half))
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
+
+    ``z`` and ``held`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N); ``sure`` where it is proved.
+    """
+
+    z: FloatArray
+    held: FloatArray
+    by_p: FloatArray
+    sure: Flags
+
+    def __getitem__(self, rows: Any) -> Place:
+        return Place(self.z[:, rows], self.held[:, rows], self.by_p[:, :, rows], self.sure[rows])
+
+    def put(self, rows: Any, other: Place) -> None:
+        """Take the places of some rows over."""
+        self.z[:, rows], self.held[:, rows], self.by_p[:, :, rows] = other.z, other.held, other.by_p
+        self.sure[rows] = other.sure
+
+    def box(self) -> Intervals:
+        """All states there."""
+        return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
+
+
+class Tubes:
+    """Curves of states of a model in contact as ``vary`` moves; ``free`` are the parameters that have a width."""
+
+    def __init__(self, balance: Balance, vary: str, free: tuple[str, ...] = ()) -> None:
+        self.balance, self.n = balance, balance.n
+        self.moving = balance.parameters.index(vary)
+        self.vary, self.free = vary, free
+        self.places = [balance.parameters.index(name) for name in free]
+
+    # --------------------------------------------------------------------------------------------------- evaluation
+
+    def _bounds(self, parts: Parts, v: Intervals) -> Intervals:
+        low, high = parts.fixed.copy(), parts.fixed.copy()
+        low[self.moving], high[self.moving] = v.low, v.high
+        span = self._span(parts)
+        low[self.places], high[self.places] = span.low, span.high
+        with np.errstate(all="ignore"):
+            return self.balance.prepared(Intervals.between(low, high))
+
+    @staticmethod
+    def _span(parts: Parts) -> Intervals:
+        wide = np.where(parts.half > 0, parts.half * UP + np.spacing(np.abs(parts.centre)), 0.0)
+        return Intervals(np.stack([-parts.centre, parts.centre]) + wide)
+
+    def slopes(self, parts: Parts, z: Intervals) -> Intervals:
+        """Slopes of the forces by q, v and the free parameters over boxes, shape (n, n + 1 + free, N)."""
+        bounds, shape = self._bounds(parts, z[self.n]), z.shape[1:]
+        q, values = list(z[: self.n]), self.balance.arguments(bounds)
+        with np.errstate(all="ignore"):
+            directions = self.balance.directions(q, values, shape)
+            return matrix(self._rows(q, directions, values, XP, self._moving(parts)), shape)
+
+    def _rows(self, q: list[Any], directions: list[Any], values: dict[str, Any], xp: Any, names: list[str]) -> list[list[Any]]:
+        stiffness = self.balance.by_coordinate("forces_jacobian", q, directions, values, xp)
+        moved = self.balance.by_parameters(names, q, directions, values, xp)
+        none = [0] * (1 + len(self.free) - len(names))
+        return [[*row, *more, *none] for row, more in zip(stiffness, moved, strict=True)]
+
+    def _moving(self, parts: Parts) -> list[str]:
+        """What moves, and the free parameters where any box has a width."""
+        return [self.vary, *(self.free if parts.half.any() else ())]
+
+    def _floats(self, parts: Parts, z: FloatArray, slopes: bool = True) -> tuple[FloatArray, FloatArray]:
+        """Forces and their slopes in the middle of the boxes, in floats."""
+        columns = parts.fixed.copy()
+        columns[self.moving], columns[self.places] = z[self.n], parts.centre
+        values, q = self.balance.floats(columns), list(z[: self.n])
+        with np.errstate(all="ignore"):
+            directions = self.balance.plain_directions(q, values, np)
+            forces = self.balance.by_coordinate("forces", q, directions, values, np)
+            rows = self._rows(q, directions, values, np, self._moving(parts)) if slopes else []
+        whole = np.zeros((self.n, self.n + 1 + len(self.free), z.shape[1]))
+        for i, row in enumerate(rows):
+            for j, entry in enumerate(row):
+                whole[i, j] = entry
+        return np.stack([np.broadcast_to(force, z.shape[1:]) for force in forces]), whole
+
+    def _forces(self, parts: Parts, z: FloatArray) -> Intervals:
+        """Enclosed, in the middle of the boxes."""
+        bounds, shape = self._bounds(parts.middles(), Intervals.point(z[self.n])), z.shape[1:]
+        q, values = list(Intervals.point(z[: self.n])), self.balance.arguments(bounds)
+        with np.errstate(all="ignore"):
+            directions = self.balance.directions(q, values, shape, sides=self.balance.anywhere)
+            return stacked(self.balance.by_coordinate("forces", q, directions, values), shape)
+
+    def _others(self, pivot: int) -> list[int]:
+        return [each for each in range(self.n + 1) if each != pivot]
+
+    def corrected(self, parts: Parts, z: FloatArray, pivot: int) -> FloatArray:
+        """Newton's method in the middle of the boxes with a given pivot, the slopes renewed every other step."""
+        others, z, inverse = self._others(pivot), z.copy(), np.zeros(0)
+        for number in range(STEPS):
+            forces, slopes = self._floats(parts, z, slopes=number % 2 == 0)
+            if number % 2 == 0:
+                inverse = contractors.inverse(slopes[:, others])
+            step = np.einsum("ijN,jN->iN", inverse, forces)
+            step = np.where(np.isfinite(step), step, 0.0)
+            z[others] -= step
+            if (np.abs(step) < 1e-13 * (1 + np.abs(z[others]))).all():
+                break
+        return z
+
+    def tangents(self, parts: Parts, z: FloatArray, pivot: int) -> tuple[FloatArray, FloatArray]:
+        """dz/ds and dz/dp in the middle of the boxes."""
+        others = self._others(pivot)
+        slopes = self._floats(parts, z)[1]
+        inverse = contractors.inverse(slopes[:, others])
+        by_s, by_p = np.ones(z.shape), np.zeros((self.n + 1, *parts.half.shape))
+        by_s[others] = -np.einsum("ijN,jN->iN", inverse, slopes[:, pivot])
+        by_p[others] = -np.einsum("ijN,jkN->ikN", inverse, slopes[:, self.n + 1 :])
+        return by_s, by_p
+
+    def _across(self, parts: Parts, z: FloatArray, pivot: int) -> FloatArray:
+        """dz/dp in the middle of the boxes, where they have a width at all."""
+        return self.tangents(parts, z, pivot)[1] if parts.half.any() else np.zeros((self.n + 1, *parts.half.shape))
+
+    # ------------------------------------------------------------------------------------------------------- proofs
+
+    def place(self, parts: Parts, z: FloatArray, pivot: int) -> Place:
+        """The states of whole boxes at one value of the pivot, one for each point of a box; z is about those in the middle."""
+        z = self.corrected(parts, z, pivot)
+        zero, by_p = np.zeros_like(z), self._across(parts, z, pivot)
+        sure, room = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero)
+        return Place(z, room, by_p, sure)
+
+    def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[Flags, Place, Intervals]:
+        """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
+        end = self.place(parts, z, pivot)
+        z = end.z
+        way = z[pivot] - start.z[pivot]
+        with np.errstate(all="ignore"):
+            along = np.where(way != 0, (z - start.z) / way, 0.0)
+        # With another pivot than before the states there lie on either side of the middle.
+        begin = start.z - along * np.sign(way) * start.held[pivot]
+        middle, half = 0.5 * (begin + z), 0.5 * np.abs(z[pivot] - begin[pivot])
+        middle[pivot] = 0.5 * (begin[pivot] + z[pivot])
+        inside = self._across(parts, middle, pivot)
+        must = np.maximum(
+            *((np.abs(one.z - middle) + one.held) * UP + 2 * np.spacing(np.abs(one.z) + one.held) for one in (start, end))
+        )
+        must[pivot] = 0.0
+        sure, room = self._one_state(parts, middle, along, inside, half, pivot, must)
+        tube = Intervals(np.stack([-middle, middle]) + room + np.spacing(np.abs(middle) + room))
+        return sure & end.sure & start.sure, end, tube
+
+    def _one_state(
+        self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
+        must: FloatArray,
+    ) -> tuple[Flags, FloatArray]:  # fmt: skip
+        """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters; half their sizes."""
+        others, count = self._others(pivot), middle.shape[1]
+        least = NARROW * np.maximum(1.0, np.abs(middle[others]))
+        wide = self._span(parts)
+        apart = np.maximum(wide.high - parts.centre, parts.centre - wide.low) * UP
+        swing = (np.abs(along) * half + (np.abs(by_p) * apart).sum(axis=1)) * UP
+        forces = self._forces(parts, middle)
+        moved = Intervals(np.stack([half, half]) * UP)
+        strayed = Intervals(np.stack([apart, apart]))
+        reach, room = 2 * least, np.zeros_like(middle)
+        sure, open_ = np.zeros(count, dtype=np.bool_), np.ones(count, dtype=np.bool_)
+        for _ in range(INFLATIONS):
+            rows = np.flatnonzero(open_)
+            if not rows.size:
+                break
+            size = swing[:, rows].copy()
+            size[others] += reach[:, rows]
+            size = np.maximum(size, must[:, rows])
+            m = middle[:, rows]
+            box = Intervals(np.stack([-m, m]) + size + np.where(size > 0, np.spacing(np.abs(m) + size), 0.0))
+            slopes = self.slopes(parts[rows], box)
+            with np.errstate(all="ignore"):
+                left = [self._left(forces[i][rows], slopes[i], along[:, rows], by_p[:, :, rows], moved[rows], strayed[:, rows])
+                        for i in range(self.n)]  # fmt: skip
+                solved = Intervals(slopes.ends[:, :, others])
+                step = contractors.newton(stacked(left, (rows.size,)), solved, np.zeros_like(m[others]), reach[:, rows]).ends
+            good = np.isfinite(step).all(axis=(0, 1))
+            done = good & contractors.inside(step, np.stack([reach[:, rows]] * 2))
+            if done.any():
+                here = rows[done]
+                bounds = self._bounds(parts[here], box[:, done][self.n])
+                sure[here] = on_side(self.balance, bounds, box.ends[:, : self.n, done])[0]
+                room[:, here] = size[:, done]
+            open_[rows[done | ~good]] = False
+            reach[:, rows] = (1 + ROOM) * np.maximum(reach[:, rows], np.where(good, np.maximum(*np.abs(step)), 0.0))
+        return sure, room
+
+    def _left(
+        self, force: Intervals, slopes: Intervals, along: FloatArray, by_p: FloatArray, moved: Intervals, strayed: Intervals
+    ) -> Any:
+        """F_i(m, c) and what is left of the changes along the tube and across the box."""
+        z = range(self.n + 1)
+        total = force + sum((slopes[j] * along[j] for j in z if along[j].any()), 0 * moved) * moved
+        for k in range(strayed.shape[0]):
+            change = slopes[self.n + 1 + k] + sum((slopes[j] * by_p[j, k] for j in z if by_p[j, k].any()), 0 * moved)
+            total = total + change * strayed[k]
+        return total
+
+    def rises(self, parts: Parts, box: Intervals, by_s: FloatArray, pivot: int) -> NDArray[np.int64]:
+        """Sign of dv/ds for all states in boxes, 0 where it is not known; ``by_s`` is about dz/ds."""
+        others, v = self._others(pivot), self.n
+        slopes = self.slopes(parts, box)
+        solved, zero = Intervals(slopes.ends[:, :, others]), np.zeros((self.n, by_s.shape[1]))
+        out = np.zeros(by_s.shape[1], dtype=np.int64)
+        with np.errstate(all="ignore"):
+            left = [sum((slopes[i, j] * by_s[j] for j in others), slopes[i, pivot]) for i in range(self.n)]
+            values = stacked(left, out.shape)
+            reach = zero + 0.1 * np.abs(by_s[v]) + TINY
+            for _ in range(INFLATIONS):
+                # Of what dz/ds differs by from the slope in the middle.
+                step = contractors.newton(values, solved, zero, reach).ends
+                known = contractors.inside(step, np.stack([reach, reach]))
+                off = np.maximum(*step)[others.index(v)] * UP
+                out = np.where(known & (off < np.abs(by_s[v])), np.sign(by_s[v]).astype(np.int64), out)
+                reach = np.where(
+                    known | ~np.isfinite(step).all(axis=(0, 1)), reach, (1 + ROOM) * np.maximum(reach, np.maximum(*step))
+                )
+        return out
+
+    # ------------------------------------------------------------------------------------------------------ the way
+
+    def followed(self, parts: Parts, start: Place, goal: FloatArray, least: float = LEAST, most: int = MOST) -> Place:
+        """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where all of the way is."""
+        here = start[np.arange(goal.size)]
+        way = goal - here.z[self.n]
+        step = FIRST * way
+        for _ in range(most):
+            rows = np.flatnonzero(here.sure & (here.z[self.n] != goal) & (np.abs(step) >= least * np.abs(way)))
+            if not rows.size:
+                break
+            at = here[rows]
+            rest = goal[rows] - at.z[self.n]
+            whole = np.abs(step[rows]) >= np.abs(rest)
+            to = np.where(whole, goal[rows], at.z[self.n] + step[rows])
+            z = at.z.copy()
+            z[self.n] = to
+            good, end, _ = self.segment(parts[rows], at, z, self.n)
+            here.put(rows[good], end[good])
+            step[rows] = np.where(good, 2 * step[rows], 0.25 * (to - at.z[self.n]))
+        return here
+
+    def passed(self, parts: Parts, start: Place, low: FloatArray, high: FloatArray) -> tuple[NDArray[np.int64], FloatArray]:
+        """What becomes of the states of a place as ``vary`` rises: 1 where all come to ``high``, −1 where all end below ``low``.
+
+        The pivot is a coordinate, and the tube goes on through a fold, where v, which has risen before, falls. 0 where neither is
+        proved; beside it how far each free parameter moves v, shape (free, N).
+        """
+        out, moves = np.zeros(low.size, dtype=np.int64), np.zeros(parts.half.shape)
+        by_v, _ = self.tangents(parts, start.z, self.n)
+        with np.errstate(all="ignore"):
+            pivots = np.argmax(np.abs(by_v[: self.n]) / np.maximum(np.abs(start.z[: self.n]), SMALL), axis=0)
+        for pivot in range(self.n):
+            rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
+            for outcome, goal in ((-1, low), (1, high)):
+                rows = rows[out[rows] == 0]
+                if rows.size:
+                    found, moves[:, rows] = self._passed(parts[rows], start[rows], goal[rows], pivot, by_v[pivot, rows], outcome)
+                    out[rows[found]] = outcome
+        return out, moves
+
+    def _passed(
+        self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, outcome: int
+    ) -> tuple[Flags, FloatArray]:
+        towards, straight = np.sign(by_v), np.abs(by_v * (goal - start.z[self.n]))
+        by_s, by_p = self.tangents(parts, start.z, pivot)
+        out, moves = np.zeros(goal.size, dtype=np.bool_), np.abs(by_p[self.n])
+        open_ = self.rises(parts, start.box(), by_s, pivot) == towards
+        here, step = start[np.arange(goal.size)], TURN * straight
+        for _ in range(TURNS):
+            rows = np.flatnonzero(open_ & ~out & (step > LEAST * straight))
+            if not rows.size:
+                break
+            at, some = here[rows], parts[rows]
+            good, end, tube = self.segment(some, at, at.z + by_s[:, rows] * (towards * step)[rows], pivot)
+            if outcome < 0:
+                good &= tube.high[self.n] < goal[rows]
+            else:
+                good[good] = self.rises(some[good], tube[:, good], by_s[:, rows[good]], pivot) == towards[rows[good]]
+            step[rows] *= np.where(good, 1.5, 0.25)
+            rows, end, some = rows[good], end[good], some[good]
+            if not rows.size:
+                continue
+            here.put(rows, end)
+            by_s[:, rows], by_p = self.tangents(some, end.z, pivot)
+            moves[:, rows] = np.abs(by_p[self.n])
+            if outcome < 0:
+                out[rows] = self.rises(some, end.box(), by_s[:, rows], pivot) == -towards[rows]
+            else:
+                out[rows] = end.box().low[self.n] > goal[rows]
+        return out, moves
 
 
 def carried(balance: Balance, given: FloatArray, row: int, values: FloatArray, q: FloatArray) -> FloatArray | None:
@@ -25,85 +360,13 @@ def carried(balance: Balance, given: FloatArray, row: int, values: FloatArray, q
 
     ``given`` are the parameters, shape (parameters, 1), ``row`` is the number of the one that takes the values, which go one way.
     """
+    tubes = Tubes(balance, balance.parameters[row])
+    parts = Parts(given, np.zeros((0, 1)), np.zeros((0, 1)))
+    here = tubes.place(parts, np.append(q, values[0])[:, None], tubes.n)
     states = [q]
-    for begin, end in zip(values[:-1].tolist(), values[1:].tolist(), strict=True):
-        arrived = _carried(balance, given, row, begin, end, states[-1])
-        if arrived is None:
+    for value in values[1:].tolist():
+        here = tubes.followed(parts, here, np.array([value]))
+        if not here.sure[0] or here.z[tubes.n, 0] != value:
             return None
-        states.append(arrived)
+        states.append(here.z[: tubes.n, 0])
     return np.stack(states, axis=1)
-
-
-def _carried(balance: Balance, given: FloatArray, row: int, begin: float, end: float, q: FloatArray) -> FloatArray | None:
-    at, step = begin, FIRST * (end - begin)
-    for _ in range(MOST):
-        to = end if abs(step) >= abs(end - at) else at + step
-        following = _refined(balance, _prepared(balance, given, row, to, to), q)
-        # Around the end itself a box as small as all boxes are at least: both that meet there hold that state.
-        if _one_state(balance, given, row, (at, to), np.stack([q, following], axis=1)) and _one_state(
-            balance, given, row, (to, to), np.stack([following, following], axis=1), 1
-        ):
-            if to == end:
-                return following
-            at, q, step = to, following, 2 * step
-        else:
-            step = 0.25 * (to - at)
-    return None
-
-
-def _prepared(balance: Balance, given: FloatArray, row: int, one: float, two: float) -> Intervals:
-    low, high = given.copy(), given.copy()
-    low[row], high[row] = min(one, two), max(one, two)
-    with np.errstate(all="ignore"):
-        return balance.prepared(Intervals.between(low, high))
-
-
-def _refined(balance: Balance, parameters: Intervals, q: FloatArray) -> FloatArray:
-    """By Newton's method."""
-    with np.errstate(all="ignore"):
-        for _ in range(STEPS):
-            forces = balance.at_points(q[:, None], parameters).middle[:, 0]
-            slopes = balance.jacobian(Intervals.point(q[:, None]), parameters).middle[:, :, 0]
-            if not (np.isfinite(slopes).all() and np.isfinite(forces).all() and np.linalg.det(slopes)):
-                return q
-            q = q - np.linalg.solve(slopes, forces)
-    return q
-
-
-def _one_state(
-    balance: Balance, given: FloatArray, row: int, ends: tuple[float, float], places: FloatArray, tries: int = INFLATIONS
-) -> bool:
-    """Whether a box that moves from one place to the other holds exactly one state, in contact, for each value on the way.
-
-    With q = m + d (v − v_m) + u the forces are F(m, v_m) + K u + (K d + ∂F/∂v)(v − v_m), by the mean value theorem with slopes
-    over the whole box; where d is near the state's own change with v, little is left of the last term.
-    """
-    n, one = balance.n, np.ones(1)
-    half, middle = 0.5 * (ends[1] - ends[0]), 0.5 * (places[:, 0] + places[:, 1])[:, None]
-    along = (places[:, 1:] - places[:, :1]) / ((ends[1] - ends[0]) or 1.0)
-    least = NARROW * np.maximum(1.0, np.abs(places[:, :1]))
-    system = Augmented(balance, [balance.parameters[row]], Fold())
-    parameters = _prepared(balance, given, row, *ends)
-    centre = 0.5 * (ends[0] + ends[1])
-    away = Intervals(np.abs(half) * (1 + 2.0**-40) * np.ones((2, 1)) + np.spacing(abs(centre)))
-    span = Intervals.between(np.minimum(*ends) * one, np.maximum(*ends) * one)
-    reach = 2 * least
-    with np.errstate(all="ignore"):
-        forces = balance.at_points(middle, _prepared(balance, given, row, centre, centre))
-        for _ in range(tries):
-            room = np.abs(along * half) * (1 + 2.0**-40) + reach
-            box = Intervals(np.stack([-(middle - room), middle + room]) + np.spacing(np.abs(middle) + room))
-            at = system.state(variables([*box, span], 1), parameters, (1,))
-            rows = matrix([gradient(force, n + 1) for force in at.forces()], (1,))
-            slopes = Intervals(rows.ends[:, :, :n])
-            left = [
-                forces[i] + sum((slopes[i, j] * Intervals.point(along[j]) for j in range(n)), rows[i, n]) * away for i in range(n)
-            ]
-            step = contractors.newton(stacked(left, (1,)), slopes, 0.0 * middle, reach)
-            if not np.isfinite(step.ends).all():
-                return False
-            whole = np.stack([reach, reach])
-            if contractors.inside(step.ends, whole)[0]:
-                return bool(on_side(balance, parameters, box.ends)[0][0])
-            reach = (1 + ROOM) * np.maximum(reach, np.maximum(*np.abs(step.ends)))
-    return False

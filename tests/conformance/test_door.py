@@ -22,7 +22,7 @@ from spragsym.parameters import NAMES
 
 #: Questions that only closed forms answer so far.
 UNANSWERED = (
-    "jump_value", "jump_gradient", "jump_margin", "jump_probability", "certify", "redesign", "cusp_friction",
+    "jump_value", "jump_gradient", "jump_margin", "redesign", "cusp_friction",
     "critical_value", "flutter_boundary", "surface", "linear_sprag", "linear_critical_friction"
 )  # fmt: skip
 

@@ -1,0 +1,133 @@
+"""Certificates and probabilities of any model: against the article's closed forms, and against states followed one by one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy import stats
+
+import spragsym as ss
+from spragsym.models.certificates import ENDS, OPEN, SAFE, THIN, Splitting
+from spragsym.models.paths import first_end
+from tests.support import few
+
+SEARCH = ss.load("kang_nam").search
+BOX = {"theta0": (0.69, 0.71), "mu0": (0.55, 0.63), "sigma": (0.095, 0.105)}
+
+
+def sets(model: Any, ranges: dict[str, tuple[float, float]]) -> tuple[Any, Any]:
+    """Corners of a box."""
+    low, high = (model.Parameters(**{name: ends[side] for name, ends in ranges.items()}) for side in (0, 1))
+    return low, high
+
+
+def random_boxes(seed: int, number: int) -> list[dict[str, tuple[float, float]]]:
+    """Within tolerances of some percent."""
+    rng, out = np.random.default_rng(seed), []
+    for _ in range(number):
+        middle = {"theta0": rng.uniform(0.4, 1.3), "mu0": rng.uniform(0.1, 1.0), "kappa": 0.007 * 2 ** rng.uniform(-1, 1)}
+        sizes = rng.choice([0.0, 0.03], 3).tolist()
+        out.append(
+            {name: (value * (1 - size), value * (1 + size)) for (name, value), size in zip(middle.items(), sizes, strict=True)}
+        )
+    return out
+
+
+@pytest.mark.parametrize("number", few(range(24), 0, 1, 2))
+def test_nothing_is_proved_that_closed_forms_refute(number: int) -> None:
+    ranges = random_boxes(5, 24)[number]
+    found = ss.certify(*sets(SEARCH, ranges), "no jump", method="search", max_boxes=300)
+    theirs = ss.certify(*sets(ss.load("kang_nam"), ranges), "no jump")
+    assert {found.outcome, theirs.outcome} != {"proved", "refuted"}
+    if found.outcome == "refuted":
+        point = found.counterexample
+        assert ss.jump_value(point, method="closed") < float(point.mu0)
+
+
+def test_tubes_hold_the_states_of_all_points_of_a_box() -> None:
+    """Their change across the box is not linear: by the slopes in the middle alone, corners lie outside."""
+    box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
+    parts = box._parts(box.whole.low, box.whole.high)
+    here = box.tubes.followed(parts, box.whole.base, np.array([0.3]))
+    assert here.sure[0]
+    assert here.z[2, 0] == 0.3
+    ends = here.box()[:, 0]
+    for theta0 in BOX["theta0"]:
+        for sigma in BOX["sigma"]:
+            state = ss.equilibria(ss.Parameters.article(theta0=theta0, sigma=sigma, mu0=0.3))
+            assert ends.low[0] <= state.x[0] <= ends.high[0]
+            assert ends.low[1] <= state.y[0] <= ends.high[1]
+
+
+def test_outcomes_of_points_are_those_of_closed_forms() -> None:
+    """In float64: nothing is said of a point within 1e-6 of its fold, where it may be open."""
+    box = Splitting(*sets(SEARCH, BOX), "mu0", 0.0)
+    shares = np.random.default_rng(2).random((3, 200))
+    values = box.whole.low + shares * (box.whole.high - box.whole.low)
+    outcome = box.settled(box.points(values), THIN)[0]
+    names = dict(zip((*box.free, "mu0"), values, strict=True))
+    jumps = ss.jump_value(ss.Parameters.article(theta0=names["theta0"], sigma=names["sigma"])) < names["mu0"]
+    assert (outcome != OPEN).mean() > 0.98
+    assert np.array_equal(outcome[outcome != OPEN] == ENDS, jumps[outcome != OPEN])
+
+
+@pytest.mark.parametrize("name", few(["two_springs", "cubic_contact", "inclined_belt"], "inclined_belt"))
+def test_outcomes_of_points_are_those_of_states_followed_one_by_one(name: str) -> None:
+    model = ss.load(name)
+    box = Splitting(*sets(model, {"theta0": (0.9, 1.2), "mu0": (0.1, 0.4)}), "mu0", 0.0)
+    values = box.whole.low + np.random.default_rng(3).random((2, 6)) * (box.whole.high - box.whole.low)
+    outcome = box.settled(box.points(values), THIN)[0]
+    for (theta0, mu0), one in zip(values.T, outcome, strict=True):
+        end = first_end(model, model.Parameters(theta0=theta0), "mu0", (0.0, mu0))
+        assert one == (SAFE if end is None else ENDS)
+
+
+@pytest.mark.parametrize(("boxes", "width"), [(128, 0.7), pytest.param(2400, 0.08, marks=pytest.mark.thorough)])
+def test_the_bracket_holds_the_probability_of_closed_forms(boxes: int, width: float) -> None:
+    found = SEARCH.jump_probability(sets(SEARCH, BOX), n=256, rng=1, replicates=2, max_boxes=boxes)
+    theirs = ss.jump_probability(sets(ss.load("kang_nam"), BOX), n=1 << 14, rng=1, sobol=False)
+    assert found.proved[0] <= theirs.low < theirs.high <= found.proved[1]
+    assert found.proved[1] - found.proved[0] < width
+    assert found.low <= theirs.probability <= found.high
+
+
+def test_the_bracket_of_a_law_without_an_end() -> None:
+    """Its tail counts as open."""
+    model, law = ss.load("inclined_belt"), stats.gamma(900, scale=1 / 3000)
+    found = model.jump_probability({"theta0": 1.0, "mu0": law}, n=64, rng=1, replicates=2, max_boxes=24)
+    fold = first_end(model, model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
+    assert fold is not None
+    assert found.proved[0] <= law.sf(fold.value) <= found.proved[1] < found.proved[0] + 0.1
+
+
+def test_at_a_fold_and_without_friction() -> None:
+    model = ss.load("inclined_belt")
+    end = first_end(model, model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
+    assert end is not None
+    below, above = (model.Parameters(theta0=1.0, mu0=end.value * (1 + side)) for side in (-1e-3, 1e-3))
+    assert ss.certify(below, below).outcome == "proved"
+    assert ss.certify(above, above).outcome == "refuted"
+    assert ss.certify(below, above).outcome == "refuted"
+    at = model.Parameters(theta0=1.0, mu0=end.value)
+    assert ss.certify(at, at, max_boxes=4).outcome == "undecided"
+    none = model.Parameters(theta0=1.0, mu0=0.0)
+    assert ss.certify(none, none).outcome == "proved"
+
+
+def test_what_is_asked() -> None:
+    low, high = sets(ss.load("two_springs"), {"theta0": (0.5, 0.52), "mu0": (0.2, 0.3)})
+    with pytest.raises(ss.errors.ModelError, match="no flutter"):
+        ss.certify(low, high, "no flutter")
+    with pytest.raises(ss.ParameterError, match="is not one of"):
+        ss.certify(low, high, "nothing")
+    with pytest.raises(ss.ParameterError, match="exchange the two"):
+        ss.certify(high, low, "no jump")
+    p = ss.load("stribeck").Parameters(theta0=0.5)
+    with pytest.raises(ss.ParameterError, match="give vary"):
+        ss.certify(p, p, "no jump")
+    assert ss.certify(p, p, "no jump", vary="mu_s").outcome == "proved"
+    model = ss.load("two_springs")
+    with pytest.raises(ss.ParameterError, match="independent"):
+        model.jump_probability((low, high), correlation={("theta0", "mu0"): 0.5}, max_boxes=4, n=16, replicates=2)

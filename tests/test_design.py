@@ -595,7 +595,7 @@ def test_fold_curves_say_the_same_as_folds() -> None:
             k = int(np.argmin(np.abs(found.theta - curve.theta[i]) + np.abs(found.theta0 - curve.theta0[i])))
             assert curve.upper[i] == (found.ends[k] == "upper")
             assert curve.when_theta0[i] == (1 if found.when[k] == "up" else -1)
-            assert curve.after["theta"][i] == pytest.approx(found.after["theta"][k], abs=1e-6)
+            assert curve.theta_after[i] == pytest.approx(found.after["theta"][k], abs=1e-6)
 
 
 def test_f_in_differences_is_f() -> None:

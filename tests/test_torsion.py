@@ -264,10 +264,10 @@ def test_folds_are_those_of_a_balance_by_hand(model: Any, vary: str, between: tu
         return [*balance_by_hand(x, y, values | {vary: value}, 1), rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]]
 
     with mpmath.workdps(40):
-        for x, y, value in zip(found.x, found.y, found.values[vary], strict=True):
+        for x, y, value in zip(found.x, found.y, getattr(found, vary), strict=True):
             exact = mpmath.findroot(fold, (float(x), float(y), float(value)), tol=1e-20)
             assert max(abs(a - float(b)) for a, b in zip(exact, (x, y, value), strict=True)) < 1e-11
-    ends = [between[0], *found.values[vary].tolist(), between[1]]
+    ends = [between[0], *getattr(found, vary).tolist(), between[1]]
     counts = [int(model.equilibria(model.Parameters(**{vary: (low + high) / 2})).count) for low, high in itertools.pairwise(ends)]
     assert sorted(abs(one - other) for one, other in itertools.pairwise(counts)) == [2, 2]
 

@@ -297,4 +297,5 @@ def test_the_command_prints_the_reason_and_the_rest(capsys: pytest.CaptureFixtur
     command_line([*args, "--json"], standalone_mode=False)
     found = json.loads(capsys.readouterr().out)
     assert {row["state"] for row in found["equilibria"]} == {"contact"}
-    assert list(found["undecided"]) == ["lift-off"]
+    assert [one["state"] for one in found["undecided"]] == ["lift-off"]
+    assert found["complete"] is False

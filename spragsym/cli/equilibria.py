@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from ..errors import ConvergenceError
 from ..exact.decimals import upward
 from .of_model import Case, method, of_model
 from .options import Numbers, as_json
@@ -61,8 +62,11 @@ def equilibria(case: Case, vary: Typed | None, within: tuple[Typed, ...], json_o
         for point in found for row in point["equilibria"]
     ], optional=unless_room(columns))  # fmt: skip
     for state in case.model.regimes.values():
-        if boxes := [one for point in found for one in point["undecided"] if one["state"] == state]:
+        unknown = [one for point in found for one in point["undecided"] if one["state"] == state]
+        if boxes := [one for one in unknown if len(one) > len(("state", "reason"))]:
             click.echo(f"{state}: not complete, {summed(boxes)}")
+        for reason in dict.fromkeys(one["reason"] for one in unknown if one not in boxes):
+            click.echo(f"{state}, undecided: {reason}")
     for remark in dict.fromkeys(remark for point in found for remark in point["remarks"]):
         click.echo(remark)
 
@@ -80,8 +84,13 @@ def _states(case: Case, point: dict[str, float], within: Any) -> dict[str, Any]:
     more = case.ask if within is None else {**case.ask, "within": within}
     told: dict[str, Any] = {"equilibria": [], "complete": True, "undecided": [], "remarks": []}
     for contact, state in case.model.regimes.items():
-        with busy(f"searching for equilibria in {state}"):
-            eq = case.model.equilibria(p, contact=contact, **more)
+        try:
+            with busy(f"searching for equilibria in {state}"):
+                eq = case.model.equilibria(p, contact=contact, **more)
+        except ConvergenceError as reason:  # the other regime may be known
+            told["undecided"].append({"state": state, "reason": str(reason)})
+            told["complete"] = False
+            continue
         told["equilibria"] += rows_of(eq, units)
         told["complete"] &= eq.complete
         for one in eq.undecided:

@@ -218,10 +218,11 @@ class Tubes:
         least = NARROW * np.maximum(1.0, np.abs(middle[others]))
         wide = self._span(parts)
         apart = np.maximum(wide.high - parts.centre, parts.centre - wide.low) * UP
-        swing = (np.abs(along) * half + (np.abs(by_p) * apart).sum(axis=1)) * UP
+        # The middle of the pivot's values is rounded.
+        moved = np.where(half > 0, half * UP + np.spacing(np.abs(middle[pivot]) + half), 0.0)
+        swing = (np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1)) * UP
         forces = self._forces(parts, middle)
-        moved = Intervals(np.stack([half, half]) * UP)
-        strayed = Intervals(np.stack([apart, apart]))
+        across, strayed = Intervals(np.stack([moved, moved])), Intervals(np.stack([apart, apart]))
         reach, room = 2 * least, np.zeros_like(middle)
         sure, open_ = np.zeros(count, dtype=np.bool_), np.ones(count, dtype=np.bool_)
         for _ in range(INFLATIONS):
@@ -235,7 +236,7 @@ class Tubes:
             box = Intervals(np.stack([-m, m]) + size + np.where(size > 0, np.spacing(np.abs(m) + size), 0.0))
             slopes = self.slopes(parts[rows], box)
             with np.errstate(all="ignore"):
-                left = [self._left(forces[i][rows], slopes[i], along[:, rows], by_p[:, :, rows], moved[rows], strayed[:, rows])
+                left = [self._left(forces[i][rows], slopes[i], along[:, rows], by_p[:, :, rows], across[rows], strayed[:, rows])
                         for i in range(self.n)]  # fmt: skip
                 solved = Intervals(slopes.ends[:, :, others])
                 step = contractors.newton(stacked(left, (rows.size,)), solved, np.zeros_like(m[others]), reach[:, rows]).ends

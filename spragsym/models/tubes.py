@@ -197,7 +197,10 @@ class Tubes:
         with np.errstate(all="ignore"):
             along = np.where(way != 0, (z - start.z) / way, 0.0)
         # With another pivot than before the states there lie on either side of the middle.
-        begin = start.z - along * np.sign(way) * start.held[pivot]
+        wide = np.where(
+            start.held[pivot] > 0, start.held[pivot] * UP + 2 * np.spacing(np.abs(start.z[pivot]) + start.held[pivot]), 0
+        )
+        begin = start.z - along * np.sign(way) * wide
         middle, half = 0.5 * (begin + z), 0.5 * np.abs(z[pivot] - begin[pivot])
         middle[pivot] = 0.5 * (begin[pivot] + z[pivot])
         inside = self._across(parts, middle, pivot)
@@ -207,7 +210,7 @@ class Tubes:
         must[pivot] = 0.0
         sure, room = self._one_state(parts, middle, along, inside, half, pivot, must)
         tube = Intervals(np.stack([-middle, middle]) + room + np.spacing(np.abs(middle) + room))
-        return sure & end.sure & start.sure, end, tube
+        return sure & end.sure & start.sure & (np.abs(way) >= wide), end, tube
 
     def _one_state(
         self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
@@ -331,7 +334,8 @@ class Tubes:
         by_s, by_p = self.tangents(parts, start.z, pivot)
         out, moves = np.zeros(goal.size, dtype=np.bool_), np.abs(by_p[self.n])
         open_ = self.rises(parts, start.box(), by_s, pivot) == towards
-        here, step = start[np.arange(goal.size)], TURN * straight
+        # All states of the place lie within the first segment.
+        here, step = start[np.arange(goal.size)], np.maximum(TURN * straight, 2 * start.held[pivot])
         for _ in range(TURNS):
             rows = np.flatnonzero(open_ & ~out & (step > LEAST * straight))
             if not rows.size:

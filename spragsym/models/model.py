@@ -411,7 +411,7 @@ class Model:
         --------
         >>> import spragsym as ss
         >>> model = ss.load("inclined_belt")
-        >>> found = model.jump_probability({"theta0": 1.0, "mu0": (0.2, 0.4)}, n=256, rng=1, max_boxes=64)
+        >>> found = model.jump_probability({"theta0": 1.0, "mu0": (0.2, 0.4)}, n=64, rng=1, replicates=2, max_boxes=64)
         >>> found.low < found.proved[0] < found.proved[1] < found.high, found.proved[1] - found.proved[0] < 0.01
         (True, True)
         """

@@ -105,6 +105,13 @@ def test_critical_frictions_json(capsys: pytest.CaptureFixture[str]) -> None:
     assert found["jumps"][0]["mu0"] == found["mu_jump"] == ss.jump_value(ss.Parameters.article(theta0=math.radians(40.0)))
 
 
+def test_what_is_undecided_is_not_called_none(capsys: pytest.CaptureFixture[str]) -> None:
+    assert invoke("critical", "--model", "trolley", "--theta0", "40") == DONE
+    text = capsys.readouterr().out
+    for line in ("mu_lowest: below it it jumps at no angle ", "mu_cusp: the lowest cusp "):
+        assert re.search(rf"^{line}\s+unknown$", text, re.MULTILINE)
+
+
 @pytest.mark.parametrize("kind", few(["pdf", "png", "svg"], "svg"))
 def test_bifurcation_draws(kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     pytest.importorskip("matplotlib")

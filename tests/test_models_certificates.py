@@ -11,6 +11,7 @@ from scipy import stats
 import spragsym as ss
 from spragsym.models.certificates import ENDS, OPEN, SAFE, THIN, Splitting
 from spragsym.models.paths import first_end
+from spragsym.models.tubes import Parts
 from tests.support import few
 
 SEARCH = ss.load("kang_nam").search
@@ -102,6 +103,21 @@ def test_the_bracket_of_a_law_without_an_end() -> None:
     assert found.proved[0] <= law.sf(fold.value) <= found.proved[1] < found.proved[0] + 0.1
 
 
+def test_another_state_is_not_taken_for_the_followed_one() -> None:
+    """Of three in contact, about two of which a part may begin; by way of other angles the followed one is still told."""
+    ranges = {"theta0": (0.66, 0.67), "mu0": (0.2, 0.21)}
+    box = Splitting(*sets(SEARCH, ranges), "mu0", 0.2)
+    part = box._parts(box.whole.low, box.whole.high).middles()
+    eq = ss.equilibria(SEARCH.Parameters(theta0=float(part.centre[0, 0]), mu0=0.2))
+    places = [box.tubes.place(part, np.array([[x], [y], [0.2]]), 2) for x, y in zip(eq.x, eq.y, strict=True)]
+    assert len(places) == 3
+    for shift in (0.0, 0.004):
+        other = Parts(part.fixed, part.centre + shift, part.half)
+        before = box.tubes.place(other, places[0].z, 2)
+        linked = [bool(box._linked(other.centre, before, part.centre, here)[0]) for here in places]
+        assert linked == [True, False, False]
+
+
 def test_at_a_fold_and_without_friction() -> None:
     model = ss.load("inclined_belt")
     end = first_end(model, model.Parameters(theta0=1.0), "mu0", (0.0, 1.0))
@@ -111,7 +127,8 @@ def test_at_a_fold_and_without_friction() -> None:
     assert ss.certify(above, above).outcome == "refuted"
     assert ss.certify(below, above).outcome == "refuted"
     at = model.Parameters(theta0=1.0, mu0=end.value)
-    assert ss.certify(at, at, max_boxes=4).outcome == "undecided"
+    found = ss.certify(at, at)
+    assert (found.outcome, found.undecided, found.boxes) == ("undecided", 1.0, 1)  # a point can't be halved
     none = model.Parameters(theta0=1.0, mu0=0.0)
     assert ss.certify(none, none).outcome == "proved"
 

@@ -113,3 +113,14 @@ def test_a_tube_holds_one_state() -> None:
     assert way[:, 1] == pytest.approx(there, abs=1e-12)
     fold = float(ss.jump_value(ss.Parameters.article(theta0=math.radians(49.0))))
     assert carried(balance, given, row, np.array([0.0, fold + 0.01]), start) is None
+
+
+def test_an_end_above_candidates_that_are_open_is_not_the_lowest() -> None:
+    """A trolley jumps at 0.63 where its spring leans by 40°; that nothing ends below 8.7 was said once."""
+    model = ss.load("trolley")
+    p = model.Parameters(theta0=math.radians(40.0))
+    found, end = model.critical_friction(p), first_end(model, p, "mu0", (0.0, 1.0))
+    assert end is not None
+    assert found.value <= end.value
+    assert (found.kind, found.complete) == ("undecided", False)
+    assert any("not all decided" in remark for remark in found.remarks)

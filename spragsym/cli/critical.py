@@ -129,15 +129,21 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
         first = _first(case, p, span(case, Typed("mu0", "mu0"), ""), "up", False)["mu0"]
         return math.nan if first is None else float(first)
 
-    def cusp() -> float:
+    def cusp() -> float | None:
         if case.has_closed("cusp_friction"):
             return float(model.cusp_friction(p))
         found = model.cusps(p, **ask)
         remarks.extend(f"mu_cusp: {text}" for text in found.remarks)
-        return float(found.mu0.min(initial=math.inf))
+        # Beyond the end of a range there may be others, but no lower ones.
+        known = found.decided and found.whole and (len(found) or not found.endless)
+        return float(found.mu0.min(initial=math.inf)) if known else None
 
-    lowest = told("mu_lowest", lambda: model.critical_friction(p, **ask))
-    remarks += [f"mu_lowest: {text}" for text in getattr(lowest, "remarks", ())]
+    def fold() -> Any:
+        found = model.critical_friction(p, **ask)
+        remarks.extend(f"mu_lowest: {text}" for text in getattr(found, "remarks", ()))
+        return found if getattr(found, "complete", True) else None
+
+    lowest = told("mu_lowest", fold)
     return {
         "mu_jump": told("mu_jump", jump), "mu_lowest": None if lowest is None else float(lowest),
         "theta0_lowest_deg": None if lowest is None else math.degrees(lowest.theta0),

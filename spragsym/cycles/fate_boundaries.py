@@ -453,7 +453,7 @@ def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
                 met = followed_cycle(asked.field, single.orbit, asked.at(end.value), asked.backend)
                 return same_cycle(met, end.cycle)
     except ConvergenceError:
-        pass
+        pass  # what can't be followed between is not known to be one attractor, and both fates stay
     return False
 
 

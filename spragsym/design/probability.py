@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -61,8 +61,8 @@ class JumpProbability(Result):
     first_error, total_error : dict of str to float
         Half-widths of their intervals.
     proved : tuple of float
-        Bracket that no sampling can leave: the probability of what is proved to jump, and one minus that of what is proved not
-        to; (0, 1) where nothing was asked to be proved.
+        Bracket of the probability by proof, not by samples: the probability of what is proved to jump, and one minus that of what
+        is proved not to; (0, 1) where nothing was asked to be proved.
     """
 
     probability: float
@@ -230,21 +230,30 @@ def _variables(distribution: Distribution) -> dict[str, Any]:
     names: tuple[str, ...] = PHYSICAL if set(given) & (set(PHYSICAL) - set(NAMES)) else NAMES
     if names is PHYSICAL and set(given) & set(BELT):
         names = (*PHYSICAL, *BELT)
-    for name in given:
-        if name not in names:
-            raise ParameterError(f"{name!r} in distribution is not a quantity here; the quantities are {', '.join(names)}")
-    missing = [name for name in names if name not in given]
-    if missing:
-        raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
-    return {name: variable(name, given[name], RANGES[name] if name in RANGES else range_of(name)) for name in names}
+    return checked(given, {name: RANGES[name] if name in RANGES else range_of(name) for name in names}, "a quantity here")
 
 
 def _box(low: Any, high: Any) -> dict[str, Any]:
     if type(low) is not type(high) or not isinstance(low, Parameters | PhysicalParameters):
         raise ParameterError("distribution: the corners of a box are two Parameters or two PhysicalParameters")
-    names = NAMES if isinstance(low, Parameters) else PHYSICAL
+    return sides(low, high, NAMES if isinstance(low, Parameters) else PHYSICAL)
+
+
+def sides(low: Any, high: Any, names: Iterable[str]) -> dict[str, Any]:
+    """A box from two corners: a number where they agree, else the ends of a range."""
     ends = ((name, as_number(name, getattr(low, name)), as_number(name, getattr(high, name))) for name in names)
     return {name: one if one == other else (one, other) for name, one, other in ends}
+
+
+def checked(given: Mapping[str, Any], ranges: Mapping[str, Range], what: str) -> dict[str, Any]:
+    """A variable for each quantity, where just these are given; ``what`` an unknown one is not, in an error."""
+    for name in given:
+        if name not in ranges:
+            raise ParameterError(f"{name!r} in distribution is not {what}; there are {', '.join(ranges)}")
+    missing = [name for name in ranges if name not in given]
+    if missing:
+        raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
+    return {name: variable(name, given[name], allowed) for name, allowed in ranges.items()}
 
 
 def variable(name: str, given: Any, allowed: Range) -> Any:

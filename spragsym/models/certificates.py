@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from ..design.certificates import Certificate
 from ..design.claims import CLAIMS
 from ..errors import ConvergenceError, ModelError, ParameterError
-from ..exact import contractors
 from ..exact.interval_arrays import FloatArray
 from ..statics.results import Stability
 from .balance import Balance
@@ -26,28 +25,27 @@ BATCH, POINTS = 1024, 1024
 WIDE, THIN = 2.0**-6, 2.0**-14
 #: Most corners of a box that are looked at for a counterexample.
 CORNERS = 64
-#: Two states that are the same one, to rounding.
-NEAR = 1e-8
-#: Outcomes of a part.
-OPEN, SAFE, ENDS = 0, 1, -1
+#: Outcomes of a part; the last one: neither was proved, and it is not halved any more.
+OPEN, SAFE, ENDS, LEFT = 0, 1, -1, 2
 
 Outcomes: TypeAlias = NDArray[np.int64]
 
 
 @dataclass(frozen=True)
 class Pieces:
-    """Parts of a box, one a column: their ends, and where the followed state begins in the part that each is a piece of.
+    """Parts of a box, one a column: their ends, and the place at which the followed state begins, here or in what holds these.
 
-    ``low`` and ``high`` have the shape (free + 1, N), the parameter that moves last; ``middle``, (free, N), is that of ``base``.
+    ``low`` and ``high`` have the shape (free + 1, N), the parameter that moves last; ``of``, (2, free, N), are the ends of the
+    parameters for which ``base`` is proved.
     """
 
     low: FloatArray
     high: FloatArray
     base: Place
-    middle: FloatArray
+    of: FloatArray
 
     def __getitem__(self, rows: Any) -> Pieces:
-        return Pieces(self.low[:, rows], self.high[:, rows], self.base[rows], self.middle[:, rows])
+        return Pieces(self.low[:, rows], self.high[:, rows], self.base[rows], self.of[:, :, rows])
 
     def __len__(self) -> int:
         return int(self.low.shape[1])
@@ -55,15 +53,19 @@ class Pieces:
     def then(self, others: Pieces) -> Pieces:
         """These, and others."""
         base = Place(*(np.concatenate([getattr(one.base, name) for one in (self, others)], axis=-1)
-                       for name in ("z", "held", "by_p", "sure")))  # fmt: skip
-        pairs = ((self.low, others.low), (self.high, others.high), (self.middle, others.middle))
-        low, high, middle = (np.concatenate(pair, axis=1) for pair in pairs)
-        return Pieces(low, high, base, middle)
+                       for name in ("z", "held", "room", "by_p", "sure")))  # fmt: skip
+        pairs = ((self.low, others.low), (self.high, others.high), (self.of, others.of))
+        low, high, of = (np.concatenate(pair, axis=-1) for pair in pairs)
+        return Pieces(low, high, base, of)
+
+    def divisible(self) -> NDArray[np.bool_]:
+        """Sides that have floats between their ends."""
+        return np.nextafter(self.low, np.inf) < self.high
 
     def halved(self, weight: FloatArray) -> Pieces:
-        """Each cut across the side that matters most; what is as thin as floats are stays as it is, twice."""
+        """Each cut across the side that matters most."""
         column = np.arange(len(self))
-        side = np.where(self.high > self.low, weight, -1.0).argmax(axis=0)
+        side = np.where(self.divisible(), weight, -1.0).argmax(axis=0)
         middle = 0.5 * (self.low[side, column] + self.high[side, column])
         low, high = self.low.copy(), self.high.copy()
         low[side, column], high[side, column] = middle, middle
@@ -88,8 +90,10 @@ class Splitting:
         self.fixed = np.array([[ends[0][name]] for name in self.balance.parameters])
         one, other = (np.array([[end[name]] for name in (*self.free, vary)]) for end in ends)
         middle = 0.5 * (one + other)[:-1]
-        start = self.tubes.place(self._parts(one, other), np.append(self._first(middle[:, 0]), begin)[:, None], self.tubes.n)
-        self.whole = Pieces(one, other, start, middle)
+        parts = self._parts(one, other)
+        start = self.tubes.place(parts.middles(), np.append(self._first(middle[:, 0]), begin)[:, None], self.tubes.n)
+        start = replace(start, by_p=self.tubes.tangents(parts, start.z, self.tubes.n)[1])
+        self.whole = Pieces(one, other, start, np.stack([middle, middle]))
 
     def _parts(self, low: FloatArray, high: FloatArray) -> Parts:
         centre = 0.5 * (low[:-1] + high[:-1])
@@ -136,55 +140,67 @@ class Splitting:
             out[rows], moves = self.tubes.passed(parts[rows], reached[rows], pieces.low[-1, rows], goal[rows])
             weight[:, rows] = 0.5 * width[:, rows] * np.concatenate([moves, np.ones((1, rows.size))])
         own = np.flatnonzero(start.sure)
-        base, middle = pieces.base[np.arange(len(pieces))], pieces.middle.copy()
+        base, of = pieces.base[np.arange(len(pieces))], pieces.of.copy()
         base.put(own, start[own])
-        middle[:, own] = parts.centre[:, own]
-        return out, weight, replace(pieces, base=base, middle=middle)
+        of[:, :, own] = np.stack([pieces.low[:-1, own], pieces.high[:-1, own]])
+        return out, weight, replace(pieces, base=base, of=of)
 
     def _begun(self, pieces: Pieces) -> tuple[Parts, Place]:
         """Where pieces begin: the state of what they are pieces of, proved; not sure where it can't be."""
-        parts = self._parts(pieces.low, pieces.high)
-        z = pieces.base.z + np.einsum("ikN,kN->iN", pieces.base.by_p, parts.centre - pieces.middle)
+        parts, middle = self._parts(pieces.low, pieces.high), 0.5 * (pieces.of[0] + pieces.of[1])
+        z = pieces.base.z + np.einsum("ikN,kN->iN", pieces.base.by_p, parts.centre - middle)
         here = self.tubes.place(parts, z, self.tubes.n)
-        same = pieces.base.sure & contractors.within(here.box().ends, pieces.base.box().ends)
-        rows = np.flatnonzero(here.sure & ~same)
-        same[rows] = self._linked(pieces.middle[:, rows], pieces.base.z[:-1, rows], parts.centre[:, rows], here.z[:-1, rows])
-        return parts, replace(here, sure=here.sure & same)
+        held = ((pieces.of[0] <= pieces.low[:-1]) & (pieces.high[:-1] <= pieces.of[1])).all(axis=0)
+        same = held & here.lies_in(pieces.base, self.balance.n)
+        rows = np.flatnonzero(here.sure & pieces.base.sure & ~same)
+        same[rows] = self._linked(middle[:, rows], pieces.base[rows], parts.centre[:, rows], here[rows])
+        return parts, replace(here, sure=same)
 
-    def _linked(self, one: FloatArray, q: FloatArray, other: FloatArray, arrived: FloatArray) -> Flags:
-        """Whether states in some middles become those in others, as one parameter after the other moves."""
-        out = np.ones(one.shape[1], dtype=np.bool_)
-        at, q = np.repeat(self.fixed, one.shape[1], axis=1), q.copy()
+    def _linked(self, one: FloatArray, before: Place, other: FloatArray, after: Place) -> Flags:
+        """Whether the states of a place become those of another, as one parameter after the other moves between their middles."""
+        n, last = self.balance.n, before
+        at = np.repeat(self.fixed, one.shape[1], axis=1)
         at[self.tubes.places], at[self.tubes.moving] = one, self.begin
+        out = np.ones(one.shape[1], dtype=np.bool_)
         for k, name in enumerate(self.free):
-            tubes, rows = Tubes(self.balance, name), np.flatnonzero(out & (one[k] != other[k]))
-            none = np.zeros((0, rows.size))
-            parts = Parts(at[:, rows], none, none)
-            start = tubes.place(parts, np.concatenate([q[:, rows], one[k : k + 1, rows]]), tubes.n)
-            end = tubes.followed(parts, start, other[k, rows])
-            out[rows] = end.sure & (end.z[-1] == other[k, rows])
-            at[self.tubes.places[k], rows], q[:, rows] = other[k, rows], end.z[:-1]
-        same: Flags = out & (np.abs(q - arrived) <= NEAR * np.maximum(1.0, np.abs(arrived))).all(axis=0)
+            tubes, none = Tubes(self.balance, name), np.zeros((0, one.shape[1]))
+            parts = Parts(at, none, none)
+            start = tubes.place(parts, np.concatenate([last.z[:-1], one[k : k + 1]]), n)
+            out &= start.lies_in(last, n)
+            last = tubes.followed(parts, start, other[k])
+            out &= last.z[n] == other[k]
+            at[self.tubes.places[k]] = other[k]
+        same: Flags = out & last.lies_in(after, n)
         return same
 
     def run(
         self, share: Callable[[FloatArray, FloatArray], FloatArray], most: int
     ) -> Iterator[tuple[Pieces, FloatArray, Outcomes]]:
-        """Pieces that were looked at with their shares and outcomes, the largest first; the last ones are those that are left."""
+        """Pieces that were looked at with their shares and outcomes, the largest first, and those that are left.
+
+        A piece that is open is halved, and is left where it is as thin as floats are, or after ``most`` pieces.
+        """
         pending, seen = self.whole, 0
-        while len(pending):
+        while len(pending) and seen < most:
             shares = share(pending.low, pending.high)
-            if seen >= most:
-                yield pending, shares, np.zeros(len(pending), dtype=np.int64)
-                return
             order = np.argsort(-shares, kind="stable")
             taken = order[: min(BATCH, most - seen)]
             some, rest = pending[taken], pending[order[taken.size :]]
             outcome, weight, some = self.settled(some, WIDE)
             seen += taken.size
-            open_ = outcome == OPEN
-            yield some[~open_], shares[taken][~open_], outcome[~open_]
+            yield some, shares[taken], outcome
+            thin = (outcome == OPEN) & ~some.divisible().any(axis=0)
+            if thin.any():
+                yield some[thin], shares[taken][thin], np.full(thin.sum(), LEFT)
+            open_ = (outcome == OPEN) & ~thin
             pending = rest.then(some[open_].halved(weight[:, open_]))
+        if len(pending):
+            yield pending, share(pending.low, pending.high), np.full(len(pending), LEFT)
+
+    def ending(self, values: FloatArray) -> Any:
+        """Parameters at the first of some points, shape (free + 1, N), at which the state is proved to end, or None."""
+        ends = np.flatnonzero(self.settled(self.points(values), THIN)[0] == ENDS)
+        return self.point(values[:, ends[0]]) if ends.size else None
 
 
 def corners(low: FloatArray, high: FloatArray) -> FloatArray:
@@ -205,8 +221,8 @@ def certify(
         Two corners, scalars, of one model.
     claim : {"no jump"}
         The state that is stable and of smallest first coordinate in the middle of the box where ``vary`` begins, and what it
-        becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact, and neither
-        meets another state.
+        becomes over the box, goes on as ``vary`` rises from ``begin`` to its value in the box: it stays in contact, and meets no
+        other state.
     vary : str
         The parameter that rises.
     begin : float
@@ -235,28 +251,26 @@ def certify(
         )  # fmt: skip
     box = Splitting(low, high, vary, begin)
     volume = (box.whole.high - box.whole.low).prod(axis=0, where=box.whole.high > box.whole.low)
-    seen, left = 0, 1.0
-    if refute:
-        at = corners(box.whole.low[:, 0], box.whole.high[:, 0])
-        outcome = box.settled(box.points(at), THIN)[0]
-        if (outcome == ENDS).any():
-            return Certificate(claim, "refuted", box.point(at[:, outcome.argmin()]), 1.0, 1)
+    found = box.ending(corners(box.whole.low[:, 0], box.whole.high[:, 0])) if refute else None
+    if found is not None:
+        return Certificate(claim, "refuted", found, 1.0, 1)
+    seen, open_, left, decided = 0, 1.0, 0.0, True
 
     def share(one: FloatArray, other: FloatArray) -> FloatArray:
         part: FloatArray = (other - one).prod(axis=0, where=other > one) / volume
         return part
 
     for pieces, shares, outcome in box.run(share, max_boxes):
-        seen += len(pieces)
-        left -= float(shares[outcome == SAFE].sum())
-        ends = np.flatnonzero(outcome == ENDS)
+        seen += int((outcome != LEFT).sum())
+        open_ -= float(shares[outcome == SAFE].sum())
+        ends, rest = np.flatnonzero(outcome == ENDS), outcome == LEFT
+        left += float(shares[rest].sum())
+        decided &= not rest.any()
         if ends.size:
-            return Certificate(claim, "refuted", box.point(pieces.high[:, ends[0]]), left, seen)
-        if (outcome == OPEN).any() and refute:
-            at = np.concatenate([0.5 * (pieces.low + pieces.high)[:-1], pieces.high[-1:]])[:, :POINTS]
-            found = box.settled(box.points(at), THIN)[0]
-            if (found == ENDS).any():
-                return Certificate(claim, "refuted", box.point(at[:, found.argmin()]), float(shares.sum()), seen)
-        if (outcome == OPEN).any():
-            return Certificate(claim, "undecided", None, float(shares.sum()), seen)
-    return Certificate(claim, "proved", None, 0.0, seen)
+            found = box.point(pieces.high[:, ends[0]])
+        elif refute and rest.any():
+            middles = np.concatenate([0.5 * (pieces.low + pieces.high)[:-1], pieces.high[-1:]])
+            found = box.ending(middles[:, rest][:, :POINTS])
+        if found is not None:
+            return Certificate(claim, "refuted", found, max(open_, 0.0), seen)
+    return Certificate(claim, "proved" if decided else "undecided", None, left, seen)

@@ -115,14 +115,12 @@ def critical_friction(
     except ConvergenceError as error:
         low = search_of.spans[1, 0]
         return LowestEnd(vary, over, float(low), math.nan, "undecided", math.nan, False, (str(error),))
+    if found.value > open_from:
+        why = f"candidates from {vary} = {open_from:.6g} on are not all decided: the state may end there"
+        found, remarks = _Candidate(open_from, math.nan, "undecided", math.nan), (*remarks, why)
     cut = [name for name in unsaid if name == over or not math.isfinite(found.value)]
     remarks += of_ranges(tuple(cut), search_of.spans[[(over, vary).index(name) for name in cut]]) if cut else ()
     complete = not remarks and found.kind != "undecided"
-    if found.value > open_from:
-        complete = False
-        remarks += (
-            f"candidates from {vary} = {open_from:.6g} on are not all decided: the state may end at a lower value than that",
-        )
     return LowestEnd(vary, over, found.value, found.where, found.kind, found.error, complete, remarks)
 
 

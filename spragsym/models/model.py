@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from ..dynamics.problem import Problem
     from ..statics.onsets import Onsets
     from ..statics.paths import Path
-    from ..statics.points import Points
+    from ..statics.points import Ended, Points
     from ..statics.results import Equilibria
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
     from .normal_forms import NormalForm
+    from .stability import Linearized
 
 
 class Model:
@@ -458,6 +459,26 @@ class Model:
         from .births import born
 
         return born(self, given, state, vary, form, amplitude, backend)
+
+    def ended(self, points: Points) -> Ended:
+        """What happens at :class:`~spragsym.Points`: see :func:`spragsym.models.fold_outcomes.ended`."""
+        from .fold_outcomes import ended
+
+        return ended(points)
+
+    def springs(self, eq: Equilibria) -> dict[str, FloatArray]:
+        """Directions and lengths of the inclined springs at equilibria: see :func:`spragsym.models.stability.springs`."""
+        from .stability import springs
+
+        return springs(eq)
+
+    def linearized(
+        self, eq: Equilibria, states: tuple[NDArray[np.int64], ...], around: tuple[FloatArray, FloatArray] | None
+    ) -> Linearized:
+        """What grows at equilibria: see :func:`spragsym.models.stability.linearized`."""
+        from .stability import linearized
+
+        return linearized(eq, states, around)
 
     def _one(self, vary: str | None) -> str:
         if not self.parameters:

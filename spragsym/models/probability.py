@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..design.dependence import Correlation
-from ..design.probability import JumpProbability, estimated, variable
+from ..design.probability import JumpProbability, checked, estimated, sides
 from ..errors import ParameterError, ParameterTypeError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import ParameterSet
@@ -104,18 +104,11 @@ def _variables(model: Any, distribution: Any) -> dict[str, Any]:
     if isinstance(distribution, tuple):
         if len(distribution) != 2 or not all(isinstance(p, model.Parameters) for p in distribution):
             raise ParameterTypeError(f"distribution: the corners of a box are two sets of parameters of {model.name}")
-        low, high = (dict(zip(model.parameters, p.scalars(*model.parameters), strict=True)) for p in distribution)
-        given = {name: one if one == high[name] else (one, high[name]) for name, one in low.items()}
+        given = sides(*distribution, model.parameters)
     else:
         given = {**model.base, **distribution}
-    for name in given:
-        if name not in model.parameters:
-            known = ", ".join(model.parameters)
-            raise ParameterError(f"{name!r} in distribution is not a parameter of {model.name}; the parameters are {known}")
-    missing = [name for name in model.parameters if name not in given]
-    if missing:
-        raise ParameterError(f"distribution has nothing for {', '.join(missing)}; give a number where nothing varies")
-    return {name: variable(name, given[name], model.Parameters.ranges[name]) for name in model.parameters}
+    ranges = {name: model.Parameters.ranges[name] for name in model.parameters}
+    return checked(given, ranges, f"a parameter of {model.name}")
 
 
 def _ends(base: ParameterSet, vary: str, begin: float, values: Mapping[str, Any]) -> FloatArray:

@@ -63,25 +63,33 @@ class Parts:
 class Place:
     """Where tubes stand: the middle z of the states there, how far the states of a box lie from it at most, and slopes D.
 
-    ``z`` and ``held`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N); ``sure`` where it is proved.
+    Within ``room`` of the middle each point of the box has one state and no other, which lies within ``held`` of it. ``z``,
+    ``held`` and ``room`` have the shape (n + 1, N), ``by_p`` has (n + 1, free, N); ``sure`` where it is proved.
     """
 
     z: FloatArray
     held: FloatArray
+    room: FloatArray
     by_p: FloatArray
     sure: Flags
 
     def __getitem__(self, rows: Any) -> Place:
-        return Place(self.z[:, rows], self.held[:, rows], self.by_p[:, :, rows], self.sure[rows])
+        return Place(self.z[:, rows], self.held[:, rows], self.room[:, rows], self.by_p[:, :, rows], self.sure[rows])
 
     def put(self, rows: Any, other: Place) -> None:
         """Take the places of some rows over."""
-        self.z[:, rows], self.held[:, rows], self.by_p[:, :, rows] = other.z, other.held, other.by_p
-        self.sure[rows] = other.sure
+        self.z[:, rows], self.held[:, rows], self.room[:, rows] = other.z, other.held, other.room
+        self.by_p[:, :, rows], self.sure[rows] = other.by_p, other.sure
 
     def box(self) -> Intervals:
         """All states there."""
         return Intervals(np.stack([-self.z, self.z]) + self.held + np.spacing(np.abs(self.z) + self.held))
+
+    def lies_in(self, other: Place, n: int) -> Flags:
+        """Whether its states are those of another place, which holds for all its parameters: by their n coordinates."""
+        within = np.abs(self.z - other.z) * UP + self.held * UP + 2 * np.spacing(np.abs(self.z) + np.abs(other.z) + self.held)
+        same: Flags = self.sure & other.sure & (within[:n] <= other.room[:n]).all(axis=0)
+        return same
 
 
 class Tubes:
@@ -186,8 +194,8 @@ class Tubes:
         """The states of whole boxes at one value of the pivot, one for each point of a box; z is about those in the middle."""
         z = self.corrected(parts, z, pivot)
         zero, by_p = np.zeros_like(z), self._across(parts, z, pivot)
-        sure, room = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero)
-        return Place(z, room, by_p, sure)
+        sure, room, held = self._one_state(parts, z, zero, by_p, np.zeros(z.shape[1]), pivot, zero)
+        return Place(z, held, room, by_p, sure)
 
     def segment(self, parts: Parts, start: Place, z: FloatArray, pivot: int) -> tuple[Flags, Place, Intervals]:
         """From a place to another value of the pivot, about which z is: where that is proved, the place there, and the tube."""
@@ -208,15 +216,18 @@ class Tubes:
             *((np.abs(one.z - middle) + one.held) * UP + 2 * np.spacing(np.abs(one.z) + one.held) for one in (start, end))
         )
         must[pivot] = 0.0
-        sure, room = self._one_state(parts, middle, along, inside, half, pivot, must)
+        sure, room, _ = self._one_state(parts, middle, along, inside, half, pivot, must)
         tube = Intervals(np.stack([-middle, middle]) + room + np.spacing(np.abs(middle) + room))
         return sure & end.sure & start.sure & (np.abs(way) >= wide), end, tube
 
     def _one_state(
         self, parts: Parts, middle: FloatArray, along: FloatArray, by_p: FloatArray, half: FloatArray, pivot: int,
         must: FloatArray,
-    ) -> tuple[Flags, FloatArray]:  # fmt: skip
-        """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters; half their sizes."""
+    ) -> tuple[Flags, FloatArray, FloatArray]:  # fmt: skip
+        """Whether boxes hold one state, in contact, for each value of the pivot and of the parameters.
+
+        Beside it half the sizes of the boxes, and how far from the middle the states lie at most.
+        """
         others, count = self._others(pivot), middle.shape[1]
         least = NARROW * np.maximum(1.0, np.abs(middle[others]))
         wide = self._span(parts)
@@ -226,7 +237,7 @@ class Tubes:
         swing = (np.abs(along) * moved + (np.abs(by_p) * apart).sum(axis=1)) * UP
         forces = self._forces(parts, middle)
         across, strayed = Intervals(np.stack([moved, moved])), Intervals(np.stack([apart, apart]))
-        reach, room = 2 * least, np.zeros_like(middle)
+        reach, room, held = 2 * least, np.zeros_like(middle), swing.copy()
         sure, open_ = np.zeros(count, dtype=np.bool_), np.ones(count, dtype=np.bool_)
         for _ in range(INFLATIONS):
             rows = np.flatnonzero(open_)
@@ -250,9 +261,10 @@ class Tubes:
                 bounds = self._bounds(parts[here], box[:, done][self.n])
                 sure[here] = on_side(self.balance, bounds, box.ends[:, : self.n, done])[0]
                 room[:, here] = size[:, done]
+                held[np.array(others)[:, None], here] = (swing[others][:, here] + np.maximum(*step[:, :, done])) * UP
             open_[rows[done | ~good]] = False
             reach[:, rows] = (1 + ROOM) * np.maximum(reach[:, rows], np.where(good, np.maximum(*np.abs(step)), 0.0))
-        return sure, room
+        return sure, room, held
 
     def _left(
         self, force: Intervals, slopes: Intervals, along: FloatArray, by_p: FloatArray, moved: Intervals, strayed: Intervals
@@ -288,12 +300,12 @@ class Tubes:
 
     # ------------------------------------------------------------------------------------------------------ the way
 
-    def followed(self, parts: Parts, start: Place, goal: FloatArray, least: float = LEAST, most: int = MOST) -> Place:
+    def followed(self, parts: Parts, start: Place, goal: FloatArray, least: float = LEAST) -> Place:
         """The state as ``vary`` moves to a goal: the last places that are proved, at the goal where all of the way is."""
         here = start[np.arange(goal.size)]
         way = goal - here.z[self.n]
         step = FIRST * way
-        for _ in range(most):
+        for _ in range(MOST):
             rows = np.flatnonzero(here.sure & (here.z[self.n] != goal) & (np.abs(step) >= least * np.abs(way)))
             if not rows.size:
                 break

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -128,8 +127,8 @@ class Points(Result):
 
     @cached_property
     def _what_ends(self) -> Ended:
-        # A room above this one knows how branches of any model are followed.
-        return self._ended or importlib.import_module("spragsym.models.fold_outcomes").ended(self)
+        found: Ended = self._ended or self.parameters.model.ended(self)
+        return found
 
     @cached_property
     def _states(self) -> Equilibria:

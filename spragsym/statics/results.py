@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import enum
-import importlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -226,15 +225,15 @@ class Equilibria(Result):
 
     @cached_property
     def _springs(self) -> dict[str, FloatArray]:
-        return importlib.import_module("spragsym.models.stability").springs(self)  # type: ignore[no-any-return]
+        found: dict[str, FloatArray] = self._model.springs(self)
+        return found
 
     @cached_property
     def _all(self) -> Any:
         return self._linearized(self.states)
 
     def _linearized(self, states: tuple[NDArray[np.int64], ...]) -> Any:
-        # A room above this one knows how any model is linearized about its states.
-        return importlib.import_module("spragsym.models.stability").linearized(self, states, self._source.around)
+        return self._model.linearized(self, states, self._source.around)
 
     def _placed(self, values: NDArray[Any], empty: Any) -> NDArray[Any]:
         """Values of all states by point and slot."""

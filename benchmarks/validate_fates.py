@@ -11,7 +11,7 @@ the same command goes on from there.
   way to the next change, or at three errors.
 - A refusal is read part by part, and each part has its own confirmation, between the values that it names. That both ends come to
   one attractor: a motion is carried from one to the other, by steps of the parameter so small that averages jump nowhere, and ends
-  with the averages that the motion there has. That motions are undecided: averages still change, or neighbours part. That fates
+  with the averages that the motion there has. That motions are undecided: averages still change, neighbours part, or a motion does not come back to itself. That fates
   alternate more closely than rounding can tell: of motions that begin within rounding of one another, at values within the width
   that is named, two have different ends. That an attractor ends: a motion carried on past there comes to the averages of the motion
   there. What was left open for its length is counted as that, and says nothing.
@@ -27,6 +27,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 import spragsym as ss
 from benchmarks.parts import numbered
@@ -55,6 +56,9 @@ STEP, HALVINGS, STEP_LASTS, JUMP = 1 / 25, 10, 4000.0, 0.02
 
 #: Changes of the start, and motions that are looked at, where rounding is said to decide.
 ROUNDING, LOOKED_AT = 1e-12, 200
+
+#: For how long a motion is asked to come back to itself, how finely, and what is no return, as a share of its extent.
+PASSES, FINELY, AGAIN = 1000.0, 0.02, 1e-5
 
 
 def call(number: int) -> dict[str, Any]:
@@ -148,13 +152,33 @@ def carried(given: dict[str, Any], low: float, high: float, *, jumps: bool = Fal
 
 
 def undecided(given: dict[str, Any], *places: float) -> tuple[bool, str]:
-    """Whether the averages of a motion at some of the places change, or those of a neighbour are others."""
-    told = []
+    """Whether a motion at some of the places does not come back to itself, or a neighbour has other averages."""
+    told, missed = [], []
     for place in places:
         values = given["values"] | {given["vary"]: place}
-        one, other = (averages(values, np.add(given["start"], [off, 0, 0, 0]))[0] for off in (0, 1e-9))
+        (one, state), (other, _) = (averages(values, np.add(given["start"], [off, 0, 0, 0])) for off in (0, 1e-9))
         told.append(max(apart(one, other)))
-    return max(told) > 1e-6, f"averages change by {max(told):.1g}"
+        missed.append(0.0 if max(told) > STEADY else returned(values, state))
+    why = f"averages change by {max(told):.1g}" + (f", it passes itself at {max(missed):.1g}" if max(missed) else "")
+    return max(told) > STEADY or max(missed) > AGAIN, why
+
+
+def returned(values: dict[str, float], start: Any) -> float:
+    """How near a motion passes its start once more, as a share of its extent; 0 for one that stays there."""
+    motion = SPRAG.simulate(tuple(values.values()), start, PASSES, backend="compiled", rtol=1e-12)
+    times = np.linspace(0, PASSES, round(PASSES / FINELY) + 1)
+    states = motion(times)
+    extent = float(np.ptp(states, axis=1).max())
+    if extent < STEADY:
+        return 0.0
+    off = np.abs(states - np.asarray(start)[:, None]).max(axis=0)
+    gone = int(np.argmax(off > 0.1 * extent))
+    near = times[gone + int(np.argmin(off[gone:]))]
+    closest = minimize_scalar(
+        lambda t: float(np.abs(motion(np.array([t]))[:, 0] - start).max()),
+        bounds=(near - FINELY, min(near + FINELY, PASSES)), method="bounded", options={"xatol": 1e-12},
+    )  # fmt: skip
+    return float(closest.fun) / extent
 
 
 def alternating(given: dict[str, Any], place: float, width: float) -> tuple[bool, str]:
@@ -174,7 +198,10 @@ def part(given: dict[str, Any], said: str) -> tuple[str, bool, str]:
     named = [float(text) for text in re.findall(rf" at {vary} = ([-+.\de]+)", said)]
     by_rounding = [float(text) for text in re.findall(rf"as rounding decides, to .*? at {vary} = ([-+.\de]+)", said)]
     if by_rounding:
-        found = [alternating(given, place, 0.0) for place in by_rounding]
+        found = [
+            open_ if "or, as rounding decides, to nothing" in said and (open_ := undecided(given, place))[0]
+            else alternating(given, place, 0.0) for place in by_rounding
+        ]  # fmt: skip
         if "undecided" in said:
             found.append(undecided(given, *np.linspace(named[0], named[1], 5)[1:-1]))
         return "rounding decides", all(right for right, _ in found), "; ".join(how for _, how in found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,25 +16,26 @@ from .jump_values import first_jumps, told
 
 @dataclass(frozen=True, eq=False)
 class JumpGradient(Result):
-    """A jump value and its derivatives by the six parameters, each of the shape of the points; NaN where nothing jumps.
+    """A jump value and its derivatives by the parameters, each of the shape of the points; NaN where nothing jumps.
 
-    The derivative by the parameter that varies is 0: where it jumps does not depend on where it started.
+    The derivative by the parameter that varies is 0: where it jumps does not depend on where it started. Each derivative is an
+    attribute under the name of its parameter.
     """
 
     vary: str
     value: FloatArray
-    theta0: FloatArray
-    mu0: FloatArray
-    kappa: FloatArray
-    alpha: FloatArray
-    sigma: FloatArray
-    beta: FloatArray
+    slopes: Mapping[str, FloatArray]
+
+    def __getattr__(self, name: str) -> FloatArray:
+        if name not in self.__dict__.get("slopes", ()):
+            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
+        return self.slopes[name]
 
     def as_table(self) -> Table:
         """The value and its slopes; of many points the smallest and the largest."""
         rows = []
-        for name in ("value", *NAMES):
-            known = np.asarray(getattr(self, name))[~np.isnan(self.value)]
+        for name, values in {"value": self.value, **self.slopes}.items():
+            known = np.asarray(values)[~np.isnan(self.value)]
             ends = (f"{known.min():.10g}", f"{known.max():.10g}") if known.size else ("nan", "nan")
             rows.append((self.vary if name == "value" else f"slope by {name}", *ends))
         return Table(f"JumpGradient, vary = {self.vary}, radians", ("", "smallest", "largest"), tuple(rows))
@@ -76,7 +78,7 @@ def jump_gradient(p: Parameters, vary: str = "mu0", *, direction: str = "up") ->
     with np.errstate(invalid="ignore", divide="ignore"):
         slopes = {name: -change / along for name, change in changes.items()}
     slopes[vary] = np.where(np.isnan(found.value), np.nan, 0.0)
-    return JumpGradient(vary, found.value, **slopes)
+    return JumpGradient(vary, found.value, slopes)
 
 
 def by_parameter(values: dict[str, Any], theta: FloatArray) -> dict[str, FloatArray]:

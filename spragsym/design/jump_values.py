@@ -12,6 +12,7 @@ import math
 import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -93,7 +94,20 @@ def jump_value(p: Parameters, vary: str = "mu0", *, direction: str = "up") -> fl
     return found.value if found.value.ndim else float(found.value)
 
 
-def told(found: FirstJumps) -> FirstJumps:
+class Values(Protocol):
+    """Values of many points, NaN where there is none, and of which points nothing is known, and why."""
+
+    @property
+    def value(self) -> FloatArray: ...
+
+    @property
+    def reasons(self) -> Mapping[int, str]: ...
+
+
+Known = TypeVar("Known", bound=Values)
+
+
+def told(found: Known) -> Known:
     """The values themselves; an error if nothing is known of a single point, a warning if nothing is known of some of many."""
     for reason in found.reasons.values():
         if not found.value.shape:

@@ -24,8 +24,6 @@ from .points import arranged, endless, given_column, ranges, search
 from .remarks import of_ranges
 from .tubes import carried
 
-#: How far inside an end that does not belong to a range it is looked at, over its width.
-INSIDE = 2.0**-40
 #: How far beside a cusp its folds are looked for, over the range, and beyond its value, over that if it is larger than 1.
 ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
 #: Of two values that differ by less than that times their bounds none is the lower one.
@@ -131,8 +129,7 @@ class _Search:
         self.model, self.p, self.vary, self.over = model, p, vary, over
         self.balance = Balance(model, contact=True)
         for span, name in zip(spans, (over, vary), strict=True):
-            far = INSIDE * (span[1] - span[0]) * np.array([1.0, -1.0])
-            span += np.where([p.ranges[name].contains(float(end)) for end in span], 0.0, far)
+            span[:] = [p.ranges[name].reached(float(end), span[1] - span[0]) for end in span]
         self.spans = spans
         self.low, self.high = map(float, spans[1])
 

@@ -19,7 +19,7 @@ from .describe import described, explained
 
 if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
-    from ..design import Certificate, JumpProbability
+    from ..design import Certificate, JumpGradient, JumpProbability
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
@@ -421,8 +421,29 @@ class Model:
         vary, begin = self._rising(vary, begin)
         return jump_probability(self, distribution, vary=vary, begin=begin, **options)
 
-    jump_value = unanswered("quasi_static_path(p, vary, values) follows the state to its jump")
-    jump_gradient = unanswered("folds(p, vary) at neighbouring values has the differences")
+    @question
+    def jump_value(self, p: ParameterSet, vary: str | None = None, **options: Any) -> float | FloatArray:
+        """Where the followed state ends first as a parameter moves: see :func:`spragsym.models.jumps.jump_value`.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import spragsym as ss
+        >>> model = ss.load("cubic_contact")
+        >>> np.round(model.jump_value(model.Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
+        array([0.573041, 0.387413,      nan])
+        """
+        from .jumps import jump_value
+
+        return jump_value(self, p, self._rising(vary, 0.0)[0], **options)
+
+    @question
+    def jump_gradient(self, p: ParameterSet, vary: str | None = None, **options: Any) -> JumpGradient:
+        """Derivatives of :meth:`jump_value` by all parameters: see :func:`spragsym.models.jumps.jump_gradient`."""
+        from .jumps import jump_gradient
+
+        return jump_gradient(self, p, self._rising(vary, 0.0)[0], **options)
+
     jump_margin = unanswered("folds(p, vary) has the folds along each parameter")
     redesign = unanswered("folds(p, vary) says how far a parameter has to go")
     cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")

@@ -216,8 +216,8 @@ class Tubes:
             *((np.abs(one.z - middle) + one.held) * UP + 2 * np.spacing(np.abs(one.z) + one.held) for one in (start, end))
         )
         must[pivot] = 0.0
-        sure, room, _ = self._one_state(parts, middle, along, inside, half, pivot, must)
-        tube = Intervals(np.stack([-middle, middle]) + room + np.spacing(np.abs(middle) + room))
+        sure, _, held = self._one_state(parts, middle, along, inside, half, pivot, must)
+        tube = Intervals(np.stack([-middle, middle]) + held + np.spacing(np.abs(middle) + held))
         return sure & end.sure & start.sure & (np.abs(way) >= wide), end, tube
 
     def _one_state(

@@ -14,6 +14,9 @@ from ..generated.quantities import QUANTITIES
 
 FloatArray: TypeAlias = NDArray[np.float64]
 
+#: How far inside an end that a range does not hold a value is taken, over its length.
+INSIDE = 2.0**-40
+
 
 @dataclass(frozen=True)
 class Range:
@@ -29,6 +32,12 @@ class Range:
         """Whether a number is allowed."""
         above = value > self.low if self.open_low else value >= self.low
         return math.isfinite(value) and above and (value <= self.high if self.closed_high else value < self.high)
+
+    def reached(self, end: float, length: float = 1.0) -> float:
+        """An end, or a value next to it where the range does not hold it, by the length of what is searched."""
+        if self.contains(end):
+            return end
+        return end + INSIDE * length * (1 if end <= self.low else -1)
 
     def inside(self, values: FloatArray) -> NDArray[np.bool_]:
         """Where numbers are allowed."""

@@ -1,0 +1,219 @@
+"""Jump values of any model: where the followed state ends as a parameter moves, and their gradients; many points at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ..design.gradients import JumpGradient
+from ..design.jump_values import told
+from ..errors import ConvergenceError, ParameterError
+from ..exact.interval_arrays import FloatArray
+from ..parameters import Range, as_number
+from ..statics.results import Stability
+from .balance import Balance
+from .equilibria import equilibria
+from .paths import first_end
+from .points import FAR
+from .tubes import Parts, Tubes
+from .turning_points import past, turned
+
+#: Points at a time.
+BLOCK = 1024
+#: The least step of a tube, over the whole way.
+THIN = 2.0**-14
+#: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
+ROUNDS, PAST = 4, 2.0**-8
+#: Parameters that rise from their lower end; the others move from the value that they have.
+FROM_LOWER_END = ("mu0", "theta0")
+
+
+@dataclass(frozen=True)
+class Ends:
+    """Where the states of many points end: the value, NaN where they don't, a bound on its error, and the coordinates at a fold.
+
+    ``value`` and ``error`` have the shape of the points, ``state`` has (n, …); ``reasons`` says of which points, by their
+    position in ``value.flat``, nothing is known, and why.
+    """
+
+    value: FloatArray
+    error: FloatArray
+    state: FloatArray
+    reasons: Mapping[int, str]
+
+
+def jump_value(
+    model: Any, p: Any, vary: str, *, direction: str = "up", begin: float | None = None, until: float | None = None
+) -> float | FloatArray:
+    """Where the followed state ends first as one parameter moves.
+
+    Parameters
+    ----------
+    p : Parameters
+        Of the model, of any shape.
+    vary : str
+        What moves: ``mu0`` and ``theta0`` from the lower end of their range, and are not used; others from the value in ``p``.
+    direction : {"up", "down"}
+        Which way; ``mu0`` and ``theta0`` rise.
+    begin, until : float, optional
+        From where to where instead. Without ``until`` to the end of the range; where that has no end up to 10 times the base
+        value, 10 at least.
+
+    Returns
+    -------
+    float or ndarray
+        NaN where the state is proved to go on.
+
+    Raises
+    ------
+    ParameterError
+        For a parameter that the model does not have, a direction or an end that it can't take.
+    ConvergenceError
+        For a single point of which this is not decided; in an array such a point is NaN, with an
+        :class:`~spragsym.errors.UndecidedWarning`.
+
+    Notes
+    -----
+    Source: tubes around curves of states up to the fold, and through it, see :mod:`spragsym.models.turning_points`: the state is
+    the stable one of smallest first coordinate at the first value, or the one of smallest where none is stable. What tubes don't
+    decide is followed between all folds that are found by search, see :func:`spragsym.models.paths.first_end`; an end there may
+    also be where the state leaves the contact.
+    """
+    found = told(_Asked(model, p, vary, direction, begin, until).ends()).value
+    return found if found.ndim else float(found)
+
+
+def jump_gradient(
+    model: Any, p: Any, vary: str, *, direction: str = "up", begin: float | None = None, until: float | None = None
+) -> JumpGradient:
+    """Derivatives of :func:`jump_value` by all parameters.
+
+    Notes
+    -----
+    Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w · ∂F/∂v). NaN where the state
+    goes on or leaves the contact.
+    """
+    asked = _Asked(model, p, vary, direction, begin, until)
+    found = told(asked.ends())
+    return JumpGradient(vary, found.value, asked.slopes(found))
+
+
+class _Asked:
+    """Points, what moves, and from where to where."""
+
+    def __init__(self, model: Any, p: Any, vary: str, direction: str, begin: float | None, until: float | None) -> None:
+        if direction not in ("up", "down"):
+            raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
+        if vary not in model.parameters:
+            known = ", ".join(model.parameters)
+            raise ParameterError(f"vary = {vary!r} is not a parameter of {model.name}; choose one of {known}")
+        self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
+        allowed = model.Parameters.ranges[vary]
+        if begin is None and vary in FROM_LOWER_END:
+            if self.forward < 0:
+                raise ParameterError(f"direction = 'down': {vary} rises from its lower end; give begin, or direction = 'up'")
+            begin = allowed.reached(allowed.low)
+        if begin is not None:
+            p = p.replace(**{vary: as_number("begin", begin, allowed)})
+        self.shape = p.shape
+        self.balance = Balance(model, contact=True)
+        self.fixed = np.stack([column.reshape(-1) for column in p.broadcast(*self.balance.parameters)])
+        self.begin = self.fixed[self.balance.parameters.index(vary)]
+        self.until = self._until(allowed, until)
+        self.tubes = Tubes(self.balance, vary)
+
+    def _until(self, allowed: Range, until: float | None) -> float:
+        if until is None:
+            far = FAR * max(1.0, abs(self.model.base.get(self.vary) or 0.0))
+            end = allowed.high if self.forward > 0 else allowed.low
+            return allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max()))
+        end = as_number("until", until, allowed)
+        if ((end - self.begin) * self.forward < 0).any():
+            way = "below" if self.forward > 0 else "above"
+            raise ParameterError(f"until = {end:g} is {way} where {self.vary} begins; give one beyond it, or another direction")
+        return end
+
+    def ends(self) -> Ends:
+        """Where the state of each point ends."""
+        n, count = self.balance.n, self.begin.size
+        out = Ends(np.full(count, np.nan), np.zeros(count), np.full((n, count), np.nan), reasons := {})
+        for first in range(0, count, BLOCK):
+            rows = np.arange(first, min(first + BLOCK, count))
+            for i in rows[~self._block(rows, out)].tolist():
+                span = float(self.begin[i]), self.until
+                try:
+                    end = first_end(self.model, self._point(i), self.vary, span) if span[0] != span[1] else None
+                except ConvergenceError as error:
+                    reasons[i] = str(error)
+                    continue
+                if end is not None:
+                    out.value[i], out.error[i] = end.value, end.error
+                    if end.kind == "fold":
+                        out.state[:, i] = [end.before[name] for name in self.balance.coordinates]
+        return Ends(out.value.reshape(self.shape), out.error.reshape(self.shape), out.state.reshape(n, *self.shape), reasons)
+
+    def _point(self, i: int) -> Any:
+        return self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, i].tolist(), strict=True)))
+
+    def _block(self, rows: Any, out: Ends) -> Any:
+        """Fold or no fold by tubes, for some points; of which of them that is decided."""
+        n, tubes, begin = self.balance.n, self.tubes, self.begin[rows]
+        p = self.model.Parameters(**dict(zip(self.balance.parameters, self.fixed[:, rows], strict=True)))
+        eq = equilibria(self.model, p)
+        first = np.abs(getattr(eq, self.balance.coordinates[0]))
+        stable = eq.stability == Stability.STABLE
+        open_ = np.where(stable.any(axis=1, keepdims=True), stable, ~np.isnan(first))
+        slot = np.where(open_, first, np.inf).argmin(axis=1)
+        z = np.array([*(getattr(eq, name)[np.arange(rows.size), slot] for name in self.balance.coordinates), begin])
+        known = eq.decided & np.isfinite(z).all(axis=0)
+        z[:, ~known] = 0.0
+        none = np.zeros((0, rows.size))
+        parts, goal = Parts(self.fixed[:, rows], none, none), np.full(rows.size, self.until)
+        start = tubes.place(parts, z, n)
+        start.sure[~known] = False
+        left = np.arange(rows.size)
+        decided, at = np.zeros(rows.size, dtype=np.bool_), start
+        for _ in range(ROUNDS):
+            at = tubes.followed(parts[left], at, goal[left], THIN)
+            arrived = at.sure & (at.z[n] == goal[left])
+            decided[left[arrived]] = True
+            left, at = left[at.sure & ~arrived], at[at.sure & ~arrived]
+            if not left.size:
+                break
+            fold = turned(tubes, parts[left], at, self.forward)
+            found = fold.sure & (fold.high <= self.until if self.forward > 0 else fold.low >= self.until)
+            to = rows[left[found]]
+            out.value[to], out.state[:, to] = fold.z[n, found], fold.z[:n, found]
+            out.error[to] = np.maximum(fold.high - fold.z[n], fold.z[n] - fold.low)[found]
+            decided[left[found]] = True
+            left, at = left[~found], at[~found]
+            at = past(tubes, parts[left], at, self.forward, PAST * np.abs(goal[left] - begin[left]))
+        return decided
+
+    def slopes(self, found: Ends) -> dict[str, FloatArray]:
+        """dv/dp by name at the folds that were found."""
+        names = list(self.balance.parameters)
+        value, state = found.value.reshape(-1), found.state.reshape(self.balance.n, -1)
+        out = {name: np.full(value.shape, np.nan) for name in names}
+        rows = np.flatnonzero(np.isfinite(state).all(axis=0))
+        columns = self.fixed[:, rows]
+        columns[names.index(self.vary)] = value[rows]
+        values, q = self.balance.floats(columns), list(state[:, rows])
+        directions = self.balance.plain_directions(q, values, np)
+        K, moved = (
+            np.moveaxis(np.array([[entry + 0.0 * q[0] for entry in row] for row in matrix]), -1, 0)
+            for matrix in (
+                self.balance.by_coordinate("forces_jacobian", q, directions, values, np),
+                self.balance.by_parameters(names, q, directions, values, np),
+            )
+        )
+        if rows.size:
+            w = np.linalg.svd(K)[0][:, :, -1]
+            along = np.einsum("Ni,Nij->jN", w, moved)
+            with np.errstate(all="ignore"):
+                for name, one in zip(names, along, strict=True):
+                    out[name][rows] = 0.0 if name == self.vary else -one / along[names.index(self.vary)]
+        return {name: one.reshape(self.shape) for name, one in out.items()}

@@ -54,6 +54,9 @@ SETTLED, STEADY = 400_000.0, 1e-6
 #: Where a motion is carried on: the first step as a share of the way, halvings of it, its time, and the most that averages may jump.
 STEP, HALVINGS, STEP_LASTS, JUMP = 1 / 25, 10, 4000.0, 0.02
 
+#: Tolerance of the motions to either side of an answer.
+CLOSELY = 1e-13
+
 #: Changes of the start, and motions that are looked at, where rounding is said to decide.
 ROUNDING, LOOKED_AT = 1e-12, 200
 
@@ -83,12 +86,14 @@ def call(number: int) -> dict[str, Any]:
     return {"values": values, "vary": vary, "bracket": bracket, "start": start}
 
 
-def averages(values: dict[str, float], start: Any, lasting: float = LONG, window: float = WINDOW) -> tuple[Any, Any]:
+def averages(
+    values: dict[str, float], start: Any, lasting: float = LONG, window: float = WINDOW, rtol: float = 1e-12
+) -> tuple[Any, Any]:
     """Means of x and y and root mean squares of x about zero and its mean over each half of the last part, and the last state."""
     numbers, halves, state = tuple(values.values()), [], np.array(start)
     for span in (lasting - window, window / 2, window / 2):
         if span > 0:
-            motion = SPRAG.simulate(numbers, state, span, backend="compiled", rtol=1e-12)
+            motion = SPRAG.simulate(numbers, state, span, backend="compiled", rtol=rtol)
             state = motion.state[:, -1]
         if span == window / 2:
             share = np.linspace(0, 1, round(span / SAMPLED) + 1)
@@ -111,12 +116,12 @@ def differ(one: Any, other: Any) -> bool:
     return off > max(OTHER, TIMES * within)
 
 
-def settled(values: dict[str, float], start: Any) -> tuple[Any, Any]:
+def settled(values: dict[str, float], start: Any, rtol: float = 1e-12) -> tuple[Any, Any]:
     """As averages, of a motion that is followed until they no longer change, or for long."""
-    found, state = averages(values, start)
+    found, state = averages(values, start, rtol=rtol)
     time = LONG
     while np.ptp(found, axis=0).max() > STEADY and time < SETTLED:
-        found, state = averages(values, state, time)
+        found, state = averages(values, state, time, rtol=rtol)
         time *= 2
     return found, state
 
@@ -125,7 +130,8 @@ def confirmed(given: dict[str, Any], found: ss.FateBoundary) -> tuple[bool, str]
     """Whether motions on both sides of an answer come to different attractors."""
     away = float(np.abs(found.others - found.value).min()) / 3 if len(found.others) else np.inf
     aside = max(min(ASIDE, away), 3 * found.error)
-    sides = [settled(given["values"] | {given["vary"]: found.value + sign * aside}, given["start"])[0] for sign in (-1, 1)]
+    places = [given["values"] | {given["vary"]: found.value + sign * aside} for sign in (-1, 1)]
+    sides = [settled(place, given["start"], CLOSELY)[0] for place in places]
     off, within = apart(*sides)
     return differ(*sides), f"averages differ by {off:.2g}, change by {within:.1g}, at ± {aside:.1g}"
 

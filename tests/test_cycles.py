@@ -568,6 +568,23 @@ def test_a_fate_that_rounding_decides_is_none(number: int) -> None:
         ss.fate_boundary(p, **settings)
 
 
+def test_a_motion_that_takes_longer_has_no_other_fate() -> None:
+    """One of four that begin within rounding settles after t = 40 000 only; that rounding decides was said of it."""
+    p, settings = of_call(189)
+    with pytest.raises(ss.ParameterError, match=r"to a cycle of period 41\.1\d+ at the other, which is one attractor"):
+        ss.fate_boundary(p, **settings)
+
+
+@pytest.mark.thorough
+def test_the_error_of_a_boundary_knows_how_it_moves_with_the_start() -> None:
+    """Motions stay irregular for long before they settle: by another integrator it lies 2e-12 off, and 1.6e-13 was said."""
+    p, settings = of_call(104)
+    found = ss.fate_boundary(p, **settings)
+    assert 1e-12 < found.error < 1e-11
+    right, how = validate_fates.confirmed(validate_fates.call(104), found)
+    assert right, how
+
+
 @pytest.mark.thorough
 def test_a_side_that_rounding_decides_is_undecided() -> None:
     """Both sides were said to come to the cycle of period 35.9; by another integrator they do not."""

@@ -120,6 +120,9 @@ def surely(
         return verdict
     for i in range(BESIDE + 1):
         beside = judged(field, values, start + i * TOLERANCES[0], backend, rtol=TOLERANCES[0] if i else TOLERANCES[1])
+        if not beside.decided:  # it may only take longer
+            later = judged(field, values, beside.end, backend)
+            beside = replace(later, t=beside.t + later.t)
         if not beside.decided or not alike(beside):
             return replace(verdict, otherwise=beside.told())
     return verdict

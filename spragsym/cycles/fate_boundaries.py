@@ -43,8 +43,10 @@ LOOKED_AT, MORE = (0.2, 0.4, 0.6, 0.8), (0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98)
 #: Where to look next in a bracket, as far as motions are undecided.
 NEXT = (0.5, 0.38, 0.62, 0.25, 0.75)
 
-#: Tolerances of the motions by which a bracket is narrowed, and by which that is done anew: the difference tells the error.
-ROUGH, FINE = TOLERANCES
+#: Tolerance of the motions by which a bracket is narrowed, and how far the start is moved; by which that is done anew, and once
+#: more: the differences tell the error.
+ROUGH, FINE = ((rtol, 0.0) for rtol in TOLERANCES)
+MOVED = (TOLERANCES[1], TOLERANCES[1])
 
 #: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
 NARROW, TOO_WIDE = 1e-13, 1e-8
@@ -84,7 +86,7 @@ class FateBoundary(Result):
     value : float
         Of that parameter.
     error : float
-        Estimate: the last bracket, and twice how much a tolerance ten times as small moves it.
+        Estimate: the last bracket, and twice how much a tolerance ten times as small, and a start moved by that, move it.
     saddle : str
         "equilibrium" or "cycle", which repels in one direction only by its eigenvalues or multipliers and their errors; or
         "unknown".
@@ -209,7 +211,7 @@ class _Fate:
     """What the start comes to at a value; equal labels are attractors of which one is the other, followed; −1 is undecided."""
 
     value: float
-    rtol: float
+    way: tuple[float, float]
     verdict: Verdict
     label: int
 
@@ -226,15 +228,15 @@ class _Asked:
     known: list[_Fate] = attribute(default_factory=list)
     lost: list[float] = attribute(default_factory=list)
 
-    def ask(self, value: float, rtol: float = ROUGH) -> _Fate:
-        """The fate at a value."""
-        before = next((each for each in self.known if (each.value, each.rtol) == (value, rtol)), None)
+    def ask(self, value: float, way: tuple[float, float] = ROUGH) -> _Fate:
+        """The fate at a value, by a tolerance, from a start that is moved by so much."""
+        before = next((each for each in self.known if (each.value, each.way) == (value, way)), None)
         if before is not None:
             return before
         if sum(each.verdict.t for each in self.known) > LONGEST:
             raise _TooLong(f"{LONGEST:g} time units of motion leave it open whether there are others; give a narrower bracket")
-        verdict = judged(self.field, self.at(value), self.start, self.backend, rtol=rtol)
-        found = _Fate(value, rtol, verdict, self._label(value, verdict) if verdict.decided else -1)
+        verdict = judged(self.field, self.at(value), self.start + way[1], self.backend, rtol=way[0])
+        found = _Fate(value, way, verdict, self._label(value, verdict) if verdict.decided else -1)
         insort(self.known, found, key=lambda each: each.value)
         return found
 
@@ -290,18 +292,18 @@ class _Asked:
 
     def changes(self) -> Iterator[tuple[_Fate, _Fate]]:
         """Neighbours of different fates, with nothing that is decided between; first those with nothing at all between."""
-        decided = [each for each in self.known if each.label >= 0 and each.rtol == ROUGH]
+        decided = [each for each in self.known if each.label >= 0 and each.way == ROUGH]
         pairs = [(a, b) for a, b in pairwise(decided) if a.label != b.label]
         yield from sorted(pairs, key=lambda pair: any(pair[0].value < each.value < pair[1].value for each in self.known))
 
-    def narrowed(self, low: _Fate, high: _Fate, kept: int, width: float, rtol: float = ROUGH) -> tuple[_Fate, _Fate]:
+    def narrowed(self, low: _Fate, high: _Fate, kept: int, width: float, way: tuple[float, float] = ROUGH) -> tuple[_Fate, _Fate]:
         """A narrower bracket, as far as motions are decided: one side of it has the fate ``kept``, the other one not."""
         while high.value - low.value > width:
             for share in NEXT:
                 middle = low.value + share * (high.value - low.value)
                 if not low.value < middle < high.value:
                     return low, high
-                found = self.ask(middle, rtol)
+                found = self.ask(middle, way)
                 if found.label >= 0:
                     break
             else:
@@ -328,8 +330,8 @@ class _Asked:
         """That no value can be told, and why."""
         return ConvergenceError(
             f"{self.told(low, high)}, and between the two fates alternate more closely than rounding can tell: within "
-            f"{width:.1g} of {self.vary} = {value:.15g} motions by the tolerances {ROUGH:g} and {FINE:g} do not have one and the "
-            "same change"
+            f"{width:.1g} of {self.vary} = {value:.15g} motions by the tolerances {ROUGH[0]:g} and {FINE[0]:g} do not have one "
+            "and the same change"
         )
 
     def resolved(self, value: float, error: float, kept: int, below: bool) -> bool:
@@ -339,7 +341,7 @@ class _Asked:
         """
         for times in RESOLVED:
             for sign in (-1, 1):
-                asked = [self.ask(place, rtol) for place in self.inside(value + sign * times * error) for rtol in (ROUGH, FINE)]
+                asked = [self.ask(place, way) for place in self.inside(value + sign * times * error) for way in (ROUGH, FINE)]
                 found = {each.label == kept for each in asked if each.label >= 0}
                 if len(found) > 1 or (times == RESOLVED[0] and found and found != {below == (sign < 0)}):
                     return False
@@ -419,20 +421,26 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
 
 
 def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, float]:
-    """The middle of the bracket by a finer tolerance, and how much that has changed it, with a margin."""
+    """The middle of the bracket by a finer tolerance; how much that, and a start moved by it, change it, with a margin."""
     rough = (low.value + high.value) / 2
-    half = max(high.value - low.value, NARROW * (1 + abs(rough)))
-    while half < TOO_WIDE * (1 + abs(rough)):
-        one, other = asked.ask(rough - half, FINE), asked.ask(rough + half, FINE)
+    wide, fine = _bracket(asked, low, high, kept, rough, FINE)
+    more, moved = _bracket(asked, low, high, kept, fine, MOVED)
+    return fine, max(wide, more) + 2 * (abs(fine - rough) + abs(moved - fine)) + 4 * float(np.spacing(abs(fine)))
+
+
+def _bracket(asked: _Asked, low: _Fate, high: _Fate, kept: int, near: float, way: tuple[float, float]) -> tuple[float, float]:
+    """Width and middle of a bracket near a value, asked for in another way."""
+    half = max(high.value - low.value, NARROW * (1 + abs(near)))
+    while half < TOO_WIDE * (1 + abs(near)):
+        one, other = asked.ask(near - half, way), asked.ask(near + half, way)
         if min(one.label, other.label) >= 0 and [one.label == kept, other.label == kept] == [
             low.label == kept,
             high.label == kept,
         ]:
-            one, other = asked.narrowed(one, other, kept, 1e-15 * (1 + abs(rough)), FINE)
-            fine = (one.value + other.value) / 2
-            return fine, other.value - one.value + 2 * abs(fine - rough) + 4 * float(np.spacing(abs(fine)))
+            one, other = asked.narrowed(one, other, kept, 1e-15 * (1 + abs(near)), way)
+            return other.value - one.value, (one.value + other.value) / 2
         half *= 8
-    raise asked.alternating(low, high, rough, TOO_WIDE * (1 + abs(rough)))
+    raise asked.alternating(low, high, near, TOO_WIDE * (1 + abs(near)))
 
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:
@@ -486,7 +494,7 @@ def _saddle(asked: _Asked, low: float, high: float) -> tuple[str, FloatArray, fl
 
 def _hovering(asked: _Asked, low: float, high: float) -> tuple[FloatArray, FloatArray]:
     """States where the first coordinate is largest while motions of the two values are on one way, and the times of these."""
-    span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE}
+    span, settings = JUDGED[0], {"backend": asked.backend, "rtol": FINE[0]}
     one, other = (asked.field.simulate(asked.at(value), asked.start, span, **settings) for value in (low, high))
     times = np.linspace(0.0, span, int(10 * span) + 1)
     apart = np.abs(one(times) - other(times)).max(axis=0) > PARTED

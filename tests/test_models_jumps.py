@@ -108,3 +108,54 @@ def test_what_is_asked() -> None:
         ss.jump_value(ss.load("stribeck").Parameters(theta0=0.7))
     found = model.jump_value(model.Parameters(theta0=[[0.5, 0.6, 0.7]]))
     assert found.shape == (1, 3)
+
+
+# ------------------------------------------------------------------------------------------- margins and new designs
+
+
+@pytest.mark.thorough
+def test_margins_are_those_of_closed_forms() -> None:
+    p, scale = ss.Parameters.article(theta0=np.radians(40.0)), {"theta0": np.radians(1.0), "mu0": 0.05}
+    found, theirs = (ss.jump_margin(p, scale, prove=True, method=method) for method in ("search", "closed"))
+    assert found.distance == pytest.approx(theirs.distance, rel=1e-7)
+    assert 0 < found.proved < found.distance
+    assert found.change == pytest.approx(theirs.change, rel=1e-6)
+    jumped = ss.jump_margin(p.replace(mu0=0.9), scale, method="search")
+    assert (jumped.distance, set(jumped.change.values())) == (0.0, {0.0})
+
+
+@pytest.mark.thorough
+def test_redesigns_are_those_of_closed_forms() -> None:
+    p = ss.Parameters.article(theta0=np.radians(40.0))
+    found, theirs = (ss.redesign(p, ("sigma", "theta0"), {"mu0": 0.7}, method=method) for method in ("search", "closed"))
+    assert found.distance == pytest.approx(theirs.distance, rel=1e-6)
+    assert found.change == pytest.approx(theirs.change, rel=1e-4)
+    assert 0.7 <= found.jump["mu0"] < 0.7 + 1e-8
+
+
+@pytest.mark.thorough
+def test_nothing_ends_nearer_than_the_margin() -> None:
+    """Of another model, where the nearest point lies on an end of a range."""
+    model = ss.load("two_springs")
+    p, scale = model.Parameters(theta0=0.7, mu0=0.5), {"theta0": 0.02, "sigma_2": 0.05, "mu0": 0.05}
+    margin = model.jump_margin(p, scale)
+    assert float(margin.parameters.sigma_2) == 0.0
+    assert model.jump_value(margin.parameters) == pytest.approx(float(margin.parameters.mu0), abs=1e-9)
+    rays = np.random.default_rng(4).standard_normal((200, 3))
+    rays *= 0.999 * margin.distance / np.linalg.norm(rays, axis=1, keepdims=True)
+    theta0, sigma_2, mu0 = (np.array([0.7, 0.05, 0.5]) + rays * np.array(list(scale.values()))).T
+    inside = sigma_2 >= 0
+    around = p.replace(theta0=theta0[inside], sigma_2=sigma_2[inside], mu0=mu0[inside])
+    assert not (model.jump_value(around) <= around.mu0).any()
+
+
+@pytest.mark.thorough
+def test_a_new_design_of_another_model_keeps_its_target() -> None:
+    model = ss.load("cubic_contact")
+    p = model.Parameters(theta0=0.7, gamma=3000.0)
+    better = model.redesign(p, "theta0", {"mu0": 0.7})
+    assert better.jump["mu0"] == pytest.approx(0.7, abs=1e-8)
+    assert model.jump_value(p.replace(theta0=0.7 + 0.99 * better.change["theta0"])) < 0.7
+    for arguments, text in ((("theta0", {"theta0": 1.0}), "is the target"), (("theta0", {"nu": 1.0}), "give parameters of")):
+        with pytest.raises(ss.ParameterError, match=text):
+            model.redesign(p, *arguments)

@@ -1,4 +1,4 @@
-"""Designs as vectors: which quantities may change, in units of their tolerances, and the dimensionless parameters that follow."""
+"""Designs as vectors: which quantities may change, in units of their tolerances, and the parameters of the model that follow."""
 
 from __future__ import annotations
 
@@ -11,7 +11,18 @@ import numpy as np
 
 from ..errors import ParameterError
 from ..generated import scales as _scales
-from ..parameters import NAMES, POSITIVE, RANGES, FloatArray, Parameters, PhysicalParameters, Range, as_number, range_of
+from ..parameters import (
+    NAMES,
+    POSITIVE,
+    RANGES,
+    FloatArray,
+    Parameters,
+    ParameterSet,
+    PhysicalParameters,
+    Range,
+    as_number,
+    range_of,
+)
 
 _groups = inspect.unwrap(_scales.dimensionless_groups)
 
@@ -25,7 +36,7 @@ _CLEAR = 1e-9
 class Space:
     """Designs around one: z = 0 is ``origin``, and a quantity changes by z times its ``scale``."""
 
-    base: Parameters | PhysicalParameters
+    base: ParameterSet | PhysicalParameters
     names: tuple[str, ...]
     origin: FloatArray
     scale: FloatArray
@@ -42,23 +53,29 @@ class Space:
         return _given(self.base) | {name: values[..., j] for j, name in enumerate(self.names)}
 
     def parameters(self, z: FloatArray) -> dict[str, Any]:
-        """Dimensionless parameters of designs z."""
-        return dimensionless(self.quantities(z))
+        """Parameters of the model of designs z."""
+        quantities = self.quantities(z)
+        return dimensionless(quantities) if isinstance(self.base, PhysicalParameters) else quantities
 
-    def slopes(self, z: FloatArray) -> FloatArray:
-        """∂(parameters)/∂z at one design, of shape (6, number of names): by a complex step, exact to rounding."""
-        step = 1e-100
-        columns = []
+    def sets(self, z: FloatArray) -> ParameterSet:
+        """The same as a set of the model, of the shape of z without its last axis."""
+        kind = Parameters if isinstance(self.base, PhysicalParameters) else type(self.base)
+        return kind(**{name: np.broadcast_to(value, z.shape[:-1]) for name, value in self.parameters(z).items()})
+
+    def slopes(self, z: FloatArray) -> dict[str, FloatArray]:
+        """Slopes of each parameter by z at one design: by a complex step, exact to rounding."""
+        step, out = 1e-100, {name: np.zeros(len(self.names)) for name in self.parameters(z)}
         for j in range(len(self.names)):
             moved = z.astype(complex)
             moved[j] += 1j * step
-            columns.append([np.imag(self.parameters(moved)[name]) / step for name in NAMES])
-        return np.array(columns, dtype=float).T
+            for name, value in self.parameters(moved).items():
+                out[name][j] = np.imag(value) / step
+        return out
 
-    def made(self, z: FloatArray) -> Parameters | PhysicalParameters:
+    def made(self, z: FloatArray) -> ParameterSet | PhysicalParameters:
         """One design, of the kind of ``base``."""
         values = {name: float(value) for name, value in self.quantities(z).items() if name in self.names}
-        if isinstance(self.base, Parameters):
+        if isinstance(self.base, ParameterSet):
             return self.base.replace(**values)
         return PhysicalParameters(**{**_all_given(self.base), **values})
 
@@ -74,10 +91,10 @@ class Space:
 
 
 def space(
-    base: Parameters | PhysicalParameters, scale: Mapping[str, float] | None, change: Iterable[str] | None, what: str = "scale"
+    base: ParameterSet | PhysicalParameters, scale: Mapping[str, float] | None, change: Iterable[str] | None, what: str = "scale"
 ) -> Space:
     """The quantities named in ``change``, or all that have a scale; without a scale each is measured by its own value."""
-    known = NAMES if isinstance(base, Parameters) else PHYSICAL
+    known = _names(base)
     tolerances = dict(scale or {})
     names = tuple(tolerances if change is None else ([change] if isinstance(change, str) else change))
     for name in (*names, *tolerances):
@@ -98,9 +115,17 @@ def space(
     return Space(base, names, origin, np.asarray(sizes, dtype=float))
 
 
-def _given(base: Parameters | PhysicalParameters) -> dict[str, Any]:
-    if isinstance(base, Parameters):
-        return dict(zip(NAMES, base.scalars(*NAMES), strict=True))
+def _names(base: ParameterSet | PhysicalParameters) -> tuple[str, ...]:
+    """Quantities that the jump depends on: of the article's model with friction that works fully."""
+    if isinstance(base, PhysicalParameters):
+        return PHYSICAL
+    return NAMES if isinstance(base, Parameters) else tuple(base.ranges)
+
+
+def _given(base: ParameterSet | PhysicalParameters) -> dict[str, Any]:
+    if isinstance(base, ParameterSet):
+        names = _names(base)
+        return dict(zip(names, base.scalars(*names), strict=True))
     return {name: getattr(base, name) for name in PHYSICAL}
 
 
@@ -108,8 +133,10 @@ def _all_given(base: PhysicalParameters) -> dict[str, Any]:
     return {field.name: getattr(base, field.name) for field in fields(base)}
 
 
-def _range(base: Parameters | PhysicalParameters, name: str) -> Range:
-    return RANGES[name] if name in RANGES or isinstance(base, Parameters) else range_of(name)
+def _range(base: ParameterSet | PhysicalParameters, name: str) -> Range:
+    if isinstance(base, ParameterSet):
+        return base.ranges[name]
+    return RANGES[name] if name in RANGES else range_of(name)
 
 
 def dimensionless(values: Mapping[str, Any]) -> dict[str, Any]:

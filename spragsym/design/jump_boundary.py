@@ -1,59 +1,65 @@
-"""A point on the border of what jumps, brought to the nearest one of its sheet of folds, to the last digits."""
+"""A point on the border of what jumps, brought to the nearest one of its sheet of folds."""
 
 from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
-from scipy.optimize import minimize
 
-from ..generated import catastrophe as _catastrophe
-from ..parameters import NAMES, FloatArray
-from ..statics import kernel
+from ..errors import ConvergenceError
+from ..parameters import FloatArray
 from .design_space import Space
 
+#: Steps at most, the last of them over the size, and how much shorter the next one is where they don't get smaller.
+STEPS, LAST, SHORTER = 40, 1e-8, 0.3
+#: How near to its limit a jump value is on the border, over the slopes by z.
+ON = 1e-9
 
-def on_fold(space: Space, z: FloatArray, theta: float, fixed: dict[str, float]) -> FloatArray | None:
-    """The z of smallest size with f = f′ = 0 near a given one; ``fixed`` parameters stay at their values. None if there is none.
 
-    Sequential quadratic programming (SciPy's SLSQP) with exact derivatives of f and f′, over z and θ.
+def on_border(designs: Space, z: FloatArray, vary: str, limit: float | None = None, **options: Any) -> FloatArray | None:
+    """The z of smallest size near a given one where the state ends at a limit, or at the design's own value, if there is one.
+
+    Source: g(z) = 0, how far beyond the limit the state ends. Each step goes to the point of smallest size of the plane
+    g + ∇g · (z′ − z) = 0, by jump values and their gradients, or a part of the way where steps don't get smaller. ``options``
+    are those of jump_gradient.
     """
+    limits = designs.limits()
 
-    def here(v: FloatArray) -> tuple[dict[str, Any], FloatArray]:
-        return space.parameters(v[:-1]) | fixed, np.array([np.cos(v[-1]), np.sin(v[-1])])
+    def step(z: FloatArray) -> tuple[FloatArray, float]:
+        """The point of smallest size of the plane at z, and how far z is from the plane, over the slopes."""
+        p, slopes = designs.sets(z), designs.slopes(z)
+        found = p.model.jump_gradient(p, vary, **options)
+        by_z = sum((float(found.slopes[name]) * slope for name, slope in slopes.items()), np.zeros(z.size))
+        ahead = float(found.value) - (float(getattr(p, vary)) if limit is None else limit)
+        by_z = by_z - slopes[vary] if limit is None else by_z
+        square = float(by_z @ by_z)
+        if not 0 < square < np.inf:
+            raise ConvergenceError("the state does not end, or no slope is known where it does")
+        return _smallest(by_z, float(by_z @ z) - ahead, *limits), abs(ahead) / square**0.5
 
-    def residuals(v: FloatArray) -> FloatArray:
-        values, (c, s) = here(v)
-        trig = _trig(values)
-        return np.array([kernel.f(c, s, *trig), kernel.f_slope(c, s, *trig)], dtype=float) * weight
-
-    def slopes(v: FloatArray) -> FloatArray:
-        values, (c, s) = here(v)
-        trig = _trig(values)
-        along = space.slopes(v[:-1])
-        for name in fixed:
-            along[NAMES.index(name)] = 0.0
-        pairs = np.array(
-            _catastrophe.unfolding(c, s, np.cos(values["theta0"]), np.sin(values["theta0"]), *(values[n] for n in NAMES[1:])),
-            dtype=float,
-        )
-        by_theta = np.array([kernel.f_slope(c, s, *trig), kernel.f_curvature(c, s, *trig)], dtype=float)
-        return np.column_stack([pairs.T @ along, by_theta]) * weight
-
-    start = np.append(z, theta)
-    weight = 1.0
-    weight = 1.0 / max(float(np.abs(slopes(start)).max()), 1e-300)
-    low, high = space.limits()
-    bounds = [*zip(low, high, strict=True), (1e-9, np.pi - 1e-9)]
-    with np.errstate(all="ignore"):
-        found = minimize(
-            lambda v: 0.5 * float(v[:-1] @ v[:-1]), start, jac=lambda v: np.append(v[:-1], 0.0), method="SLSQP", bounds=bounds,
-            constraints=[{"type": "eq", "fun": residuals, "jac": slopes}], options={"maxiter": 100, "ftol": 1e-15},
-        )  # fmt: skip
-    good = np.isfinite(found.x).all() and float(np.abs(residuals(found.x)).max()) < 1e-9
-    return np.asarray(found.x[:-1]) if good else None
+    share, best = 1.0, np.inf
+    try:
+        towards, off = step(z)
+        for _ in range(STEPS):
+            moved = float(np.linalg.norm(towards - z))
+            if moved <= LAST * float(np.linalg.norm(z)):
+                return towards if step(towards)[1] < ON else None
+            share, best = (min(1.0, 2 * share), moved) if moved < best else (SHORTER * share, best)
+            z = z + share * (towards - z)
+            towards, off = step(z)
+    except ConvergenceError:
+        return None
+    return z if off < ON else None
 
 
-def _trig(values: dict[str, Any]) -> tuple[Any, ...]:
-    others = (values[name] for name in NAMES[1:])
-    return tuple(kernel.f_coefficients(np.cos(values["theta0"]), np.sin(values["theta0"]), *others, 1))
+def _smallest(slopes: FloatArray, level: float, low: FloatArray, high: FloatArray) -> FloatArray:
+    """The z of smallest size within limits, about 0, with slopes · z = level: one limit after the other is kept to."""
+    z, free = np.zeros_like(slopes), slopes != 0
+    while free.any():
+        z[free] = (level - slopes[~free] @ z[~free]) * slopes[free] / (slopes[free] @ slopes[free])
+        beyond = free & ((z < low) | (z > high))
+        if not beyond.any():
+            break
+        z[beyond] = np.clip(z, low, high)[beyond]
+        free &= ~beyond
+    return z

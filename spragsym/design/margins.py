@@ -2,23 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..parameters import NAMES, FloatArray, Parameters, PhysicalParameters
+from ..parameters import NAMES, FloatArray, Parameters, ParameterSet, PhysicalParameters
 from .cells import Boxes
 from .certificates import halved
 from .claims import CLAIMS
 from .design_space import Space, space
 from .events import have_jumped
-from .jump_boundary import on_fold
-from .jump_values import first_jumps
-from .nearest import nearest, shortened
+from .jump_boundary import on_border
+from .nearest import RAYS, Member, nearest, shortened
 
 #: Shares of the distance within which a proof that nothing jumps is tried, and the boxes that each may take.
 _SHARES, _BOXES = (0.95, 0.8, 0.5, 0.2), 3_000
@@ -43,7 +44,7 @@ class JumpMargin(Result):
     distance: float
     proved: float
     change: Mapping[str, float]
-    parameters: Parameters | PhysicalParameters | None
+    parameters: ParameterSet | PhysicalParameters | None
 
 
 def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], *, prove: bool = False) -> JumpMargin:
@@ -83,45 +84,51 @@ def jump_margin(p: Parameters | PhysicalParameters, scale: Mapping[str, float], 
     designs = space(p, scale, None)
     if prove and not isinstance(p, Parameters):
         raise ParameterError("prove = True is for dimensionless Parameters; call .dimensionless() and give their tolerances")
-    found = nearest(lambda z: jumping(designs, z), designs.limits())
-    if found is None:
-        return JumpMargin(np.inf, _proved(designs, 2.0) if prove else np.nan, {}, None)
-    best = polished(designs, found)
-    distance = float(np.linalg.norm(best))
-    proved = (_proved(designs, distance) if distance else 0.0) if prove else np.nan
+    return margin(designs, partial(jumping, designs), partial(_nothing_jumps_within, designs) if prove else None)
+
+
+def margin(
+    designs: Space, member: Member, safe: Callable[[float], bool] | None, vary: str = "mu0", rays: int = RAYS, **options: Any
+) -> JumpMargin:
+    """The nearest of the designs that jump, which ``member`` tells; ``safe`` proves that none does within a radius.
+
+    ``options`` are those of jump_gradient along ``vary``.
+    """
+    found = nearest(member, designs.limits(), rays)
+    best = None if found is None else polished(designs, found, member, vary, **options)
+    distance = np.inf if best is None else float(np.linalg.norm(best))
+    # Where nothing was found two tolerances are enough.
+    proved = np.nan if safe is None else _proved(safe, distance if best is not None else 2.0)
+    if best is None:
+        return JumpMargin(distance, proved, {}, None)
     change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
     return JumpMargin(distance, proved, change, designs.made(best))
 
 
 def jumping(designs: Space, z: FloatArray) -> NDArray[np.bool_]:
     """Which designs jump at their own friction or below it."""
-    values = {name: np.broadcast_to(value, z.shape[:-1]) for name, value in designs.parameters(z).items()}
-    return have_jumped(Parameters(**values)).jumped
+    p = designs.sets(z)
+    assert isinstance(p, Parameters)
+    return have_jumped(p).jumped
 
 
-def polished(designs: Space, z: FloatArray) -> FloatArray:
+def polished(designs: Space, z: FloatArray, member: Member, vary: str = "mu0", **options: Any) -> FloatArray:
     """The nearest point of the sheet of folds on which a state jumps; where there is none, the border along the ray to it."""
-    values = {name: float(value) for name, value in designs.parameters(z).items()}
-    at = first_jumps(Parameters(**values), "mu0")
     if not z.any():
         return z
-    if not np.isnan(at.theta):
-        better = on_fold(designs, z, float(at.theta), {})
-        # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
-        if better is not None and np.linalg.norm(better) <= np.linalg.norm(z):
-            beyond = better * (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
-            if jumping(designs, beyond).any():
-                return better
-    return shortened(lambda points: jumping(designs, points), z)
+    better = on_border(designs, z, vary, **options)
+    # On the fold to rounding: a hair beyond it the state jumps, if it is the one that ends there.
+    if better is not None and np.linalg.norm(better) <= np.linalg.norm(z):
+        beyond = better * (1 + 1e-9 * np.array([1.0, 10.0, 100.0]))[:, None]
+        if member(beyond).any():
+            return better
+    return shortened(member, z)
 
 
-def _proved(designs: Space, distance: float) -> float:
+def _proved(safe: Callable[[float], bool], distance: float) -> float:
     """The largest share of the distance within which nothing jumps, proved; 0 if none of those tried can be."""
-    for share in _SHARES:
-        radius = share * distance
-        if _nothing_jumps_within(designs, radius):
-            return radius
-    return 0.0
+    radii = (share * distance for share in _SHARES if distance)
+    return next((radius for radius in radii if safe(radius)), 0.0)
 
 
 def _nothing_jumps_within(designs: Space, radius: float) -> bool:

@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..display import Result
 from ..errors import ParameterError
-from ..parameters import RANGES, FloatArray, Parameters, PhysicalParameters, as_number
+from ..parameters import RANGES, FloatArray, Parameters, ParameterSet, PhysicalParameters, as_number
 from .design_space import Space, space
-from .jump_boundary import on_fold
+from .jump_boundary import on_border
 from .jump_values import FROM_LOWER_END, exactly, first_jumps
-from .nearest import nearest, shortened
+from .nearest import RAYS, Member, nearest, shortened
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
 _OUTWARD = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
+
+
+#: Which of many designs jump at a limit at the earliest, or never: (set of the model, name, limit).
+Reached: TypeAlias = Callable[[Any, str, float], NDArray[np.bool_]]
 
 
 @dataclass(frozen=True)
@@ -38,7 +43,7 @@ class Redesign(Result):
 
     distance: float
     change: Mapping[str, float]
-    parameters: Parameters | PhysicalParameters | None
+    parameters: ParameterSet | PhysicalParameters | None
     jump: Mapping[str, float]
 
 
@@ -90,56 +95,53 @@ def redesign(
     }
     if len(wanted) != len(target) or not wanted:
         raise ParameterError(f"target = {dict(target)!r}; give mu0, theta0 or both, with the value below which nothing may jump")
-    designs = space(p, scale, change, "change")
+
+    def reached(p: Any, name: str, limit: float) -> NDArray[np.bool_]:
+        at = first_jumps(p, name, apart_from=np.full(p.shape, limit))
+        known = np.ones(p.shape, dtype=np.bool_)
+        known[list(at.reasons)] = False
+        return known & ~(at.value < limit)
+
+    return redesigned(space(p, scale, change, "change"), wanted, reached, lambda p, name: exactly(p, name)[0])
+
+
+def redesigned(
+    designs: Space, wanted: Mapping[str, float], reached: Reached, solved: Callable[[Any, str], float], rays: int = RAYS,
+    **options: Any,
+) -> Redesign:  # fmt: skip
+    """The nearest of the designs that reach all targets; ``solved`` says where one jumps; ``options`` of jump_gradient."""
     for name in wanted:
         if name in designs.names:
             raise ParameterError(f"{name} is the target and can't be what changes; leave it out of one of the two")
 
     def member(z: FloatArray) -> NDArray[np.bool_]:
-        return _beyond(designs, z, wanted)
+        result = np.ones(z.shape[:-1], dtype=np.bool_)
+        for name, limit in wanted.items():
+            left = np.flatnonzero(result)
+            if left.size:
+                result[left] = reached(designs.sets(z[left]), name, limit)
+        return result
 
-    found = nearest(member, designs.limits())
+    found = nearest(member, designs.limits(), rays)
     if found is None:
         return Redesign(np.inf, {}, None, {})
-    best = _on_target(designs, found, wanted) if found.any() else found
-    made = designs.made(best)
-    solved = {name: exactly(_plain(designs, best), name)[0] for name in wanted}
-    return Redesign(
-        float(np.linalg.norm(best)), dict(zip(designs.names, (best * designs.scale).tolist(), strict=True)), made, solved
-    )
+    best = _on_target(designs, found, wanted, member, **options) if found.any() else found
+    change = dict(zip(designs.names, (best * designs.scale).tolist(), strict=True))
+    jump = {name: solved(designs.sets(best), name) for name in wanted}
+    return Redesign(float(np.linalg.norm(best)), change, designs.made(best), jump)
 
 
-def _plain(designs: Space, z: FloatArray) -> Parameters:
-    return Parameters(**{name: float(value) for name, value in designs.parameters(z).items()})
-
-
-def _beyond(designs: Space, z: FloatArray, wanted: Mapping[str, float]) -> NDArray[np.bool_]:
-    """Which designs jump at each target at the earliest, or never."""
-    values = {name: np.broadcast_to(value, z.shape[:-1]) for name, value in designs.parameters(z).items()}
-    result = np.ones(z.shape[:-1], dtype=np.bool_)
-    for name, limit in wanted.items():
-        left = np.flatnonzero(result)
-        if left.size:
-            some = Parameters(**{key: value[left] for key, value in values.items()})
-            at = first_jumps(some, name, apart_from=np.full(left.size, limit))
-            known = np.ones(left.size, dtype=np.bool_)
-            known[list(at.reasons)] = False
-            result[left] = known & ~(at.value < limit)
-    return result
-
-
-def _on_target(designs: Space, z: FloatArray, wanted: Mapping[str, float]) -> FloatArray:
+def _on_target(designs: Space, z: FloatArray, wanted: Mapping[str, float], member: Member, **options: Any) -> FloatArray:
     """The nearest design on a fold at one of the targets, verified; else the border along the ray."""
     candidates = []
-    # Just inside of the border there is a jump at the target, and its θ is where the fold is looked for.
-    border = shortened(lambda points: _beyond(designs, points, wanted), z)
+    # Just inside of the border there is a jump at the target.
+    border = shortened(member, z)
     inside = border * (1 - 1e-9)
     for name, limit in wanted.items():
-        theta = first_jumps(_plain(designs, inside), name).theta
-        better = None if np.isnan(theta) else on_fold(designs, inside, float(theta), {name: limit})
+        better = on_border(designs, inside, name, limit, **options)
         if better is not None:
             outward = better * (1 + _OUTWARD)[:, None]
-            verified = np.flatnonzero(_beyond(designs, outward, wanted))
+            verified = np.flatnonzero(member(outward))
             if verified.size:
                 candidates.append(outward[verified[0]])
     return min([border, *candidates], key=lambda one: float(np.linalg.norm(one)))

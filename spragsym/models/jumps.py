@@ -12,7 +12,7 @@ from ..design.gradients import JumpGradient
 from ..design.jump_values import told
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
-from ..parameters import Range, as_number
+from ..parameters import Range, as_number, as_numbers
 from ..statics.results import Stability
 from .balance import Balance
 from .equilibria import equilibria
@@ -104,7 +104,9 @@ def jump_gradient(
 class _Asked:
     """Points, what moves, and from where to where."""
 
-    def __init__(self, model: Any, p: Any, vary: str, direction: str, begin: float | None, until: float | None) -> None:
+    def __init__(
+        self, model: Any, p: Any, vary: str, direction: str, begin: float | None, until: float | FloatArray | None
+    ) -> None:
         if direction not in ("up", "down"):
             raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
         if vary not in model.parameters:
@@ -125,25 +127,30 @@ class _Asked:
         self.until = self._until(allowed, until)
         self.tubes = Tubes(self.balance, vary)
 
-    def _until(self, allowed: Range, until: float | None) -> float:
+    def _until(self, allowed: Range, until: float | FloatArray | None) -> FloatArray:
         if until is None:
             far = FAR * max(1.0, abs(self.model.base.get(self.vary) or 0.0))
             end = allowed.high if self.forward > 0 else allowed.low
-            return allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max()))
-        end = as_number("until", until, allowed)
-        if ((end - self.begin) * self.forward < 0).any():
+            until = allowed.reached(end) if np.isfinite(end) else self.forward * max(far, float(np.abs(self.begin).max()))
+        ends = np.broadcast_to(as_numbers("until", until, allowed).reshape(-1), self.begin.shape)
+        if ((ends - self.begin) * self.forward < 0).any():
             way = "below" if self.forward > 0 else "above"
-            raise ParameterError(f"until = {end:g} is {way} where {self.vary} begins; give one beyond it, or another direction")
-        return end
+            raise ParameterError(
+                f"until = {ends.min():g} is {way} where {self.vary} begins; give one beyond it, or another direction"
+            )
+        return ends
 
-    def ends(self) -> Ends:
-        """Where the state of each point ends."""
+    def ends(self, *, patient: bool = True) -> Ends:
+        """Where the state of each point ends; without patience what tubes don't decide is not known."""
         n, count = self.balance.n, self.begin.size
         out = Ends(np.full(count, np.nan), np.zeros(count), np.full((n, count), np.nan), reasons := {})
         for first in range(0, count, BLOCK):
             rows = np.arange(first, min(first + BLOCK, count))
             for i in rows[~self._block(rows, out)].tolist():
-                span = float(self.begin[i]), self.until
+                span = float(self.begin[i]), float(self.until[i])
+                if not patient:
+                    reasons[i] = "tubes don't decide it"
+                    continue
                 try:
                     end = first_end(self.model, self._point(i), self.vary, span) if span[0] != span[1] else None
                 except ConvergenceError as error:
@@ -171,7 +178,7 @@ class _Asked:
         known = eq.decided & np.isfinite(z).all(axis=0)
         z[:, ~known] = 0.0
         none = np.zeros((0, rows.size))
-        parts, goal = Parts(self.fixed[:, rows], none, none), np.full(rows.size, self.until)
+        parts, goal = Parts(self.fixed[:, rows], none, none), self.until[rows]
         start = tubes.place(parts, z, n)
         start.sure[~known] = False
         left = np.arange(rows.size)
@@ -184,7 +191,7 @@ class _Asked:
             if not left.size:
                 break
             fold = turned(tubes, parts[left], at, self.forward)
-            found = fold.sure & (fold.high <= self.until if self.forward > 0 else fold.low >= self.until)
+            found = fold.sure & (fold.high <= goal[left] if self.forward > 0 else fold.low >= goal[left])
             to = rows[left[found]]
             out.value[to], out.state[:, to] = fold.z[n, found], fold.z[:n, found]
             out.error[to] = np.maximum(fold.high - fold.z[n], fold.z[n] - fold.low)[found]

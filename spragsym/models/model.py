@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -19,7 +19,7 @@ from .describe import described, explained
 
 if TYPE_CHECKING:
     from ..cycles import BasinBoundary, Cycle, CycleBranch, Fate, FateBoundary, Lyapunov
-    from ..design import Certificate, JumpGradient, JumpProbability
+    from ..design import Certificate, JumpGradient, JumpMargin, JumpProbability, Redesign
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
@@ -444,8 +444,46 @@ class Model:
 
         return jump_gradient(self, p, self._rising(vary, 0.0)[0], **options)
 
-    jump_margin = unanswered("folds(p, vary) has the folds along each parameter")
-    redesign = unanswered("folds(p, vary) says how far a parameter has to go")
+    @question
+    def jump_margin(
+        self,
+        p: ParameterSet,
+        scale: Mapping[str, float],
+        *,
+        vary: str | None = None,
+        begin: float | None = None,
+        prove: bool = False,
+    ) -> JumpMargin:
+        """The nearest parameters at which the followed state ends: see :func:`spragsym.models.redesigns.jump_margin`.
+
+        Examples
+        --------
+        >>> import spragsym as ss
+        >>> model = ss.load("cubic_contact")
+        >>> margin = model.jump_margin(model.Parameters(theta0=0.7, gamma=3000.0, mu0=0.5), {"mu0": 0.05})
+        >>> round(margin.distance, 6)
+        1.948441
+        """
+        from .redesigns import jump_margin
+
+        vary, begin = self._rising(vary, begin)
+        return jump_margin(self, p, scale, vary=vary, begin=begin, prove=prove)
+
+    @question
+    def redesign(
+        self,
+        p: ParameterSet,
+        change: str | Iterable[str],
+        target: Mapping[str, float],
+        scale: Mapping[str, float] | None = None,
+        *,
+        begin: float | None = None,
+    ) -> Redesign:
+        """The least change that keeps the end of the followed state beyond a target: see :mod:`spragsym.models.redesigns`."""
+        from .redesigns import redesign
+
+        return redesign(self, p, change, target, scale, begin=begin)
+
     cusp_friction = unanswered("cusps(p) has all cusps in a range of friction")
     critical_value = unanswered("cusps(p) has all cusps at each value of a parameter")
     flutter_boundary = unanswered("flutter_onsets(p, vary) has the onsets along a line")

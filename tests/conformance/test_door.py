@@ -22,7 +22,7 @@ from spragsym.parameters import NAMES
 
 #: Questions that only closed forms answer so far.
 UNANSWERED = (
-    "jump_margin", "redesign", "cusp_friction",
+    "cusp_friction",
     "critical_value", "flutter_boundary", "surface", "linear_sprag", "linear_critical_friction"
 )  # fmt: skip
 
@@ -156,8 +156,8 @@ def test_two_ways_to_one_answer() -> None:
     for function, p in ((ss.equilibria, a_set("damped")), (ss.jump_value, a_set("damped"))):
         with pytest.raises(ss.ModelError, match="damped has no closed form for this"):
             function(p, method="closed")
-    with pytest.raises(ss.ModelError, match="jump_margin is not there yet for the model kang_nam"):
-        ss.jump_margin(ss.Parameters(theta0=0.7), {"theta0": 0.1}, method="search")
+    with pytest.raises(ss.ModelError, match="surface is not there yet for the model kang_nam"):
+        ss.surface(ss.Parameters(theta0=0.7), method="search")
     with pytest.raises(ss.ParameterError, match="method = 'guess' is not one of auto, closed, search"):
         ss.equilibria(p, method="guess")
 

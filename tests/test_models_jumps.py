@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import spragsym as ss
-from spragsym.models.jumps import _Asked
+from spragsym.models.jumps import Followed
 from spragsym.models.paths import first_end
 from tests.support import few
 
@@ -27,7 +27,7 @@ def random_sets(seed: int, number: int) -> Any:
 @pytest.mark.parametrize("number", [60, pytest.param(3000, marks=pytest.mark.thorough)])
 def test_they_are_those_of_closed_forms(number: int) -> None:
     p = random_sets(1, number)
-    found = _Asked(SEARCH, p, "mu0", "up", None, 3.0).ends()
+    found = Followed(SEARCH, p, "mu0", "up", None, 3.0).ends()
     theirs = ss.jump_value(p, method="closed")
     theirs = np.where(theirs > 3.0, np.nan, theirs)
     assert not found.reasons

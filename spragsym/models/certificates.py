@@ -17,12 +17,14 @@ from ..exact.interval_arrays import FloatArray
 from ..statics.results import Stability
 from .balance import Balance
 from .equilibria import equilibria
-from .tubes import Flags, Parts, Place, Tubes
+from .tubes import SMALL, Flags, Parts, Place, Tubes
 
 #: Parts at a time, and points at a time.
 BATCH, POINTS = 1024, 1024
 #: The least step of a tube, over the whole way. A wide part that needs smaller ones is halved instead.
 WIDE, THIN = 2.0**-6, 2.0**-14
+#: What the relative width of a side counts beside its effect on the state.
+SLIGHT = 1e-6
 #: Most corners of a box that are looked at for a counterexample.
 CORNERS = 64
 #: Outcomes of a part; the last one: neither was proved, and it is not halved any more.
@@ -134,7 +136,10 @@ class Splitting:
         reached = self.tubes.followed(parts, start, goal, least)
         out = np.where(reached.sure & (reached.z[last] == goal), SAFE, OPEN)
         width = pieces.high - pieces.low
-        weight = width / np.maximum(np.abs(pieces.high) + np.abs(pieces.low), 1e-300)
+        # As far as it got, by how far each parameter moves the state; what moves last does not make tubes narrower.
+        weight = SLIGHT * width / np.maximum(np.abs(pieces.high) + np.abs(pieces.low), 1e-300)
+        moves = (np.abs(reached.by_p) / np.maximum(np.abs(reached.z), SMALL)[:, None]).max(axis=0)
+        weight[:-1] += np.where(np.isfinite(moves), moves, 0.0) * width[:-1]
         rows = np.flatnonzero((out == OPEN) & reached.sure & (reached.z[last] != start.z[last]))
         if rows.size:
             out[rows], moves = self.tubes.passed(parts[rows], reached[rows], pieces.low[-1, rows], goal[rows])
@@ -250,6 +255,8 @@ def certify(
             if known else f"claim = {claim!r} is not one of {', '.join(map(repr, CLAIMS))}"
         )  # fmt: skip
     box = Splitting(low, high, vary, begin)
+    # What goes on to the upper end goes on to every value below.
+    box.whole.low[-1] = box.whole.high[-1]
     volume = (box.whole.high - box.whole.low).prod(axis=0, where=box.whole.high > box.whole.low)
     found = box.ending(corners(box.whole.low[:, 0], box.whole.high[:, 0])) if refute else None
     if found is not None:

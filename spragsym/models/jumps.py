@@ -82,7 +82,7 @@ def jump_value(
     decide is followed between all folds that are found by search, see :func:`spragsym.models.paths.first_end`; an end there may
     also be where the state leaves the contact.
     """
-    found = told(_Asked(model, p, vary, direction, begin, until).ends()).value
+    found = told(Followed(model, p, vary, direction, begin, until).ends()).value
     return found if found.ndim else float(found)
 
 
@@ -96,13 +96,13 @@ def jump_gradient(
     Source: F = 0, w K = 0 at the fold, differentiated: since w ∂F/∂q = 0, dv/dp = −(w · ∂F/∂p)/(w · ∂F/∂v). NaN where the state
     goes on or leaves the contact.
     """
-    asked = _Asked(model, p, vary, direction, begin, until)
+    asked = Followed(model, p, vary, direction, begin, until)
     found = told(asked.ends())
     return JumpGradient(vary, found.value, asked.slopes(found))
 
 
-class _Asked:
-    """Points, what moves, and from where to where."""
+class Followed:
+    """States of many points, followed as one parameter moves, up or down, from where to where: see :func:`jump_value`."""
 
     def __init__(
         self, model: Any, p: Any, vary: str, direction: str, begin: float | None, until: float | FloatArray | None

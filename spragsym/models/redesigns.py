@@ -15,7 +15,7 @@ from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import as_number
 from .certificates import certify
-from .jumps import _Asked, jump_value
+from .jumps import Followed, jump_value
 
 #: Rays for each dimension squared: a point takes some milliseconds.
 RAYS = 8
@@ -44,7 +44,7 @@ def jump_margin(model: Any, p: Any, scale: Mapping[str, float], *, vary: str, be
 
     def ending(z: FloatArray) -> NDArray[np.bool_]:
         some = designs.sets(z)
-        return ~np.isnan(_Asked(model, some, vary, "up", begin, getattr(some, vary)).ends(patient=False).value)
+        return ~np.isnan(Followed(model, some, vary, "up", begin, getattr(some, vary)).ends(patient=False).value)
 
     def safe(radius: float) -> bool:
         return _safe(designs, radius, vary, begin)
@@ -73,7 +73,7 @@ def redesign(
         raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
 
     def reached(some: Any, name: str, limit: float) -> NDArray[np.bool_]:
-        found = _Asked(model, some, name, "up", begin, limit).ends(patient=False)
+        found = Followed(model, some, name, "up", begin, limit).ends(patient=False)
         known = np.ones(found.value.shape, dtype=np.bool_)
         known.flat[list(found.reasons)] = False
         return known & ~(found.value < limit)

@@ -36,18 +36,24 @@ def scale_of(unit: str, bases: Mapping[str, tuple[float, str]]) -> float:
     >>> round(scale_of("N", bases), 12), round(scale_of("s", bases), 12)
     (50.0, 0.2)
     """
+    powers = exponents(unit, {name: base for name, (_, base) in bases.items()})
+    result = 1.0
+    for name, (value, _) in bases.items():
+        result = result * value ** powers[name]
+    return result
+
+
+def exponents(unit: str, bases: Mapping[str, str]) -> dict[str, float]:
+    """Powers of the model's units, each with its SI unit, whose product has the dimension of a unit."""
     axes = ("[mass]", "[length]", "[time]")
 
     def powers(text: str) -> list[float]:
         known = dict(dimension(registry().parse_units(text.replace("1", "dimensionless") if text == "1" else text)))
         return [float(known.get(axis, 0.0)) for axis in axes]
 
-    matrix = np.array([powers(unit) for _, unit in bases.values()]).T
-    exponents = np.linalg.solve(matrix, np.array(powers(unit)))
-    result = 1.0
-    for (value, _), exponent in zip(bases.values(), exponents, strict=True):
-        result *= value ** round(float(exponent), 9)
-    return result
+    matrix = np.array([powers(base) for base in bases.values()]).T
+    found = np.linalg.solve(matrix, np.array(powers(unit)))
+    return {name: round(float(power), 9) for name, power in zip(bases, found, strict=True)}
 
 
 def bases(name: str, values: Mapping[str, float]) -> dict[str, tuple[float, str]]:
@@ -56,7 +62,7 @@ def bases(name: str, values: Mapping[str, float]) -> dict[str, tuple[float, str]
 
 
 def dimensionless(name: str, values: Mapping[str, float]) -> tuple[Any, dict[str, float]]:
-    """The parameters of a model from its quantities in SI, and the scales of length, time and force."""
+    """The parameters of a model from its quantities in SI, and the scales of length, time and force; of many brakes arrays."""
     model, units = load(name), bases(name, values)
     scales = {"length": scale_of("m", units), "time": scale_of("s", units), "force": scale_of("N", units)}
     given = {}
@@ -69,10 +75,14 @@ def dimensionless(name: str, values: Mapping[str, float]) -> tuple[Any, dict[str
 
 def friction(model: Any, p: Any, law: str) -> float:
     """μ by the model's own law: ``"friction_at_rest"`` as its statics takes it, ``"friction_at_speed"`` at that of the belt."""
-    return float(getattr(model.statics, law)(*model.arguments(p, "motion")))
+    return float(_friction(model, p, law))
 
 
-def share(model: Any, p: Any) -> float:
-    """The share of μ₀ at which friction works at the speed of the belt, by the model's own law."""
-    full = friction(model, p, "friction_at_rest")
-    return friction(model, p, "friction_at_speed") / full if full else 1.0
+def _friction(model: Any, p: Any, law: str) -> Any:
+    return getattr(model.statics, law)(*model.arguments(p, "motion"))
+
+
+def share(model: Any, p: Any) -> Any:
+    """The share of μ₀ at which friction works at the speed of the belt, by the model's own law; of the shape of ``p``."""
+    full, works = (np.asarray(_friction(model, p, law), dtype=float) for law in ("friction_at_rest", "friction_at_speed"))
+    return np.where(full > 0, works / np.where(full > 0, full, 1.0), 1.0)[()]

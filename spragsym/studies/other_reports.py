@@ -14,16 +14,17 @@ from ..errors import ConvergenceError, SpragsymError
 from ..models.load import load
 from . import other_models
 from .model_states import contact_force, model_states, spring_force
-from .other_tolerances import certificate_of
+from .other_tolerances import tolerated
 from .study import Study
+from .texts import chance_json, chance_rows
+from .tolerances import Chance
 
 #: Angles in degrees between which a jump is looked for.
 _ANGLES = (0.5, 179.0)
-#: What is computed for the article's model only, and why.
-_LEFT_OUT = (
-    "probability, sobol and redesign are null with this model: they ask for the jump at thousands of points, which takes half a "
-    "second each here; a certificate is refuted or undecided, never proved"
-)
+#: What is computed for the article's model only.
+_LEFT_OUT = "what to change is not computed with this model; model.redesign answers for its parameters without units"
+#: Points that a probability is estimated from.
+POINTS = 2048
 #: What the names of numbers are called in the text.
 _WORDS = {
     "statics": "without damping", "x_mm": "x, mm", "y_mm": "y, mm", "spring_force_N": "force of the spring, N",
@@ -69,6 +70,7 @@ class ModelReport(Result):
     folds: tuple[float, ...]
     oscillation: dict[str, Any] | None
     certificate: dict[str, Any] | None
+    probability: Chance | None
     complete: bool
     warnings: tuple[str, ...]
     verdict: str
@@ -88,7 +90,8 @@ class ModelReport(Result):
                 "rest": [here.get("x_mm"), here.get("y_mm")] if here else None,
                 "oscillation_amplitude": self.oscillation["amplitude_mm"] if self.oscillation else None,
             },
-            "oscillation": self.oscillation, "certificate": self.certificate, "probability": None, "sobol": None, "redesign": [],
+            "oscillation": self.oscillation, "certificate": self.certificate, **chance_json(self.probability),
+            "redesign": [],
             "warnings": list(self.warnings), "reach": None, "speed_jump": None, "jump": None,
         }  # fmt: skip
 
@@ -113,7 +116,9 @@ class ModelReport(Result):
             rows = [("no jump within all of them", self.certificate["outcome"])]
             for name, one in (self.certificate["counterexample"] or {}).items():
                 rows.append((f"a brake that jumps: {name}", f"{one['value']:.5g} {one['unit']}".strip()))
-            yield "Tolerances", rows
+            odds = self.probability
+            none = odds is not None and odds.confidence == 1.0
+            yield "Tolerances", [*rows, *([("probability of a jump", "0, as is proved")] if none else chance_rows(odds))]
         if self.oscillation:
             yield "Oscillation", [(_WORDS.get(name, name), _shown(one)) for name, one in self.oscillation.items()]
 
@@ -129,7 +134,7 @@ def _shown(value: Any) -> str:
     return "[" + ", ".join(_shown(one) for one in value) + "]" if isinstance(value, list) else str(value)
 
 
-def model_report(study: Study, oscillation: bool = True, certificate: bool = True) -> ModelReport:
+def model_report(study: Study, oscillation: bool = True, certificate: bool = True, n: int = POINTS) -> ModelReport:
     """All states in contact at the friction that works, where the state of small deformation jumps, and the cycle."""
     model = load(study.model)
     p, scales = other_models.dimensionless(study.model, study.values)
@@ -153,12 +158,12 @@ def model_report(study: Study, oscillation: bool = True, certificate: bool = Tru
     cycle = _oscillation(model, p, scales, warnings) if oscillation and {"V", "d"} <= _known(study) else None
     if not complete:
         warnings.append("that these are all states and folds is not proved here")
-    reached = certificate_of(study) if certificate and "mu0" in model.parameters else None
+    reached, odds = tolerated(study, n) if certificate and "mu0" in model.parameters else (None, None)
     warnings.append(_LEFT_OUT)
     return ModelReport(
         jump, None if angle is None else math.degrees(angle), _cusp(model, p, warnings), works,
         100 * (jump / high - 1) if jump is not None and not math.isnan(jump) and high > 0 else None,
-        states, turns, cycle, reached, complete, tuple(warnings),
+        states, turns, cycle, reached, odds, complete, tuple(warnings),
         _verdict(study, jump, high, states, complete),
     )  # fmt: skip
 

@@ -1,69 +1,127 @@
-"""What the tolerances leave possible with any model: a brake within them that jumps, if one is found."""
+"""What the tolerances leave possible with any model: a certificate for all of them, and the probability of a jump."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import itertools
+from collections.abc import Iterator, Mapping
 from typing import Any
 
-from ..catastrophe import sliding_friction
-from ..errors import SpragsymError
+import numpy as np
+
+from ..design.probability import estimated, variable
+from ..models.certificates import certify
+from ..models.jumps import Followed
 from ..models.load import load
+from ..parameters import FloatArray, Range
 from . import other_models
 from .study import Study
+from .tolerances import Chance, correlated, counterexample, distributions, told, values_at, varied
+
+#: Slices of each unit that has a tolerance, on which several parameters depend: more of them until the claim is decided.
+_SLICES = (1, 4)
+#: Parts of one slice, and points at which counterexamples are looked for.
+_BOXES, _POINTS = 2000, 512
+
+
+def tolerated(study: Study, n: int) -> tuple[dict[str, Any], Chance | None]:
+    """The certificate, and the probability: 0 with confidence 1 where no brake jumps, by proof, and none is left out of that."""
+    reached = certificate_of(study)
+    whole = all(one.cut or not one.sd for one in study.quantities.values())
+    if reached["outcome"] == "proved" and whole and varied(study):
+        return reached, Chance(0.0, 0.0, 0.0, 1.0, 0, {})
+    return reached, chance(study, n)
 
 
 def certificate_of(study: Study) -> dict[str, Any]:
-    """Whether a brake within the tolerances jumps: the one of the file, then the corner to which the jump comes down fastest.
-
-    ``outcome`` is ``"refuted"``, with the brake in the file's units, or ``"undecided"``: nothing is proved.
+    """Whether any brake within the tolerances jumps: proved, refuted by a brake in the file's units, or undecided.
 
     Notes
     -----
-    Source: the first jump of a path with proved folds, at the largest friction. The corner is that of the ends at which, one
-    quantity at a time, the jump comes at a smaller friction than at the other end.
+    Source: :func:`spragsym.models.certificates.certify` over boxes of the model's parameters that enclose the tolerances, rounded
+    outward. Quantities that are the units of others, on which many parameters depend, are cut into slices until the boxes are
+    narrow enough. The friction of the proof is μ₀ itself, and that of a counterexample is the one that works at the belt's speed.
     """
-    ends = {name: (one.low, one.high) for name, one in study.quantities.items()}
-    high = dict(study.values) | {name: ends[name][1] for name in ("mu0", "V", "d") if name in ends}
-    wide = [name for name, (low, up) in ends.items() if low < up and name not in ("mu0", "V", "d", "m")]
-    tried = high
-    example = high if _jumps(study, high) else None
-    if example is None and wide:
-        tried = high | {name: _worse(study, high, name, ends[name]) for name in wide}
-        example = tried if _jumps(study, tried) else None
-    shown = None if example is None else {
-        name: {"value": study.in_file(name, example[name]), "unit": study.quantities[name].unit}
-        for name in example if ends[name][0] < ends[name][1]
-    }  # fmt: skip
-    return {
-        "claim": "no jump", "outcome": "undecided" if example is None else "refuted", "undecided": float(example is None),
-        "boxes": 0, "counterexample": shown,
-    }  # fmt: skip
+    point = counterexample(study, _POINTS, jumping)
+    if point is not None:
+        shown = {
+            name: {"value": study.in_file(name, value), "unit": study.quantities[name].unit}
+            for name, value in point.items() if name in study.tolerances
+        }  # fmt: skip
+        return _told("refuted", 0.0, 0, shown)
+    seen = 0
+    for number in _SLICES:
+        parts, left = list(_slices(study, number)), 0
+        for done, part in enumerate(parts, 1):
+            low, high = _corners(study, part)
+            found = certify(low, high, "no jump", vary="mu0", begin=0.0, max_boxes=_BOXES, refute=False)
+            seen += found.boxes
+            if found.outcome != "proved":
+                left = len(parts) - done + 1
+                break
+        if not left:
+            return _told("proved", 0.0, seen, None)
+        if len(parts) == 1 and number > 1:
+            break
+    return _told("undecided", left / len(parts), seen, None)
 
 
-def _path(study: Study, values: Mapping[str, float], friction: float) -> Any:
+def _told(outcome: str, undecided: float, boxes: int, example: Any) -> dict[str, Any]:
+    return {"claim": "no jump", "outcome": outcome, "undecided": undecided, "boxes": boxes, "counterexample": example}
+
+
+def chance(study: Study, n: int) -> Chance | None:
+    """How probable a jump is with the distributions of the file; None where nothing varies."""
+    if not varied(study):
+        return None
+    everything = Range(-np.inf)
+    variables = {name: variable(name, given, everything) for name, given in distributions(study).items()}
+    found = estimated(
+        variables, lambda values: _ending(study, values), correlation=correlated(study), n=n, rng=0, confidence=0.95, sobol=True,
+        replicates=8, workers=1, progress=False, store=None,
+    )  # fmt: skip
+    return told(found)
+
+
+def jumping(study: Study, shares: FloatArray) -> FloatArray:
+    """1 for the brakes that jump, 0 for those that don't, and NaN where that is not known."""
+    return _ending(study, values_at(study, shares))
+
+
+def _ending(study: Study, values: Mapping[str, Any]) -> FloatArray:
     model = load(study.model)
     p, _ = other_models.dimensionless(study.model, values)
-    return model.quasi_static_path(p, "mu0", [0.0, friction]).jumps
+    works = p.mu0 * (other_models.share(model, p) if study.moves else 1.0)
+    found = Followed(model, p, "mu0", "up", 0.0, np.broadcast_to(works, p.shape)).ends(patient=False)
+    out = np.where(np.isnan(found.value), 0.0, 1.0)
+    out[list(found.reasons)] = np.nan
+    return out
 
 
-def _jumps(study: Study, values: Mapping[str, float]) -> bool:
-    """Whether the state of small deformation jumps at the friction that works; False where that is not known."""
-    friction = values["mu0"]
-    if {"V", "d"} <= set(values):
-        friction = float(sliding_friction(friction, values["V"], values["d"]))
-    try:
-        return friction > 0 and bool(_path(study, values, friction))
-    except SpragsymError:
-        return False
+def _slices(study: Study, number: int) -> Iterator[dict[str, tuple[float, float]]]:
+    """Ends of all quantities, those that are units of others cut into parts."""
+    ends = {name: (one.low, one.high) for name, one in study.quantities.items()}
+    units = [name for name in other_models.bases(study.model, study.values) if ends[name][0] < ends[name][1]]
+    cuts = ([*itertools.pairwise(np.linspace(*ends[name], number + 1).tolist())] for name in units)
+    for chosen in itertools.product(*cuts):
+        yield ends | dict(zip(units, chosen, strict=True))
 
 
-def _worse(study: Study, values: Mapping[str, float], name: str, ends: tuple[float, float]) -> float:
-    """The end of a quantity at which the jump comes first."""
-    found = []
-    for end in ends:
-        try:
-            jumps = _path(study, {**values, name: end}, 10.0 * max(values["mu0"], 0.1))
-        except SpragsymError:
-            jumps = ()
-        found.append((min((float(jump.value) for jump in jumps), default=float("inf")), end))
-    return min(found)[1]
+def _corners(study: Study, ends: Mapping[str, tuple[float, float]]) -> tuple[Any, Any]:
+    """The model's parameters between which all brakes between some ends lie, rounded outward."""
+    model = load(study.model)
+    units = {entry["name"]: entry["unit"] for entry in model.about["units"]}
+    low, high = {}, {}
+    for entry in model.about["parameters"]:
+        name, unit, allowed = entry["name"], entry["quantity_unit"], model.Parameters.ranges[entry["name"]]
+        if entry["quantity"] not in ends:
+            continue
+        least, most = ends[entry["quantity"]]
+        scales = [1.0, 1.0]
+        for base, power in other_models.exponents(unit, units).items() if unit not in ("1", "rad") else ():
+            powers = sorted(end**power for end in ends[base])
+            scales = [scales[0] * powers[0], scales[1] * powers[1]]
+        found = [end / scale for end in (least, most) for scale in scales]
+        off = 0.0 if unit in ("1", "rad") else 2.0**-48  # some roundings of half a unit each
+        low[name] = max(min(found) - off * abs(min(found)), allowed.low)
+        high[name] = min(max(found) + off * abs(max(found)), allowed.high)
+    return model.Parameters(**low), model.Parameters(**high)

@@ -231,7 +231,7 @@ class Study:
     def model_report(self, oscillation: bool = True, certificate: bool = True) -> ModelReport:
         """The report with any model: jump, cusp, states, forces and the cycle; what is not answered is None, with the reason.
 
-        ``certificate = False`` leaves out the search for a brake within the tolerances that jumps.
+        ``certificate = False`` leaves out what the tolerances leave possible: the certificate and the probability.
         """
         from .other_reports import model_report
 

@@ -221,10 +221,16 @@ def _tolerances(report: Report) -> Iterator[tuple[str, str]]:
             yield ("a brake within them that jumps", values or "the brake itself")
     if odds is not None and so.within == "proved" and not so.unbounded:
         yield ("probability of a jump", "0, as is proved")
-    elif odds is not None:
-        ends = f"{_percent(odds.low)} to {_percent(odds.high)} with confidence {odds.confidence:g}"
-        yield ("probability of a jump", f"{share(odds)}, {ends}" + (", and at least one brake" if _one_corner(so) else ""))
+        yield from _indices(odds)
+    else:
+        yield from chance_rows(odds, ", and at least one brake" if _one_corner(so) else "")
+
+
+def chance_rows(odds: Chance | None, more: str = "") -> Iterator[tuple[str, str]]:
+    """The probability with its interval, and what decides."""
     if odds is not None:
+        ends = f"{_percent(odds.low)} to {_percent(odds.high)} with confidence {odds.confidence:g}"
+        yield ("probability of a jump", f"{share(odds)}, {ends}{more}")
         yield from _indices(odds)
 
 
@@ -319,16 +325,23 @@ def as_json(report: Report) -> dict[str, Any]:
             "coexists_with_stable_sliding": lives.coexists, "remark": lives.remark,
         },
         "certificate": _certificate_json(report),
+        **chance_json(odds),
+        "redesign": [_change_json(report, one) for one in report.redesign],
+        "warnings": list(report.warnings),
+        "reach": report.facts.reach, "speed_jump": _speed_json(report),
+        "jump": None if report.peak is None else asdict(report.peak),
+    }  # fmt: skip
+
+
+def chance_json(odds: Chance | None) -> dict[str, Any]:
+    """The keys of the probability and of what decides; None where nothing varies."""
+    return {
         "probability": None if odds is None else {
             "value": odds.probability, "low": odds.low, "high": odds.high, "confidence": odds.confidence, "n": odds.n,
         },
         "sobol": None if odds is None else {
             name: {"first": first, "total": total, "total_error": error} for name, (first, total, error) in odds.sobol.items()
         },
-        "redesign": [_change_json(report, one) for one in report.redesign],
-        "warnings": list(report.warnings),
-        "reach": report.facts.reach, "speed_jump": _speed_json(report),
-        "jump": None if report.peak is None else asdict(report.peak),
     }  # fmt: skip
 
 

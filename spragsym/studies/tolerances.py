@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from scipy.special import ndtr, ndtri
 from scipy.stats import qmc
 
 from ..catastrophe.sliding import sliding_friction
-from ..design import certify, jump_probability
+from ..design import JumpProbability, certify, jump_probability
 from ..design.design_space import PHYSICAL, dimensionless
 from ..design.events import have_jumped
 from ..design.probability import BELT
@@ -62,7 +62,7 @@ class Normal:
 
 def names_of(study: Study) -> tuple[str, ...]:
     """The quantities that decide whether it jumps."""
-    return PHYSICAL + (BELT if study.moves else ())
+    return PHYSICAL + (BELT if study.moves else ()) if study.model == "kang_nam" else tuple(study.quantities)
 
 
 def varied(study: Study) -> list[str]:
@@ -77,12 +77,17 @@ def quantile(one: Measured, share: Any) -> FloatArray:
     return np.asarray(np.clip(one.low + np.asarray(share) * (one.high - one.low), one.low, one.high))
 
 
-def brakes(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
-    """Brakes at shares of what is :func:`varied`, of shape (n, varied), in SI; the friction is the one that works."""
-    size = len(shares)
-    values = {name: np.full(size, study.values[name]) for name in names_of(study)}
+def values_at(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
+    """Quantities in SI at shares of what is :func:`varied`, of shape (n, varied)."""
+    values = {name: np.full(len(shares), study.values[name]) for name in names_of(study)}
     for j, name in enumerate(varied(study)):
         values[name] = quantile(study.quantities[name], shares[:, j])
+    return values
+
+
+def brakes(study: Study, shares: FloatArray) -> dict[str, FloatArray]:
+    """Brakes at shares of what is :func:`varied`, of shape (n, varied), in SI; the friction is the one that works."""
+    values = values_at(study, shares)
     if study.moves:
         values["mu0"] = sliding_friction(*(values[name] for name in ("mu0", *BELT)))
     return {name: values[name] for name in PHYSICAL}
@@ -96,19 +101,23 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
     return result
 
 
+#: 1 for the brakes of a study at some shares that jump, 0 for those that don't, NaN where that is not known.
+Jumping: TypeAlias = Callable[[Study, FloatArray], FloatArray]
+
+
 def corners(study: Study) -> FloatArray:
     """Shares of the brake as drawn with most friction, and of all corners of the tolerances that may occur.
 
-    Of friction and belt the ends with most of it are enough, if independent.
+    Of friction and, with the article's law, of the belt the ends with most of it are enough, if independent.
     """
-    names = varied(study)
+    names, rising = varied(study), ("mu0", *BELT) if study.model == "kang_nam" else ("mu0",)
     together = study.together(names)
     found = together.corners()
     for group in together.groups:
-        if len(group) == 1 and names[group[0]] in ("mu0", *BELT):
+        if len(group) == 1 and names[group[0]] in rising:
             found = found[found[:, group[0]] == 1.0]
     quantities = [study.quantities[name] for name in names]
-    drawn = [[1.0 if name in ("mu0", *BELT) else share_of(one) for name, one in zip(names, quantities, strict=True)]]
+    drawn = [[1.0 if name in rising else share_of(one) for name, one in zip(names, quantities, strict=True)]]
     return np.concatenate([np.array(drawn).reshape(1, -1), found])
 
 
@@ -170,7 +179,7 @@ def certificate(study: Study, slices: tuple[int, ...] = _SLICES, boxes: int = _B
     return BoxCertificate("no jump", "undecided", None, left, seen)
 
 
-def counterexample(study: Study, number: int = _POINTS) -> dict[str, float] | None:
+def counterexample(study: Study, number: int = _POINTS, jumping: Jumping = jumping) -> dict[str, float] | None:
     """A brake within the tolerances that jumps, in SI: a corner if there is one, or one of some points."""
     for shares in (corners(study), samples(study, number)):
         found = np.flatnonzero(jumping(study, shares) == 1)
@@ -217,9 +226,21 @@ def chance(study: Study, n: int) -> Chance | None:
     """
     if not varied(study):
         return None
-    correlation = {pair: value for pair, value in study.correlation.items() if set(pair) <= set(varied(study))}
-    given = {name: _distribution(study.quantities[name]) for name in names_of(study)}
-    found = jump_probability(given, correlation=correlation, n=n, rng=0)
+    return told(jump_probability(distributions(study), correlation=correlated(study), n=n, rng=0))
+
+
+def correlated(study: Study) -> dict[tuple[str, str], float]:
+    """Pairs that vary together, of those that decide whether it jumps."""
+    return {pair: value for pair, value in study.correlation.items() if set(pair) <= set(varied(study))}
+
+
+def distributions(study: Study) -> dict[str, Any]:
+    """Each quantity as a number, a range or a distribution."""
+    return {name: _distribution(study.quantities[name]) for name in names_of(study)}
+
+
+def told(found: JumpProbability) -> Chance:
+    """The probability, and the indices with the largest first."""
     indices = {
         name: (found.first[name], found.total[name], found.total_error[name])
         for name in sorted(found.total, key=lambda name: -np.nan_to_num(found.total[name]))

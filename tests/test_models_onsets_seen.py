@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 import spragsym as ss
 from benchmarks import validate_gaps
 from spragsym.cli import cli
-from spragsym.models import points
+from spragsym.models import points, stability
 from tests.conftest import Once
 
 PAD = '''r"""A pad."""
@@ -124,3 +124,11 @@ def test_what_is_not_decided_is_not_called_none(pad: Any) -> None:
     told = CliRunner().invoke(cli, ["bifurcation", "--model", pad.where, "--vary", "mu_s=0.1:0.4"]).output
     assert "Onsets: none" not in told
     assert "Onsets: not complete" in told
+
+
+def test_a_state_without_slopes_costs_only_itself() -> None:
+    """Beyond a touch a law like Hertz's has no slope: of one such state all onsets along a line died."""
+    one, other = np.eye(2), np.full((2, 2), np.nan)
+    found = stability.roots(np.stack([one, one]), np.zeros((2, 2, 2)), np.stack([other, 4 * one]))
+    assert np.isnan(found[0]).all()
+    np.testing.assert_allclose(np.sort(found[1].imag), [-2, -2, 2, 2])

@@ -116,12 +116,13 @@ def classified(balance: Balance, states: FloatArray, given: FloatArray, ends: Fl
 
 
 def roots(M: FloatArray, C: FloatArray, K: FloatArray) -> NDArray[np.complex128]:
-    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n)."""
+    """The roots of det(λ² M + λ C + K), of matrices of shape (…, n, n); NaN where an entry is not finite."""
     n = M.shape[-1]
     zero, unit = np.zeros_like(M), np.broadcast_to(np.eye(n), M.shape)
     companion = np.block([[zero, unit], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
-    out: NDArray[np.complex128] = np.linalg.eigvals(companion).astype(complex)
-    return out
+    known = np.isfinite(companion).all(axis=(-2, -1), keepdims=True)
+    out: NDArray[np.complex128] = np.linalg.eigvals(np.where(known, companion, 0.0)).astype(complex)
+    return np.where(known[..., 0], out, np.nan)
 
 
 def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:

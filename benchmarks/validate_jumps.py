@@ -1,7 +1,7 @@
 """Jump values against paths of states, certificates against samples, probabilities against plain samples and their own truth.
 
 Run ``python -m benchmarks.validate_jumps [what] [number] [seed] [store] [seconds]``, with ``what`` one of values, boxes,
-probability, coverage, samples, cluster, speed. Finished parts go to the file ``store``, and a second call goes on from there.
+models, probability, coverage, samples, cluster, speed. Finished parts go to the file ``store``, and a second call goes on from there.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import warnings
 from collections import Counter
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -21,6 +22,7 @@ import numpy as np
 import spragsym as ss
 from benchmarks import families, parts
 from spragsym.design.events import have_jumped
+from spragsym.models.paths import first_end
 from spragsym.parameters import NAMES
 
 #: Of a jump that is right, relative.
@@ -85,6 +87,58 @@ def speed(number: int) -> None:
         begin = time.process_time()
         ss.jump_value(p, vary)
         print(f"jump_value along {vary}: {number / (time.process_time() - begin):.3g} points a second")
+
+
+# ------------------------------------------------------------------------------------------------------------ models
+
+#: Two-coordinate models whose jump values have no closed forms, how far friction rises, and points followed one by one in a part.
+MODELS, FAR, FOLLOWED = ("two_springs", "cubic_contact", "inclined_belt", "hertz_contact", "damped"), 2.0, 6
+
+
+def of_model(part: str) -> dict[str, Any]:
+    """Points at once and one after the other by a path between all folds: how many differ, the seconds of both, and the slopes."""
+    name, seed, size = part.split()
+    model, rng = ss.load(name), np.random.default_rng(int(seed))
+    scales = {key: model.base[key] * 2 ** rng.uniform(-1, 1, int(size)) for key in ("kappa", "sigma", "alpha")}
+    p = model.Parameters(theta0=rng.uniform(0.3, 1.4, int(size)), **scales)
+    begin = time.process_time()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ss.errors.UndecidedWarning)
+        values = np.asarray(model.jump_value(p, until=FAR))
+    found: dict[str, Any] = {
+        "at once": time.process_time() - begin,
+        "points": int(size),
+        "jumping": int(np.isfinite(values).sum()),
+    }
+    begin, wrong, worst = time.process_time(), [], 0.0
+    for i in range(FOLLOWED):
+        one = model.Parameters(**{key: float(np.broadcast_to(getattr(p, key), values.shape)[i]) for key in model.parameters})
+        end = first_end(model, one, "mu0", (0.0, FAR))
+        off = 0.0 if end is None else abs(end.value - values[i])
+        if (end is None) != np.isnan(values[i]) or off > 1e-9:
+            wrong.append(f"{one}: {values[i]} for {end}")
+        worst = max(worst, off)
+    return found | {"one by one": (time.process_time() - begin) / FOLLOWED, "wrong": wrong, "worst": worst}
+
+
+def validate_models(number: int, seed: int = 7, store: str = "", seconds: float = np.inf) -> int:
+    """How many values of models without closed forms are not where the state ends that is followed."""
+    names = [f"{MODELS[i % len(MODELS)]} {1000 * seed + i} {min(500, number - 500 * i)}" for i in range(-(-number // 500))]
+    done = parts.run(names, of_model, store, seconds)
+    print(
+        "| model | points | of them jump | points a second at once | one after the other | largest difference |\n|---|---|---|---|---|---|"
+    )
+    for model in MODELS:
+        rows = [row for name, row in done.items() if name.startswith(model)]
+        if rows:
+            points, jumping, spent, each = (
+                sum(row[key] for row in rows) for key in ("points", "jumping", "at once", "one by one")
+            )
+            worst = max(row["worst"] for row in rows)
+            print(f"| {model} | {points} | {jumping} | {points / spent:.3g} | {len(rows) / each:.3g} | {worst:.2g} |")
+    bad = [one for row in done.values() for one in row["wrong"]]
+    print(f"{FOLLOWED * len(done)} points followed one by one, {len(bad)} differ", *bad, sep="\n")
+    return len(bad)
 
 
 # ------------------------------------------------------------------------------------------------------------- boxes
@@ -217,6 +271,7 @@ def validate_cluster(number: int, seed: int = 4, **_: Any) -> int:
 
 CHECKS: dict[str, tuple[Callable[..., int], int]] = {
     "values": (validate_values, 100_000),
+    "models": (validate_models, 4000),
     "boxes": (validate_boxes, 200),
     "probability": (validate_probability, 100_000_000),
     "coverage": (validate_coverage, 100),

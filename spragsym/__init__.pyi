@@ -4,7 +4,6 @@ from . import figures as figures
 from . import precise as precise
 from ._version import __version__ as __version__
 from .catastrophe import BifurcationSet as BifurcationSet
-from .catastrophe import CriticalFriction as CriticalFriction
 from .catastrophe import FlutterBoundary as FlutterBoundary
 from .catastrophe import FoldCurve as FoldCurve
 from .catastrophe import LinearSprag as LinearSprag
@@ -73,6 +72,7 @@ from .parameters import PhysicalParameters as PhysicalParameters
 from .parameters import Scales as Scales
 from .statics import Equilibria as Equilibria
 from .statics import Jump as Jump
+from .statics import LowestEnd as LowestEnd
 from .statics import Onsets as Onsets
 from .statics import Path as Path
 from .statics import Points as Points

@@ -70,7 +70,7 @@ RESULTS: dict[str, Callable[[], Any]] = {
     "Surface": lambda: ss.surface(ONE, 1.0, [[0.5], [0.6]]),
     "Points": lambda: ss.folds(ONE),
     "Points of two parameters": lambda: ss.cusps(ONE),
-    "CriticalFriction": lambda: ss.critical_friction(ONE.replace(beta=[0.0, 1.0])),
+    "LowestEnd": lambda: ss.critical_friction(ONE.replace(beta=[0.0, 1.0])),
     "BifurcationSet": lambda: ss.bifurcation_set(ONE, n=600),
     "FoldCurve": lambda: ss.bifurcation_set(ONE, n=600).curves[0],
     "FlutterBoundary": lambda: ss.flutter_boundary(ONE.replace(alpha=0.7), 50),

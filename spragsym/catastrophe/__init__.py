@@ -7,13 +7,12 @@ from .equilibrium_surface import Surface, surface
 from .flutter_points import FlutterBoundary, flutter_boundary, flutter_onsets
 from .fold_points import folds
 from .linear import LinearSprag, linear_critical_friction, linear_sprag
-from .lowest_fold import CriticalFriction, critical_friction
+from .lowest_fold import critical_friction
 from .paths import quasi_static_path
 from .sliding import sliding_friction
 
 __all__ = [
     "BifurcationSet",
-    "CriticalFriction",
     "FlutterBoundary",
     "FoldCurve",
     "LinearSprag",

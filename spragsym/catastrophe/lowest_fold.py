@@ -4,73 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
 
 import numpy as np
-from numpy.lib.mixins import NDArrayOperatorsMixin
-from numpy.typing import NDArray
 
-from ..display import Shown
 from ..exact.adaptive_bits import as_floats, decided, with_enough_bits
 from ..exact.intervals import Arithmetic, Interval, arithmetic
 from ..parameters import Parameters
+from ..statics.lowest_ends import LowestEnd
 from . import cusp_proofs, turning_proofs
 from .fixed_parameters import FIXED
 from .fold_enclosures import Point
 
 
-@dataclass(frozen=True, eq=False)
-class CriticalFriction(Shown, NDArrayOperatorsMixin):
-    """The friction of the lowest fold, where it is, and of which kind; it calculates, compares and prints as ``mu0``.
-
-    Numbers for one point, arrays of the shape of the parameters for many; angles are radians.
-
-    ``kind`` is ``"cusp"``, or ``"turn"`` where the curve of folds turns back in μ₀, or ``"end"`` where it is lowest as θ₀
-    goes to 0; it is empty where no fold ends that state, and then ``mu0`` is infinite and ``theta0`` NaN. ``error`` bounds
-    \\|error\\| / max(1, \\|value\\|) of ``mu0`` and ``theta0``.
-    """
-
-    mu0: Any
-    theta0: Any
-    kind: Any
-    error: Any
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        """Of the parameters."""
-        return np.shape(self.mu0)
-
-    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
-        return np.array(self.mu0, dtype=dtype, copy=copy)
-
-    def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **options: Any) -> Any:
-        return getattr(ufunc, method)(*(one.mu0 if isinstance(one, CriticalFriction) else one for one in inputs), **options)
-
-    def __float__(self) -> float:
-        return float(self.mu0)
-
-    def __round__(self, digits: int | None = None) -> Any:
-        return round(self.mu0, digits)
-
-    def __format__(self, spec: str) -> str:
-        return format(self.mu0, spec)
-
-    def __str__(self) -> str:
-        return str(self.mu0)
-
-    def __len__(self) -> int:
-        return len(self.mu0)
-
-    def __getitem__(self, index: Any) -> CriticalFriction:
-        kind = self.kind[index]
-        values = (self.mu0[index], self.theta0[index], self.error[index])
-        mu0, theta0, error = values if np.ndim(values[0]) else map(float, values)
-        return CriticalFriction(mu0, theta0, kind if np.ndim(kind) else str(kind), error)
-
-
-def critical_friction(p: Parameters) -> CriticalFriction:
+def critical_friction(p: Parameters) -> LowestEnd:
     """The lowest fold: the least friction at which the state of small deformation ends at any 0 < θ₀ < π.
 
     Below it that state, followed from μ₀ = 0 at any inclination, never jumps. It may be lower than every cusp, since a curve of
@@ -83,7 +30,7 @@ def critical_friction(p: Parameters) -> CriticalFriction:
 
     Returns
     -------
-    CriticalFriction
+    LowestEnd
         To be used as the number or array ``mu0``, with its angle, kind and error; infinite where no fold ends that state: then no
         friction makes that state jump.
 
@@ -113,10 +60,10 @@ def critical_friction(p: Parameters) -> CriticalFriction:
     found = [_lowest(*map(float, point)) for point in zip(*(column.flat for column in columns), strict=True)]
     shape = columns[0].shape
     if not shape:
-        return CriticalFriction(*found[0])
+        return LowestEnd("mu0", "theta0", *found[0])
     parts = list(zip(*found, strict=True)) or [()] * 4
     mu0, theta0, error = (np.array(parts[place], dtype=float).reshape(shape) for place in (0, 1, 3))
-    return CriticalFriction(mu0, theta0, np.array(parts[2], dtype=np.str_).reshape(shape), error)
+    return LowestEnd("mu0", "theta0", mu0, theta0, np.array(parts[2], dtype=np.str_).reshape(shape), error)
 
 
 def _lowest(*values: float) -> tuple[float, float, str, float]:

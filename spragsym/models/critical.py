@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from ..display import Result
 from ..errors import ConvergenceError, ParameterError
+from ..statics.lowest_ends import LowestEnd
 from ..statics.points import Points
 from ..statics.results import Stability
 from .balance import Balance
@@ -28,36 +28,6 @@ from .tubes import carried
 ASIDE, BEYOND = (1e-3, 1e-4, 1e-5), 0.05
 #: Of two values that differ by less than that times their bounds none is the lower one.
 SAME = 4.0
-
-
-@dataclass(frozen=True)
-class LowestEnd(Result):
-    """Where the state that is followed ends first over a range of another parameter; a number as ``value``.
-
-    ``value`` is of the parameter ``vary``, ``where`` of ``over``; both are attributes under these names, too. ``kind`` is
-    ``"cusp"``, ``"turn"`` where a curve of folds turns back in ``vary``, ``"border"`` where the state leaves the contact,
-    ``"end"`` where it is a fold at an end of the range of ``over``, or empty where the state ends nowhere in the range of
-    ``vary``: then ``value`` is infinite. ``complete`` says that this is proved; otherwise ``remarks`` say what is not, and the
-    kind ``"undecided"`` that nothing is known above ``value``, below which the state does not end.
-    """
-
-    vary: str
-    over: str
-    value: float
-    where: float
-    kind: str
-    error: float
-    complete: bool
-    remarks: tuple[str, ...] = ()
-
-    def __float__(self) -> float:
-        return self.value
-
-    def __getattr__(self, name: str) -> float:
-        names = {self.__dict__.get("vary"): "value", self.__dict__.get("over"): "where"}
-        if name not in names:
-            raise AttributeError(f"{type(self).__name__!r} has no attribute {name!r}")
-        return float(self.__dict__[names[name]])
 
 
 @dataclass(frozen=True)

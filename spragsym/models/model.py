@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from ..dynamics import Trajectory
     from ..dynamics.motions import Motions
     from ..dynamics.problem import Problem
+    from ..statics.lowest_ends import LowestEnd
     from ..statics.onsets import Onsets
     from ..statics.paths import Path
     from ..statics.points import Ended, Points
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from ..sweeps import Basin, Sensitivity, Sweep
     from ..sweeps.measure import Settings
     from .bifurcation import ModelBifurcationSet
-    from .critical import LowestEnd
     from .diagram import Diagram
     from .hopf_curves import OnsetCurves
     from .normal_forms import NormalForm

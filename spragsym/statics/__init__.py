@@ -1,6 +1,7 @@
 """Equilibria: what is known of them, and how they are found for one point and for millions."""
 
 from .backends import get_backend, set_backend
+from .lowest_ends import LowestEnd
 from .onsets import Onsets
 from .paths import Jump, Path
 from .points import Points
@@ -10,6 +11,7 @@ from .solver import count, equilibria
 __all__ = [
     "Equilibria",
     "Jump",
+    "LowestEnd",
     "Onsets",
     "Path",
     "Points",

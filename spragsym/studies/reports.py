@@ -35,7 +35,7 @@ class Report(Result):
     mu_lowest, theta0_lowest_deg : float
         The lowest fold: the friction below which it jumps at no angle, ``inf`` where it never does, and its angle.
     kind_lowest : str
-        ``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.CriticalFriction`; empty where it never jumps.
+        ``"cusp"``, ``"turn"`` or ``"end"``, see :class:`spragsym.LowestEnd`; empty where it never jumps.
     mu_cusp : float
         Friction of the lowest cusp, ``inf`` where there is none.
     mu_effective : float

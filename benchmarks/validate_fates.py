@@ -8,7 +8,7 @@ the same command goes on from there.
   ends of a window, so that a window need not hold whole periods. Two have different ends if these differ by far more than they
   change from one window to the next.
 - An answer is confirmed by motions at ± 1e-6 with different ends; where fates are said to alternate more closely, at a third of the
-  way to the next change, or at three errors.
+  way to the next change; where both come to one end there, nearer by, at three errors at least.
 - A refusal is read part by part, and each part has its own confirmation, between the values that it names. That both ends come to
   one attractor: a motion is carried from one to the other, by steps of the parameter so small that averages jump nowhere, and ends
   with the averages that the motion there has. That motions are undecided: averages still change, neighbours part, or a motion does not come back to itself. That fates
@@ -56,6 +56,9 @@ STEP, HALVINGS, STEP_LASTS, JUMP = 1 / 25, 10, 4000.0, 0.02
 
 #: Tolerance of the motions to either side of an answer.
 CLOSELY = 1e-13
+
+#: How much nearer to an answer motions are tried where those farther off come to one end, as on islands of the other fate.
+NEARER = (1, 30, 1000)
 
 #: Changes of the start, and motions that are looked at, where rounding is said to decide.
 ROUNDING, LOOKED_AT = 1e-12, 200
@@ -129,11 +132,16 @@ def settled(values: dict[str, float], start: Any, rtol: float = 1e-12) -> tuple[
 def confirmed(given: dict[str, Any], found: ss.FateBoundary) -> tuple[bool, str]:
     """Whether motions on both sides of an answer come to different attractors."""
     away = float(np.abs(found.others - found.value).min()) / 3 if len(found.others) else np.inf
-    aside = max(min(ASIDE, away), 3 * found.error)
-    places = [given["values"] | {given["vary"]: found.value + sign * aside} for sign in (-1, 1)]
-    sides = [settled(place, given["start"], CLOSELY)[0] for place in places]
-    off, within = apart(*sides)
-    return differ(*sides), f"averages differ by {off:.2g}, change by {within:.1g}, at ± {aside:.1g}"
+    widest, told = min(ASIDE, away), ""
+    for nearer in NEARER:
+        aside = max(widest / nearer, 3 * found.error)
+        places = [given["values"] | {given["vary"]: found.value + sign * aside} for sign in (-1, 1)]
+        sides = [settled(place, given["start"], CLOSELY)[0] for place in places]
+        off, within = apart(*sides)
+        told = f"averages differ by {off:.2g}, change by {within:.1g}, at ± {aside:.1g}"
+        if differ(*sides):
+            return True, told
+    return False, told
 
 
 def carried(given: dict[str, Any], low: float, high: float, *, jumps: bool = False) -> tuple[bool, str]:

@@ -12,6 +12,8 @@ from click.testing import CliRunner
 import spragsym as ss
 from spragsym.cli import cli
 from spragsym.errors import ParameterError, ParameterTypeError
+from spragsym.models.balance import Balance
+from spragsym.models.remarks import spans
 from tests.conftest import Once
 
 #: Two springs without length that couple both directions, on a belt that hardens.
@@ -135,3 +137,18 @@ def test_nothing_is_incomplete_without_a_reason(name: str) -> None:
         for search in (model.folds, model.flutter_onsets):
             found = search(p, vary)
             assert found.complete == (not found.remarks)
+
+
+def test_angles_that_were_searched_say_that_they_are_radians() -> None:
+    """The command line takes degrees: a remark that was typed back searched a fiftieth of what it said."""
+    assert spans(Balance(ss.load("sprag_rod"), contact=True), [-1.0], [2.0]) == "phi in [-1, 2] rad"
+    assert spans(Balance(ss.load("two_springs"), contact=True), [0, 0], [1, 1]) == "x in [0, 1], y in [0, 1]"
+
+
+def test_a_remedy_is_true_of_the_page() -> None:
+    with pytest.raises(
+        ss.ParameterError, match=r"mu0 = -0\.1 .*: a belt that runs the other way is the mirror image of the mechanism$"
+    ):
+        ss.load("sprag_rod").Parameters(mu0=-0.1)
+    with pytest.raises(ss.ParameterError, match="give the supplement of theta0"):
+        ss.Parameters(mu0=-0.1)

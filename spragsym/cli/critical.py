@@ -126,8 +126,7 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
             return None
         if "mu0" not in model.parameters:
             raise ParameterError(f"{model.name} has no mu0")
-        first = _first(case, p, span(case, Typed("mu0", "mu0"), ""), "up", False)["mu0"]
-        return math.nan if first is None else float(first)
+        return float(model.jump_value(p, "mu0"))
 
     def cusp() -> float | None:
         if case.has_closed("cusp_friction"):

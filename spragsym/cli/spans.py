@@ -64,7 +64,7 @@ def vary(text: str, multiple: bool = False) -> Callable[[F], F]:
 
 def within(function: F) -> F:
     """``--within``."""
-    text = "Range of a coordinate to search, as {coordinate}=-5:5, in place of the model's own. Repeatable."
+    text = "Range of a coordinate to search, as {coordinate}=-5:5, in place of the model's own; angles in degrees. Repeatable."
     return click.option("--within", type=Vary(), multiple=True, metavar="NAME=FROM:TO", help=text)(function)
 
 

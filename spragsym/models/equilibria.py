@@ -223,6 +223,6 @@ def _arranged(balance: Balance, p: Any, found: Roots, around: FloatArray, whole:
         "region": searched.reshape(*shape, balance.n, 2), "whole": whole.reshape(shape),
         **{name: placed(states[i], np.nan) for i, name in enumerate(balance.coordinates)},
     }  # fmt: skip
-    remarks = (*summed(reasons), *of_region(balance.coordinates, around, whole))
+    remarks = (*summed(reasons), *of_region(balance, around, whole))
     counts, known = count.reshape(shape), decided.reshape(shape)
     return Equilibria(p, balance.contact, counts, known, undecided, remarks, Held(made, (ends, alone)))

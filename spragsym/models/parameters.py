@@ -7,8 +7,10 @@ from collections.abc import Mapping
 from dataclasses import field, make_dataclass
 from typing import Any
 
-from ..parameters import RANGES, ParameterSet, Range, named
+from ..parameters import ParameterSet, Range, named
 
+#: Remedy for friction or a belt of the other sign.
+MIRRORED = "a belt that runs the other way is the mirror image of the mechanism"
 #: Options whose names are not those of their parameters.
 _OPTIONS = {"V": ("--speed", "-V"), "d": ("--creep", "-d")}
 
@@ -67,8 +69,9 @@ def _again(where: str, values: dict[str, Any]) -> Any:
 
 def _range(entry: Mapping[str, Any]) -> Range:
     low, high = (default if entry[end] is None else entry[end] for end, default in (("low", -math.inf), ("high", math.inf)))
-    known = RANGES.get(entry["name"])
-    remedy = known.remedy if known else ("angles are radians; use numpy.radians for degrees" if entry["unit"] == "rad" else "")
+    # Of the article's remedies only what is true of any page: which mirror image a belt has is not.
+    remedy = MIRRORED if entry["name"] in ("mu0", "V") else ""
+    remedy = "angles are radians; use numpy.radians for degrees" if entry["unit"] == "rad" else remedy
     return Range(low, high, entry["low_open"] and not math.isinf(low), remedy, not entry["high_open"])
 
 

@@ -195,7 +195,7 @@ def arranged(
     remarks += of_boxes(
         balance, np.repeat(given, left.shape[2], axis=1), left, dict(zip(vary, Intervals(left[:, n:]), strict=True))
     )
-    remarks += of_region(balance.coordinates, found.region[:, :n], found.whole)
+    remarks += of_region(balance, found.region[:, :n], found.whole)
     remarks += of_ranges(endless, box[[n + list(vary).index(name) for name in endless]])
     left = _merged(left) if len(vary) == 1 else left
     boxes_left = np.moveaxis(np.stack([-left[0], left[1]], axis=-1), 1, 0)

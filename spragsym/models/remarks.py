@@ -79,14 +79,14 @@ def kinds_of(balance: Balance, given: FloatArray, left: FloatArray, varied: Mapp
     return kinds
 
 
-def of_region(names: Sequence[str], region: FloatArray, whole: NDArray[np.bool_]) -> tuple[str, ...]:
+def of_region(balance: Balance, region: FloatArray, whole: NDArray[np.bool_]) -> tuple[str, ...]:
     """Said where a region is not proved to hold all equilibria; ``region`` as −low and high, shape (2, n, points)."""
     if whole.all():
         return ()
     open_ = np.flatnonzero(~whole)
     hull = region[:, :, open_].max(axis=2)
     where = f" at {open_.size} of {whole.size} points" if whole.size > 1 else ""
-    return (f"searched within {spans(names, -hull[0], hull[1])}{where}; there may be others beyond it",)
+    return (f"searched within {spans(balance, -hull[0], hull[1])}{where}; there may be others beyond it",)
 
 
 def of_ranges(names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
@@ -97,6 +97,8 @@ def of_ranges(names: Sequence[str], ends: FloatArray) -> tuple[str, ...]:
     )
 
 
-def spans(names: Sequence[str], low: Sequence[float], high: Sequence[float]) -> str:
-    """A box in words."""
-    return ", ".join(f"{name} in [{a:.8g}, {b:.8g}]" for name, a, b in zip(names, low, high, strict=True))
+def spans(balance: Balance, low: Sequence[float], high: Sequence[float]) -> str:
+    """A box of coordinates in words; angles are in radians, which is said."""
+    units = {entry["name"]: " rad" if entry["unit"] == "rad" else "" for entry in balance.model.about["coordinates"]}
+    ends = zip(balance.coordinates, low, high, strict=True)
+    return ", ".join(f"{name} in [{a:.8g}, {b:.8g}]{units[name]}" for name, a, b in ends)

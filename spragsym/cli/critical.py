@@ -56,11 +56,13 @@ def critical(case: Case, vary: Typed | None, json_output: bool) -> None:
         return
     none = "it has jumped already" if jumped else "never"
     rows = [(f"{along.title} at the first jump, {_where(jump)}", _or(jump[along.title], none)) for jump in jumps]
-    for name, text in _meanings(frictions, along.name).items():
+    shown = _meanings(case, frictions, along.name)
+    for name, text in shown.items():
         rows.append((text, _or(frictions[name], "unknown" if frictions[name] is None else "none")))
     print_table("", ("", "value"), rows)
     for remark in remarks:
-        click.echo(remark)
+        if remark.partition(":")[0] not in {*frictions} - {*shown}:
+            click.echo(remark)
 
 
 def _where(jump: dict[str, Any]) -> str:
@@ -126,7 +128,10 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
             return None
         if "mu0" not in model.parameters:
             raise ParameterError(f"{model.name} has no mu0")
-        return float(model.jump_value(p, "mu0"))
+        value = float(model.jump_value(p, "mu0"))
+        if math.isnan(value) and not case.has_closed("jump_value"):
+            remarks.append(f"mu_jump: followed up to mu0 = {ranges(model, ('mu0',), {})[0, 1]:g}; beyond that it is not known")
+        return value
 
     def cusp() -> float | None:
         if case.has_closed("cusp_friction"):
@@ -151,11 +156,14 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
     }, remarks  # fmt: skip
 
 
-def _meanings(frictions: dict[str, Any], vary: str) -> dict[str, str]:
+def _meanings(case: Case, frictions: dict[str, Any], vary: str) -> dict[str, str]:
+    """What each friction is, of those that the model has."""
     kind = frictions["kind_lowest"]
     place = f" (a {kind}, at {frictions['theta0_lowest_deg']:.6g} deg)" if kind else ""
+    if "theta0" not in case.model.parameters:
+        return {"mu_jump": "mu_jump: it jumps there"}
     known = {} if vary == "theta0" else {"mu_jump": "mu_jump: at this angle it jumps there"}
+    linear = {"mu_cr": "mu_cr, linear sprag model: poles above it"} if case.has_closed("linear_critical_friction") else {}
     return known | {
-        "mu_lowest": f"mu_lowest: below it it jumps at no angle{place}", "mu_cusp": "mu_cusp: the lowest cusp",
-        "mu_cr": "mu_cr, linear sprag model: poles above it",
+        "mu_lowest": f"mu_lowest: below it it jumps at no angle{place}", "mu_cusp": "mu_cusp: the lowest cusp", **linear,
     }  # fmt: skip

@@ -94,9 +94,11 @@ def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
 
 
 def doubtful(branch: ss.CycleBranch) -> list[str]:
-    """Events whose multipliers are not what they say, to 1e-3, or next to a grazing to a share of what they change between points."""
+    """Events whose multipliers are not what they say, unless they are said to jump: to 1e-3, or next to a grazing to a share of what they change between points."""
     found = []
     for event in branch.of("fold", "period_doubling", "torus"):
+        if "jumps" in event.how:
+            continue
         near = place(branch, event.cycle)
         beside = [
             _from_event(event.kind, branch.cycles[i].multipliers[1:])

@@ -1188,3 +1188,10 @@ def test_a_torus_is_seen_by_simulations_on_both_sides() -> None:
         )
         assert (late > 1.2 * early) == (side < 0)
         assert (late < 0.8 * early) == (side > 0)
+
+
+@pytest.mark.thorough
+def test_a_multiplier_that_jumps_past_its_value_is_no_zero_of_it() -> None:
+    """Beside a grazing one jumps past −1: the place was said to 1e-9, and was 1e-7 off when steps were others."""
+    for row in validate_branches.looked_at(282)["branches"]:
+        assert (row["missed"], row["invented"], row["doubtful"]) == ([], [], [])

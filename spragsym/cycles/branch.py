@@ -62,7 +62,7 @@ class CycleEvent(Result):
     error : float
         How well the value is known.
     how : str
-        What is touched, or why the branch ends.
+        What is touched, why the branch ends, or that a multiplier jumps past its value.
     """
 
     kind: str
@@ -213,7 +213,7 @@ class _Trace:
 
     def event(self, found: Finding) -> CycleEvent:
         """An event as users see it."""
-        how = found.how if isinstance(found, End) else ""
+        how = found.how
         if found.border >= 0:
             how = self.setting.field.borders[found.border].name
         if found.crossed is not None:

@@ -28,6 +28,12 @@ FLAT = 1e-6
 LOCATED = 1e-11
 
 
+#: Said of an event that is none of a multiplier that is continuous.
+JUMPED = "a multiplier jumps past its value there, as it does at a grazing"
+
+#: Where a sign changes, a test function is a zero if it is smaller than this share of what it is at the ends of the step.
+JUMPS = 1e-2
+
 #: A step longer than this is made shorter where an event in it is not located.
 FINEST = 1e-5
 
@@ -77,7 +83,8 @@ def _of_multipliers(kind: str) -> str:
 class Finding:
     """Something that happens on a branch: what, the orbit there, and how well its place is known.
 
-    ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one crosses it.
+    ``border`` is the one that it touches; ``crossed`` how the branch goes on where another one crosses it; ``how`` what
+    else is to be said.
     """
 
     kind: str
@@ -85,6 +92,7 @@ class Finding:
     error: float
     border: int = -1
     crossed: FloatArray | None = None
+    how: str = ""
 
 
 def findings(one: Seen, other: Seen, length: float, before: Seen | None = None, depth: int = 0) -> Iterator[Finding]:
@@ -185,7 +193,13 @@ def _located(kind: str, one: Seen, other: Seen, length: float) -> Iterator[Findi
     if kind == "crossing" and abs(point.tangent[-1]) * setting.spans[0] < FLAT:
         return  # the fold itself, by rounding
     crossed = point.tangent if kind == "crossing" else None
-    yield Finding(_of_multipliers(kind), point.loop, _error(kind, one, other, length, point), crossed=crossed)
+    off, how = _error(kind, one, other, length, point), ""
+    if abs(criterion(kind, point)) > JUMPS * max(abs(each.criteria[kind]) for each in (one, other)):
+        # Multipliers jump at a grazing: the sign changes with no zero.
+        if length > FINEST:
+            raise NotLocated(kind)
+        off, how = max(off, abs(_value(one) - _value(other))), JUMPED
+    yield Finding(_of_multipliers(kind), point.loop, off, crossed=crossed, how=how)
 
 
 def _error(kind: str, one: Seen, other: Seen, length: float, point: Point) -> float:

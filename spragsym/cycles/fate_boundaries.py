@@ -51,6 +51,9 @@ MOVED = (TOLERANCES[1], TOLERANCES[1])
 #: A bracket is narrowed to this by the first of them, and no answer is given if it could not be narrowed to that.
 NARROW, TOO_WIDE = 1e-13, 1e-8
 
+#: How far the place may lie that is found from a start which is moved: the error says how far.
+FARTHEST = 1e-5
+
 #: To either side of what was found it is looked whether fates alternate.
 ASIDE = (1e-8, 1e-6)
 
@@ -423,15 +426,17 @@ def _boundary(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> FateBoundary
 def _anew(asked: _Asked, low: _Fate, high: _Fate, kept: int) -> tuple[float, float]:
     """The middle of the bracket by a finer tolerance; how much that, and a start moved by it, change it, with a margin."""
     rough = (low.value + high.value) / 2
-    wide, fine = _bracket(asked, low, high, kept, rough, FINE)
-    more, moved = _bracket(asked, low, high, kept, fine, MOVED)
+    wide, fine = _bracket(asked, low, high, kept, rough, FINE, TOO_WIDE)
+    more, moved = _bracket(asked, low, high, kept, fine, MOVED, FARTHEST)
     return fine, max(wide, more) + 2 * (abs(fine - rough) + abs(moved - fine)) + 4 * float(np.spacing(abs(fine)))
 
 
-def _bracket(asked: _Asked, low: _Fate, high: _Fate, kept: int, near: float, way: tuple[float, float]) -> tuple[float, float]:
+def _bracket(
+    asked: _Asked, low: _Fate, high: _Fate, kept: int, near: float, way: tuple[float, float], most: float
+) -> tuple[float, float]:
     """Width and middle of a bracket near a value, asked for in another way."""
     half = max(high.value - low.value, NARROW * (1 + abs(near)))
-    while half < TOO_WIDE * (1 + abs(near)):
+    while half < most * (1 + abs(near)):
         one, other = asked.ask(near - half, way), asked.ask(near + half, way)
         if min(one.label, other.label) >= 0 and [one.label == kept, other.label == kept] == [
             low.label == kept,
@@ -440,7 +445,7 @@ def _bracket(asked: _Asked, low: _Fate, high: _Fate, kept: int, near: float, way
             one, other = asked.narrowed(one, other, kept, 1e-15 * (1 + abs(near)), way)
             return other.value - one.value, (one.value + other.value) / 2
         half *= 8
-    raise asked.alternating(low, high, near, TOO_WIDE * (1 + abs(near)))
+    raise asked.alternating(low, high, near, most * (1 + abs(near)))
 
 
 def _doubles(asked: _Asked, low: _Fate, high: _Fate) -> bool:

@@ -431,7 +431,7 @@ class Model:
         >>> import spragsym as ss
         >>> model = ss.load("cubic_contact")
         >>> np.round(model.jump_value(model.Parameters(theta0=[0.7, 0.9, 1.4], gamma=3000.0)), 6)
-        array([0.573041, 0.387413,      nan])
+        array([0.597422, 0.385931,      nan])
         """
         from .jumps import jump_value
 

@@ -94,7 +94,10 @@ def missing(one: list[Told], other: list[Told], width: float) -> list[str]:
 
 
 def doubtful(branch: ss.CycleBranch) -> list[str]:
-    """Events whose multipliers are not what they say, unless they are said to jump: to 1e-3, or next to a grazing to a share of what they change between points."""
+    """Events whose multipliers are not what they say, to 1e-3, or next to a grazing to a share of what they change between points.
+
+    Those that are said to jump are left out.
+    """
     found = []
     for event in branch.of("fold", "period_doubling", "torus"):
         if "jumps" in event.how:

@@ -11,10 +11,10 @@ the same command goes on from there.
   way to the next change; where both come to one end there, nearer by, at three errors at least.
 - A refusal is read part by part, and each part has its own confirmation, between the values that it names. That both ends come to
   one attractor: a motion is carried from one to the other, by steps of the parameter so small that averages jump nowhere, and ends
-  with the averages that the motion there has. That motions are undecided: averages still change, neighbours part, or a motion does not come back to itself. That fates
-  alternate more closely than rounding can tell: of motions that begin within rounding of one another, at values within the width
-  that is named, two have different ends. That an attractor ends: a motion carried on past there comes to the averages of the motion
-  there. What was left open for its length is counted as that, and says nothing.
+  with the averages that the motion there has. That motions are undecided: averages still change, neighbours part, or a motion does
+  not come back to itself. That fates alternate more closely than rounding can tell: of motions that begin within rounding of one
+  another, at values within the width that is named, two have different ends. That an attractor ends: a motion carried on past there
+  comes to the averages of the motion there. What was left open for its length is counted as that, and says nothing.
 """
 
 from __future__ import annotations

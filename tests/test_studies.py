@@ -569,6 +569,33 @@ def test_a_model_without_mu0_says_why_it_has_no_jump(tmp_path: Path) -> None:
     assert all(math.isfinite(state["contact_force_N"]) for state in found.states)
 
 
+@pytest.mark.thorough
+def test_a_proof_covers_the_friction_that_works(tmp_path: Path) -> None:
+    """A law may say more at the belt's speed than μ₀, up to which the state was followed."""
+    pytest.importorskip("sympy")
+    from spragsym.derive import folder, pages
+
+    text = (pages.SHIPPED / "kang_nam.py").read_text(encoding="utf-8")
+    text = text.replace(
+        "from ..model import Abs, Page, cos, exp, sgn, sin", "from spragsym.derive.model import Abs, Page, cos, exp, sgn, sin"
+    )
+    text = text.replace(
+        "mu0 * (1 - exp(-d * Abs(v))) * sgn(v)", "mu0 * (1 - exp(-d * Abs(v))) * (1 + 2 * exp(-d * Abs(v))) * sgn(v)"
+    )
+    page = tmp_path / "page.py"
+    page.write_text(text, encoding="utf-8")
+    folder.write_page(page, tmp_path / "rising")
+    rows = {"mu0": "[0.2, 0.22]", "V": "[0.1, 0.2] m/s"}
+    study = of_model(str(tmp_path / "rising"), rows, tmp_path / "brake.toml")
+    _, high = other_tolerances._corners(study, {name: (one.low, one.high) for name, one in study.quantities.items()})
+    # the law at its largest, 9/8, where exp(−d V) is 1/4: inside of the range of V
+    values = {name: one.high for name, one in study.quantities.items()} | {"V": math.log(4) / 10}
+    p, _ = other_models.dimensionless(study.model, values)
+    works = other_models.friction(p.model, p, "friction_at_speed")
+    assert works == pytest.approx(0.22 * 9 / 8)
+    assert float(high.mu0) >= works
+
+
 @pytest.mark.parametrize(
     ("given", "meant"), [("kx", "k_x"), ("kapa", "kappa"), ("thet0", "theta0"), ("K_Y", "k_y"), ("FL", "F_L")]
 )

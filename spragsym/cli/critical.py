@@ -144,8 +144,8 @@ def _frictions(case: Case, p: Any) -> tuple[dict[str, Any], list[str]]:
 
     def fold() -> Any:
         found = model.critical_friction(p, **ask)
-        remarks.extend(f"mu_lowest: {text}" for text in getattr(found, "remarks", ()))
-        return found if getattr(found, "complete", True) else None
+        remarks.extend(f"mu_lowest: {text}" for text in found.remarks)
+        return found if found.complete else None
 
     lowest = told("mu_lowest", fold)
     return {

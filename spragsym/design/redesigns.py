@@ -14,15 +14,15 @@ from ..errors import ParameterError
 from ..parameters import RANGES, FloatArray, Parameters, ParameterSet, PhysicalParameters, as_number
 from .design_space import Space, space
 from .jump_boundary import on_border
-from .jump_values import FROM_LOWER_END, exactly, first_jumps
+from .jump_values import FROM_LOWER_END, FirstJumps, Values, exactly, first_jumps
 from .nearest import RAYS, Member, nearest, shortened
 
 #: A design on the target is moved outward by the first of these shares at which it is verified.
 _OUTWARD = np.array([0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6])
 
 
-#: Which of many designs jump at a limit at the earliest, or never: (set of the model, name, limit).
-Reached: TypeAlias = Callable[[Any, str, float], NDArray[np.bool_]]
+#: Where many designs jump first, as far as that tells on which side of a limit: (set of the model, name, limit).
+Jumps: TypeAlias = Callable[[Any, str, float], Values]
 
 
 @dataclass(frozen=True)
@@ -96,17 +96,14 @@ def redesign(
     if len(wanted) != len(target) or not wanted:
         raise ParameterError(f"target = {dict(target)!r}; give mu0, theta0 or both, with the value below which nothing may jump")
 
-    def reached(p: Any, name: str, limit: float) -> NDArray[np.bool_]:
-        at = first_jumps(p, name, apart_from=np.full(p.shape, limit))
-        known = np.ones(p.shape, dtype=np.bool_)
-        known[list(at.reasons)] = False
-        return known & ~(at.value < limit)
+    def jumps(p: Any, name: str, limit: float) -> FirstJumps:
+        return first_jumps(p, name, apart_from=np.full(p.shape, limit))
 
-    return redesigned(space(p, scale, change, "change"), wanted, reached, lambda p, name: exactly(p, name)[0])
+    return redesigned(space(p, scale, change, "change"), wanted, jumps, lambda p, name: exactly(p, name)[0])
 
 
 def redesigned(
-    designs: Space, wanted: Mapping[str, float], reached: Reached, solved: Callable[[Any, str], float], rays: int = RAYS,
+    designs: Space, wanted: Mapping[str, float], jumps: Jumps, solved: Callable[[Any, str], float], rays: int = RAYS,
     **options: Any,
 ) -> Redesign:  # fmt: skip
     """The nearest of the designs that reach all targets; ``solved`` says where one jumps; ``options`` of jump_gradient."""
@@ -119,7 +116,9 @@ def redesigned(
         for name, limit in wanted.items():
             left = np.flatnonzero(result)
             if left.size:
-                result[left] = reached(designs.sets(z[left]), name, limit)
+                at = jumps(designs.sets(z[left]), name, limit)
+                result[left] = ~(at.value < limit)
+                result[left[list(at.reasons)]] = False
         return result
 
     found = nearest(member, designs.limits(), rays)

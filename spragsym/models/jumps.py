@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..design.gradients import JumpGradient
-from ..design.jump_values import told
+from ..design.jump_values import FROM_LOWER_END, told
 from ..errors import ConvergenceError, ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import Range, as_number, as_numbers
@@ -18,6 +18,7 @@ from .balance import Balance
 from .equilibria import equilibria
 from .paths import first_end
 from .points import FAR
+from .stability import filled
 from .tubes import Parts, Tubes
 from .turning_points import past, turned
 
@@ -27,8 +28,6 @@ BLOCK = 1024
 THIN = 2.0**-14
 #: How often a state that is steep and does not turn back is carried past there, and how far, over the whole way.
 ROUNDS, PAST = 4, 2.0**-8
-#: Parameters that rise from their lower end; the others move from the value that they have.
-FROM_LOWER_END = ("mu0", "theta0")
 
 
 @dataclass(frozen=True)
@@ -109,9 +108,6 @@ class Followed:
     ) -> None:
         if direction not in ("up", "down"):
             raise ParameterError(f"direction = {direction!r}; give 'up' or 'down'")
-        if vary not in model.parameters:
-            known = ", ".join(model.parameters)
-            raise ParameterError(f"vary = {vary!r} is not a parameter of {model.name}; choose one of {known}")
         self.model, self.vary, self.forward = model, vary, 1 if direction == "up" else -1
         allowed = model.Parameters.ranges[vary]
         if begin is None and vary in FROM_LOWER_END:
@@ -211,7 +207,7 @@ class Followed:
         values, q = self.balance.floats(columns), list(state[:, rows])
         directions = self.balance.plain_directions(q, values, np)
         K, moved = (
-            np.moveaxis(np.array([[entry + 0.0 * q[0] for entry in row] for row in matrix]), -1, 0)
+            np.moveaxis(filled(matrix, rows.shape), -1, 0)
             for matrix in (
                 self.balance.by_coordinate("forces_jacobian", q, directions, values, np),
                 self.balance.by_parameters(names, q, directions, values, np),

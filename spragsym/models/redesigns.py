@@ -15,7 +15,7 @@ from ..errors import ParameterError
 from ..exact.interval_arrays import FloatArray
 from ..parameters import as_number
 from .certificates import certify
-from .jumps import Followed, jump_value
+from .jumps import Ends, Followed, jump_value
 
 #: Rays for each dimension squared: a point takes some milliseconds.
 RAYS = 8
@@ -72,16 +72,13 @@ def redesign(
     if len(wanted) != len(target) or not wanted:
         raise ParameterError(f"target = {dict(target)!r}; give parameters of {model.name} below whose values nothing may end")
 
-    def reached(some: Any, name: str, limit: float) -> NDArray[np.bool_]:
-        found = Followed(model, some, name, "up", begin, limit).ends(patient=False)
-        known = np.ones(found.value.shape, dtype=np.bool_)
-        known.flat[list(found.reasons)] = False
-        return known & ~(found.value < limit)
+    def jumps(some: Any, name: str, limit: float) -> Ends:
+        return Followed(model, some, name, "up", begin, limit).ends(patient=False)
 
     def solved(one: Any, name: str) -> float:
         return float(jump_value(model, one, name, begin=begin))
 
-    return redesigned(space(p, scale, change, "change"), wanted, reached, solved, RAYS, begin=begin)
+    return redesigned(space(p, scale, change, "change"), wanted, jumps, solved, RAYS, begin=begin)
 
 
 def _safe(designs: Space, radius: float, vary: str, begin: float) -> bool:

@@ -136,9 +136,9 @@ def linearization(balance: Balance, states: FloatArray, given: FloatArray) -> tu
     mass = undecorated(model.linearization.mass_matrix)(*q, *motion, xp=np)
     damping = undecorated(model.linearization.damping)(*q, *directions[: 3 * balance.springs], *motion, balance.pushing, xp=np)
     return (
-        _filled(mass, shape),
-        _filled(damping, shape),
-        _filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
+        filled(mass, shape),
+        filled(damping, shape),
+        filled(balance.by_coordinate("forces_jacobian", q, directions, values, np), shape),
     )
 
 
@@ -153,5 +153,6 @@ def _values(balance: Balance, given: Iterable[FloatArray]) -> dict[str, Any]:
     return values
 
 
-def _filled(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> FloatArray:
+def filled(rows: Sequence[Sequence[Any]], shape: tuple[int, ...]) -> FloatArray:
+    """A matrix of numbers and arrays as an array, each entry of one shape."""
     return np.array([[np.broadcast_to(np.asarray(entry, dtype=float), shape) for entry in row] for row in rows])

@@ -12,6 +12,7 @@ Segments hold together where the set of states at the end of one lies in the box
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -327,17 +328,24 @@ class Tubes:
         proved; beside it how far each free parameter moves v, shape (free, N).
         """
         out, moves = np.zeros(low.size, dtype=np.int64), np.zeros(parts.half.shape)
+        for pivot, rows, by_v in self.pivots(parts, start):
+            for outcome, goal in ((-1, low), (1, high)):
+                left = np.flatnonzero(out[rows] == 0)
+                some = rows[left]
+                if some.size:
+                    found, moves[:, some] = self._passed(parts[some], start[some], goal[some], pivot, by_v[left], outcome)
+                    out[some[found]] = outcome
+        return out, moves
+
+    def pivots(self, parts: Parts, start: Place) -> Iterator[tuple[int, Any, FloatArray]]:
+        """The coordinate that moves most, over its size, where it does; the points for which it is that, and its slope by v."""
         by_v, _ = self.tangents(parts, start.z, self.n)
         with np.errstate(all="ignore"):
             pivots = np.argmax(np.abs(by_v[: self.n]) / np.maximum(np.abs(start.z[: self.n]), SMALL), axis=0)
         for pivot in range(self.n):
             rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
-            for outcome, goal in ((-1, low), (1, high)):
-                rows = rows[out[rows] == 0]
-                if rows.size:
-                    found, moves[:, rows] = self._passed(parts[rows], start[rows], goal[rows], pivot, by_v[pivot, rows], outcome)
-                    out[rows[found]] = outcome
-        return out, moves
+            if rows.size:
+                yield pivot, rows, by_v[pivot, rows]
 
     def _passed(
         self, parts: Parts, start: Place, goal: FloatArray, pivot: int, by_v: FloatArray, outcome: int

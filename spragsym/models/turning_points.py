@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -42,7 +40,7 @@ def turned(tubes: Tubes, parts: Parts, start: Place, forward: int) -> Turned:
     """
     nothing = np.full(start.sure.size, np.nan)
     out = Turned(start.z.copy(), nothing, nothing.copy(), np.zeros(start.sure.size, dtype=np.bool_))
-    for pivot, rows, by_v in _pivots(tubes, parts, start):
+    for pivot, rows, by_v in tubes.pivots(parts, start):
         towards = forward * np.sign(by_v)
         z, found = _in_floats(tubes, parts[rows], start.z[:, rows], pivot, towards)
         some = rows[found]
@@ -57,7 +55,7 @@ def past(tubes: Tubes, parts: Parts, start: Place, forward: int, by: FloatArray)
     """States carried on where they are steep, until v has moved on by so much, or as far as that is proved, if at all."""
     out = start[np.arange(start.sure.size)]
     out.sure[:] = False
-    for pivot, rows, by_v in _pivots(tubes, parts, start):
+    for pivot, rows, by_v in tubes.pivots(parts, start):
         here, some, towards = start[rows], parts[rows], forward * np.sign(by_v)
         by_s = tubes.tangents(some, here.z, pivot)[0]
         step, goal = STEEP * np.abs(by_v * by[rows]), start.z[tubes.n, rows] + forward * by[rows]
@@ -75,17 +73,6 @@ def past(tubes: Tubes, parts: Parts, start: Place, forward: int, by: FloatArray)
         here.sure[:] = open_ & (here.z[tubes.n] != start.z[tubes.n, rows])
         out.put(rows, here)
     return out
-
-
-def _pivots(tubes: Tubes, parts: Parts, start: Place) -> Iterator[tuple[int, Any, FloatArray]]:
-    """The coordinate that moves most, over its size, where it does; the points for which it is that, and its slope by v."""
-    by_v, _ = tubes.tangents(parts, start.z, tubes.n)
-    with np.errstate(all="ignore"):
-        pivots = np.argmax(np.abs(by_v[: tubes.n]) / _size(start.z[: tubes.n]), axis=0)
-    for pivot in range(tubes.n):
-        rows = np.flatnonzero(start.sure & (pivots == pivot) & (by_v[pivot] != 0))
-        if rows.size:
-            yield pivot, rows, by_v[pivot, rows]
 
 
 def _on(

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from ..design.probability import estimated, variable
+from ..exact.interval_arrays import Intervals, stacked
+from ..models.balance import Balance
 from ..models.certificates import certify
 from ..models.jumps import Followed
 from ..models.load import load
@@ -39,7 +41,8 @@ def certificate_of(study: Study) -> dict[str, Any]:
     -----
     Source: :func:`spragsym.models.certificates.certify` over boxes of the model's parameters that enclose the tolerances, rounded
     outward. Quantities that are the units of others, on which many parameters depend, are cut into slices until the boxes are
-    narrow enough. The friction of the proof is μ₀ itself, and that of a counterexample is the one that works at the belt's speed.
+    narrow enough. The friction of the proof is μ₀ itself, or the one that works at the belt's speed where a law may say more
+    there; that of a counterexample is the one that works.
     """
     point = counterexample(study, _POINTS, jumping)
     if point is not None:
@@ -90,7 +93,7 @@ def jumping(study: Study, shares: FloatArray) -> FloatArray:
 def _ending(study: Study, values: Mapping[str, Any]) -> FloatArray:
     model = load(study.model)
     p, _ = other_models.dimensionless(study.model, values)
-    works = p.mu0 * (other_models.share(model, p) if study.moves else 1.0)
+    works = p.mu0 * (other_models.share(model, p) if "V" in study.quantities else 1.0)
     found = Followed(model, p, "mu0", "up", 0.0, np.broadcast_to(works, p.shape)).ends(patient=False)
     out = np.where(np.isnan(found.value), 0.0, 1.0)
     out[list(found.reasons)] = np.nan
@@ -124,4 +127,10 @@ def _corners(study: Study, ends: Mapping[str, tuple[float, float]]) -> tuple[Any
         off = 0.0 if unit in ("1", "rad") else 2.0**-48  # some roundings of half a unit each
         low[name] = max(min(found) - off * abs(min(found)), allowed.low)
         high[name] = min(max(found) + off * abs(max(found)), allowed.high)
-    return model.Parameters(**low), model.Parameters(**high)
+    corners = model.Parameters(**low), model.Parameters(**high)
+    if "V" not in study.quantities:
+        return corners
+    law = Balance(model, True, "friction_at_speed")
+    columns = (np.array([[value] for value in corner.scalars(*law.parameters)]) for corner in corners)
+    works = law.friction(law.arguments(law.prepared(Intervals.between(*columns))))
+    return corners[0], corners[1].replace(mu0=max(high["mu0"], float(stacked([works], (1,)).high[0, 0])))
